@@ -25,7 +25,7 @@ std::vector<glm::dvec3> rotated(const std::vector<glm::dvec3>& coefficients, int
 // A white surface in the open that faces where most light comes from is just white.
 float exposureFor(const PictureLight& light, const scene::Scene& resolved) {
   constexpr int directions = 200;
-  constexpr double mostStops = 20.0, golden = 2.399963229728653;  // radians: a spiral over the sphere
+  constexpr double mostStops = 40.0, golden = 2.399963229728653;  // radians: a spiral over the sphere
   double brightest = 0.0;
   for (int i = 0; i < directions; ++i) {
     const double z = 1.0 - (2.0 * i + 1.0) / directions, r = std::sqrt(1.0 - z * z);
@@ -75,6 +75,10 @@ PictureLight makePictureLight(const scene::Scene& resolved, const LightScene& li
   result.backgroundScale = static_cast<float>(exposure);
 
   result.automaticExposure = exposureFor(result, resolved);
+  for (const scene::Lamp& lamp : resolved.lamps)
+    if (lamp.shown)
+      result.lampsIrradiance +=
+          static_cast<float>(std::numbers::pi * lamp.intensity * base::luminance(lamp.color));
   return result;
 }
 

@@ -46,6 +46,7 @@ struct PictureLight : StoredSide {  // its own: of the outer side
   // exposure; and the lamps without shadows.
   std::array<glm::vec3, 9> irradianceSh{};
   std::vector<LampLight> lampLights;
+  float lampsIrradiance = 0.0f;  // of a surface in the middle of the volume that faces them all
 
   // The environment behind the surface.
   std::shared_ptr<const Environment> background;  // null: not shown

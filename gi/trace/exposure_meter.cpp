@@ -25,8 +25,8 @@ constexpr double kUnknownReflectance = 0.8;  // of colours that stand for number
 
 // Luminance of the picture, linear: sRGB 157, 105 and 230 of 255.
 constexpr double kMiddle = 0.339, kDarkestMiddle = 0.141, kBrightest = 0.791;
-constexpr double kMostOver = 4.0;  // times kBrightest: of a few highlights over a dark surface
-constexpr double kMostStops = 20.0;
+constexpr double kMostOver = 4.0;    // times kBrightest: of a few highlights over a dark surface
+constexpr double kMostStops = 40.0;  // the range of picture.exposure
 
 struct Points {
   std::vector<LightPoint> light;

@@ -53,6 +53,17 @@ gi::StoredSide innerOf(const gi::PictureLight& light, const gi::StoredSide& oute
   return {};
 }
 
+// Unoccluded irradiance of the sky as it is stored, the mean over all normals.
+double meanOfOpenSky(const gi::PictureLight& light) {
+  constexpr float firstHarmonic = 0.2820948f;
+  double most = 0.0;
+  for (int c = 0; c < 3; ++c)
+    if (light.skyScale[c] > 0.0f)
+      most =
+          std::max(most, static_cast<double>(firstHarmonic * light.irradianceSh[0][c] / light.skyScale[c]));
+  return most;
+}
+
 }  // namespace
 
 LightAtlas::LightAtlas(GlPtr gl) : gl_(std::move(gl)), pages_(gl_), texels_(gl_) {
@@ -77,8 +88,10 @@ bool LightAtlas::setSource(const Source& source) {
   gi::StoredSide outer = light ? outerOf(*light) : gi::StoredSide();
   const bool transfer = outer.sky && outer.sky->content().kind == gi::LightContent::Kind::transfer;
   std::shared_ptr<const gi::TransferBasis> basis = transfer ? light->basis : nullptr;
-  const LightTexelLayout layout = lightTexelLayout(contentOf(outer.sky), contentOf(outer.lamps), basis.get(),
-                                                   source.precision, source.isovalues);
+  LightTexelLayout layout = lightTexelLayout(contentOf(outer.sky), contentOf(outer.lamps), basis.get(),
+                                             source.precision, source.isovalues);
+  if (light) layout.skyUnit = lightUnit(meanOfOpenSky(*light));
+  if (light) layout.lampsUnit = lightUnit(static_cast<double>(light->lampsIrradiance));
   if (layout.sky == LightPacking::none) outer.sky = nullptr;
   const gi::StoredSide inner = light ? innerOf(*light, outer) : gi::StoredSide();
   const std::uint32_t wantedBefore = source_.light ? source_.light->samplesWanted : 0;

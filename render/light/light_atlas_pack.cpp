@@ -145,16 +145,16 @@ bool LightAtlas::pack(std::uint32_t page, std::uint32_t* words) const {
                   holdsPartsOfOpenSky()     ? &smooth[i].sky[0]
                   : !smoothTransfer.empty() ? &smoothTransfer[from]
                                             : &sky->means[from],
-                  content, basis_.get(), next);
+                  layout_.skyUnit, content, basis_.get(), next);
       next += layout_.wordsOf(layout_.sky);
     }
     if (stored.lamps) {
       const gi::LightContent& content = stored.lamps->content();
       if (lampsLit && source_.filtered)
-        packLight(layout_.lamps, &smooth[i].lamps[0], content, nullptr, next);
+        packLight(layout_.lamps, &smooth[i].lamps[0], layout_.lampsUnit, content, nullptr, next);
       else if (lampsLit)
-        packLight(layout_.lamps, &lamps->means[i * static_cast<std::size_t>(content.components())], content,
-                  nullptr, next);
+        packLight(layout_.lamps, &lamps->means[i * static_cast<std::size_t>(content.components())],
+                  layout_.lampsUnit, content, nullptr, next);
       next += layout_.wordsOf(layout_.lamps);
     }
     if (layout_.isovalue) {

@@ -87,9 +87,14 @@ std::uint32_t packTexelState(glm::vec3 normal, float skyFraction, float lampsFra
   return word | fractionBits(skyFraction) << 24 | fractionBits(lampsFraction) << 28;
 }
 
-void packLight(LightPacking packing, const float* means, const gi::LightContent& content,
+float lightUnit(double irradiance) {
+  if (!(irradiance > 0.0) || !std::isfinite(irradiance)) return 1.0f;
+  return static_cast<float>(std::exp2(std::clamp(std::round(std::log2(irradiance)), -100.0, 100.0)));
+}
+
+void packLight(LightPacking packing, const float* means, float unit, const gi::LightContent& content,
                const gi::TransferBasis* basis, std::uint32_t* out) {
-  const auto component = [&](int i) { return std::isfinite(means[i]) ? means[i] : 0.0f; };
+  const auto component = [&](int i) { return std::isfinite(means[i]) ? means[i] / unit : 0.0f; };
   switch (packing) {
     case LightPacking::none:
       return;

@@ -26,6 +26,9 @@ struct LightTexelLayout {
   std::vector<gi::TransferBasis::Field> fields{};  // of codes
   int codeWords = 0;
   bool isovalue = false;
+  // Irradiance is stored as parts of these, powers of two near that of the unoccluded light: small floats
+  // hold it whatever units a light probe has.
+  float skyUnit = 1.0f, lampsUnit = 1.0f;
 
   int wordsOf(LightPacking packing) const;
   int words() const { return 1 + wordsOf(sky) + wordsOf(lamps) + (isovalue ? 1 : 0); }
@@ -43,8 +46,12 @@ std::uint32_t packR11g11b10(glm::vec3 e);
 // Word 0. Fractions 0 .. 1; one above 0 never becomes 0.
 std::uint32_t packTexelState(glm::vec3 normal, float skyFraction, float lampsFraction);
 
-// Of one texel: `means` are LightContent::components() numbers, `out` wordsOf(packing) words.
-void packLight(LightPacking packing, const float* means, const gi::LightContent& content,
+// The power of two nearest to an irradiance; 1 where there is none.
+float lightUnit(double irradiance);
+
+// Of one texel: `means` are LightContent::components() numbers, `out` wordsOf(packing) words. unit: that
+// irradiance is stored as parts of.
+void packLight(LightPacking packing, const float* means, float unit, const gi::LightContent& content,
                const gi::TransferBasis* basis, std::uint32_t* out);
 
 }  // namespace isolux::render

@@ -177,7 +177,8 @@ void FrameLight::setLattice(const FrameState& frame, Program& p) {
       texelsPerVoxel[axis] =
           static_cast<float>(geometry.dims[axis] - 1) / static_cast<float>(geometry.volumeDims[axis] - 1);
   p.set("uTexelsPerVoxel", texelsPerVoxel);
-  p.set("uSkyScale", frame.light->skyScale);
+  p.set("uSkyScale", frame.light->skyScale * atlas_.layout().skyUnit);
+  p.set("uLampsUnit", atlas_.layout().lampsUnit);
   if (atlas_.holdsPartsOfOpenSky()) p.set("uPerMeanSky", atlas_.openSky().perMean());
   glm::vec4 isovalues(0.0f), opacities(1.0f);
   for (std::size_t i = 0; i < frame.surfaces.size(); ++i) {

@@ -28,6 +28,7 @@ uvec2 firstWords(int at) { return uvec2(lightWord(at), lightWord(at + 1)); }
 uniform ivec3 uLatticeDims, uLatticeBlocks;
 uniform vec3 uTexelsPerVoxel;  // 0 on an axis of one texel
 uniform vec3 uSkyScale;        // E = this times what is stored; transfer has its own scale
+uniform float uLampsUnit;      // the same of lamps
 uniform vec3 uPerMeanSky;      // 1 / mean of localSky() over all normals
 const float leastOpenSky = 0.2;
 #if SKY == PACKED_CODES
@@ -166,5 +167,5 @@ void lookUp(vec3 voxel, vec3 normal, float isovalue) {
   skySum *= max(uPerMeanSky * localSky(normal), leastOpenSky);
 #endif
 #endif
-  lampsSum *= scale.y;
+  lampsSum *= scale.y * uLampsUnit;
 }

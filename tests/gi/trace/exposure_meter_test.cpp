@@ -86,6 +86,8 @@ TEST(Exposure, PutsTheMedianInTheMiddleUnlessHighlightsAskForLess) {
   EXPECT_NEAR(shown(0.1, 0.4).second, 0.791, 1e-12);  // the highlights are held
   EXPECT_NEAR(shown(0.1, 1.0).first, 0.141, 1e-12);   // but not at any price
   EXPECT_NEAR(shown(1e-6, 1.0).second, 4.0 * 0.791, 1e-9);
+  EXPECT_NEAR(shown(1e-9, 1.5e-9).first, 0.339, 1e-12);  // a probe of the night
+  EXPECT_NEAR(shown(1e9, 1.5e9).first, 0.339, 1e-12);    // of a lamp in candela per square metre
   EXPECT_EQ(exposureOf({0.0, 0.0}), 0.0);
   EXPECT_NEAR(shown(0.0, 1.0).second, 4.0 * 0.791, 1e-9);
 }

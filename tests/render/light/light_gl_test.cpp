@@ -374,6 +374,27 @@ TEST_F(LightGlTest, SkyAndLampsAddUp) {
     }
 }
 
+// Of light probes and lamps in lux as of those of a night.
+TEST_F(LightGlTest, LightOfAnyUnitIsFound) {
+  const auto volume = phantom("ball", 24);
+  for (const float level : {1e-9f, 3e-7f, 1.0f, 1e5f, 3e6f, 1e12f})
+    for (const char* precision : {"half", "r11g11b10"})
+      for (const char* interpolation : {"trilinear", "weighted"}) {
+        const auto sky = emptyLattice(dimsOf(volume), 1.0), lamps = emptyLattice(dimsOf(volume), 1.0);
+        writeAll(*sky, [&](glm::ivec3) { return constant(level * glm::vec3(1.0f, 0.5f, 0.25f)); });
+        writeAll(*lamps, [&](glm::ivec3) { return constant(level * glm::vec3(0.25f, 0.5f, 2.0f)); });
+        auto light = pictureLight(sky);
+        light->lamps = lamps;
+        light->irradianceSh[0] = glm::vec3(level / 0.2820948f);
+        light->lampsIrradiance = level;
+        draw(volume, light,
+             {std::string("gi.precision=") + precision, std::string("gi.interpolation=") + interpolation});
+        SCOPED_TRACE(std::to_string(level) + " " + precision + " " + interpolation);
+        expectIrradiance([&](auto, auto) { return static_cast<double>(level) * glm::dvec3(1.25, 1.0, 2.25); },
+                         0.02);
+      }
+}
+
 TEST_F(LightGlTest, BothPrecisionsRoundToTheirNearest) {
   const auto volume = phantom("ball", 24);
   const auto lattice = emptyLattice(dimsOf(volume), 1.0);

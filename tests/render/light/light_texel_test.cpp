@@ -46,9 +46,25 @@ TEST(LightTexelTest, MeansThatAreNoNumbersAreZeroAndHugeOnesTheLargest) {
   const gi::LightContent content{gi::LightContent::Kind::irradiance, 3, 0};
   const std::array<float, 3> means{NAN, kInfinity, 1e30f};
   std::array<std::uint32_t, 2> words{};
-  packLight(LightPacking::half, means.data(), content, nullptr, words.data());
+  packLight(LightPacking::half, means.data(), 1.0f, content, nullptr, words.data());
   EXPECT_EQ(glm::unpackHalf2x16(words[0]), glm::vec2(0.0f));
   EXPECT_EQ(glm::unpackHalf2x16(words[1]).x, 65504.0f);
+}
+
+TEST(LightTexelTest, UnitsAreThePowersOfTwoNearestToTheLight) {
+  EXPECT_EQ(lightUnit(1.0), 1.0f);
+  EXPECT_EQ(lightUnit(1e5), 131072.0f);
+  EXPECT_EQ(lightUnit(3e-7), 0x1p-22f);
+  for (const double none : {0.0, -1.0, static_cast<double>(NAN), static_cast<double>(kInfinity)})
+    EXPECT_EQ(lightUnit(none), 1.0f);
+  const gi::LightContent content{gi::LightContent::Kind::irradiance, 3, 0};
+  const std::array<float, 3> means{1e5f, 5e4f, 2e6f};
+  std::array<std::uint32_t, 2> words{};
+  packLight(LightPacking::half, means.data(), lightUnit(1e5), content, nullptr, words.data());
+  const glm::vec2 first = 131072.0f * glm::unpackHalf2x16(words[0]);
+  EXPECT_NEAR(first.x, 1e5f, 50.0f);
+  EXPECT_NEAR(first.y, 5e4f, 25.0f);
+  EXPECT_NEAR(131072.0f * glm::unpackHalf2x16(words[1]).x, 2e6f, 1000.0f);
 }
 
 }  // namespace
