@@ -93,8 +93,8 @@ gi::StoredLight ClusterBake::begin(const ClusterScene& scene, const ClusterLight
   if (fs::exists(options_.out, missing)) {
     const auto keyOf = [](const auto& lattice) { return lattice ? lattice->key() : std::string(); };
     try {
-      stored = gi::readBakeFile(options_.out, scene.volume->grid(), keyOf(light.working().sky),
-                                keyOf(light.working().lamps), progress);
+      stored = gi::readBakeFile(options_.out, scene.volume->grid(), light.plan().hidden,
+                                keyOf(light.working().sky), keyOf(light.working().lamps), progress);
     } catch (const base::Error& error) {
       if (error.kind() != base::ErrorKind::input) throw;
       replaced = error.reason();

@@ -385,14 +385,16 @@ gi::BakeFacts LightController::load(const std::filesystem::path& file, base::Pro
   while (!settle(0.05)) progress.throwIfStopped();
   VolumePointer volume;
   std::string skyKey, lampsKey;
+  std::vector<volume::HiddenOfSurface> hidden;
   {
     const std::lock_guard guard(parts_->mutex);
     if (parts_->failure) std::rethrow_exception(parts_->failure);
     volume = parts_->volume;
+    hidden = parts_->plan.hidden;
     if (parts_->plan.sky) skyKey = parts_->plan.sky->lattice()->key();
     if (parts_->plan.lamps) lampsKey = parts_->plan.lamps->lattice()->key();
   }
-  gi::StoredLight stored = gi::readBakeFile(file, volume->grid(), skyKey, lampsKey, progress);
+  gi::StoredLight stored = gi::readBakeFile(file, volume->grid(), hidden, skyKey, lampsKey, progress);
   LightPlan before;  // goes with the mutex open
   std::unique_lock lock(parts_->mutex);
   // From now on the planner thread sleeps: it begins nothing while the mutex is held.

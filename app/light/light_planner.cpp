@@ -97,6 +97,7 @@ const LightPlan& LightPlanner::plan(const scene::Scene& given, const VolumePoint
   plan_ = {};
   plan_.choice = choice;
   if (choice.wanted) {
+    plan_.hidden = tracer_->hidden();
     plan_.arithmetic = gi::arithmeticOf(*tracer_);
     plan_.target = tracer_->target();
   }

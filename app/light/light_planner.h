@@ -38,8 +38,9 @@ struct LightPlan {
   std::shared_ptr<gi::LightBake> sky, lamps;  // of the outer sides
   std::shared_ptr<gi::LightBake> innerSky, innerLamps;
   std::vector<std::string> warnings;
-  std::string arithmetic;  // gi::arithmeticOf() its tracer; empty: nothing is traced
-  std::string target;      // the instructions it is traced with: IsosurfaceTracer::target()
+  std::vector<volume::HiddenOfSurface> hidden;  // what its tracer's rays pass
+  std::string arithmetic;                       // gi::arithmeticOf() its tracer; empty: nothing is traced
+  std::string target;  // the instructions it is traced with: IsosurfaceTracer::target()
 
   std::vector<std::shared_ptr<gi::LightBake>> bakes() const;  // those that there are
 };

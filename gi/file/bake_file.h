@@ -16,12 +16,14 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "base/progress.h"
 #include "gi/lattice/lattice_part.h"
 #include "gi/lattice/light_lattice.h"
 #include "volume/grid.h"
+#include "volume/pieces/hidden_pieces.h"
 
 namespace isolux::gi {
 
@@ -57,9 +59,11 @@ void writeBakePieces(const std::filesystem::path& index, int pieces, const volum
 std::filesystem::path bakePieceFile(const std::filesystem::path& index, int number, int count);
 
 // The lattices of those keys; an empty key: not wanted. Null where the file has no such lattice. Refuses a
-// file of another volume, and lattices of another key, with what differs as the reason.
+// file of another volume, and lattices of another key, with what differs as the reason. hidden: as of the
+// tracer that the light is of (IsosurfaceTracer::hidden()).
 StoredLight readBakeFile(const std::filesystem::path& path, const volume::Grid& grid,
-                         const std::string& skyKey, const std::string& lampsKey, base::Progress& progress);
+                         std::span<const volume::HiddenOfSurface> hidden, const std::string& skyKey,
+                         const std::string& lampsKey, base::Progress& progress);
 
 // Whether a file's texels are lit where one isosurface passes them (LatticeGeometry::isovalue). Throws as
 // readBakeFile().

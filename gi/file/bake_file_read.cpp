@@ -83,17 +83,21 @@ void checkShape(const LatticeGeometry& geometry, const LightContent& content, co
     throwInput(file, "Array content", "is not what the key tells of");
 }
 
-// Where the texel of a lattice with an isovalue was lit: a function of the volume, so that no file holds it.
+// Where the texel of a lattice with an isovalue was lit: a function of the volume and of what is hidden of
+// it, so that no file holds it.
 std::optional<glm::vec3> placeOf(const LatticeGeometry& geometry, const volume::Grid& grid,
-                                 std::uint32_t block, std::size_t index) {
+                                 const volume::HiddenPieces& hidden, std::uint32_t block, std::size_t index) {
   const glm::vec3 voxel = geometry.voxelOf(geometry.texelOf(block, static_cast<int>(index)));
-  return volume::nearestSurfacePoint(grid, voxel, geometry.reach(), *geometry.isovalue);
+  return volume::nearestSurfacePoint(grid, voxel, geometry.reach(), *geometry.isovalue, hidden);
 }
 
 void readLattice(const volume::Bytes& bytes, const BakeHeader& header, const volume::Grid& grid,
-                 LightLattice& lattice, const std::string& suffix, base::Progress& progress) {
+                 std::span<const volume::HiddenOfSurface> surfaces, LightLattice& lattice,
+                 const std::string& suffix, base::Progress& progress) {
   const LatticeGeometry& geometry = lattice.geometry();
   const LightContent content = lattice.content();
+  volume::HiddenPieces hidden;
+  if (geometry.isovalue) hidden = volume::hiddenAt(surfaces, grid, *geometry.isovalue);
   const bool transfer = content.kind == LightContent::Kind::transfer;
   const auto stored = static_cast<std::size_t>(content.components());
   const std::size_t written = transfer ? stored : 3;
@@ -136,7 +140,7 @@ void readLattice(const volume::Bytes& bytes, const BakeHeader& header, const vol
       const float length2 = glm::dot(block.normals[i], block.normals[i]);
       if (!(length2 > 0.9f && length2 < 1.1f)) normals.fail("a lit texel has no normal");
       if (geometry.isovalue) {
-        const std::optional<glm::vec3> place = placeOf(geometry, grid, b, i);
+        const std::optional<glm::vec3> place = placeOf(geometry, grid, hidden, b, i);
         if (!place) normals.fail("a lit texel has no isosurface near it");
         block.places[i] = *place;
       }
@@ -149,7 +153,8 @@ void readLattice(const volume::Bytes& bytes, const BakeHeader& header, const vol
   }
 }
 
-StoredLight read(const fs::path& path, const volume::Grid& grid, const std::string& skyKey,
+StoredLight read(const fs::path& path, const volume::Grid& grid,
+                 std::span<const volume::HiddenOfSurface> hidden, const std::string& skyKey,
                  const std::string& lampsKey, base::Progress& progress) {
   const volume::FileBytes bytes(path);
   const std::string& file = bytes.name();
@@ -174,7 +179,7 @@ StoredLight read(const fs::path& path, const volume::Grid& grid, const std::stri
     geometry.isovalue = isovalueOf(skyKey, grid);
     checkShape(geometry, content, skyKey, file);
     light.sky = std::make_shared<LightLattice>(geometry, content, skyKey);
-    readLattice(bytes, header, grid, *light.sky, "", progress);
+    readLattice(bytes, header, grid, hidden, *light.sky, "", progress);
   }
   if (hasLamps && !lampsKey.empty()) {
     checkKey(header, file, "key_lamps", lampsKey);
@@ -182,7 +187,7 @@ StoredLight read(const fs::path& path, const volume::Grid& grid, const std::stri
     geometry.isovalue = isovalueOf(lampsKey, grid);
     checkShape(geometry, content, lampsKey, file);
     light.lamps = std::make_shared<LightLattice>(geometry, content, lampsKey);
-    readLattice(bytes, header, grid, *light.lamps, "_lamps", progress);
+    readLattice(bytes, header, grid, hidden, *light.lamps, "_lamps", progress);
   }
   if (!hasSky && !hasLamps) throwInput(file, "PointData", "holds no light");
   progress.report(1.0, "reading light");
@@ -220,10 +225,11 @@ bool isOfOneIsovalue(const fs::path& path) {
   return false;
 }
 
-StoredLight readBakeFile(const fs::path& path, const volume::Grid& grid, const std::string& skyKey,
+StoredLight readBakeFile(const fs::path& path, const volume::Grid& grid,
+                         std::span<const volume::HiddenOfSurface> hidden, const std::string& skyKey,
                          const std::string& lampsKey, base::Progress& progress) {
   try {
-    return read(path, grid, skyKey, lampsKey, progress);
+    return read(path, grid, hidden, skyKey, lampsKey, progress);
   } catch (const std::bad_alloc&) {
     throw base::Error(base::ErrorKind::memory, path.string(), "", "out of memory while light is read");
   }

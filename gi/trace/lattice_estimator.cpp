@@ -10,7 +10,7 @@ namespace isolux::gi {
 
 namespace {
 
-// The trilinear field at a position inside the domain, stored units; NaN where a voxel of its cell is
+// The trilinear field at a position inside the domain, stored units; NaN where a voxel that it is made of is
 // missing.
 float fieldAt(const volume::Grid& grid, glm::vec3 voxel) {
   const glm::ivec3 last = grid.dims() - 1;
@@ -23,7 +23,7 @@ float fieldAt(const volume::Grid& grid, glm::vec3 voxel) {
                         (corner & 4) ? high.z : low.z);
     const double weight = ((corner & 1) ? part.x : 1.0 - part.x) * ((corner & 2) ? part.y : 1.0 - part.y) *
                           ((corner & 4) ? part.z : 1.0 - part.z);
-    value += weight * grid.stored(at.x, at.y, at.z);
+    if (weight > 0.0) value += weight * grid.stored(at.x, at.y, at.z);  // what has no weight may be missing
   }
   return static_cast<float>(value);
 }
@@ -35,15 +35,6 @@ std::shared_ptr<const LightScene> lightOf(std::shared_ptr<const LightScene> ligh
   auto whole = std::make_shared<LightScene>(*light);
   whole->tracer = light->tracer->withAllPieces();
   return whole;
-}
-
-// Of the isosurface whose texels are lit.
-volume::HiddenPieces hiddenOf(const LightScene& light, const LatticeGeometry& geometry,
-                              const std::vector<volume::HiddenOfSurface>& surfaces) {
-  for (const volume::HiddenOfSurface& surface : surfaces)
-    if (static_cast<float>(light.volume->grid().storedOfValue(surface.isovalue)) == *geometry.isovalue)
-      return {surface.voxels.get(), surface.inside};
-  return {};
 }
 
 }  // namespace
@@ -65,11 +56,12 @@ void LatticeEstimator::points(std::span<const glm::ivec3> texels, std::span<Texe
   std::vector<glm::vec3> voxels(texels.size()), gradients(texels.size());
   std::vector<bool> has(texels.size());
   const std::vector<volume::HiddenOfSurface> surfaces = tracer_.light().tracer->hidden();
+  volume::HiddenPieces hidden;
+  if (geometry_.isovalue) hidden = volume::hiddenAt(surfaces, grid, *geometry_.isovalue);
   for (std::size_t i = 0; i < texels.size(); ++i) {
     std::optional<glm::vec3> place = geometry_.voxelOf(texels[i]);
     if (geometry_.isovalue)
-      place = volume::nearestSurfacePoint(grid, *place, geometry_.reach(), *geometry_.isovalue,
-                                          hiddenOf(tracer_.light(), geometry_, surfaces));
+      place = volume::nearestSurfacePoint(grid, *place, geometry_.reach(), *geometry_.isovalue, hidden);
     if (place) voxels[i] = *place;
     has[i] = place && !std::isnan(fieldAt(grid, *place));
   }

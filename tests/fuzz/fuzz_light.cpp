@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const char* key : {fuzz::kIrradianceKey, fuzz::kTransferKey}) {
     base::Progress progress;
     try {
-      gi::readBakeFile(file.path(), grid, key, fuzz::kLampsKey, progress);
+      gi::readBakeFile(file.path(), grid, {}, key, fuzz::kLampsKey, progress);
     } catch (const base::Error& error) {
       if (error.kind() != base::ErrorKind::input && error.kind() != base::ErrorKind::memory) std::abort();
     }

@@ -16,6 +16,10 @@
 
 #include "gi/bake/light_bake.h"
 #include "tests/gi/bake/formula_estimator.h"
+#include "tests/support/volumes.h"
+#include "volume/hit/nearest_point.h"
+#include "volume/pieces/hidden_pieces.h"
+#include "volume/prepared_volume.h"
 #include "volume/read/reader.h"
 
 namespace isolux::gi {
@@ -44,7 +48,7 @@ class BakeFile : public testing::Test {
   }
   void replace(const std::string& text) const { std::ofstream(file(), std::ios::binary) << text; }
   StoredLight read(const std::string& key = kKey, const std::string& lampsKey = kLampsKey) {
-    return readBakeFile(file(), grid_, key, lampsKey, progress_);
+    return readBakeFile(file(), grid_, {}, key, lampsKey, progress_);
   }
   // The error of reading, as one line.
   std::string refusal(const std::string& key = kKey) {
@@ -140,7 +144,7 @@ TEST_F(BakeFile, PlacesOnAnIsosurfaceComeBack) {
   ASSERT_GT(lattice->bakedTexels(), 100u);
   writeBakeFile(file(), grid, {lattice, nullptr}, progress_);
   EXPECT_TRUE(isOfOneIsovalue(file()));
-  const StoredLight light = readBakeFile(file(), grid, key, "", progress_);
+  const StoredLight light = readBakeFile(file(), grid, {}, key, "", progress_);
   ASSERT_TRUE(light.sky);
   expectSameLight(*lattice, *light.sky);
   for (std::uint32_t b = 0; b < geometry.blockCount(); ++b)
@@ -148,10 +152,54 @@ TEST_F(BakeFile, PlacesOnAnIsosurfaceComeBack) {
       if (!lattice->has(b) || lattice->at(b)->samples[i] == 0) continue;
       EXPECT_LT(glm::length(light.sky->at(b)->places[i] - lattice->at(b)->places[i]), 1e-4f);
     }
-  EXPECT_THROW(readBakeFile(file(), grid, R"({"lattice_scale":1.5,"isovalue":5.0})", "", progress_),
+  EXPECT_THROW(readBakeFile(file(), grid, {}, R"({"lattice_scale":1.5,"isovalue":5.0})", "", progress_),
                base::Error);
   writeBakeFile(file(), grid_, {baked(geometry_, kIrradiance, 4), nullptr}, progress_);
   EXPECT_FALSE(isOfOneIsovalue(file()));
+}
+
+// A ball close to a larger one is hidden: texels between them were lit on the larger one.
+TEST_F(BakeFile, TexelsStandWhereTheyWereLitBesideAHiddenPiece) {
+  const auto balls = test::prepared(test::gridOfVoxels(test::unitGeometry({48, 32, 32}), [](glm::dvec3 p) {
+    return std::max(11.0 - glm::distance(p, glm::dvec3(16.3, 15.5, 15.5)),
+                    6.5 - glm::distance(p, glm::dvec3(34.3, 15.5, 15.5)));
+  }));
+  scene::Scene scene;
+  scene.isosurface.value = 0.0;
+  scene.pieces.keep = 1;
+  const std::vector<volume::HiddenOfSurface> hidden = volume::hiddenOf(scene, *balls->pieces, progress_);
+  const volume::Grid& grid = balls->grid();
+  const std::string key = R"({"lattice_scale":1.0,"isovalue":0.0})";
+  const LatticeGeometry geometry = LatticeGeometry::make(grid.dims(), 1.0, 0.0f);
+  auto lattice = std::make_shared<LightLattice>(geometry, kIrradiance, key);
+  for (std::uint32_t b = 0; b < geometry.blockCount(); ++b) {
+    LatticeBlock block = lattice->dark();
+    for (std::size_t i = 0; i < kTexelsOfBlock; ++i) {
+      const glm::ivec3 texel = geometry.texelOf(b, static_cast<int>(i));
+      if (!geometry.contains(texel)) continue;
+      const auto place = volume::nearestSurfacePoint(grid, geometry.voxelOf(texel), geometry.reach(), 0.0f,
+                                                     volume::hiddenAt(hidden, 0.0));
+      if (!place) continue;
+      block.samples[i] = 16;
+      block.normals[i] = {1.0f, 0.0f, 0.0f};
+      block.places[i] = *place;
+    }
+    if (std::any_of(block.samples.begin(), block.samples.end(), [](auto n) { return n > 0; }))
+      lattice->write(b, block);
+  }
+  writeBakeFile(file(), grid, {lattice, nullptr}, progress_);
+  const StoredLight light = readBakeFile(file(), grid, hidden, key, "", progress_);
+  ASSERT_TRUE(light.sky);
+  expectSameLight(*lattice, *light.sky);
+  std::size_t lit = 0;
+  for (std::uint32_t b = 0; b < geometry.blockCount(); ++b) {
+    if (!lattice->has(b)) continue;
+    EXPECT_EQ(light.sky->at(b)->places, lattice->at(b)->places);
+    const auto& samples = lattice->at(b)->samples;
+    lit +=
+        static_cast<std::size_t>(std::count_if(samples.begin(), samples.end(), [](auto n) { return n > 0; }));
+  }
+  EXPECT_GT(lit, 1000u);
 }
 
 TEST_F(BakeFile, LampsAloneAreAFileToo) {

@@ -142,7 +142,7 @@ TEST_F(BakeMerge, MixedArithmeticIsSaid) {
   write("part1", 1, 2);
   write("part2", 2, 2, {.arithmetic = "no-fma"});
   merge({"part1", "part2"}, true);
-  const BakeFacts facts = readBakeFile(at("merged.vti"), grid_, kSkyKey, kMergeLampsKey, progress_).facts;
+  const BakeFacts facts = readBakeFile(at("merged.vti"), grid_, {}, kSkyKey, kMergeLampsKey, progress_).facts;
   EXPECT_EQ(facts.arithmetic, "fma, no-fma");
   EXPECT_FALSE(facts.part);
 }
