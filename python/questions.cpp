@@ -156,8 +156,7 @@ ordered_json measured(const volume::PreparedVolume& prepared, const scene::Scene
   const volume::PieceMeasures measures = measurePieces(*pieces, *prepared.blocks, question, shown, progress);
   if (measures.whole.cells == 0)
     throw Error(ErrorKind::usage, "", "isovalue " + base::shortText(question.isovalue),
-                "there is no surface; values reach from " + base::shortText(prepared.grid().minimum()) +
-                    " to " + base::shortText(prepared.grid().maximum()));
+                volume::whyNoSurface(prepared.grid()));
   ordered_json json{{"isovalue", question.isovalue},
                     {"unit", prepared.volume.unit},
                     {"inside", question.inside == scene::Inside::above ? "above" : "below"},

@@ -60,10 +60,7 @@ void refuseWhatIsNoSurface(const MeasureOptions& options, const MeasuredSurface&
                            const volume::SurfaceMeasure& surface) {
   const std::string at = "isovalue " + base::shortText(measured.surface.isovalue);
   if (surface.cells == 0 && options.box.empty())
-    base::throwInput(measured.file, at,
-                     "there is no surface; values reach from " +
-                         base::shortText(measured.prepared.grid().minimum()) + " to " +
-                         base::shortText(measured.prepared.grid().maximum()));
+    base::throwInput(measured.file, at, volume::whyNoSurface(measured.prepared.grid()));
   if (options.closed && surface.open())
     base::throwInput(measured.file, at, "the surface is open: " + openReason(surface));
 }

@@ -13,8 +13,9 @@ namespace isolux::volume {
 
 namespace {
 
-constexpr double kEnough = 1e-4;  // of the cell, by what the two rules may differ on a stretch of slices
-constexpr int kMostHalvings = 7;
+constexpr double kEnough = 1e-4;   // of the cell, by what the two rules may differ on a stretch of slices
+constexpr int kMostHalvings = 30;  // sheets that hug the faces of a cell end within a millionth of a slice
+constexpr double kOfZero = 1e-8;   // of the cell's largest value: a corner at the isovalue is so far inside
 constexpr int kMostArcStretches = 16;  // of arcs in halved stretches of slices, doubled with each
 
 // A cell turned so that slices are stacked along its last axis, scaled to values of 1 at most.
@@ -42,7 +43,7 @@ TurnedCell turned(const CellCorners& c, const CellMetric& metric) {
   for (std::size_t i = 0; i < 8; ++i) {
     std::size_t from = 0;
     for (std::size_t k = 0; k < 3; ++k) from |= (i >> k & 1) << cell.axis[k];
-    cell.corner[i] = c[from] / cell.scale;
+    cell.corner[i] = c[from] == 0.0 ? kOfZero : c[from] / cell.scale;
   }
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 3; ++k)

@@ -1,10 +1,13 @@
 #include "volume/measure/surface_measure.h"
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <vector>
 
 #include <glm/common.hpp>
 
+#include "base/number_text.h"
 #include "volume/measure/box_part.h"
 #include "volume/measure/surface_sums.h"
 #include "volume/parallel_steps.h"
@@ -79,23 +82,27 @@ void BlockRow::addCell(glm::ivec3 cell, const CellCorners& corners, bool crossed
   adder_.addPoints(cell, points_, sums_);
 }
 
-bool borderInside(const Grid& grid, const SurfaceQuestion& question) {
+bool borderInside(const Grid& grid, const SurfaceQuestion& question, base::Progress& progress) {
   const glm::ivec3 dims = grid.dims();
   const double sign = question.inside == scene::Inside::above ? 1.0 : -1.0;
   std::optional<BoxWalls> walls;
   if (question.box) walls.emplace(grid.geometry(), *question.box);
+  std::atomic<bool> any = false;
   for (int axis = 0; axis < 3; ++axis)
     for (const int plane : {0, dims[axis] - 1}) {
-      glm::ivec3 p(0);
-      p[axis] = plane;
       const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-      for (p[v] = 0; p[v] < dims[v]; ++p[v])
-        for (p[u] = 0; p[u] < dims[u]; ++p[u]) {
+      parallelSteps(static_cast<std::size_t>(dims[v]), progress, {}, [&](std::size_t row) {
+        glm::ivec3 p(0);
+        p[axis] = plane;
+        p[v] = static_cast<int>(row);
+        for (p[u] = 0; p[u] < dims[u] && !any; ++p[u]) {
           if (!(sign * (grid.value(p.x, p.y, p.z) - question.isovalue) >= 0.0)) continue;
           const glm::ivec3 cell = glm::min(p, dims - 2);
           if (question.keeps && !question.keeps(cell)) continue;
-          if (!walls || walls->side(p, p) == BoxWalls::Side::inside) return true;
+          if (!walls || walls->side(p, p) == BoxWalls::Side::inside) any = true;
         }
+      });
+      if (any) return true;
     }
   return false;
 }
@@ -114,8 +121,18 @@ SurfaceMeasure measureSurface(const Grid& grid, const MinMaxBlocks& blocks, cons
   });
   SurfaceSums sums;
   for (const SurfaceSums& row : rows) sums += row;
-  sums.meetsBorder = borderInside(grid, question);
+  sums.meetsBorder = borderInside(grid, question, progress);
   return concluded(grid, question, sums);
+}
+
+std::string whyNoSurface(const Grid& grid) {
+  const glm::ivec3 dims = grid.dims();
+  if (std::min({dims.x, dims.y, dims.z}) < 2)
+    return "there is no surface: an axis of the volume has one voxel only";
+  if (grid.missingCount() == grid.geometry().voxelCount())
+    return "there is no surface: every voxel is missing";
+  return "there is no surface; values reach from " + base::shortText(grid.minimum()) + " to " +
+         base::shortText(grid.maximum());
 }
 
 }  // namespace isolux::volume

@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 
 #include <glm/vec3.hpp>
 
@@ -43,5 +44,9 @@ struct SurfaceMeasure {
 // Throws Error{interrupted}. Grids without cells and NaN isovalues have nothing.
 SurfaceMeasure measureSurface(const Grid& grid, const MinMaxBlocks& blocks, const SurfaceQuestion& question,
                               base::Progress& progress);
+
+// Why a surface that holds no cell is none, for messages: an axis has one voxel only, every voxel is missing,
+// or the values do not reach the isovalue.
+std::string whyNoSurface(const Grid& grid);
 
 }  // namespace isolux::volume

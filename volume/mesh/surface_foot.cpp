@@ -22,10 +22,6 @@ SurfaceFoot::Sample SurfaceFoot::at(const glm::dvec3& voxel) const {
   return {s.value - isovalue_, s.gradient};
 }
 
-glm::dvec3 SurfaceFoot::gradient(const glm::dvec3& voxel) const {
-  return at(voxel).gradient;
-}
-
 std::optional<glm::dvec3> SurfaceFoot::of(const glm::dvec3& voxel) const {
   constexpr int steps = 24;
   constexpr double near = 1e-9, farthest = 2.0, longest = 0.5;  // voxels

@@ -20,7 +20,6 @@ class SurfaceFoot {
   // By Newton's steps along the gradient of the world, to 1e-9 voxel; voxel coordinates. Nothing where they
   // do not come to the surface within two voxels.
   std::optional<glm::dvec3> of(const glm::dvec3& voxel) const;
-  glm::dvec3 gradient(const glm::dvec3& voxel) const;  // per voxel
 
  private:
   struct Sample {

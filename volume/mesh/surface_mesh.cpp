@@ -4,8 +4,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
+#include <set>
 #include <span>
+#include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -19,30 +24,27 @@ namespace isolux::volume {
 
 namespace {
 
-constexpr float kOutside = -1e30f;  // of missing and hidden voxels, and beyond the border
+constexpr double kApart = 1e-3, kSame = 1e-9;  // voxels: of mergeEqualPoints()
 
-// How far inside a voxel is, with its sign exact.
-float insideOf(const Grid& grid, const SurfaceMeshRequest& request, glm::ivec3 voxel) {
+// How far inside a voxel is; missing and hidden voxels, and those beyond the border, are infinitely far
+// outside.
+double depthOf(const Grid& grid, const SurfaceMeshRequest& request, glm::ivec3 voxel) {
+  constexpr double outside = -std::numeric_limits<double>::infinity();
+  if (voxel != glm::clamp(voxel, glm::ivec3(0), grid.dims() - 1)) return outside;
   const double value = grid.value(voxel.x, voxel.y, voxel.z);
-  if (!std::isfinite(value) || (request.hidden != nullptr && request.hidden->at(voxel))) return kOutside;
-  const double above = value - request.isovalue;
-  const double in = request.inside == scene::Inside::above ? above : -above;
-  if (in == 0.0) return 0.0f;
-  const auto least = static_cast<double>(std::numeric_limits<float>::min());
-  return static_cast<float>(std::copysign(std::clamp(std::abs(in), least, 1e29), in));
+  if (!std::isfinite(value) || (request.hidden != nullptr && request.hidden->at(voxel))) return outside;
+  return request.inside == scene::Inside::above ? value - request.isovalue : request.isovalue - value;
 }
 
+// Flying edges look at sides only: they put a point in the middle of each edge of the grid that is crossed.
 void fillSamples(const Grid& grid, const SurfaceMeshRequest& request, int pad, std::span<float> samples) {
   const glm::ivec3 dims = grid.dims() + 2 * pad;
   parallelEach(dims.z, [&](int z) {
     std::size_t at =
         static_cast<std::size_t>(z) * static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y);
     for (int y = 0; y < dims.y; ++y)
-      for (int x = 0; x < dims.x; ++x, ++at) {
-        const glm::ivec3 voxel = glm::ivec3(x, y, z) - pad;
-        const bool within = voxel == glm::clamp(voxel, glm::ivec3(0), grid.dims() - 1);
-        samples[at] = within ? insideOf(grid, request, voxel) : kOutside;
-      }
+      for (int x = 0; x < dims.x; ++x, ++at)
+        samples[at] = depthOf(grid, request, glm::ivec3(x, y, z) - pad) >= 0.0 ? 1.0f : -1.0f;
   });
 }
 
@@ -56,23 +58,44 @@ bool missingNear(const Grid& grid, const glm::dvec3& middle) {
   return false;
 }
 
-// Where f is the isovalue on the edge of the grid that flying edges put `point` on; corners stay.
-glm::dvec3 onEdge(const Grid& grid, double isovalue, const glm::dvec3& point) {
-  for (int axis = 0; axis < 3; ++axis) {
-    glm::ivec3 low(glm::round(point));
-    low[axis] = static_cast<int>(std::floor(point[axis]));
-    glm::ivec3 high = low;
-    ++high[axis];
-    if (glm::distance(point, glm::dvec3(low)) > 1.0 || point[axis] == low[axis] ||
-        high[axis] >= grid.dims()[axis])
-      continue;
-    const double a = grid.value(low.x, low.y, low.z) - isovalue,
-                 b = grid.value(high.x, high.y, high.z) - isovalue;
-    glm::dvec3 exact(low);
-    exact[axis] += a / (a - b);
-    if ((a < 0.0) != (b < 0.0) && std::abs(exact[axis] - point[axis]) < 1e-2) return exact;
+// A crossed edge of the grid, from its voxel inside to the one outside.
+struct CrossedEdge {
+  glm::dvec3 inside, outside;
+  double share = 0.0;  // of the way, to where f is the isovalue
+  bool atVoxel = false;
+
+  // `middle`: of the edge.
+  CrossedEdge(const Grid& grid, const SurfaceMeshRequest& request, const glm::dvec3& middle)
+      : inside(glm::floor(middle)), outside(glm::ceil(middle)) {
+    double depth = depthOf(grid, request, glm::ivec3(inside)),
+           other = depthOf(grid, request, glm::ivec3(outside));
+    if (!(depth >= 0.0)) {
+      std::swap(inside, outside);
+      std::swap(depth, other);
+    }
+    share = depth / (depth - other);
+    if (share > kSame) return;
+    share = 0.0;
+    atVoxel = std::isfinite(other);
   }
-  return point;
+  glm::dvec3 point() const { return inside + share * (outside - inside); }
+};
+
+// Whether triangles about a point, of each the corner behind it and the one before, are one fan, open or
+// closed.
+bool isOneFan(const std::vector<std::pair<int, int>>& sides) {
+  std::map<int, int> next;
+  std::set<int> ends;
+  for (const auto& [from, to] : sides)
+    if (!next.emplace(from, to).second || !ends.insert(to).second) return false;
+  int at = sides.front().first;
+  for (const auto& [from, to] : sides)
+    if (!ends.contains(from)) at = from;
+  std::size_t count = 0;
+  for (auto found = next.find(at); found != next.end() && count < sides.size();
+       found = next.find(found->second))
+    ++count;
+  return count == sides.size();
 }
 
 // On which planes of the border a point lies, a bit each.
@@ -118,8 +141,10 @@ class Maker {
 
   void ontoSurface() {
     const glm::dvec3 last(grid_.dims() - 1);
+    const bool throughVoxels = request_.field != scene::Field::cubic;
     capping_.assign(mesh_.points.size(), 0);
-    std::vector<char> astray(mesh_.points.size(), 0);
+    std::vector<char> astray(mesh_.points.size(), 0), atVoxel(mesh_.points.size(), 0);
+    const std::vector<glm::dvec3> middles = mesh_.points;
     parallelEach(mesh_.points.size(), [&](std::size_t i) {
       glm::dvec3& point = mesh_.points[i];
       if (point != glm::clamp(point, glm::dvec3(0.0), last)) {
@@ -127,18 +152,64 @@ class Maker {
         capping_[i] = 1;
         return;
       }
-      point = onEdge(grid_, request_.isovalue, point);
-      if (request_.field == scene::Field::trilinear) return;
+      const CrossedEdge edge(grid_, request_, point);
+      point = edge.point();
+      atVoxel[i] = edge.atVoxel && throughVoxels ? 1 : 0;
+      if (request_.field == scene::Field::trilinear || atVoxel[i]) return;
       if (const auto moved = foot_.of(point))
         point = *moved;
       else
         astray[i] = 1;
     });
     astray_ = static_cast<std::size_t>(std::count(astray.begin(), astray.end(), 1));
+    for (std::size_t i = 0; i < middles.size(); ++i)
+      if (atVoxel[i])
+        atVoxels_[voxelAt(mesh_.points[i])].push_back({i, 2.0 * (middles[i] - mesh_.points[i])});
   }
 
-  // Points at the same place become one, triangles without three corners go.
-  void mergeCorners(const base::Progress& progress) { mergeEqualPoints(mesh_, capping_, progress); }
+  std::size_t voxelAt(const glm::dvec3& point) const {
+    const glm::ivec3 voxel(point);
+    return grid_.index(voxel.x, voxel.y, voxel.z);
+  }
+
+  // Points at the same place become one, triangles without three corners go. Where that joins sheets at a
+  // voxel whose value is the isovalue, the mesh of it stays apart: its points are moved a little toward their
+  // edges' outer ends.
+  void mergeCorners(const base::Progress& progress) {
+    if (atVoxels_.empty()) return mergeEqualPoints(mesh_, capping_, progress);
+    TriangleMesh apart = mesh_;
+    const std::vector<char> capping = capping_;
+    for (;;) {
+      mergeEqualPoints(mesh_, capping_, progress);
+      bool any = false;
+      for (const std::size_t voxel : joinedVoxels()) {
+        for (const auto& [point, outward] : atVoxels_[voxel]) {
+          apart.points[point] += kApart * outward;
+          apartMm_ = std::max(apartMm_, kApart * lengthMm(outward));
+        }
+        atVoxels_.erase(voxel);
+        any = true;
+      }
+      if (!any) return;
+      mesh_ = apart;
+      capping_ = capping;
+    }
+  }
+
+  // Of atVoxels_, those at which several sheets meet.
+  std::vector<std::size_t> joinedVoxels() const {
+    std::unordered_map<std::size_t, std::vector<std::pair<int, int>>> fans;
+    for (const Triangle& t : mesh_.triangles)
+      for (int i = 0; i < 3; ++i) {
+        const glm::dvec3& point = mesh_.corner(t, i);
+        if (point != glm::floor(point) || !atVoxels_.contains(voxelAt(point))) continue;
+        fans[voxelAt(point)].emplace_back(t[(i + 1) % 3], t[(i + 2) % 3]);
+      }
+    std::vector<std::size_t> joined;
+    for (const auto& [voxel, sides] : fans)
+      if (!isOneFan(sides)) joined.push_back(voxel);
+    return joined;
+  }
 
   bool isCap(const Triangle& t) const {
     int common = ~0;
@@ -222,6 +293,11 @@ class Maker {
 
   SurfaceMesh finished() {
     SurfaceMesh result;
+    // Where all is inside there is no surface, only the border.
+    if (std::all_of(mesh_.triangles.begin(), mesh_.triangles.end(),
+                    [&](const Triangle& t) { return isCap(t); }))
+      return result;
+    result.largestDistanceMm = apartMm_;
     result.toleranceMm = request_.toleranceMm;
     const auto look = [&](const Foot& foot, const auto& place) {
       if (request_.toleranceMm > 0.0 && foot.distanceMm > request_.toleranceMm) ++result.beyond;
@@ -246,20 +322,11 @@ class Maker {
     return result;
   }
 
-  // Flying edges turn all triangles the same way: so that the volume they enclose within the padded grid is
-  // that of the inside, a triangle's normal must look down the gradient of the samples.
+  // Flying edges turn all triangles so that their normals look down the gradient of the samples, out of the
+  // inside.
   void orient() {
-    double sum = 0.0;
-    for (const Triangle& t : mesh_.triangles) {
-      if (isCap(t)) continue;
-      const glm::dvec3 normal =
-          glm::cross(mesh_.corner(t, 1) - mesh_.corner(t, 0), mesh_.corner(t, 2) - mesh_.corner(t, 0));
-      sum += glm::dot(normal, foot_.gradient(middle(t)));
-    }
-    const bool inward = (sum > 0.0) == (request_.inside == scene::Inside::above);
-    const bool mirrored = glm::determinant(glm::dmat3(grid_.geometry().worldFromVoxel)) < 0.0;
-    if (inward != mirrored)
-      for (Triangle& t : mesh_.triangles) std::swap(t[1], t[2]);
+    if (glm::determinant(glm::dmat3(grid_.geometry().worldFromVoxel)) > 0.0) return;
+    for (Triangle& t : mesh_.triangles) std::swap(t[1], t[2]);
   }
 
   static constexpr int kMostRounds = 8;
@@ -270,6 +337,12 @@ class Maker {
   TriangleMesh mesh_;          // voxel coordinates
   std::vector<char> capping_;  // of each point: it closes the surface at the border
   std::size_t astray_ = 0;
+  struct AtVoxel {
+    std::size_t point;
+    glm::dvec3 outward;  // along its edge of the grid, one voxel
+  };
+  std::unordered_map<std::size_t, std::vector<AtVoxel>> atVoxels_;  // by voxels whose value is the isovalue
+  double apartMm_ = 0.0;  // how far points were moved off their voxels
   MeshEdges edges_;
   std::vector<Foot> feet_, middles_;  // of the edges' and of the triangles' middles
   int rounds_ = 0;

@@ -2,7 +2,9 @@
 // onto the exact surface, finer where triangles leave it.
 //
 // Flying edges decide ambiguous cells by a table, so that pieces may hang together there that the interpolant
-// parts, or the other way round; the mesh has no holes by that. Cells with a missing corner hold no surface.
+// parts, or the other way round; the mesh has no holes by that. Sheets that touch at a voxel whose value is
+// the isovalue stay a thousandth of a voxel off it, so that the mesh is a manifold. Cells with a missing
+// corner hold no surface.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +33,7 @@ struct SurfaceMesh {
   TriangleMesh mesh;  // world, mm; seen from outside counter-clockwise
   // The largest distance between the surface and a point of the mesh, mm, of those that were looked at: the
   // middles of edges and triangles; where no surface is found straight above or below one, that of its
-  // nearest corner. Points that close the surface at the border are not on it.
+  // nearest corner. Points that close the surface at the border are not on it, and alone are no surface.
   double largestDistanceMm = 0.0;
   glm::dvec3 farthest{0.0};  // that point, world mm
   // Of those points, how many lie farther off than toleranceMm, which was asked for: no surface is found

@@ -236,5 +236,41 @@ TEST(SurfaceMeasureTest, OnlyCellsThatAreKept) {
   EXPECT_NEAR(volume, whole.volumeMm3.value, 1e-9 * volume);
 }
 
+// A cube of 4^3 ones in zeros. As the isovalue goes to 0 the surface comes to hug the faces of the cube that
+// is above 0: area 150, and 604 of 729 mm^3 are at most 0. Areas on the way by marching cubes on a grid
+// graded to 1e-9 toward the faces.
+TEST(SurfaceMeasureTest, AMaskIsMeasuredAtAndNextToItsValues) {
+  const auto mask = [](double within, double around) {
+    return gridOfVoxels(unitGeometry(glm::ivec3(10)), [=](glm::dvec3 p) {
+      return glm::all(glm::greaterThan(p, glm::dvec3(2.5))) && glm::all(glm::lessThan(p, glm::dvec3(6.5)))
+                 ? within
+                 : around;
+    });
+  };
+  struct Case {
+    double isovalue, area;
+  };
+  for (const Case& c : {Case{1e-3, 146.08}, {1e-4, 148.70}, {1e-5, 149.58}, {1e-6, 149.86}, {0.0, 150.0}}) {
+    for (const bool inverse : {false, true}) {
+      const SurfaceMeasure surface =
+          inverse ? measured(mask(0.0, 1.0), {.isovalue = 1.0 - c.isovalue})
+                  : measured(mask(1.0, 0.0), {.isovalue = c.isovalue, .inside = scene::Inside::below});
+      EXPECT_NEAR(surface.areaMm2.value, c.area, 0.02 + 3.0 * surface.areaParts.quadrature) << c.isovalue;
+      EXPECT_LT(surface.areaParts.quadrature, 1.0) << c.isovalue;
+      EXPECT_NEAR(surface.volumeMm3.value, 604.0, 0.01 + 125.0 * 20.0 * c.isovalue) << c.isovalue;
+    }
+  }
+}
+
+TEST(SurfaceMeasureTest, SaysWhyThereIsNoSurface) {
+  EXPECT_EQ(volume::whyNoSurface(phantomGrid("plane", glm::ivec3(8, 8, 1))),
+            "there is no surface: an axis of the volume has one voxel only");
+  EXPECT_EQ(volume::whyNoSurface(
+                gridOfVoxels(unitGeometry(glm::ivec3(4)), [](glm::dvec3) { return std::nan(""); })),
+            "there is no surface: every voxel is missing");
+  EXPECT_EQ(volume::whyNoSurface(gridOfVoxels(unitGeometry(glm::ivec3(4)), [](glm::dvec3 p) { return p.x; })),
+            "there is no surface; values reach from 0 to 3");
+}
+
 }  // namespace
 }  // namespace isolux::test

@@ -2,12 +2,17 @@
 // turned outward, and what they enclose.
 #include "volume/mesh/surface_mesh.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "base/random.h"
 #include "tests/support/volumes.h"
 #include "volume/field/coefficients.h"
 #include "volume/field/reconstruct.h"
@@ -207,6 +212,70 @@ TEST(SurfaceMesh, WhereThereIsNoSurfaceThereAreNoTriangles) {
   SurfaceMeshRequest request;
   request.isovalue = 1e6;
   EXPECT_TRUE(meshOf(grid, request).mesh.triangles.empty());
+}
+
+// Edges that have not two triangles of opposite directions, by places: as files without shared points are
+// read.
+std::size_t oddEdges(const TriangleMesh& mesh) {
+  const auto key = [](const glm::dvec3& p) {
+    return std::array<float, 3>{float(p.x), float(p.y), float(p.z)};
+  };
+  std::map<std::pair<std::array<float, 3>, std::array<float, 3>>, int> directed;
+  for (const volume::Triangle& t : mesh.triangles)
+    for (int i = 0; i < 3; ++i) ++directed[{key(mesh.corner(t, i)), key(mesh.corner(t, (i + 1) % 3))}];
+  std::size_t odd = 0;
+  for (const auto& [edge, count] : directed) {
+    const auto back = directed.find({edge.second, edge.first});
+    odd += count != 1 || back == directed.end() || back->second != 1;
+  }
+  return odd;
+}
+
+TEST(SurfaceMesh, AtAnIsovalueThatVoxelsHaveItIsAManifold) {
+  constexpr int n = 48;
+  std::vector<std::uint8_t> noisy;
+  for (int i = 0; i < n * n * n; ++i) {
+    const double r = glm::distance(glm::dvec3(i % n, i / n % n, i / (n * n)), glm::dvec3(0.5 * (n - 1)));
+    const double value = 35.0 - r + base::normalNoise(1, static_cast<std::uint64_t>(i));
+    noisy.push_back(static_cast<std::uint8_t>(std::clamp(std::round(value), 0.0, 255.0)));
+  }
+  const volume::Grid grid(unitGeometry(glm::ivec3(n)), volume::VoxelArray(std::move(noisy)));
+  for (const double isovalue : {15.0, 18.0, 20.0, 20.5})
+    for (const scene::Inside inside : {scene::Inside::above, scene::Inside::below}) {
+      SurfaceMeshRequest request;
+      request.isovalue = isovalue;
+      request.inside = inside;
+      request.closed = true;
+      const SurfaceMesh found = meshOf(grid, request);
+      const double ball = 4.0 / 3.0 * std::numbers::pi * std::pow(35.0 - isovalue, 3.0),
+                   block = std::pow(n - 1.0, 3.0);
+      EXPECT_EQ(found.openEdges, 0u) << isovalue;
+      EXPECT_EQ(oddEdges(found.mesh), 0u) << isovalue;
+      EXPECT_NEAR(enclosed(found.mesh), inside == scene::Inside::above ? ball : block - ball, 0.05 * ball)
+          << isovalue;
+    }
+}
+
+// Of a mask at its own values: all is inside, and there is no surface, as measureSurface() says; or what is
+// not 0 is enclosed.
+TEST(SurfaceMesh, OfAMaskAtItsValuesIsNoBlockTurnedInsideOut) {
+  const volume::Grid mask = gridOfVoxels(unitGeometry(glm::ivec3(10)), [](glm::dvec3 p) {
+    return glm::all(glm::lessThan(glm::abs(p - 4.5), glm::dvec3(2.0))) ? 1.0 : 0.0;
+  });
+  SurfaceMeshRequest request;
+  request.closed = true;
+  for (const auto& [isovalue, inside] :
+       {std::pair(1.0, scene::Inside::below), std::pair(0.0, scene::Inside::above)}) {
+    request.isovalue = isovalue;
+    request.inside = inside;
+    EXPECT_TRUE(meshOf(mask, request).mesh.triangles.empty()) << isovalue;
+  }
+  request.isovalue = 1.0;
+  request.inside = scene::Inside::above;
+  EXPECT_NEAR(enclosed(meshOf(mask, request).mesh), 27.0, 0.1);
+  request.isovalue = 0.0;
+  request.inside = scene::Inside::below;
+  EXPECT_NEAR(enclosed(meshOf(mask, request).mesh), 729.0 - 125.0, 1.0);
 }
 
 }  // namespace isolux::test
