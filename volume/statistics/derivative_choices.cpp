@@ -81,7 +81,7 @@ Search searchScales(ScaleLadder& ladder, const DerivativeQuestion& question, dou
   search.noise = noise;
   do {
     progress.throwIfStopped();
-    ladder.addScale();
+    ladder.addScale(progress);
     search.measures = ladder.measures();
     if (search.measures.points < kFewest) break;
     judge(search, question, noise);
@@ -132,16 +132,18 @@ std::string noiseReason(double estimated, double believed) {
   return "differences between neighbouring voxels";
 }
 
-DerivativeChoice choiceOf(const ScaleLadder& ladder, const Search& search, const GridGeometry& geometry,
-                          double noise) {
+DerivativeChoice choiceOf(const ScaleLadder& ladder, const Search& search, const Grid& grid, double noise) {
   DerivativeChoice choice;
   choice.noise = search.noise;
   choice.noiseReason = noiseReason(noise, search.noise);
   if (search.measures.points < kFewest) {
-    choice.scaleReason = choice.normalReason = "too little of the surface can be seen to measure it";
+    const bool seen = ladder.points() >= kFewest;
+    choice.scaleReason = choice.normalReason =
+        seen && grid.missingCount() > 0 ? "too little of the surface is clear of missing voxels to measure it"
+                                        : "too little of the surface can be seen to measure it";
     return choice;
   }
-  const double least = search.cleanCurvature ? 0.0 : leastScale(geometry);
+  const double least = search.cleanCurvature ? 0.0 : leastScale(grid.geometry());
   choice.scaleMm = std::max(least, ladder.scaleMm(search.curvature.step));
   choice.normalScaleMm = ladder.scaleMm(search.normal.step);
   const auto rms = [&](const ScaleStep& step) { return choice.noise * std::sqrt(step.noise); };
@@ -205,7 +207,7 @@ DerivativeChoice DerivativeChoices::choose(const DerivativeQuestion& question,
     choice.scaleReason = choice.normalReason = "the trilinear field has no scale";
   } else {
     ScaleLadder ladder(*grid_, pointsWithin(*grid_, *blocks_, question.isovalue), model.correlation);
-    choice = choiceOf(ladder, searchScales(ladder, question, noise, progress), grid_->geometry(), noise);
+    choice = choiceOf(ladder, searchScales(ladder, question, noise, progress), *grid_, noise);
   }
   const std::lock_guard lock(mutex_);
   if (kept_.size() >= kMostKept) kept_.erase(kept_.begin());

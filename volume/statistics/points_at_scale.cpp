@@ -149,27 +149,29 @@ PointNoise pointNoise(const GridGeometry& geometry, const glm::dvec3& smoothing,
 }
 
 std::vector<PointDerivatives> derivativesAtScale(const Grid& grid, std::span<const glm::dvec3> points,
-                                                 double scaleMm) {
+                                                 double scaleMm, const std::vector<float>* filled) {
   const GridGeometry& geometry = grid.geometry();
   const glm::dvec3 smoothing = smoothingAtScale(geometry, scaleMm);
   std::array<std::vector<double>, 3> kernels;
   for (int axis = 0; axis < 3; ++axis)
     kernels[static_cast<std::size_t>(axis)] = smoothingKernel(smoothing[axis] - kSplineVariance);
   std::vector<PointDerivatives> out(points.size());
-  std::visit(
-      [&](const auto& voxels) {
-        parallelEach(points.size(), [&](std::size_t i) {
-          std::array<AxisWeights, 3> along;
-          std::size_t stride = 1;
-          for (int axis = 0; axis < 3; stride *= static_cast<std::size_t>(geometry.dims[axis++]))
-            along[static_cast<std::size_t>(axis)] = weightsAlong(
-                kernels[static_cast<std::size_t>(axis)], points[i][axis], geometry.dims[axis], stride);
-          const VoxelDerivatives sum = sumAround(voxels, along);
-          out[i] = {worldGradient(geometry, grid.slope() * sum.gradient),
-                    worldHessian(geometry, grid.slope() * sum.hessian)};
-        });
-      },
-      grid.voxels());
+  const auto sum = [&](const auto& voxels) {
+    parallelEach(points.size(), [&](std::size_t i) {
+      std::array<AxisWeights, 3> along;
+      std::size_t stride = 1;
+      for (int axis = 0; axis < 3; stride *= static_cast<std::size_t>(geometry.dims[axis++]))
+        along[static_cast<std::size_t>(axis)] = weightsAlong(kernels[static_cast<std::size_t>(axis)],
+                                                             points[i][axis], geometry.dims[axis], stride);
+      const VoxelDerivatives around = sumAround(voxels, along);
+      out[i] = {worldGradient(geometry, grid.slope() * around.gradient),
+                worldHessian(geometry, grid.slope() * around.hessian)};
+    });
+  };
+  if (filled)
+    sum(*filled);
+  else
+    std::visit(sum, grid.voxels());
   return out;
 }
 

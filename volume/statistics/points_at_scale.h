@@ -22,9 +22,10 @@ struct PointDerivatives {
 };
 
 // points: voxel coordinates. scaleMm: deviation of the Gaussian. Samples beyond the border go on by
-// point reflection. On all cores.
+// point reflection. filled: the stored voxels with numbers in place of missing ones (fill_missing.h); null:
+// those of the grid. On all cores.
 std::vector<PointDerivatives> derivativesAtScale(const Grid& grid, std::span<const glm::dvec3> points,
-                                                 double scaleMm);
+                                                 double scaleMm, const std::vector<float>* filled = nullptr);
 
 // What a scale smooths by in all along each axis, voxels^2.
 glm::dvec3 smoothingAtScale(const GridGeometry& geometry, double scaleMm);

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <variant>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "base/quantiles.h"
+#include "volume/field/fill_missing.h"
 
 namespace isolux::volume {
 
@@ -32,12 +35,22 @@ ScaleLadder::ScaleLadder(const Grid& grid, std::vector<glm::dvec3> points, const
   for (int i = 0; i < kScales; ++i) scalesMm_.push_back(kFirstVoxels * least * std::pow(2.0, 0.5 * i));
 }
 
-void ScaleLadder::addScale() {
+void ScaleLadder::fill(base::Progress& progress) {
+  auto room = base::machineMemory().tryReserve(grid_.geometry().voxelCount() * sizeof(float));
+  if (!room) return;
+  held_ = std::move(*room);
+  filled_ = std::get<std::vector<float>>(grid_.voxels());
+  fillMissing(filled_, grid_.dims(), progress, {});
+}
+
+void ScaleLadder::addScale(base::Progress& progress) {
   const GridGeometry& geometry = grid_.geometry();
   const std::size_t i = steps_.size();
+  if (i == 1 && grid_.missingCount() > 0) fill(progress);
   Step step;
   std::vector<double> slopes;
-  for (const PointDerivatives& d : derivativesAtScale(grid_, points_, scalesMm_[i])) {
+  for (const PointDerivatives& d :
+       derivativesAtScale(grid_, points_, scalesMm_[i], filled_.empty() ? nullptr : &filled_)) {
     AtPoint at;
     const double slope = glm::length(d.gradient);
     if (slope > 0.0 && std::isfinite(slope)) {

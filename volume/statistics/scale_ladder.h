@@ -8,6 +8,8 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
+#include "base/memory_budget.h"
+#include "base/progress.h"
 #include "volume/grid.h"
 #include "volume/statistics/points_at_scale.h"
 #include "volume/statistics/scale_errors.h"
@@ -19,13 +21,18 @@ class ScaleLadder {
   // points: on the surface, voxel coordinates. noiseBlur as in scene::NoiseModel.
   ScaleLadder(const Grid& grid, std::vector<glm::dvec3> points, const glm::dvec3& noiseBlur);
 
+  std::size_t points() const { return points_.size(); }
+
   // 0, then steps of sqrt 2 from the first that smooths more than the spline does, to about 4 voxels.
   bool complete() const { return steps_.size() == scalesMm_.size(); }
-  void addScale();
+  // Above 0 missing voxels have the numbers of fill_missing.h, where memory has room for them. Throws
+  // Error{interrupted}.
+  void addScale(base::Progress& progress);
   double scaleMm(std::size_t step) const { return scalesMm_[step]; }
 
-  // Of the scales that have been added; points at which all of them have a clear gradient, weighted by its
-  // square. The squared sum of both principal curvatures' errors, 1/mm^2; of the normal's, radians^2.
+  // Of the scales that have been added; points without a missing voxel among the spline's samples at which
+  // all of them have a clear gradient, weighted by its square. The squared sum of both principal curvatures'
+  // errors, 1/mm^2; of the normal's, radians^2.
   struct Measures {
     std::vector<ScaleStep> curvature, normal;
     std::vector<double> meanSquareCurvature;  // of kappa1^2 + kappa2^2, with their noise
@@ -45,11 +52,14 @@ class ScaleLadder {
     PointNoise noise, noiseWithNext;  // variances; covariances with the next scale's
   };
   std::vector<char> clearPoints() const;
+  void fill(base::Progress& progress);
 
   const Grid& grid_;
   std::vector<glm::dvec3> points_;
   glm::dvec3 noiseBlur_;
   std::vector<double> scalesMm_;
+  std::vector<float> filled_;  // stored voxels, where some are missing
+  base::MemoryBudget::Held held_;
   std::vector<Step> steps_;
 };
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/random.h"
 #include "tests/support/analytic_fields.h"
 
 namespace isolux::volume {
@@ -113,6 +114,41 @@ TEST(DerivativeChoices, ASpikeOfMissingVoxelsIsNoTrouble) {
   for (std::size_t i = 0; i < voxels.size(); i += 97) voxels[i] = std::numeric_limits<float>::quiet_NaN();
   const DerivativeChoice choice = chosen(Grid(geometry, voxels), {0.0});
   EXPECT_TRUE(std::isfinite(choice.noise) && std::isfinite(choice.scaleMm));
+}
+
+// Missing voxels that are out of the spline's reach change nothing: outside of a field of view, or a single
+// one.
+TEST(DerivativeChoices, MissingVoxelsSomeWayOffChangeNoScale) {
+  const GridGeometry geometry = test::unitGeometry(glm::ivec3(64));
+  const auto noisy = [&](double missingFrom, bool one) {
+    std::vector<float> voxels =
+        std::get<std::vector<float>>(test::gridOfVoxels(geometry, [&](glm::dvec3 p) {
+                                       const double r = glm::distance(p, glm::dvec3(31.5));
+                                       return r > missingFrom ? std::nan("") : 20.0 - r;
+                                     }).voxels());
+    for (std::size_t i = 0; i < voxels.size(); ++i)
+      voxels[i] += static_cast<float>(0.3 * base::normalNoise(1, i));
+    if (one) voxels[static_cast<std::size_t>((31 * 64 + 31) * 64 + 31 + 6)] = std::nanf("");
+    return Grid(geometry, voxels);
+  };
+  const DerivativeChoice whole = chosen(noisy(1e9, false), {0.0});
+  ASSERT_GT(whole.scaleMm, 0.0);
+  for (const DerivativeChoice& choice :
+       {chosen(noisy(27.0, false), {0.0}), chosen(noisy(1e9, true), {0.0})}) {
+    EXPECT_GT(choice.scaleMm, whole.scaleMm / 1.5) << choice.scaleReason;
+    EXPECT_LT(choice.scaleMm, whole.scaleMm * 1.5) << choice.scaleReason;
+  }
+}
+
+TEST(DerivativeChoices, MissingVoxelsAllAroundTheSurfaceAreTheReason) {
+  const DerivativeChoice choice = chosen(test::gridOfVoxels(test::unitGeometry(glm::ivec3(48)),
+                                                            [](glm::dvec3 p) {
+                                                              const double r =
+                                                                  glm::distance(p, glm::dvec3(23.5));
+                                                              return r > 16.5 ? std::nan("") : 15.0 - r;
+                                                            }),
+                                         {0.0});
+  EXPECT_NE(choice.scaleReason.find("missing voxels"), std::string::npos) << choice.scaleReason;
 }
 
 }  // namespace
