@@ -33,39 +33,40 @@ base::ProgressRange partOf(base::ProgressRange share, double from, double to) {
           share.stage};
 }
 
-// The Gaussian of a scale for one grid: kernels of axes that are orthogonal to the others, and one of all
-// others together.
+// The Gaussian of a scale for one grid: kernels of axes that are orthogonal to the others, and lines of the
+// lattice for all others together.
 class Smoothing {
  public:
   Smoothing(const GridGeometry& geometry, scene::Field field, double scaleMm) : dims_(geometry.dims) {
     const glm::dmat3 covariance = unitCovariance(geometry);
     const glm::dvec3 deviations = deviationsInVoxels(geometry, scaleMm);
     glm::dmat3 correlations(1.0);
-    glm::dvec3 parameters(0.0);
+    glm::dvec3 together(0.0);  // deviations of axes that are not alone
     for (int i = 0; i < 3; ++i) {
       const double deviation = std::min(deviations[i], kLongest * dims_[i]);
       axes_[static_cast<std::size_t>(i)] = smoothingKernel(field, deviation);
       const double least = field == scene::Field::cubic ? kSplineDeviation : 0.0;
-      parameters[i] = gaussianParameter(std::pow(std::max(deviation, least), 2));
       for (int j = 0; j < 3; ++j) {
         correlations[i][j] = covariance[i][j] / std::sqrt(covariance[i][i] * covariance[j][j]);
         alone_[i] = alone_[i] && (i == j || std::abs(correlations[i][j]) < kOrthogonal);
       }
+      if (!alone_[i]) together[i] = std::max(deviation, least);
     }
-    if (!separable()) direct_ = shearedGaussian(parameters, correlations, alone_);
+    if (!separable())
+      lines_ = latticeLines(glm::matrixCompMult(correlations, glm::outerProduct(together, together)));
   }
 
   bool separable() const { return alone_.x && alone_.y && alone_.z; }
-  // Of the axis; 1 where direct() has it.
+  // Of the axis; 1 where alongLines() has it.
   HalfKernel axis(int i) const { return alone_[i] ? axes_[static_cast<std::size_t>(i)] : HalfKernel{1.0}; }
 
-  void direct(std::vector<float>& values, Beyond beyond, base::Progress& progress,
-              base::ProgressRange share) const {
-    if (!separable()) values = filteredDirectly(values, dims_, direct_, beyond, progress, share);
+  void alongLines(std::vector<float>& values, Beyond beyond, base::Progress& progress,
+                  base::ProgressRange share) const {
+    if (!separable()) filterLatticeLines(values, dims_, lines_, beyond, progress, share);
   }
   void operator()(std::vector<float>& values, Beyond beyond, base::Progress& progress,
                   base::ProgressRange share) const {
-    direct(values, beyond, progress, partOf(share, 0.0, 0.25));
+    alongLines(values, beyond, progress, partOf(share, 0.0, 0.25));
     for (int i = 0; i < 3; ++i)
       filterAxis(values, i, axis(i), beyond, progress, partOf(share, 0.25 * (i + 1), 0.25 * (i + 2)));
   }
@@ -80,7 +81,7 @@ class Smoothing {
   glm::ivec3 dims_;
   std::array<HalfKernel, 3> axes_;
   glm::bvec3 alone_{true};
-  std::vector<KernelTap> direct_;
+  std::vector<LatticeLine> lines_;
 };
 
 // Missing values become the mean of known ones, weighted by the smoothing.
@@ -126,7 +127,7 @@ ScaledField scaledField(const Grid& grid, scene::Field field, double scaleMm, ba
   ScaledField result{field, scaleMm, samplesApart(grid, progress, {0.0, 0.1, kSmoothing})};
   std::vector<float>& values = result.coefficients.values;
   if (gaps) fillWithMeans(values, grid.dims(), smoothing, progress, {0.1, 0.4, kSmoothing});
-  smoothing.direct(values, Beyond::reflected, progress, {0.4, 0.6, kSmoothing});
+  smoothing.alongLines(values, Beyond::reflected, progress, {0.4, 0.6, kSmoothing});
   for (int i = 0; i < 3; ++i)
     smoothing.filterAxis(values, i, scaleKernel(smoothing.axis(i)), Beyond::reflected, progress,
                          {0.6 + 0.1 * i, 0.7 + 0.1 * i, kSmoothing});

@@ -1,17 +1,25 @@
 #include "volume/field/sheared_filter.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
+
+#include "volume/field/scale_kernel.h"
 
 namespace isolux::volume {
 
 namespace {
 
-constexpr double kShearedReach = 6.5;  // deviations
-constexpr double kLeastTap = 1e-9;     // of the largest
+constexpr double kLeastVariance = 1e-9;  // voxels^2
+
+// A weight at an offset of voxels.
+struct KernelTap {
+  glm::ivec3 offset{0};
+  double weight = 0.0;
+};
 
 struct Tap1D {
   int at;
@@ -104,45 +112,58 @@ class DirectFilter {
   std::vector<std::vector<Tap1D>> before_, behind_;  // samples beyond the ends of a row, by their distance
 };
 
-}  // namespace
-
-std::vector<KernelTap> shearedGaussian(glm::dvec3 deviations, const glm::dmat3& correlations,
-                                       glm::bvec3 alone) {
-  glm::dmat3 covariance(1.0);
-  glm::ivec3 reach(0);
-  for (int i = 0; i < 3; ++i) {
-    if (alone[i]) continue;
-    reach[i] = static_cast<int>(std::ceil(kShearedReach * deviations[i]));
-    for (int j = 0; j < 3; ++j)
-      if (!alone[j]) covariance[i][j] = deviations[i] * deviations[j] * correlations[i][j];
-  }
-  const glm::dmat3 inverse = glm::inverse(covariance);
+std::vector<KernelTap> tapsAlong(const LatticeLine& line) {
+  const HalfKernel kernel = gaussianKernel(std::sqrt(line.variance));
+  const int reach = static_cast<int>(kernel.size()) - 1;
   std::vector<KernelTap> taps;
-  double sum = 0.0;
-  for (int z = -reach.z; z <= reach.z; ++z)
-    for (int y = -reach.y; y <= reach.y; ++y)
-      for (int x = -reach.x; x <= reach.x; ++x) {
-        const glm::dvec3 at(x, y, z);
-        const double weight = std::exp(-0.5 * glm::dot(at, inverse * at));
-        if (weight < kLeastTap) continue;
-        taps.push_back({{x, y, z}, weight});
-        sum += weight;
-      }
-  for (KernelTap& tap : taps) tap.weight /= sum;
+  for (int k = -reach; k <= reach; ++k)
+    taps.push_back({k * line.step, kernel[static_cast<std::size_t>(std::abs(k))]});
   return taps;
 }
 
-std::vector<float> filteredDirectly(const std::vector<float>& values, glm::ivec3 dims,
-                                    const std::vector<KernelTap>& taps, Beyond beyond,
-                                    base::Progress& progress, base::ProgressRange share) {
+}  // namespace
+
+// Selling's reduction: a superbase of the lattice, of four vectors that sum to 0, is changed until all of its
+// products are at most 0; those are the variances then, along what is perpendicular to the other two.
+std::vector<LatticeLine> latticeLines(const glm::dmat3& covariance) {
+  constexpr int mostSteps = 1000;
+  std::array<glm::dvec3, 4> base{glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1),
+                                 glm::dvec3(-1, -1, -1)};
+  constexpr std::array<std::array<std::size_t, 4>, 6> pairs{
+      {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 0, 2}, {2, 3, 0, 1}}};
+  const auto product = [&](std::size_t i, std::size_t j) { return glm::dot(base[i], covariance * base[j]); };
+  for (int step = 0; step < mostSteps; ++step) {
+    const auto obtuse = std::find_if(pairs.begin(), pairs.end(),
+                                     [&](const auto& p) { return product(p[0], p[1]) > kLeastVariance; });
+    if (obtuse == pairs.end()) break;
+    const auto [i, j, k, l] = *obtuse;
+    base[k] += base[i];
+    base[l] += base[i];
+    base[i] = -base[i];
+  }
+  std::vector<LatticeLine> lines;
+  for (const auto& [i, j, k, l] : pairs)
+    if (const double variance = -product(i, j); variance > kLeastVariance)
+      lines.push_back({glm::ivec3(glm::round(glm::cross(base[k], base[l]))), variance});
+  return lines;
+}
+
+void filterLatticeLines(std::vector<float>& values, glm::ivec3 dims, const std::vector<LatticeLine>& lines,
+                        Beyond beyond, base::Progress& progress, base::ProgressRange share) {
   std::vector<float> result;
   resizeStoppably(result, values.size(), progress);
-  const DirectFilter filter(values, dims, taps, beyond);
   const auto width = static_cast<std::size_t>(dims.x), height = static_cast<std::size_t>(dims.y);
-  parallelSteps(height * static_cast<std::size_t>(dims.z), progress, share, [&](std::size_t row) {
-    filter(static_cast<int>(row % height), static_cast<int>(row / height), result.data() + row * width);
-  });
-  return result;
+  const double part = (share.to - share.from) / static_cast<double>(std::max<std::size_t>(lines.size(), 1));
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const DirectFilter filter(values, dims, tapsAlong(lines[i]), beyond);
+    const double from = share.from + part * static_cast<double>(i);
+    parallelSteps(height * static_cast<std::size_t>(dims.z), progress, {from, from + part, share.stage},
+                  [&](std::size_t row) {
+                    filter(static_cast<int>(row % height), static_cast<int>(row / height),
+                           result.data() + row * width);
+                  });
+    values.swap(result);
+  }
 }
 
 }  // namespace isolux::volume

@@ -1,4 +1,6 @@
-// Smoothing by a Gaussian that is not separable along the axes of a grid, because they are not orthogonal.
+// Smoothing by a Gaussian that is not separable along the axes of a grid, because they are not orthogonal:
+// one line of the lattice after another, at most six, whatever the covariance (Selling 1874; Fehrenbach &
+// Mirebeau 2014).
 #pragma once
 
 #include <vector>
@@ -10,20 +12,19 @@
 
 namespace isolux::volume {
 
-// A weight at an offset of voxels.
-struct KernelTap {
-  glm::ivec3 offset{0};
-  double weight = 0.0;
+// A direction of the lattice, and the variance along it in steps of that length.
+struct LatticeLine {
+  glm::ivec3 step{0};
+  double variance = 0.0;
 };
 
-// The sampled Gaussian of sum 1 with the parameters `deviations` along the axes and their correlations, cut
-// where it is below 1e-9 of its largest. Along axes whose `alone` is set it has the one tap 0.
-std::vector<KernelTap> shearedGaussian(glm::dvec3 deviations, const glm::dmat3& correlations,
-                                       glm::bvec3 alone);
+// Lines whose variances, each times the square of its step (v v^T), sum to the covariance (voxels^2). It may
+// be singular.
+std::vector<LatticeLine> latticeLines(const glm::dmat3& covariance);
 
-// The direct sum over all taps: time proportional to voxels and taps.
-std::vector<float> filteredDirectly(const std::vector<float>& values, glm::ivec3 dims,
-                                    const std::vector<KernelTap>& taps, Beyond beyond,
-                                    base::Progress& progress, base::ProgressRange share);
+// `values` convolved with sampled Gaussians along all lines. Time proportional to voxels and taps along the
+// lines.
+void filterLatticeLines(std::vector<float>& values, glm::ivec3 dims, const std::vector<LatticeLine>& lines,
+                        Beyond beyond, base::Progress& progress, base::ProgressRange share);
 
 }  // namespace isolux::volume

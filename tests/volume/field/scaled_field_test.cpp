@@ -18,6 +18,7 @@
 #include "tests/support/stop_latency.h"
 #include "tests/support/volumes.h"
 #include "volume/field/reconstruct.h"
+#include "volume/field/sheared_filter.h"
 
 namespace isolux::volume {
 namespace {
@@ -372,6 +373,26 @@ TEST(ScaledField, AsksTheMemoryBudgetAndSaysWhatNeedsLess) {
     EXPECT_EQ(error.kind(), base::ErrorKind::memory);
     EXPECT_NE(error.reason().find("derivatives.scale"), std::string::npos) << error.reason();
   }
+}
+
+// Of leaning and of thick slices, also where one axis stands alone.
+TEST(LatticeLines, SumToTheCovariance) {
+  const dmat3 leaning(1, 0.1, 0, 0.2, 1, 0.1, 0.1, -0.2, 1), thick(0.4, 0, 0, 0, 0.4, 0, 0, 1.1, 5.0);
+  for (const dmat3& axes : {leaning, thick, dmat3(1), leaning * dmat3(1, 0.9, 0, 0, 1, 0.8, 0, 0, 1)})
+    for (const bool singular : {false, true}) {
+      dmat3 covariance = 4.0 * glm::inverse(glm::transpose(axes) * axes);
+      if (singular)
+        for (int i = 0; i < 3; ++i) covariance[i][0] = covariance[0][i] = 0.0;
+      const std::vector<LatticeLine> lines = latticeLines(covariance);
+      EXPECT_LE(lines.size(), 6u);
+      dmat3 sum(0.0);
+      for (const LatticeLine& line : lines) {
+        EXPECT_GT(line.variance, 0.0);
+        sum += line.variance * glm::outerProduct(dvec3(line.step), dvec3(line.step));
+      }
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) EXPECT_NEAR(sum[i][j], covariance[i][j], 1e-7);
+    }
 }
 
 }  // namespace
