@@ -27,8 +27,9 @@ std::string fourDigits(double value) {  // of measurements, for people
   return base::shortText(value, 4);
 }
 
-// Slices at one position become time steps when all positions have as many.
-void separateRepeats(const std::vector<double>& along, SliceStack& stack, const std::string& file) {
+// Time steps of slices at the same positions. `stack.order` is sorted by position.
+void separateTimeSteps(const SlicePlanes& planes, const std::vector<double>& along, SliceStack& stack,
+                       const std::string& file) {
   std::vector<std::vector<std::size_t>> groups;
   for (std::size_t slice : stack.order) {
     if (groups.empty() || along[slice] - along[groups.back().front()] > samePositionMm)
@@ -36,18 +37,14 @@ void separateRepeats(const std::vector<double>& along, SliceStack& stack, const 
     else
       groups.back().push_back(slice);
   }
-  const std::size_t count = groups.front().size();
-  const bool even =
-      std::all_of(groups.begin(), groups.end(), [&](const auto& g) { return g.size() == count; });
-  if (!even)
-    stack.warnings.push_back(std::to_string(stack.order.size() - groups.size()) +
-                             " slices repeat the position of another; the first of each is used");
-  stack.timeSteps = even ? count : 1;
-  if (stack.timeSteps > 1 && groups.size() == 1)
-    throwInput(file, "slice positions", "all " + std::to_string(count) + " slices lie at the same place");
-  stack.order.clear();
-  for (std::size_t step = 0; step < stack.timeSteps; ++step)
-    for (const auto& group : groups) stack.order.push_back(group[step]);
+  for (auto& group : groups) std::sort(group.begin(), group.end());  // as given, not by their last digits
+  TimeSteps steps = separateRepeats(groups, planes.tags);
+  if (steps.count > 1 && groups.size() == 1 && !steps.stated)
+    throwInput(file, "slice positions",
+               "all " + std::to_string(steps.count) + " slices lie at the same place");
+  stack.order = std::move(steps.order);
+  stack.timeSteps = steps.count;
+  stack.warnings = std::move(steps.warnings);
 }
 
 bool sameDistance(double a, double b) {
@@ -110,13 +107,17 @@ SliceStack stackSlices(const SlicePlanes& planes, const std::string& file) {
   std::iota(stack.order.begin(), stack.order.end(), std::size_t{0});
   std::stable_sort(stack.order.begin(), stack.order.end(),
                    [&](std::size_t a, std::size_t b) { return along[a] < along[b]; });
-  separateRepeats(along, stack, file);
+  separateTimeSteps(planes, along, stack, file);
 
   const std::size_t count = stack.sourceSlices();
   const glm::dvec3 first = positions[stack.order[0]], last = positions[stack.order[count - 1]];
   const double begin = along[stack.order[0]], length = along[stack.order[count - 1]] - begin;
   glm::dvec3 perMm = normal;  // how far the first voxel moves for 1 mm along the normal
   double distance = planes.thicknessMm;
+  if (count == 1 && !(distance > 0.0)) {
+    stack.warnings.push_back("SliceThickness is missing or not positive; " + std::string(kSpacingAssumed));
+    distance = 1.0;
+  }
   std::vector<double> gaps;
   double median = distance;
   if (count > 1) {
@@ -126,6 +127,11 @@ SliceStack stackSlices(const SlicePlanes& planes, const std::string& file) {
     median = base::quantile(inAnyOrder, 0.5);
     distance = length / static_cast<double>(count - 1);
   }
+
+  const double stated = std::abs(planes.distanceMm);
+  if (count > 1 && stated > 0.0 && std::abs(stated - median) > toleratedUnevenness * median)
+    stack.warnings.push_back("SpacingBetweenSlices states " + fourDigits(stated) + " mm, the positions " +
+                             fourDigits(median) + " mm; the positions are used");
 
   double lateral = 0.0, uneven = 0.0;
   for (std::size_t i = 0; i < count; ++i) {

@@ -13,6 +13,8 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include "volume/read/dicom/repeated_slices.h"
+
 namespace isolux::volume {
 
 // The first voxel of each slice, and what all slices share.
@@ -21,7 +23,9 @@ struct SlicePlanes {
   glm::dvec3 rowDirection{1, 0, 0};     // along a row: +x of the voxels
   glm::dvec3 columnDirection{0, 1, 0};  // down a column: +y of the voxels
   double spacingXMm = 1.0, spacingYMm = 1.0;
-  double thicknessMm = 1.0;  // for a single slice
+  double thicknessMm = 1.0;     // for a single slice; 0: not stated
+  double distanceMm = 0.0;      // of slices, as the file states it, to compare; 0: not stated
+  std::vector<ImageTags> tags;  // of each slice, or empty
 };
 
 struct SliceStack {
