@@ -26,6 +26,7 @@ std::string endingOf(const fs::path& path) {
 FileFormat formatOf(const Bytes& bytes, const fs::path& path) {
   const std::string head = bytes.head(4096);
   const std::string extension = endingOf(path);
+  if (looksLikeDicom(head)) return FileFormat::dicom;  // its first 128 bytes may be a TIFF header
   if (head.starts_with("NRRD0")) return FileFormat::nrrd;
   if (head.starts_with("# vtk DataFile")) return FileFormat::vtkLegacy;
   if (isMesh(head, extension)) return FileFormat::mesh;

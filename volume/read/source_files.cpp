@@ -31,7 +31,7 @@ std::string headOf(const fs::path& file, std::size_t most) {
 bool isSlice(const fs::path& file) {
   const std::string extension = lowered(file.extension().string());
   return extension == ".dcm" || extension == ".tif" || extension == ".tiff" ||
-         looksLikeDicom(headOf(file, 132));
+         looksLikeDicom(headOf(file, kDicomHeadBytes));
 }
 
 void addSlicesOf(const fs::path& folder, int depth, std::vector<fs::path>& files) {
@@ -103,8 +103,8 @@ std::vector<fs::path> filesOfVolume(const std::string& path) {
   for (const std::string& name : namesInHeader(file))
     if (fs::is_regular_file(folder / name, ignored)) files.push_back(folder / name);
   addCounterparts(file, files);
-  if (lowered(file.extension().string()) == ".dcm" || looksLikeDicom(headOf(file, 132)))
-    addSlicesOf(folder, 1, files);
+  if (lowered(file.extension().string()) == ".dcm" || looksLikeDicom(headOf(file, kDicomHeadBytes)))
+    addSlicesOf(folder, isDicomIndex(file) ? kDeepestDicomFolder : 1, files);
   return files;
 }
 

@@ -1,6 +1,7 @@
 #include "volume/read/dicom/dicom_files.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
 
 #include "base/error.h"
@@ -52,30 +53,51 @@ void visitFiles(const fs::path& folder, int depth, const std::function<bool(cons
   visitFiles(folder, depth, true, visit);
 }
 
-// Old files lack the mark and begin with their first element at once, of group 2 or 8.
-bool beginsWithElement(std::string_view head) {
-  if (head.size() < 8) return false;
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(head[i]); };
-  const bool little = (byte(0) == 2 || byte(0) == 8) && byte(1) == 0;
-  const bool big = byte(0) == 0 && (byte(1) == 2 || byte(1) == 8);
-  return little || big;
+// Old files lack the mark and begin with their first element at once: this follows a few elements from the
+// first of group 2 or 8, in ascending order, with or without a VR, in either byte order.
+bool beginsWithElements(std::string_view head) {
+  const bool isBig = head.size() > 1 && head[0] == 0;
+  const auto number = [&](std::size_t at, std::size_t size) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < size; ++i)
+      value = value << 8 | static_cast<unsigned char>(head[isBig ? at + i : at + size - 1 - i]);
+    return value;
+  };
+  constexpr int enough = 3;
+  std::uint32_t last = 0;
+  std::size_t at = 0;
+  for (int count = 0; count < enough; ++count) {
+    if (at + 12 > head.size()) return false;
+    const std::uint32_t group = number(at, 2), tag = group << 16 | number(at + 2, 2);
+    if ((count == 0 && group != 2 && group != 8) || (count > 0 && tag <= last)) return false;
+    last = tag;
+    const std::string_view vr = head.substr(at + 4, 2);
+    const bool isExplicit = std::all_of(vr.begin(), vr.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
+    const bool isLong = isExplicit && (vr == "OB" || vr == "OW" || vr == "SQ" || vr == "UN" || vr == "UT");
+    const std::size_t value = isLong ? at + 12 : at + 8;
+    at = value + (isExplicit && !isLong ? number(at + 6, 2) : number(value - 4, 4));
+  }
+  return true;
 }
 
 }  // namespace
 
+bool isDicomIndex(const fs::path& path) {
+  return sameIgnoringCase(path.filename().string(), "DICOMDIR") && !fs::is_directory(path);
+}
+
 bool isDicomFile(const fs::path& path) {
-  if (path.filename() == "DICOMDIR") return false;  // an index, without pixels
+  if (isDicomIndex(path)) return false;
   try {
-    const std::string head = FileBytes(path).head(140);
-    if (looksLikeDicom(head)) return head.find_first_not_of('\0', 132) != std::string::npos;
-    return (sameIgnoringCase(path.extension().string(), ".dcm") && beginsWithElement(head));
+    const std::string head = FileBytes(path).head(kDicomHeadBytes);
+    return looksLikeDicom(head) && head.find_first_not_of('\0', 132) != std::string::npos;
   } catch (const base::Error&) {
     return false;
   }
 }
 
 bool looksLikeDicom(std::string_view head) {
-  return head.size() >= 132 && head.substr(128, 4) == "DICM";
+  return (head.size() >= 132 && head.substr(128, 4) == "DICM") || beginsWithElements(head);
 }
 
 bool hasDicomFiles(const fs::path& folder) {

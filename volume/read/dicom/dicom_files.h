@@ -1,19 +1,25 @@
 // Which files are DICOM, by their first bytes; what is in them is for the reader (readers/dicom).
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string_view>
 #include <vector>
 
 namespace isolux::volume {
 
-// Does `head` (the first 132 bytes or more) carry the DICOM mark?
+// Does `head` (the first kDicomHeadBytes of a file) carry the DICOM mark, or begin with elements as old files
+// do?
+inline constexpr std::size_t kDicomHeadBytes = 4096;
 bool looksLikeDicom(std::string_view head);
+
+// The index of a disc (DICOMDIR), which has no pixels: its folder is opened instead.
+bool isDicomIndex(const std::filesystem::path& file);
 
 // How deep subfolders of a folder that is opened are looked at; discs have four or five.
 inline constexpr int kDeepestDicomFolder = 8;
 
-// By its first bytes; false for the index of a disc (DICOMDIR), which has no pixels.
+// By its first bytes; false for the index of a disc.
 bool isDicomFile(const std::filesystem::path& file);
 
 // True when `folder` or a subfolder has a DICOM file. Links to folders are not followed. Throws Error{input}
