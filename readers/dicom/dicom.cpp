@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -17,8 +18,10 @@
 #include <vtkStringArray.h>
 
 #include "base/error.h"
+#include "base/number_text.h"
 #include "readers/dicom/series.h"
 #include "readers/limits.h"
+#include "readers/serve.h"
 #include "readers/vtk_messages.h"
 #include "volume/read/dicom/dicom_files.h"
 #include "volume/read/dicom/slice_stack.h"
@@ -50,6 +53,7 @@ std::vector<DicomFile> chooseSeries(std::vector<DicomFile> files, const std::str
   std::map<std::string, Series> all;
   for (const DicomFile& file : files) {
     Series& series = all[file.series];
+    if (!file.notAScan.empty()) continue;
     series.slices += file.frames.size();
     if (series.description.empty()) series.description = file.description;
   }
@@ -67,9 +71,11 @@ std::vector<DicomFile> chooseSeries(std::vector<DicomFile> files, const std::str
                           ", the first is " + all.begin()->first);
   }
   for (const auto& [uid, series] : all)
-    choices.push_back(uid + "\t" + (series.description.empty() ? "no description" : series.description) +
-                      ", " + std::to_string(series.slices) + " slices");
+    if (series.slices > 0)
+      choices.push_back(uid + "\t" + (series.description.empty() ? "no description" : series.description) +
+                        ", " + std::to_string(series.slices) + " slices");
   std::erase_if(files, [&](const DicomFile& file) { return file.series != chosen; });
+  files = onlyScans(std::move(files));
   // The order of acquisition, before the positions decide.
   std::stable_sort(files.begin(), files.end(),
                    [](const DicomFile& a, const DicomFile& b) { return a.instance < b.instance; });
@@ -138,29 +144,41 @@ class Assembly {
 
   template <typename T>
   FileVoxels run(const T* decoded, int component, std::size_t components, std::size_t timeStep,
-                 const base::Progress& progress) const {
+                 const base::Progress& progress) {
     if (rescale_ || component < 0) return assemble<float>(decoded, component, components, timeStep, progress);
     return assemble<T>(decoded, component, components, timeStep, progress);
   }
 
+  // A padding value that was met, stored and as shown.
+  const std::optional<std::pair<double, double>>& padding() const { return padding_; }
+
  private:
   template <typename To, typename T>
   FileVoxels assemble(const T* decoded, int component, std::size_t components, std::size_t timeStep,
-                      const base::Progress& progress) const {
+                      const base::Progress& progress) {
     std::vector<To> voxels;
     voxels.reserve(stack_.slices() * sliceVoxels_);
     std::vector<To> a(sliceVoxels_), b(sliceVoxels_);
     const auto load = [&](std::size_t place, std::vector<To>& slice) {
-      const std::size_t source = stack_.order[timeStep * stack_.sourceSlices() + place];
-      const DicomFrame& frame = sources_[source].frame();
-      const T* in = decoded + source * sliceVoxels_ * components;
-      for (std::size_t i = 0; i < sliceVoxels_; ++i, in += components) {
-        double value = 0.0;
-        if (component < 0)
-          for (std::size_t c = 0; c < components; ++c) value = std::hypot(value, static_cast<double>(in[c]));
-        else
-          value = static_cast<double>(in[component]);
-        slice[i] = static_cast<To>(rescale_ ? frame.slope * value + frame.intercept : value);
+      const DicomSource& source = sources_[stack_.order[timeStep * stack_.sourceSlices() + place]];
+      const DicomFile& file = *source.file;
+      // Padding is a value of grey pixels; without one, nothing is between these.
+      constexpr double infinity = std::numeric_limits<double>::infinity();
+      const auto [low, high] =
+          components == 1 && file.padding ? *file.padding : std::pair(infinity, -infinity);
+      auto out = slice.begin();
+      for (int y = 0; y < file.rows; ++y) {
+        const T* in = decoded + (source.filePixel + file.decodedRow(source.frameIndex, y)) * components;
+        for (int x = 0; x < file.columns; ++x, in += components) {
+          double value = 0.0;
+          if (component < 0)
+            for (std::size_t c = 0; c < components; ++c)
+              value = std::hypot(value, static_cast<double>(in[c]));
+          else
+            value = static_cast<double>(in[component]);
+          if (value >= low && value <= high) padding_ = {value, file.valueOf(source.frame(), value)};
+          *out++ = static_cast<To>(rescale_ ? file.valueOf(source.frame(), value) : value);
+        }
       }
     };
     for (std::size_t k = 0; k < stack_.slices(); ++k) {
@@ -182,6 +200,7 @@ class Assembly {
   const SliceStack& stack_;
   std::size_t sliceVoxels_;
   bool rescale_;
+  std::optional<std::pair<double, double>> padding_;
 };
 
 }  // namespace
@@ -201,29 +220,74 @@ void decodeFiles(vtkDICOMReader* reader, const std::vector<DicomFile>& files, co
   reader->Update();
   progress.throwIfStopped();
   if (!messages.errors().empty())
-    throwInput(files.size() == 1 ? files[0].path.string() : folder, "pixel data",
-               "vtk-dicom refuses it: " + messages.errors().front());
+    throwInput(
+        files.size() == 1 ? files[0].path.string() : folder, "pixel data",
+        "vtk-dicom refuses it: " + messages.errors().front() +
+            (files[0].transferSyntax.empty() ? "" : " (transfer syntax " + files[0].transferSyntax + ")"));
 }
+
+namespace {
+
+std::vector<DicomSource> stepOf(const std::vector<DicomSource>& sources, const SliceStack& stack,
+                                int timeStep) {
+  std::vector<DicomSource> slices;
+  const std::size_t first = static_cast<std::size_t>(timeStep) * stack.sourceSlices();
+  for (std::size_t i = 0; i < stack.sourceSlices(); ++i) slices.push_back(sources[stack.order[first + i]]);
+  return slices;
+}
+
+// Unit, slope and intercept of the slices of a time step; true: they must be applied slice by slice.
+bool setMeaning(const std::vector<DicomSource>& slices, ImageHeader& header,
+                std::vector<std::string>& warnings) {
+  const auto agree = [&](const auto& value) {
+    return std::all_of(slices.begin(), slices.end(),
+                       [&](const DicomSource& slice) { return value(slice) == value(slices.front()); });
+  };
+  if (agree([](const DicomSource& slice) { return slice.frame().unit; }))
+    header.unit = slices.front().frame().unit;
+  else
+    warnings.emplace_back("the slices state different units of their values; none is shown");
+  if (!agree([](const DicomSource& slice) -> const auto& { return slice.file->lut.values; }))
+    warnings.emplace_back("the modality LUT differs from slice to slice; applied, values stored as float32");
+  if (std::any_of(slices.begin(), slices.end(),
+                  [](const DicomSource& slice) { return !slice.file->lut.values.empty(); }))
+    return true;
+  if (!agree(
+          [](const DicomSource& slice) { return std::pair(slice.frame().slope, slice.frame().intercept); })) {
+    warnings.emplace_back("the rescale slope differs from slice to slice; applied, values stored as float32");
+    return true;
+  }
+  header.slope = slices.front().frame().slope;
+  header.intercept = slices.front().frame().intercept;
+  return false;
+}
+
+}  // namespace
 
 DecodedVolume decodeDicom(const fs::path& path, const ReadOptions& options, base::Progress& progress) {
   progress.report(0.0, "reading");
-  const bool isFolder = fs::is_directory(path);
-  const fs::path folder = isFolder ? path : (path.has_parent_path() ? path.parent_path() : fs::path("."));
+  const bool isIndex = isDicomIndex(path);
+  const bool isFolder = isIndex || fs::is_directory(path);
+  const fs::path parent = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  const fs::path folder = isFolder && !isIndex ? path : parent;
   const std::string name = path.string();
   std::vector<std::string> warnings, choices;
+  std::string wanted = options.series;
+  std::optional<DicomFile> named;
+  if (!isFolder) {
+    if (!isDicomFile(path)) throwInput(name, "", "has no DICOM image");
+    allowHeaders(1, FileBytes(path).size());
+    nowReading(path);
+    named = readWholeHeader(path);
+    if (!named->notAScan.empty()) throwInput(name, "SOPClassUID", named->notAScan);
+    if (named->frames.empty()) throwInput(name, "", "has no DICOM image");
+    if (wanted.empty()) wanted = named->series;
+  }
   std::vector<DicomFile> files =
       scanDicomFolder(folder, isFolder ? kDeepestDicomFolder : 1, progress, warnings);
-  std::string wanted = options.series;
-  if (!isFolder) {
-    const auto same = [&](const DicomFile& file) {
-      std::error_code ignored;
-      return fs::equivalent(file.path, path, ignored);
-    };
-    const auto it = std::find_if(files.begin(), files.end(), same);
-    if (it == files.end()) throwInput(name, "", warnings.empty() ? "has no DICOM image" : warnings.back());
-    if (wanted.empty()) wanted = it->series;
-  }
-  files = keepMajority(chooseSeries(std::move(files), wanted, name, choices), warnings);
+  files = chooseSeries(std::move(files), wanted, name, choices);
+  if (named && named->isCine && !named->frames.front().hasPosition) files = {*named};  // a clip by itself
+  files = keepMajority(std::move(files), warnings);
 
   const std::vector<DicomSource> sources = sourcesOf(files);
   SliceStack stack = stackOf(sources, name, warnings);
@@ -242,18 +306,18 @@ DecodedVolume decodeDicom(const fs::path& path, const ReadOptions& options, base
   header.timeSteps = static_cast<std::int64_t>(stack.timeSteps);
   header.worldFromVoxel = stack.worldFromVoxel;
   if (first.frames.front().hasPosition) header.axes = scene::WorldAxes::anatomical;
-  header.unit = first.modality == "CT" ? "HU" : "";
   checkDims(header, name, "Rows, Columns, slices");
   checkChoices(header, name, options);
   // vtk-dicom decodes all of the series at once.
-  const std::uint64_t decoded =
-      static_cast<std::uint64_t>(sources.size()) * static_cast<std::uint64_t>(first.columns) *
-      static_cast<std::uint64_t>(first.rows) * static_cast<std::uint64_t>(first.samples) * bytesOf(*type);
+  std::uint64_t pixels = 0, fileBytes = 0;
+  for (const DicomFile& file : files) {
+    pixels += file.decodedPixels();
+    fileBytes += FileBytes(file.path).size();
+  }
+  const std::uint64_t decoded = pixels * static_cast<std::uint64_t>(first.samples) * bytesOf(*type);
   checkBudget(decoded, "the series", "", name, options);
   checkBudget(header, name, options);
 
-  std::uint64_t fileBytes = 0;
-  for (const DicomFile& file : files) fileBytes += FileBytes(file.path).size();
   allowDecoding(fileBytes);
   const VtkMessages messages;
   vtkNew<vtkDICOMReader> reader;
@@ -261,31 +325,27 @@ DecodedVolume decodeDicom(const fs::path& path, const ReadOptions& options, base
   vtkImageData* image = reader->GetOutput();
   vtkDataArray* array = image->GetPointData() ? image->GetPointData()->GetScalars() : nullptr;
   const auto sliceVoxels = static_cast<std::size_t>(first.columns) * static_cast<std::size_t>(first.rows);
-  if (!array || static_cast<std::size_t>(array->GetNumberOfTuples()) != sliceVoxels * sources.size() ||
+  if (!array || static_cast<std::uint64_t>(array->GetNumberOfTuples()) != pixels ||
       array->GetNumberOfComponents() != first.samples)
     throwInput(name, "pixel data", "could not be read whole");
   const auto decodedType = voxelTypeOf(array);
   if (!decodedType) throwInput(name, "pixel data", "has a type that is not supported");
   header.type = *decodedType;
 
-  const bool sameRescale = std::all_of(sources.begin(), sources.end(), [&](const DicomSource& source) {
-    return source.frame().slope == sources[0].frame().slope &&
-           source.frame().intercept == sources[0].frame().intercept;
-  });
-  if (sameRescale) {
-    header.slope = sources[0].frame().slope;
-    header.intercept = sources[0].frame().intercept;
-  } else {
-    warnings.push_back("the rescale slope differs from slice to slice; applied, values stored as float32");
-  }
+  const std::vector<DicomSource> slices = stepOf(sources, stack, options.timeStep);
+  const bool rescale = setMeaning(slices, header, warnings);
   for (const std::string& warning : messages.warnings()) warnings.push_back("vtk-dicom: " + warning);
-  header.warnings = std::move(warnings);
-  const Assembly assembly(sources, stack, sliceVoxels, !sameRescale);
+  Assembly assembly(sources, stack, sliceVoxels, rescale);
   FileVoxels voxels = withType(header.type, [&](auto zero) {
     return assembly.run(static_cast<const decltype(zero)*>(array->GetVoidPointer(0)), options.component,
                         static_cast<std::size_t>(first.samples), static_cast<std::size_t>(options.timeStep),
                         progress);
   });
+  if (assembly.padding())
+    warnings.push_back("PixelPaddingValue " + base::shortText(assembly.padding()->first) +
+                       " marks pixels outside the image; shown as the value " +
+                       base::shortText(assembly.padding()->second));
+  header.warnings = std::move(warnings);
   reader->SetOutput(nullptr);  // before the voxels are handed over
   return {std::move(header), std::move(voxels), first.description, std::move(choices), first.patient};
 }

@@ -5,22 +5,26 @@
 // regular grid must be proven, not assumed. Sizes are compared with each file before anything is decoded.
 // vtk-dicom's messages are caught.
 //
-// Rescale: kept as slope and intercept when all slices agree, else applied, in float32. Unit HU when the
-// modality is CT. Slices of another size, type or orientation than the majority of the series are left out
-// with a warning. Throws base::Error{input}; Error{usage} for a series that is not there.
+// Rescale: kept as slope and intercept when all slices of a time step agree, else applied, in float32, as are
+// modality LUTs. Slices of another size, type, orientation, unit or patient than the majority of the series
+// are left out with a warning. Objects that are no scans are refused by name (dicom_object.h). Throws
+// base::Error{input}; Error{usage} for a series that is not there.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
 #include "base/progress.h"
 #include "volume/read/dicom/dicom_series.h"
+#include "volume/read/dicom/repeated_slices.h"
 #include "volume/read/process/reader_messages.h"
 
 class vtkDataArray;
@@ -35,27 +39,55 @@ struct DicomFrame {
   bool hasPosition = false;
   glm::dvec3 positionMm{0.0}, rowDirection{1, 0, 0}, columnDirection{0, 1, 0};
   double spacingXMm = 0.0, spacingYMm = 0.0;  // 0: not stated
-  double thicknessMm = 0.0;
+  double distanceMm = 0.0;                    // of slices, along their normal; 0: not stated
+  double thicknessMm = 0.0;                   // the distance, else of a slice; 0: not stated
   double slope = 1.0, intercept = 0.0;
+  std::string unit;  // of values: "HU", "Gy", ...; "": not stated
+  volume::ImageTags tags;
 };
+
+// Values that a table gives to stored ones, from `first` on; its ends hold for all beyond them.
+struct ModalityLut {
+  std::int64_t first = 0;
+  std::vector<double> values;  // empty: none
+};
+
+inline constexpr const char* kNoSeries = "unknown";  // of files without a SeriesInstanceUID
 
 struct DicomFile {
   std::filesystem::path path;
+  std::string notAScan;  // why a DICOM object without slices is not read (dicom_object.h); "": it may be
   volume::Patient patient;
   std::string study, studyDescription, studyDate;
   std::string series, description, date, number, modality, kernel, transferSyntax;
-  int columns = 0, rows = 0, samples = 1, bitsAllocated = 0;
+  std::string instanceUid, frameOfReference, photometric;
+  int columns = 0, rows = 0, samples = 1, bitsAllocated = 0;  // columns, rows: of a slice
+  int tilesAcross = 1;  // more: one image holds the frames as tiles, row by row (Siemens mosaic)
   bool isSigned = false;
-  bool darkIsHigh = false;                       // MONOCHROME1
+  bool isCine = false;                           // frames are moments
+  double pixelAspect = 1.0;                      // height / width of a pixel whose size is not stated
   double windowCenter = 0.0, windowWidth = 0.0;  // after rescale; width 0: not stated
+  ModalityLut lut;
+  std::optional<std::pair<double, double>> padding;  // stored values of pixels outside the image, from and to
   int instance = 0;
   std::vector<DicomFrame> frames;
+  std::vector<std::string> warnings;
+
+  bool darkIsHigh() const { return photometric == "MONOCHROME1"; }
+  // Pixels of the decoded file, and which of them is the first one of row `y` of a frame.
+  std::size_t decodedPixels() const;
+  std::size_t decodedRow(std::size_t frame, int y) const;
+  // What a stored value of a frame means.
+  double valueOf(const DicomFrame& frame, double stored) const;
 };
 
 // The header of one file; without frames: no image. Throws Error{input} for what is damaged or not supported.
 DicomFile readHeader(const std::filesystem::path& file);
+// Throws also for what vtk-dicom finds damaged.
+DicomFile readWholeHeader(const std::filesystem::path& file);
 
-// Headers of all DICOM files in `folder` and its subfolders, to that depth, folder by folder.
+// Headers of all DICOM files in `folder` and its subfolders, to that depth, folder by folder; also objects
+// that are no scans. One scan at least.
 std::vector<DicomFile> scanDicomFolder(const std::filesystem::path& folder, int depth,
                                        base::Progress& progress, std::vector<std::string>& warnings);
 

@@ -11,7 +11,6 @@
 #include "readers/dicom/series.h"
 #include "readers/limits.h"
 #include "readers/serve.h"
-#include "readers/vtk_messages.h"
 #include "volume/read/dicom/dicom_files.h"
 #include "volume/read/input/bytes.h"
 
@@ -74,12 +73,10 @@ DicomSeries describeSeries(std::vector<DicomFile> files) {
   for (const DicomFile& file : files) {
     folder = commonFolder(folder, file.path.parent_path());
     if (series.description.empty()) series.description = file.description;
-    if (!(file.patient == first.patient)) series.problem = "its files name several patients";
   }
   series.folder = folder.string();
-  if (!series.problem.empty()) series.warnings.push_back(std::exchange(series.problem, {}));
   try {
-    describeGrid(files, series);
+    describeGrid(onlyScans(files), series);
   } catch (const base::Error& error) {
     series.problem = error.reason();
   }
@@ -114,9 +111,7 @@ class Index {
 std::optional<DicomFile> lookAt(const fs::path& path) {
   allowHeaders(1, FileBytes(path).size());  // each has its own time: one that spins ends soon
   nowReading(path);
-  const VtkMessages messages;
-  DicomFile file = readHeader(path);
-  if (!messages.errors().empty()) base::throwInput(path.string(), "header", messages.errors().front());
+  DicomFile file = readWholeHeader(path);
   if (file.frames.empty()) return std::nullopt;
   return file;
 }

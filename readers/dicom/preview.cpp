@@ -89,7 +89,7 @@ DecodedImage shown(const DicomFile& file, Reduced small) {
     glm::vec3 pixel;
     for (int c = 0; c < 3; ++c) {
       double grey = std::clamp((sample[c] - black) / (white - black), 0.0, 1.0);
-      if (file.darkIsHigh && !colours) grey = 1.0 - grey;
+      if (file.darkIsHigh() && !colours) grey = 1.0 - grey;
       pixel[c] = static_cast<float>(base::decodeSrgb(grey));
     }
     image.pixels.push_back(pixel);
@@ -102,13 +102,13 @@ DecodedImage shown(const DicomFile& file, Reduced small) {
 DecodedImage previewDicomFile(const fs::path& path, const ReadOptions& options, base::Progress& progress) {
   allowHeaders(1, FileBytes(path).size());
   const DicomFile file = readHeader(path);
+  if (!file.notAScan.empty()) throwInput(path.string(), "SOPClassUID", file.notAScan);
   const auto frame = static_cast<std::size_t>(std::max(options.timeStep, 0));
   if (frame >= file.frames.size()) throwInput(path.string(), "", "has no such image");
   const auto type = voxelTypeOf(file);
   if (!type) throwInput(path.string(), "BitsAllocated", "is not supported");
-  const auto sliceSamples = static_cast<std::uint64_t>(file.columns) * static_cast<std::uint64_t>(file.rows) *
-                            static_cast<std::uint64_t>(file.samples);
-  checkBudget(sliceSamples * file.frames.size() * bytesOf(*type), "its images", "", path.string(), options);
+  const std::uint64_t values = std::uint64_t{file.decodedPixels()} * static_cast<std::uint64_t>(file.samples);
+  checkBudget(values * bytesOf(*type), "its images", "", path.string(), options);
   allowDecoding(FileBytes(path).size());
   const VtkMessages messages;
   vtkNew<vtkDICOMReader> reader;
@@ -116,14 +116,13 @@ DecodedImage previewDicomFile(const fs::path& path, const ReadOptions& options, 
   vtkImageData* const image = reader->GetOutput();
   vtkDataArray* const array = image->GetPointData() ? image->GetPointData()->GetScalars() : nullptr;
   if (!array || array->GetNumberOfComponents() != file.samples ||
-      static_cast<std::uint64_t>(array->GetNumberOfValues()) != sliceSamples * file.frames.size())
+      static_cast<std::uint64_t>(array->GetNumberOfValues()) != values)
     throwInput(path.string(), "pixel data", "could not be read whole");
   const DicomFrame& header = file.frames[frame];
-  const auto offset = static_cast<vtkIdType>(frame) * file.columns * file.rows;
   return shown(file, reduced(file, [&](int x, int y, int component) {
                  const double stored =
-                     array->GetComponent(offset + static_cast<vtkIdType>(y) * file.columns + x, component);
-                 return file.samples >= 3 ? stored : header.slope * stored + header.intercept;
+                     array->GetComponent(static_cast<vtkIdType>(file.decodedRow(frame, y)) + x, component);
+                 return file.samples >= 3 ? stored : file.valueOf(header, stored);
                }));
 }
 

@@ -14,10 +14,15 @@ namespace isolux::readers {
 struct DicomSource {
   const DicomFile* file = nullptr;
   std::size_t fileIndex = 0, frameIndex = 0;
+  std::size_t filePixel = 0;  // the first of the file among those of all files
   const DicomFrame& frame() const { return file->frames[frameIndex]; }
 };
 
-// The largest set of slices that fit together; whole files, so that one decoder run reads them. At least one.
+// Without objects that are no scans. Throws Error{input} where nothing else is there.
+std::vector<DicomFile> onlyScans(std::vector<DicomFile> files);
+
+// The largest set of slices that fit together, each once; whole files, so that one decoder run reads them. At
+// least one.
 std::vector<DicomFile> keepMajority(std::vector<DicomFile> files, std::vector<std::string>& warnings);
 
 std::vector<DicomSource> sourcesOf(const std::vector<DicomFile>& files);

@@ -108,6 +108,14 @@ TEST(DicomIndex, NoDicomIsAnEmptyListAndNoFolderAnError) {
   EXPECT_THROW(listed(folder / "missing"), base::Error);
 }
 
+TEST(DicomIndex, ASegmentationIsListedAsWhatItIs) {
+  const fs::path folder = test::temporaryFolder() / "mask";
+  test::DicomSlice slice;
+  slice.sopClass = "1.2.840.10008.5.1.4.1.1.66.4";
+  test::writeDicomSeries(folder, slice, 1, [](int) { return test::placeAt(0, 0); });
+  EXPECT_THAT(listed(folder).series.at("1.2.3.4").problem, HasSubstr("is a segmentation (SEG), not a scan"));
+}
+
 TEST(DicomIndex, DamagedHeadersAreCountedWhateverTheyHold) {
   const fs::path folder = test::temporaryFolder() / "damaged";
   test::DicomSlice slice;

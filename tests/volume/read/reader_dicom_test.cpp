@@ -16,6 +16,7 @@ using test::expectNear;
 using test::readFile;
 using test::valuesOf;
 using test::worldOf;
+using test::writeSeries;
 using Slice = test::DicomSlice;
 
 std::string number(double value) {
@@ -33,14 +34,6 @@ Slice sliceAt(double z, int instance) {
   for (int i = 0; i < 6; ++i) pixels.push_back(static_cast<std::int16_t>(10 * z + i));
   s.pixels = test::bytesOf(pixels);
   return s;
-}
-
-fs::path writeSeries(const std::vector<Slice>& slices) {
-  const fs::path folder = test::temporaryFolder() / "series";
-  fs::create_directories(folder);
-  for (std::size_t i = 0; i < slices.size(); ++i)
-    test::writeFile(folder / ("IM" + std::to_string(i)), dicom(slices[i]));
-  return folder;
 }
 
 TEST(Dicom, SortedByPositionWithRescaleAndGeometry) {
