@@ -86,14 +86,25 @@ std::string titleOf(const volume::DicomSeries& series) {
 }
 
 std::vector<std::string> shortWarnings(const volume::DicomSeries& series) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 7> known{
-      {{"gantry tilt", "gantry tilt"},
-       {"slices are missing", "missing slices"},
-       {"slice distance changes", "uneven spacing"},
-       {"slice distances are uneven", "uneven spacing"},
-       {"differ in size", "mixed slices"},
-       {"repeat the position", "repeated slices"},
-       {"no slice has a position", "no positions"}}};
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 17> known{{
+      {"gantry tilt", "gantry tilt"},
+      {"slices are missing", "missing slices"},
+      {"slice distance changes", "uneven spacing"},
+      {"slice distances are uneven", "uneven spacing"},
+      {"no slice has a position", "no positions"},
+      {"slices differ from the rest", "mixed slices"},
+      {"repeat the position", "repeated slices"},
+      {"are copies of others", "copies"},
+      {"the time steps differ in", "several kinds of image"},
+      {"slices of one time step differ", "mixed kinds of image"},
+      {"instance numbers", "uncertain time steps"},
+      {"belong to no complete time step", "incomplete time steps"},
+      {"SpacingBetweenSlices", "uncertain spacing"},
+      {"frames have one position", "uncertain spacing"},
+      {"secondary capture", "secondary capture"},
+      {"MONOCHROME1", "inverted grey"},
+      {"LossyImageCompression", "lossy"},
+  }};
   std::vector<std::string> words;
   const auto add = [&](std::string word) {
     if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(std::move(word));

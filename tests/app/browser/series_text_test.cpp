@@ -48,10 +48,11 @@ TEST(SeriesText, WarningsInAWordOrTwo) {
   series.warnings = {"gantry tilt of 18.5 degrees: the slices are sheared against each other; kept so",
                      "slice distances are uneven (1 to 2 mm): resampled from 5 onto 9 slices every 1 mm",
                      "slices are missing in 13 places; what is shown there is interpolated",
-                     "1 of 5 slices differ in size, type or orientation from the rest and are left out",
+                     "1 of 5 slices differ from the rest (orientation, size) and are left out",
+                     "instance numbers and temporal position order repeated slices differently",
                      "something new"};
   EXPECT_THAT(shortWarnings(series), ElementsAre("gantry tilt", "uneven spacing", "missing slices",
-                                                 "mixed slices", "something new"));
+                                                 "mixed slices", "uncertain time steps", "something new"));
   series.problem = "the slices do not lie on one line";
   EXPECT_EQ(shortWarnings(series).front(), "cannot be opened");
 }
