@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <string_view>
 #include <system_error>
 
 #include <unistd.h>
@@ -37,7 +39,9 @@ std::string progressLine(double fraction, const char* stage, double elapsed, int
 }
 
 ProgressBar::ProgressBar(const base::Progress& progress) {
-  if (!::isatty(STDERR_FILENO)) return;
+  const char* const terminal = std::getenv("TERM");
+  const bool isDumb = terminal && std::string_view(terminal) == "dumb";  // it cannot clear a line
+  if (isDumb || !::isatty(STDERR_FILENO)) return;
   try {
     thread_ = std::thread([this, &progress] { draw(progress); });
   } catch (const std::system_error&) {

@@ -16,15 +16,16 @@
 #include <new>
 
 #include <dirent.h>
+#include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <climits>
 #include <csignal>
 
+#include "app/launcher/command_names.h"
 #include "base/supervision_board.h"
 
 namespace {
@@ -63,11 +64,31 @@ void findProgram(char (&path)[PATH_MAX]) {
   if (::access(path, X_OK) != 0) std::memcpy(name, installed, sizeof installed);
 }
 
-// A word that can be no path and names no file: everything else opens the window.
 bool isCommand(const char* word) {
-  struct stat status {};
-  return word && word[0] != '-' && word[0] != '\0' && !std::strpbrk(word, "./:") &&
-         ::stat(word, &status) != 0;
+  for (const char* const name : isolux::app::kCommandNames)
+    if (std::strcmp(word, name) == 0) return true;
+  return false;
+}
+
+// Whether the word behind it is its value.
+bool isOption(const char* word) {
+  return std::strncmp(word, "--", 2) == 0 && !std::strchr(word, '=');
+}
+
+// Everything else opens the window.
+bool runsCommand(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i)
+    if (isCommand(argv[i]) && (i == 1 || !isOption(argv[i - 1]))) return true;
+  return false;
+}
+
+// Where a standard descriptor is closed, the next file that is opened would take its number, and with it all
+// that is printed.
+void fillStandardDescriptors() {
+  int file = 0;
+  do file = ::open("/dev/null", O_RDWR);
+  while (file >= 0 && file <= STDERR_FILENO);
+  if (file > STDERR_FILENO) ::close(file);
 }
 
 SupervisionBoard* shareBoard() {
@@ -254,7 +275,8 @@ class Supervisor {
 
 int main(int argc, char** argv) {
   char program[PATH_MAX];
-  if (argc < 2 || !isCommand(argv[1])) {
+  fillStandardDescriptors();
+  if (!runsCommand(argc, argv)) {
     findProgram(program);
     ::execv(program, argv);
     fail("cannot start isolux-program, which belongs beside it or in ../libexec/isolux");

@@ -12,6 +12,7 @@
 #include "app/commands/command_line.h"
 #include "app/documents/session.h"
 #include "app/files/image_io.h"
+#include "app/launcher/command_names.h"
 #include "base/retire.h"
 #include "scene/machine.h"
 #include "scene/settings.h"
@@ -76,6 +77,46 @@ TEST(CommandLine, TheProgramItselfReportsAndExits) {
   std::ofstream(folder / "broken.png") << "\x89PNG\r\n\x1a\nand then nonsense";
   expect(3, {"info", "broken.png"});
   EXPECT_THAT(test::filesIn(folder), ElementsAre("broken.png"));
+}
+
+std::vector<std::string> commandNames() {
+  const std::string help = success({"--help"}).out;
+  std::istringstream lines(help.substr(help.find("Subcommands:\n") + 13));
+  std::vector<std::string> names;
+  for (std::string line; std::getline(lines, line) && line.starts_with("  ");)
+    names.push_back(line.substr(2, line.find(' ', 2) - 2));
+  return names;
+}
+
+// The launcher watches over these words alone, whatever files there are.
+TEST(CommandLine, TheLauncherKnowsTheNamesOfAllCommands) {
+  EXPECT_THAT(commandNames(), testing::UnorderedElementsAreArray(kCommandNames));
+}
+
+TEST(CommandLine, ACommandIsSupervisedWhateverStandsInTheFolder) {
+  const fs::path folder = test::temporaryFolder();
+  fs::create_directory(folder / "bake");
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {"bake", "phantom:torus:64", "--out", "l.vti", "--set", "gi.samples=4096"},
+           {"--threads", "1", "bake", "phantom:torus:64", "--out", "l.vti", "--set", "gi.samples=4096"}}) {
+    test::RunningIsolux isolux(arguments, {.folder = folder});
+    EXPECT_TRUE(test::pollUntil([&] { return isolux.processorSeconds() > 0.0; }))
+        << "the child of a supervisor";
+    isolux.signal(SIGINT);
+    EXPECT_EQ(isolux.wait().exitCode, 130);
+  }
+}
+
+// What some job starters do. The next files that are opened take these numbers.
+TEST(CommandLine, ClosedStandardDescriptorsChangeNothing) {
+  const fs::path folder = test::temporaryFolder();
+  const std::string call = "cd '" + folder.string() + "' && '" ISOLUX_BINARY "' ";
+  for (const char* closed : {"<&- >&- 2>&-", "<&-", ">&-", "2>&-", "<&- >&-"}) {
+    EXPECT_EQ(std::system((call + "info phantom:ball:8 " + closed).c_str()), 0) << closed;
+    EXPECT_EQ(std::system((call + "mesh phantom:ball:16 --out a.stl " + closed).c_str()), 0) << closed;
+    EXPECT_GT(fs::file_size(folder / "a.stl"), 84u);
+    fs::remove(folder / "a.stl");
+  }
 }
 
 TEST(CommandLine, WrongUseIsExit2) {
