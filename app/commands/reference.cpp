@@ -6,6 +6,7 @@
 
 #include "app/commands/command.h"
 #include "app/commands/progress_bar.h"
+#include "app/documents/picture_scene.h"
 #include "app/documents/session.h"
 #include "app/files/files.h"
 #include "app/files/image_io.h"
@@ -90,8 +91,9 @@ void runReference(const ReferenceOptions& options, base::Progress& progress) {
   checkOutput(guard, options.out, "--out");
   checkOutput(guard, options.stats, "--stats");
   const auto prepared = loadWithProgressBar(scene.source, progress);
+  const scene::Scene given = sceneOf(options.path, *options.scene, *prepared);
   scene = resolvedSceneOf(options.path, *options.scene, *prepared, reference.size, progress);
-  const std::string session = sessionText(scene, out.parent_path());
+  const std::string session = sessionText(carriedScene(given, scene), out.parent_path());
   const Clock::time_point start = Clock::now();
   double seconds = 0.0;
   gi::ReferenceImage image;

@@ -20,6 +20,7 @@
 #include "app/commands/render_plan.h"
 #include "app/commands/render_report.h"
 #include "app/commands/render_target.h"
+#include "app/documents/picture_scene.h"
 #include "app/documents/session.h"
 #include "app/documents/session_accuracy.h"
 #include "app/files/files.h"
@@ -264,7 +265,7 @@ class RenderRun {
 
   void drawPicture(scene::Scene scene, const PlannedPicture& picture) {
     if (options_.target.any()) scene = withTarget(std::move(scene));
-    const scene::Derivatives asked = scene.derivatives;
+    const scene::Scene given = scene;
     scene = scene::resolve(std::move(scene), prepared_->facts);
     request_.supersampling = request_.aovs.empty() ? scene.picture.supersampling : 1;
     request_.pixelRatio = scene.picture.pixelRatio;
@@ -300,10 +301,10 @@ class RenderRun {
       }
       if (request_.color && !request_.linear)
         annotate(scene, *prepared_, drawn.picture.report, drawn.picture.color);
-      writePicture(drawn.picture, request_, picture.out, scene, images_.drawn,
+      writePicture(drawn.picture, request_, picture.out, carriedScene(given, scene), images_.drawn,
                    errors.value_or(PictureErrors{}), accuracy, otherChannels(structure));
     }
-    report(asked, scene, drawn, picture, accuracy, structure);
+    report(given.derivatives, scene, drawn, picture, accuracy, structure);
   }
 
   bool asksStructure() const { return images_.structure || marksStructure(options_); }

@@ -8,6 +8,7 @@
 #include "app/annotation/annotation.h"
 #include "app/commands/command.h"
 #include "app/commands/progress_bar.h"
+#include "app/documents/picture_scene.h"
 #include "app/documents/recording.h"
 #include "app/documents/session.h"
 #include "app/files/files.h"
@@ -84,7 +85,7 @@ class FrameMaker {
       image_ = std::move(still.color);
       drawn_ = resolved;
     }
-    writePng(*image_, file, sessionText(resolved, file.parent_path()));
+    writePng(*image_, file, sessionText(carriedScene(scene, resolved), file.parent_path()));
   }
 
  private:

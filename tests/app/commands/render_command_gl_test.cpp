@@ -42,7 +42,7 @@ TEST(RenderCommandGl, APictureCarriesTheSessionThatMakesItAgain) {
   EXPECT_EQ(contentOf(folder / "a.png"), contentOf(folder / "b.png"));
   const scene::Scene scene = loadSession(folder / "a.png");
   EXPECT_EQ(scene.isosurface.value, -0.5);
-  EXPECT_TRUE(scene.camera.eye) << "resolved: the same picture even if automatic choices change";
+  EXPECT_TRUE(scene.camera.eye) << "the same view even if automatic choices change";
 
   saveSession(scene, folder / "s.isolux");
   succeed({"render", "s.isolux", "--size", "80x60", "--out", "c.png"}, folder);
@@ -51,6 +51,22 @@ TEST(RenderCommandGl, APictureCarriesTheSessionThatMakesItAgain) {
   EXPECT_NE(readPng(folder / "a.png").rgba, readPng(folder / "d.png").rgba);
   EXPECT_EQ(readPng(folder / "d.png").size, glm::ivec2(80, 60));
   EXPECT_THAT(filesIn(folder), ElementsAre("a.png", "b.png", "c.png", "d.png", "s.isolux"));
+}
+
+// Whoever opens it finds one isosurface, and everything automatic that nobody chose.
+TEST(RenderCommandGl, APictureCarriesWhatWasChosenAndNoMore) {
+  const fs::path folder = test::temporaryFolder();
+  succeed({"render", "phantom:torus:24", "--size", "40x30", "--look", "kappa1", "--out", "a.png"}, folder);
+  const scene::Scene scene = loadSession(folder / "a.png");
+  EXPECT_TRUE(scene.isosurface.value);
+  EXPECT_TRUE(scene.camera.eye);
+  for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces) EXPECT_FALSE(extra.value);
+  EXPECT_FALSE(scene.derivatives.scale);
+  EXPECT_FALSE(scene.derivatives.noise);
+  succeed(
+      {"render", "phantom:torus:24", "--size", "40x30", "--set", "isosurface2.shown=true", "--out", "b.png"},
+      folder);
+  EXPECT_TRUE(loadSession(folder / "b.png").extraIsosurfaces[0].value) << "is shown";
 }
 
 TEST(RenderCommandGl, AovsAreNamedFloatChannelsWithNanWhereNothingIsHit) {
