@@ -1,15 +1,20 @@
 #include "python/core.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstring>
+#include <stdexcept>
 #include <utility>
+
+#include <unistd.h>
 
 #include <pybind11/pybind11.h>
 
 #include "app/accuracy/accuracy.h"
 #include "app/annotation/annotation.h"
 #include "app/commands/render_report.h"
+#include "app/documents/picture_scene.h"
 #include "app/documents/session.h"
 #include "app/jobs/field_job.h"
 #include "app/jobs/rest_scene.h"
@@ -187,10 +192,25 @@ scene::Scene Core::sceneOf(const app::SceneOptions& options) const {
   return scene;
 }
 
+namespace {
+
+// A driver's threads stay with the parent, and whoever waits for them in its child waits for ever.
+void requireNoForkSinceDrawing() {
+  static std::atomic<pid_t> drawing{0};
+  pid_t nobody = 0;
+  if (!drawing.compare_exchange_strong(nobody, ::getpid()) && nobody != ::getpid())
+    throw std::runtime_error(
+        "graphics do not outlive fork(), and the parent has drawn: start this process by \"spawn\" or "
+        "\"forkserver\"");
+}
+
+}  // namespace
+
 Core::Graphics& Core::graphics(render::ContextChoice choice) {
   std::unique_ptr<Graphics>& own = *graphics_;
   if (own && own->choice != choice) own.reset();
   if (!own) {
+    requireNoForkSinceDrawing();
     auto made = std::make_unique<Graphics>();
     made->choice = choice;
     made->context = render::OffscreenContext::create(choice);
@@ -240,7 +260,8 @@ std::shared_ptr<Picture> Core::draw(const PictureWish& wish, base::Progress& pro
   if (wish.scene.camera.any())
     scene.camera = app::wishedCamera(wish.scene.camera, scene::resolve(scene, prepared_->facts), *prepared_,
                                      aspect, progress);
-  const scene::Derivatives asked = scene.derivatives;
+  const scene::Scene given = scene;
+  const scene::Derivatives& asked = given.derivatives;
   scene = scene::resolve(std::move(scene), prepared_->facts);
 
   const auto drawOne = [&](render::FrameRequest request, bool ofImages) {
@@ -305,7 +326,7 @@ std::shared_ptr<Picture> Core::draw(const PictureWish& wish, base::Progress& pro
       picture->color = std::move(drawn.color);
     }
   }
-  picture->scene = std::move(scene);
+  picture->scene = app::carriedScene(given, scene);
   picture->opened = path_;
   return picture;
 }

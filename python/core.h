@@ -37,7 +37,7 @@ struct Picture {
   std::vector<app::FloatChannel> errors;
   std::vector<app::FloatChannel> exr;  // all images and errors, where errors were asked for
   std::string opened;                  // what the volume was opened from; empty: an array
-  scene::Scene scene;                  // as it was drawn, all that is automatic filled in
+  scene::Scene scene;                  // app::carriedScene()
   std::optional<app::Accuracy> accuracy;
   std::string stats;  // JSON
   std::vector<std::string> notes;

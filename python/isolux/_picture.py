@@ -17,7 +17,7 @@ class Picture:
     aov      the deferred images that were asked for, by name: float32 (height, width) or (height, width, channels); NaN
              where there is no surface, 0 in "hit"
     stats    what was computed and what it cost: the keys of `isolux render --stats`
-    session  the scene as JSON, all that was automatic filled in: `isolux.open` and the window take it
+    session  the scene as JSON, camera and isovalues filled in: `isolux.open` and the window take it
     """
 
     def __init__(self, drawn):

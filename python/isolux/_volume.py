@@ -1,6 +1,7 @@
 """Volumes, and what can be asked of them."""
 
 import json
+import operator
 import os
 import weakref
 
@@ -315,7 +316,7 @@ def _directions(value):
 
 def _size(size):
     try:
-        width, height = (int(one) for one in size)
+        width, height = (operator.index(one) for one in size)
     except (TypeError, ValueError):
         raise ValueError(f"size: (width, height) is needed, not {size!r}") from None
     if not (1 <= width <= 16384 and 1 <= height <= 16384):

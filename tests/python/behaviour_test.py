@@ -4,6 +4,7 @@ import ctypes
 import gc
 import io
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -40,6 +41,13 @@ def allocated_bytes():
 
 
 class Errors(unittest.TestCase):
+    def test_a_size_is_whole_pixels(self):
+        volume = isolux.Volume(ball(8, 3))
+        for size in ((64.5, 64), (64,), "64x64", (0, 64)):
+            with self.subTest(size), self.assertRaises(ValueError):
+                volume.render(0, size=size)
+        self.assertEqual(volume.render(0, size=np.array([16, 12])).image.shape[:2], (12, 16))
+
     def test_they_say_what_the_command_says(self):
         volume = isolux.open("phantom:ball:16")
         for kind, call, words in (
@@ -214,6 +222,24 @@ class Threads(unittest.TestCase):
             os._exit(0)
         self.assertEqual(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), 7)
 
+    def test_a_forked_process_with_a_volume_of_its_own_draws_or_is_told(self):
+        with isolux.Volume(ball(24, 8)) as volume:
+            volume.render(0, "lambert", size=(8, 8))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            child = os.fork()
+        if child == 0:
+            try:
+                signal.alarm(60)  # it hung
+                own = isolux.Volume(ball(24, 8))
+                own.measure(0)
+                own.render(0, "lambert", size=(8, 8))
+            except RuntimeError as error:
+                os._exit(7 if "spawn" in str(error) else 8)
+            finally:
+                os._exit(0)
+        self.assertEqual(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), 7)
+
     def test_python_ends_with_volumes_open(self):
         for text in ("import isolux; v = isolux.open('phantom:ball:16'); v.render(look='lambert', size=(20, 20))",
                      "import isolux, threading; v = isolux.open('phantom:ball:32')\n"
@@ -241,6 +267,48 @@ class Progress(unittest.TestCase):
         bar.close()
         self.assertIn("reading:  50%|##########          |", out.getvalue())
         self.assertTrue(out.getvalue().endswith("\r"))
+
+
+def comma_locale(folder):
+    """Makes a locale with a decimal comma, needing no package of locales; its name, for LOCPATH=folder."""
+    with open(os.path.join(folder, "comma.src"), "w", encoding="ascii") as file:
+        file.write('comment_char %\nescape_char /\nLC_NUMERIC\ndecimal_point ","\nthousands_sep "."\ngrouping 3\n'
+                   "END LC_NUMERIC\n")
+    with open(os.path.join(folder, "ascii.map"), "w", encoding="ascii") as file:
+        file.write("<code_set_name> ANSI_X3.4-1968\n<comment_char> %\n<escape_char> /\nCHARMAP\n")
+        file.writelines(f"<U{code:04X}> /x{code:02x} X\n" for code in range(128))
+        file.write("END CHARMAP\n")
+    subprocess.run(["localedef", "-c", "-i", os.path.join(folder, "comma.src"), "-f", os.path.join(folder, "ascii.map"),
+                    os.path.join(folder, "comma")], capture_output=True, check=False)
+    return "comma"
+
+
+@unittest.skipUnless(shutil.which("localedef"), "no localedef")
+class Locale(unittest.TestCase):
+    def answers(self, environment):
+        text = """if True:
+            import locale, re, isolux
+            locale.setlocale(locale.LC_NUMERIC, "")
+            print(locale.localeconv()["decimal_point"])
+            volume = isolux.open("phantom:torus:16")
+            study = volume.study("derivatives_scale,near_threshold", size=(24, 24), repeat=1)
+            rows = [[value for key, value in row.items() if "milliseconds" not in key]
+                    for knob in study.knobs for row in knob["settings"]]
+            print(re.sub("'build_seconds': [^,]*,", "", str(rows)))
+            picture = volume.render(look="kappa1", size=(120, 90), settings={"look.range_low": 0.05, "look.range_high": 0.25})
+            print(picture.image.tobytes().hex())
+        """
+        done = subprocess.run([sys.executable, "-c", text], env={**os.environ, **environment}, capture_output=True,
+                              text=True, check=True)
+        point, rest = done.stdout.split("\n", 1)
+        return point, rest
+
+    def test_a_decimal_comma_changes_nothing(self):
+        with temporary_folder() as folder:
+            comma = self.answers({"LOCPATH": folder, "LC_ALL": comma_locale(folder)})
+        plain = self.answers({"LC_ALL": "C"})
+        self.assertEqual((comma[0], plain[0]), (",", "."))
+        self.assertEqual(comma[1], plain[1])
 
 
 class Memory(unittest.TestCase):
