@@ -15,6 +15,7 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
+#include "app/documents/picture_scene.h"
 #include "app/documents/session.h"
 #include "app/files/image_io.h"
 #include "app/files/reference_image.h"
@@ -36,12 +37,12 @@ QSpinBox* makeBox(int low, int high, int value, const QString& name, QWidget* pa
   return box;
 }
 
-void write(const gi::ReferenceImage& image, const scene::Scene& resolved, const volume::Patient& patient,
+void write(const gi::ReferenceImage& image, const scene::Scene& carried, const volume::Patient& patient,
            const std::filesystem::path& file) {
-  const std::string session = app::pictureSessionText(resolved, file.parent_path(), patient);
+  const std::string session = app::pictureSessionText(carried, file.parent_path(), patient);
   const QString name = QString::fromStdString(file.filename().string());
   if (name.endsWith(".png", Qt::CaseInsensitive)) {
-    app::writePng(app::screenImage(image, resolved.look), file, session);
+    app::writePng(app::screenImage(image, carried.look), file, session);
   } else if (name.endsWith(".exr", Qt::CaseInsensitive)) {
     app::writeReferenceExr(image, file, session);
   } else {
@@ -51,10 +52,12 @@ void write(const gi::ReferenceImage& image, const scene::Scene& resolved, const 
 }
 }  // namespace
 
-ReferenceDialog::ReferenceDialog(std::shared_ptr<const volume::PreparedVolume> volume, scene::Scene resolved,
-                                 QSize size, std::optional<int> threads, QWidget* parent)
+ReferenceDialog::ReferenceDialog(std::shared_ptr<const volume::PreparedVolume> volume,
+                                 const scene::Scene& given, scene::Scene resolved, QSize size,
+                                 std::optional<int> threads, QWidget* parent)
     : QDialog(parent),
       volume_(std::move(volume)),
+      carried_(app::carriedScene(given, resolved)),
       resolved_(std::move(resolved)),
       threads_(threads),
       width_(makeBox(1, 16384, size.width(), tr("Width"), this)),
@@ -198,9 +201,9 @@ bool ReferenceDialog::saveAs(const QString& file) {
   const std::filesystem::path path = file.toStdString();
   // Where the system has no thread to give, get() writes.
   saving_ = std::async(std::launch::async | std::launch::deferred,
-                       [round = round_, resolved = resolved_, patient = hiddenInSaved(volume_), path] {
+                       [round = round_, carried = carried_, patient = hiddenInSaved(volume_), path] {
                          try {
-                           write(round->image, resolved, patient, path);
+                           write(round->image, carried, patient, path);
                            return QString();
                          } catch (const std::exception& error) {
                            return QString(error.what());

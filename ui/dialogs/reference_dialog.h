@@ -24,8 +24,9 @@ namespace isolux::ui {
 class ReferenceDialog : public QDialog {
   Q_OBJECT
  public:
-  ReferenceDialog(std::shared_ptr<const volume::PreparedVolume> volume, scene::Scene resolved, QSize size,
-                  std::optional<int> threads, QWidget* parent = nullptr);
+  // `given`: the scene before it was resolved, of which its pictures carry what app::carriedScene() says.
+  ReferenceDialog(std::shared_ptr<const volume::PreparedVolume> volume, const scene::Scene& given,
+                  scene::Scene resolved, QSize size, std::optional<int> threads, QWidget* parent = nullptr);
   ~ReferenceDialog() override;  // stops; a file that is being written is finished
 
   bool tracing() const { return job_ && !job_->finished(); }
@@ -53,6 +54,7 @@ class ReferenceDialog : public QDialog {
   void choose();
 
   std::shared_ptr<const volume::PreparedVolume> volume_;
+  const scene::Scene carried_;  // by its pictures
   scene::Scene resolved_;
   std::optional<int> threads_;  // scene::Machine::threads
   std::unique_ptr<app::ReferenceJob> job_;

@@ -9,6 +9,8 @@
 
 #include "app/documents/anonymous.h"
 #include "app/documents/session.h"
+#include "app/files/files.h"
+#include "app/files/image_io.h"
 #include "app/files/output_guard.h"
 #include "scene/scene_diff.h"
 #include "ui/document/privacy.h"
@@ -20,6 +22,12 @@ constexpr int flowMilliseconds = 33;  // 30 pictures a second, as far as the mac
 
 std::filesystem::path pathOf(const QString& file) {
   return {file.toStdString()};
+}
+
+// A picture that carries a session is opened like one, but saving never replaces it: by its content, whatever
+// its name.
+QString writableSession(const QString& file) {
+  return app::looksLikePicture(app::readBeginning(pathOf(file), 8)) ? QString() : file;
 }
 
 QString textOf(const base::Error& error) {
@@ -169,7 +177,7 @@ void Document::openScene(const scene::Scene& scene, const QString& sessionFile, 
     return;
   }
   pendingOpened_ = sessionFile.isEmpty() ? QString::fromStdString(scene.source.path) : sessionFile;
-  pendingSessionFile_ = sessionFile;
+  pendingSessionFile_ = writableSession(sessionFile);
   startLoading(scene, After::replaceDocument);
   pendingCompletion_ = std::move(completed);
 }
@@ -295,7 +303,7 @@ void Document::replaceDocument() {
 }
 
 void Document::restoreDocument() {
-  sessionFile_ = QString::fromStdString(pendingKept_->sessionFile);
+  sessionFile_ = writableSession(QString::fromStdString(pendingKept_->sessionFile));
   history_ = std::move(pendingKept_->history);
   savedScene_ = pendingKept_->saved;
   pendingKept_.reset();

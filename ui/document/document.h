@@ -49,7 +49,7 @@ class Document : public QObject {
   const QString& recordingFile() const { return recordingFile_; }  // of the recording that runs, or ran last
   bool modified() const { return scene() != savedScene_; }
   app::UnsavedWork unsavedWork() const { return app::unsavedWork(savedScene_, scene()); }
-  const QString& sessionFile() const { return sessionFile_; }  // empty: not saved yet
+  const QString& sessionFile() const { return sessionFile_; }  // empty: not saved yet; never a picture
   QString name() const;                                        // for the title bar
   // Since the volume's bytes were read; for the time to the first picture.
   int shownLevel() const { return volume_ ? loadedSource_.level : 0; }  // source.level of volume()

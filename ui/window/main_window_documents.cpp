@@ -13,7 +13,7 @@
 
 #include "app/documents/session.h"
 #include "app/files/file_names.h"
-#include "app/files/image_io.h"
+#include "app/presets/preset_list.h"
 #include "ui/browser/folder_opener.h"
 #include "ui/dialogs/raw_import_dialog.h"
 #include "ui/dialogs/reference_dialog.h"
@@ -39,10 +39,6 @@ namespace isolux::ui {
 namespace {
 constexpr auto sessionFilter = QT_TRANSLATE_NOOP("QObject", "Isolux session (*.isolux)");
 constexpr auto recordingFilter = QT_TRANSLATE_NOOP("QObject", "Isolux recording (*.jsonl)");
-
-bool isFormat(const QString& file, const char* suffix) {
-  return QFileInfo(file).suffix().compare(QLatin1String(suffix), Qt::CaseInsensitive) == 0;
-}
 
 // The buttons of a message about a new file.
 std::vector<MessageBar::Answer> showInFolder(const QString& file) {
@@ -116,6 +112,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
         [this, path] {
           if (path.endsWith(".mrk.json", Qt::CaseInsensitive) && document_->volume()) {
             importMarks(path);
+          } else if (path.endsWith(app::kPresetExtension, Qt::CaseInsensitive) && document_->volume()) {
+            applyPreset(app::findPreset(path.toStdString()));
           } else if (isLightProbe(path)) {
             document_->edit(lightProbeChosen(document_->scene(), path));
           } else {
@@ -150,9 +148,7 @@ void MainWindow::tellSaved(const QString& file, const QString& more) {
 
 bool MainWindow::saveSession() {
   const QString file = document_->sessionFile();
-  // A picture that carries a session is not overwritten with one.
-  if (file.isEmpty() || isFormat(file, "png")) return saveSessionAs();
-  return saveSessionTo(file);
+  return file.isEmpty() ? saveSessionAs() : saveSessionTo(file);
 }
 
 bool MainWindow::saveSessionAs() {
@@ -175,7 +171,9 @@ void MainWindow::tracePicture() {
   // As bright as the picture of the window: a reference by itself is exposed by the lights.
   if (const LightPointer& light = light_->light(); light && light->seen && !resolved.picture.exposure)
     resolved.picture.exposure = static_cast<double>(light->automaticExposure);
-  auto* dialog = new ReferenceDialog(document_->volume(), resolved,
+  scene::Scene given = document_->shownScene();
+  given.picture.exposure = resolved.picture.exposure;
+  auto* dialog = new ReferenceDialog(document_->volume(), given, resolved,
                                      (QSizeF(viewport_->size()) * ratio).toSize(), machine_.threads, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->show();
@@ -210,12 +208,11 @@ bool MainWindow::mayDiscard() {
   const QString file = document_->sessionFile();
   if (!document_->volume() || !app::asksBeforeDiscarding(document_->unsavedWork(), !file.isEmpty()))
     return true;
-  const bool hasSession = !file.isEmpty() && !isFormat(file, "png");
   QMessageBox box(QMessageBox::Question, "Isolux", {},
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
-  box.setText(hasSession ? tr("Save the changes to %1?").arg(QFileInfo(file).fileName())
-                         : tr("Save what you did with %1 as a session?")
-                               .arg(shownText(document_->name(), document_->volume())));
+  box.setText(!file.isEmpty() ? tr("Save the changes to %1?").arg(QFileInfo(file).fileName())
+                              : tr("Save what you did with %1 as a session?")
+                                    .arg(shownText(document_->name(), document_->volume())));
   box.setInformativeText(
       tr("A session keeps the isovalue, the look, the light and the view, not the stored light."));
   box.setDefaultButton(QMessageBox::Save);

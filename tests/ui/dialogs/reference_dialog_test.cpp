@@ -25,8 +25,8 @@ class ReferenceDialogTest : public WindowTest {
     ASSERT_TRUE(load(*window_, "phantom:ball:24"));
     scene::Scene resolved = window_->document()->resolvedScene();
     resolved.look.mode = scene::LookMode::gi;
-    dialog_ = std::make_unique<ui::ReferenceDialog>(window_->document()->volume(), resolved, QSize(40, 30),
-                                                    std::nullopt);
+    dialog_ = std::make_unique<ui::ReferenceDialog>(window_->document()->volume(), resolved, resolved,
+                                                    QSize(40, 30), std::nullopt);
     dialog_->show();
   }
   void TearDown() override {

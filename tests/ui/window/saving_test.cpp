@@ -113,6 +113,26 @@ TEST_F(WindowTest, ASavedPictureNamesNoFolderAndIsOpenedAgainAllTheSame) {
   EXPECT_EQ(app::readSessionText(file.toStdString()), "") << "picture only";
 }
 
+// Of each format that may carry a session, whatever its name.
+TEST_F(WindowTest, SavingASessionNeverReplacesThePictureItCameFrom) {
+  ASSERT_TRUE(load(*window_, "phantom:ball:16"));
+  const QString png = newFile("ball.png"), exr = newFile("ball.exr"), bare = newFile("ball");
+  ASSERT_TRUE(window_->savePicture(png));
+  ASSERT_TRUE(window_->savePicture(exr));
+  ASSERT_TRUE(QFile::copy(png, bare));
+  for (const QString& picture : {png, exr, bare}) {
+    const std::string before = contentOf(picture);
+    const auto fresh = makeWindow();
+    ASSERT_TRUE(load(*fresh, picture));
+    EXPECT_EQ(fresh->document()->sessionFile(), QString()) << picture.toStdString();
+    const QString session = newFile("kept.isolux");
+    DialogAnswers answers(QMessageBox::Save, session);
+    triggerEntry(*fresh, "&Save session");
+    EXPECT_TRUE(QFileInfo::exists(session)) << "a name is asked for";
+    EXPECT_EQ(contentOf(picture), before);
+  }
+}
+
 TEST(LightStatus, UnfinishedLightIsToldInPerCent) {
   using Phase = app::LightState::Phase;
   app::LightState state;
