@@ -129,6 +129,7 @@ void AccuracyPanel::setVolume(const VolumePointer& volume) {
   drawn_ = {};
   drawn_.request.size = glm::ivec2(0);
   pixels_ = {};
+  picture_->forget();
   showPicture();
   showTarget();
   listKnobs();

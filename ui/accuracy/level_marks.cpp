@@ -38,6 +38,13 @@ void LevelMarks::show(const std::optional<Shown>& shown) {
   look();
 }
 
+void LevelMarks::forget() {
+  show(std::nullopt);
+  known_ = {};
+  knownOf_.reset();
+  say({}, {});
+}
+
 void LevelMarks::look() {
   app::StructureJob::Subject subject;
   subject.volume = shown_->volume;

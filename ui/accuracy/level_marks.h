@@ -28,8 +28,9 @@ class LevelMarks : public QObject {
 
   // The finished picture of a level on show; none: there is none.
   void show(const std::optional<Shown>& shown);
+  void forget();                // all of the volume that is no more
   void setMarking(bool marks);  // the user wants hatching; kept in the user's settings
-  void lookAgain();  // the volume may have an index now
+  void lookAgain();             // the volume may have an index now
   bool marking() const { return marks_; }
   bool working() const { return job_ != nullptr; }
   QString text() const { return text_; }  // "may hide structure in 3 % of the picture"; empty: not known

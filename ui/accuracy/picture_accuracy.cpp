@@ -56,6 +56,13 @@ void PictureAccuracy::drop() {
   job_.reset();
 }
 
+void PictureAccuracy::forget() {
+  show(std::nullopt);
+  measured_.reset();
+  accuracy_.reset();
+  images_.reset();
+}
+
 const std::optional<app::Accuracy>& PictureAccuracy::known() const {
   static const std::optional<app::Accuracy> none;
   return shown_ && samePicture(shown_, measured_) ? accuracy_ : none;

@@ -24,6 +24,7 @@ class PictureAccuracy : public QObject {
   bool wanted() const;  // one is on show that was not measured
   void measure();       // it is, unless it is measured already
   void drop();          // the job ends; measure() begins anew
+  void forget();        // all of the volume that is no more
   // Whether what each pixel errs by is wanted, too, which takes memory.
   void keepImages(bool kept);
 

@@ -39,6 +39,14 @@ QLabel* headingOf(const QString& text, QWidget* parent) {
   return heading;
 }
 
+QIcon noPicture() {
+  QPixmap blank(picturePixels);
+  blank.fill(colours::base);
+  QIcon icon(blank);
+  icon.addPixmap(blank, QIcon::Disabled);
+  return icon;
+}
+
 QString titleOf(const app::Thumbnail& one) {
   return one.kind == app::Thumbnail::Kind::look ? wordsOf(QString::fromStdString(one.title))
                                                 : translated(texts::presets, one.title);
@@ -146,6 +154,8 @@ void LooksPanel::setVolume(const VolumePointer& volume) {
   volume_ = volume;
   setEnabled(volume_ != nullptr);
   painter_->setVolume(volume);
+  for (QListWidget* list : {presets_, looks_})  // not for a moment another patient's
+    for (int i = 0; i < list->count(); ++i) list->item(i)->setIcon(noPicture());
   readPresets();
   if (!volume_) return;
   const QString unit = QString::fromStdString(volume_->volume.unit);
@@ -197,10 +207,7 @@ void LooksPanel::fillLists() {
   const std::size_t presets = list_.size();
   const auto fill = [&](QListWidget* list, std::size_t begin, std::size_t end) {
     while (list->count() > static_cast<int>(end - begin)) delete list->takeItem(list->count() - 1);
-    QPixmap blank(picturePixels);
-    blank.fill(colours::base);
-    QIcon nothing(blank);
-    nothing.addPixmap(blank, QIcon::Disabled);
+    const QIcon nothing = noPicture();
     while (list->count() < static_cast<int>(end - begin)) new QListWidgetItem(nothing, {}, list);
     for (std::size_t i = begin; i < end; ++i) {
       const app::Thumbnail& one = thumbnails_[i];

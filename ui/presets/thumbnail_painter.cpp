@@ -24,6 +24,7 @@ ThumbnailPainter::~ThumbnailPainter() = default;
 void ThumbnailPainter::setVolume(const VolumePointer& volume) {
   if (volume == volume_) return;
   drop();
+  if (thread_) thread_->forget();
   volume_ = volume;
   places_.clear();
 }

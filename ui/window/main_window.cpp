@@ -15,6 +15,7 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include "app/documents/import_notes.h"
 #include "app/documents/session.h"
 #include "scene/looks.h"
 #include "scene/rules/relevance.h"
@@ -41,7 +42,6 @@
 #include "ui/window/picture_dot.h"
 #include "ui/window/style.h"
 #include "ui/window/window_layout.h"
-#include "volume/read/length_doubt.h"
 
 namespace isolux::ui {
 
@@ -161,17 +161,6 @@ void MainWindow::makePanels() {
   statusBar()->setFixedHeight(std::max(28, fontMetrics().height() + 12));
 }
 
-// The worst in words, the others by number. What was guessed or made up stays until it is closed.
-void MainWindow::tellWarnings(const std::vector<std::string>& warnings) {
-  message_->withdraw(MessageBar::Kind::warning);
-  if (warnings.empty()) return;
-  const std::vector<std::string> grave = volume::graveWarnings(warnings);
-  const std::string& worst = grave.empty() ? warnings.front() : grave.front();
-  const QString rest = warnings.size() == 1 ? tr("also") : tr("all %1 notes").arg(warnings.size());
-  message_->show(grave.empty() ? MessageBar::Kind::note : MessageBar::Kind::warning,
-                 tr("%1 (%2 in the Volume panel)").arg(QString::fromStdString(worst), rest));
-}
-
 void MainWindow::connectDocument() {
   connect(document_, &Document::volumeChanged, this, [this](const VolumePointer& volume) {
     pointedPiece_->point(volume, {}, std::nullopt);
@@ -183,7 +172,11 @@ void MainWindow::connectDocument() {
     for (const Docked& docked : panels_) docked.panel->setVolume(volume);
     nameViews();
     awaitsFirstPicture_ = true;
-    tellWarnings(volume->volume.warnings);
+    levelMarks_->forget();
+    const glm::ivec3 dims = volume->grid().dims();
+    if (std::min({dims.x, dims.y, dims.z}) == 1 && !slices_->slicesShown())  // which has no surface
+      slices_->setFourUp(true);
+    tellImport(volume->volume.warnings);
   });
   connect(document_, &Document::sceneChanged, this, &MainWindow::showScene);
   connect(document_, &Document::flowMoved, viewport_, &Viewport::setFlowTime);
@@ -242,6 +235,16 @@ void MainWindow::connectDocument() {
     connect(docked.panel, &Panel::dragStarted, this, begin);
     connect(docked.panel, &Panel::dragEnded, this, end);
   }
+}
+
+// The gravest, and how many there are. What tells of missing data stays.
+void MainWindow::tellImport(const std::vector<std::string>& warnings) {
+  message_->withdraw(MessageBar::Kind::warning);
+  if (warnings.empty()) return;
+  const app::ImportNotes sorted = app::importNotes(warnings);
+  const QString all = warnings.size() == 1 ? tr("also") : tr("all %1 notes").arg(warnings.size());
+  message_->show(sorted.grave > 0 ? MessageBar::Kind::warning : MessageBar::Kind::note,
+                 tr("%1 (%2 in the Volume panel)").arg(QString::fromStdString(sorted.notes.front()), all));
 }
 
 void MainWindow::connectLight() {
@@ -356,7 +359,9 @@ void MainWindow::showState() {
       awaitsFirstPicture_ && viewport_->isVisible() && !isMinimized() && !viewport_->problem();
   const QString name = shownText(document_->name(), document_->volume());
   if (!pictureComes) setWindowTitle(name.isEmpty() ? "Isolux[*]" : name + "[*] – Isolux");
-  setWindowModified(document_->modified());
+  // What closing would ask about: a turned view alone is no work.
+  setWindowModified(document_->modified() &&
+                    app::asksBeforeDiscarding(document_->unsavedWork(), !document_->sessionFile().isEmpty()));
   const app::History& history = document_->history();
   undo_->setEnabled(history.canUndo());
   redo_->setEnabled(history.canRedo());

@@ -113,6 +113,7 @@ class MainWindow : public QMainWindow {
   const MarkReports* marks() const { return marks_; }
   static const char* helpText();        // HTML, English: mouse and keys
   void showPanel(const QString& name);  // in front of the others
+  void keepPresetAs(const QString& title);
   void greet();                         // three hints, to a user who has not seen them
   void startTour();                     // Help > Explore
   Tour* tour() const { return tour_; }  // null: none is running
@@ -139,8 +140,8 @@ class MainWindow : public QMainWindow {
   void makeToolBar();
   void makePanels();
   void connectDocument();
-  void tellWarnings(const std::vector<std::string>& warnings);
   void connectLight();
+  void tellImport(const std::vector<std::string>& warnings);
   void connectMarks();
   void connectSlices();
   void moveCrosshair(glm::dvec3 worldMm);
@@ -200,7 +201,6 @@ class MainWindow : public QMainWindow {
   void showPresets();
   void applyPreset(const app::Preset& preset);
   void savePreset();
-  void keepPresetAs(const QString& title);
   void copyCommand();
   void showPreferences();
   void setMachine(const scene::Machine& machine);

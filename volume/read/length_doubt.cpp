@@ -1,15 +1,8 @@
 #include "volume/read/length_doubt.h"
 
-#include <array>
 #include <charconv>
 
 namespace isolux::volume {
-
-namespace {
-
-constexpr std::array kWorstFirst{kSlicesMissing, kSlicesResampled, kSpacingAssumed, kSliceDistanceAssumed};
-
-}  // namespace
 
 std::optional<std::string> lengthDoubt(std::span<const std::string> warnings) {
   for (const std::string& warning : warnings)
@@ -31,25 +24,17 @@ std::optional<double> widestSlicesMm(std::span<const std::string> warnings) {
 }
 
 std::vector<std::string> inventedData(std::span<const std::string> warnings) {
-  std::vector<std::string> result;
-  for (const std::string& warning : graveWarnings(warnings)) {
+  std::vector<std::string> missing, resampled;
+  for (const std::string& warning : warnings) {
     if (const std::size_t at = warning.find(kSlicesMissing); at != std::string::npos) {
       const std::size_t number = at + kSlicesMissing.size();
       const std::string count = warning.substr(number, warning.find(' ', number) - number);
-      result.push_back(count + (count == "1" ? " gap interpolated" : " gaps interpolated"));
-    } else if (warning.find(kSlicesResampled) != std::string::npos) {
-      result.emplace_back("uneven slices resampled");
+      missing.push_back(count + (count == "1" ? " gap interpolated" : " gaps interpolated"));
     }
+    if (warning.find(kSlicesResampled) != std::string::npos) resampled.emplace_back("uneven slices resampled");
   }
-  return result;
-}
-
-std::vector<std::string> graveWarnings(std::span<const std::string> warnings) {
-  std::vector<std::string> result;
-  for (const std::string_view grave : kWorstFirst)
-    for (const std::string& warning : warnings)
-      if (warning.find(grave) != std::string::npos) result.push_back(warning);
-  return result;
+  missing.insert(missing.end(), resampled.begin(), resampled.end());
+  return missing;
 }
 
 }  // namespace isolux::volume

@@ -23,7 +23,5 @@ std::optional<std::string> lengthDoubt(std::span<const std::string> warnings);
 std::optional<double> widestSlicesMm(std::span<const std::string> warnings);
 // What of the voxels was not measured, in a few words each, worst first: "13 gaps interpolated".
 std::vector<std::string> inventedData(std::span<const std::string> warnings);
-// The warnings that tell of invented data or of guessed spacing, worst first.
-std::vector<std::string> graveWarnings(std::span<const std::string> warnings);
 
 }  // namespace isolux::volume

@@ -61,6 +61,28 @@ TEST_F(LooksPanelTest, APresetThatCannotApplyIsDimAndSaysWhy) {
   EXPECT_EQ(window_->document()->scene(), before);
 }
 
+// Another patient's pictures are gone in the turn in which the volume changes.
+TEST_F(LooksPanelTest, AnotherVolumeHasNoPicturesAtFirst) {
+  open("phantom:head:24");
+  fullPicture(*window_);
+  ASSERT_TRUE(pictured());
+  const auto colours = [&] {
+    std::set<QRgb> found;
+    const QListWidget* const list = panel_->lookList();
+    for (int i = 0; i < list->count(); ++i) {
+      const QImage image = list->item(i)->icon().pixmap(list->iconSize()).toImage();
+      for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x) found.insert(image.pixel(x, y));
+    }
+    return found.size();
+  };
+  ASSERT_GT(colours(), 100u);
+  std::size_t atOnce = 0;
+  QObject::connect(window_->document(), &ui::Document::volumeChanged, [&] { atOnce = colours(); });
+  ASSERT_TRUE(load(*window_, "phantom:torus:16"));
+  EXPECT_EQ(atOnce, 1u);
+}
+
 // Pictures are those of the scenes, drawn at rest, and kept.
 TEST_F(LooksPanelTest, PicturesAreDrawnAtRestAndKept) {
   open("phantom:head:24");

@@ -6,7 +6,11 @@
 
 #include "scene/settings.h"
 #include "tests/support/test_data.h"
+#include "ui/accuracy/accuracy_panel.h"
+#include "ui/accuracy/picture_accuracy.h"
 #include "ui/document/baked_light.h"
+#include "ui/presets/looks_panel.h"
+#include "ui/presets/thumbnail_painter.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/message_bar.h"
 #include "volume/write/writer.h"
@@ -94,6 +98,25 @@ TEST_F(ReopenTest, TheFileOnShowIsShownAgainUnderItsStoredLight) {
   ASSERT_TRUE(waitUntil(lit));
   EXPECT_EQ(differingPixels(before, picture(), 0), 0.0);
   EXPECT_GT(blocksActive_, 0u);
+}
+
+// Each panel has been seen, and has measured or drawn what it does: none keeps the volume alive.
+TEST_F(ReopenTest, TheVolumeBeforeIsFreed) {
+  const auto accuracy = window_->panel<ui::AccuracyPanel>();
+  for (const char* panel : {"Accuracy", "Looks", "Volume", "Pieces", "Marks", "Passes", "Settings"}) {
+    window_->showPanel(panel);
+    fullPicture(*window_);
+    if (QString(panel) == "Accuracy")
+      ASSERT_TRUE(waitUntil([&] { return accuracy->picture().known().has_value(); }));
+    if (QString(panel) == "Looks") {
+      const auto& painter = window_->panel<ui::LooksPanel>()->painter();
+      ASSERT_TRUE(waitUntil([&] { return painter.complete() && painter.drawnCount() > 0; }));
+    }
+  }
+  const std::weak_ptr<const volume::PreparedVolume> before = window_->document()->volume();
+  ASSERT_TRUE(load(*window_, "phantom:torus:24"));
+  fullPicture(*window_);
+  EXPECT_TRUE(waitUntil([&] { return before.expired(); }, 30000));
 }
 
 // Look, cuts, hidden pieces, values and names are of the volume before; the background is the user's.

@@ -1,0 +1,35 @@
+#include "app/documents/import_notes.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace isolux::app {
+
+namespace {
+
+// The worst first.
+constexpr std::array<std::string_view, 12> kGraveWords{
+    "cannot be read", "unreadable", "are missing", "count as missing", "interpolated", "resampled",
+    "boundary edge",  "one side",   "gantry tilt", "assumed",          "not certain",  "beside the line"};
+
+std::size_t rankOf(const std::string& note) {
+  const auto found = std::find_if(kGraveWords.begin(), kGraveWords.end(), [&](std::string_view word) {
+    return note.find(word) != std::string::npos;
+  });
+  return static_cast<std::size_t>(found - kGraveWords.begin());
+}
+
+}  // namespace
+
+ImportNotes importNotes(std::span<const std::string> warnings) {
+  ImportNotes sorted{{warnings.begin(), warnings.end()}};
+  std::stable_sort(sorted.notes.begin(), sorted.notes.end(),
+                   [](const std::string& a, const std::string& b) { return rankOf(a) < rankOf(b); });
+  sorted.grave = static_cast<std::size_t>(
+      std::count_if(sorted.notes.begin(), sorted.notes.end(),
+                    [](const std::string& note) { return rankOf(note) < kGraveWords.size(); }));
+  return sorted;
+}
+
+}  // namespace isolux::app
