@@ -4,6 +4,10 @@
 <context>
     <name>QObject</name>
     <message>
+        <source>Replace the preset “%1”?</source>
+        <translation>Die Vorlage „%1“ ersetzen?</translation>
+    </message>
+    <message>
         <source>Graphics memory</source>
         <translation>Grafikspeicher</translation>
     </message>
@@ -2032,6 +2036,10 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
 </context>
 <context>
     <name>isolux::ui::MainWindow</name>
+    <message>
+        <source>Link the views of another window, too: then both turn together</source>
+        <translation>Auch in einem anderen Fenster die Ansichten koppeln: Dann drehen sich beide zusammen</translation>
+    </message>
     <message>
         <source>%1 (%2 in the Volume panel)</source>
         <translation>%1 (%2 im Reiter Volumen)</translation>

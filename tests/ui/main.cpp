@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include <QApplication>
 #include <QSettings>
 
 #include <gtest/gtest.h>
@@ -25,7 +24,7 @@ int main(int argc, char** argv) {
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
                      QString::fromStdString(isolux::test::temporaryFolder().string()));
   qputenv("XDG_STATE_HOME", QByteArray::fromStdString(isolux::test::temporaryFolder().string()));
-  const QApplication application(argc, argv);
+  const isolux::ui::Application application(argc, argv);
   isolux::ui::finishApplication();
   isolux::test::boundEachTest();
   const int exitCode = RUN_ALL_TESTS();

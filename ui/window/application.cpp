@@ -6,13 +6,13 @@
 
 #include <dlfcn.h>
 
-#include <QApplication>
 #include <QCoreApplication>
 #include <QDir>
 #include <QLibraryInfo>
 #include <QLocale>
 
 #include "app/files/state_folder.h"
+#include "app/process/caught_error.h"
 #include "app/version.h"
 #include "ui/document/preferences.h"
 #include "ui/language/language.h"
@@ -21,6 +21,7 @@
 #include "ui/viewport/viewport.h"
 #include "ui/window/icons.h"
 #include "ui/window/main_window.h"
+#include "ui/window/message_bar.h"
 #include "ui/window/style.h"
 
 namespace isolux::ui {
@@ -56,6 +57,16 @@ bool waylandPluginInstalled() {
   return !folder.entryList({"libqwayland*"}, QDir::Files).isEmpty();
 }
 }  // namespace
+
+bool Application::notify(QObject* receiver, QEvent* event) {
+  bool done = false;
+  const auto error = app::caughtError("", "do this", [&] { done = QApplication::notify(receiver, event); });
+  if (!error) return done;
+  for (QWidget* const widget : topLevelWidgets())
+    if (auto* const window = qobject_cast<MainWindow*>(widget))
+      window->messageBar()->show(MessageBar::Kind::error, QString::fromStdString(error->what()));
+  return false;
+}
 
 std::optional<std::string> displayProblem() {
   if (isSet("QT_QPA_PLATFORM")) return std::nullopt;  // the user knows better
@@ -93,11 +104,14 @@ int openWindow(const app::WindowRequest& request) {
                       *problem + "; `isolux render` makes pictures without one");
   }
   prepareApplication();
+  constexpr auto scaleVariable = "QT_SCALE_FACTOR";
+  const bool scaleIsGiven = qEnvironmentVariableIsSet(scaleVariable);
   applyInterfaceScale(keptScale());
   int argc = 1;
   char name[] = "isolux";
   char* argv[] = {name, nullptr};
-  const QApplication application(argc, argv);
+  const Application application(argc, argv);
+  if (!scaleIsGiven) qunsetenv(scaleVariable);  // it is no scale of the programs that are started from here
   finishApplication();
 
   setLanguage(keptLanguage());

@@ -4,11 +4,20 @@
 #include <optional>
 #include <string>
 
+#include <QApplication>
+
 #include "app/commands/command_line.h"
 
 namespace isolux::ui {
 
-// Makes the QApplication, shows the window and runs it until it is closed. Returns the exit code. Throws
+// An exception that leaves an event's handler, a slot, say, is told in the window, which goes on.
+class Application : public QApplication {
+ public:
+  using QApplication::QApplication;
+  bool notify(QObject* receiver, QEvent* event) override;
+};
+
+// Makes the Application, shows the window and runs it until it is closed. Returns the exit code. Throws
 // base::Error{graphics} when no display can be reached.
 int openWindow(const app::WindowRequest& request);
 

@@ -1,7 +1,9 @@
 // The menu Presets of ui/window/main_window.h.
+#include <QFileInfo>
 #include <QInputDialog>
 #include <QMenu>
 #include <QMenuBar>
+#include <QMessageBox>
 
 #include "app/presets/preset_list.h"
 #include "ui/language/translated.h"
@@ -10,6 +12,16 @@
 #include "ui/window/message_bar.h"
 
 namespace isolux::ui {
+
+namespace {
+
+bool mayReplacePreset(const std::string& name, const QString& title, QWidget* parent) {
+  if (!QFileInfo::exists(QString::fromStdString(app::ownPresetFile(name).string()))) return true;
+  return QMessageBox::question(parent, "Isolux", QObject::tr("Replace the preset “%1”?").arg(title)) ==
+         QMessageBox::Yes;
+}
+
+}  // namespace
 
 void MainWindow::makePresetsMenu() {
   presetsMenu_ = menuBar()->addMenu(tr("&Presets"));
@@ -48,6 +60,8 @@ void MainWindow::showPresets() {
 void MainWindow::applyPreset(const app::Preset& preset) {
   const VolumePointer volume = document_->volume();
   if (!volume) return;
+  if (const std::string reason = app::whyNot(preset, *volume); !reason.empty())
+    return message_->show(MessageBar::Kind::error, tr("Does not apply: %1").arg(translated(texts::presets, reason)));
   document_->endGesture();
   document_->edit({app::withPreset(document_->scene(), preset, *volume),
                    tr("Preset %1").arg(translated(texts::presets, preset.title)),
@@ -64,9 +78,10 @@ void MainWindow::savePreset() {
 
 void MainWindow::keepPresetAs(const QString& title) {
   try {
-    const std::string text = title.toStdString();
+    const std::string text = title.toStdString(), name = app::presetNameOf(text);
+    if (!mayReplacePreset(name, title, this)) return;
     const std::filesystem::path file = app::savePreset(
-        app::presetOf(document_->scene(), app::presetNameOf(text), text, document_->volume().get()));
+        app::presetOf(document_->scene(), name, text, document_->volume().get()), /*overwrite=*/true);
     tellSaved(QString::fromStdString(file.string()), {});
   } catch (const base::Error& error) {
     message_->show(MessageBar::Kind::error, QString::fromStdString(error.what()));

@@ -1,5 +1,6 @@
 // Slices beside the picture: what they show, and what the mouse does in them.
 #include <cmath>
+#include <fstream>
 
 #include <QAction>
 #include <QDialogButtonBox>
@@ -64,6 +65,22 @@ TEST_F(SliceViewsTest, AKeyShowsThemAndTakesThemAway) {
   QTest::keyClick(window_.get(), Qt::Key_F4);
   EXPECT_TRUE(waitUntil([&] { return window_->viewport()->size() == alone; }));
   EXPECT_FALSE(view(SliceDirection::sagittal)->isVisible());
+}
+
+// It has no surface, but something to see.
+TEST_F(SliceViewsTest, AVolumeOfOneSliceIsShownAsSlices) {
+  const QString file = newFile("slice.mha");
+  std::ofstream stream(file.toStdString(), std::ios::binary);
+  stream
+      << "ObjectType = Image\nNDims = 3\nDimSize = 8 8 1\nElementSpacing = 1 1 1\nElementType = MET_UCHAR\n"
+         "ElementDataFile = LOCAL\n";
+  for (char i = 0; i < 64; ++i) stream.put(i);
+  stream.close();
+  ASSERT_TRUE(load(*window_, "phantom:ball:16"));
+  EXPECT_FALSE(window_->slices()->slicesShown());
+  ASSERT_TRUE(load(*window_, file));
+  EXPECT_TRUE(window_->slices()->fourUp());
+  EXPECT_TRUE(complete());
 }
 
 // The ball's circle stands about the crosshair, in the surface's colour.

@@ -12,6 +12,7 @@
 #include "app/files/image_io.h"
 #include "app/presets/preset_list.h"
 #include "tests/support/test_data.h"
+#include "tests/support/ui/dialog_answers.h"
 #include "tests/support/ui/window_fixture.h"
 #include "ui/document/baked_light.h"
 #include "ui/viewport/viewport.h"
@@ -84,6 +85,21 @@ TEST_F(WindowTest, APresetOfOnesOwnIsSavedByTheMenuAndShownInIt) {
   own->trigger();
   EXPECT_EQ(window_->document()->scene().isosurface.value, 512.0);
   EXPECT_EQ(window_->document()->scene().look.mode, scene::LookMode::tone);
+}
+
+TEST_F(WindowTest, APresetOfNearlyTheSameNameIsReplacedAfterAQuestionOnly) {
+  const OtherConfig other;
+  ASSERT_TRUE(load(*window_, "phantom:head:32"));
+  scene::Scene scene = window_->document()->scene();
+  scene.look.mode = scene::LookMode::tone;
+  window_->document()->edit({scene, "Try", {}, false});
+  window_->keepPresetAs("my bone");
+  for (const auto button : {QMessageBox::No, QMessageBox::Yes}) {
+    DialogAnswers answers(button);
+    window_->keepPresetAs("My Bone");
+    EXPECT_EQ(answers.questions(), 1);
+    EXPECT_EQ(app::findPreset("my_bone").title, button == QMessageBox::Yes ? "My Bone" : "my bone");
+  }
 }
 
 TEST_F(WindowTest, WhatWaitsForTheVolumeIsShownWhenItIsThere) {

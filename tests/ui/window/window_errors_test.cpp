@@ -4,6 +4,8 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <limits>
+#include <stdexcept>
 
 #include <QCoreApplication>
 #include <QDialogButtonBox>
@@ -11,6 +13,7 @@
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTest>
+#include <QTimer>
 
 #include "base/retire.h"
 #include "tests/support/ui/dialog_answers.h"
@@ -42,6 +45,40 @@ TEST_F(WindowTest, ABrokenFileIsReportedAndThePreviousVolumeStays) {
   window_->messageBar()->clear();
   EXPECT_EQ(differingPixels(before, fullPicture(*window_)), 0.0);
   EXPECT_TRUE(load(*window_, "phantom:torus:24"));  // and the program goes on
+}
+
+TEST_F(WindowTest, ASlotThatThrowsIsToldAndTheWindowGoesOn) {
+  ASSERT_TRUE(load(*window_, "phantom:ball:16"));
+  QTimer::singleShot(0, [] { throw std::logic_error("no such case"); });
+  EXPECT_TRUE(waitUntil([&] { return window_->messageBar()->kind() == ui::MessageBar::Kind::error; }));
+  EXPECT_TRUE(window_->messageBar()->text().contains("no such case"))
+      << window_->messageBar()->text().toStdString();
+  EXPECT_TRUE(load(*window_, "phantom:torus:16"));
+}
+
+// 4 x 4 x 4 voxels of which some are not there.
+TEST_F(WindowTest, MissingDataAreToldUntilThatIsClosed) {
+  const QString file = newFile("holes.mha");
+  std::ofstream stream(file.toStdString(), std::ios::binary);
+  stream << "ObjectType = Image\nNDims = 3\nDimSize = 4 4 4\nElementNumberOfChannels = 2\nElementSpacing = 1 "
+            "1 1\n"
+            "ElementType = MET_FLOAT\nElementDataFile = LOCAL\n";
+  for (int i = 0; i < 128; ++i) {
+    const float value = i == 2 ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(i);
+    stream.write(reinterpret_cast<const char*>(&value), sizeof(value));
+  }
+  stream.close();
+  ASSERT_TRUE(load(*window_, file));
+  ui::MessageBar* const bar = window_->messageBar();
+  EXPECT_EQ(bar->kind(), ui::MessageBar::Kind::warning);
+  EXPECT_TRUE(bar->text().startsWith("1 of 64 voxels are NaN"))
+      << "the gravest: " << bar->text().toStdString();
+  bar->show(ui::MessageBar::Kind::note, "Saved");
+  bar->clear();  // as after some seconds
+  EXPECT_TRUE(bar->isVisible());
+  EXPECT_EQ(bar->kind(), ui::MessageBar::Kind::warning);
+  ASSERT_TRUE(load(*window_, "phantom:torus:16"));
+  EXPECT_TRUE(waitUntil([&] { return bar->kind() != ui::MessageBar::Kind::warning; })) << "of another volume";
 }
 
 TEST_F(WindowTest, AMissingFileIsReported) {
