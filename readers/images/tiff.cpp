@@ -217,7 +217,7 @@ class PageReader {
     const std::size_t rowBytes = out.size() / height;
     const auto storedRow = static_cast<std::size_t>(TIFFScanlineSize64(tiff));
     buffer_.resize(static_cast<std::size_t>(TIFFStripSize64(tiff)));
-    checkRow(storedRow, from.page.width, samples, from);
+    checkRows(storedRow, rowsPerStrip, from.page.width, samples, from);
     for (std::uint16_t plane = 0; plane < (inPlanes_ ? from.page.samples : 1); ++plane)
       for (std::uint32_t y = 0; y < height; y += rowsPerStrip) {
         progress.throwIfStopped();
@@ -243,11 +243,11 @@ class PageReader {
     const auto height = static_cast<std::uint32_t>(from.page.height);
     const std::size_t rowBytes = out.size() / height, pixelBytes = rowBytes / width;
     const auto storedRow = static_cast<std::size_t>(TIFFTileRowSize64(tiff));
-    checkRow(storedRow, tileWidth, samples, from);
     const std::uint64_t tileBytes = TIFFTileSize64(tiff);
     if (tileBytes / 4 > out.size() + (std::size_t{64} << 20))
       throwInput(file_.string(), place(from), "has tiles that are larger than the page");
     buffer_.resize(static_cast<std::size_t>(tileBytes));
+    checkRows(storedRow, tileHeight, tileWidth, samples, from);
     for (std::uint16_t plane = 0; plane < (inPlanes_ ? from.page.samples : 1); ++plane)
       for (std::uint32_t y = 0; y < height; y += tileHeight)
         for (std::uint32_t x = 0; x < width; x += tileWidth) {
@@ -262,11 +262,11 @@ class PageReader {
         }
   }
 
-  // A row as libtiff decodes it holds the numbers that are taken from it.
-  void checkRow(std::size_t storedRow, std::int64_t pixels, const Samples& samples,
-                const PageOfFile& from) const {
+  // A row as libtiff decodes it holds the numbers that are taken from it, and the buffer all rows.
+  void checkRows(std::size_t storedRow, std::size_t rows, std::int64_t pixels, const Samples& samples,
+                 const PageOfFile& from) const {
     const std::int64_t bits = pixels * numbersOf(samples, from) * samples.bits;
-    if (static_cast<std::int64_t>(storedRow) < (bits + 7) / 8)
+    if (static_cast<std::int64_t>(storedRow) < (bits + 7) / 8 || buffer_.size() / rows < storedRow)
       throwInput(file_.string(), place(from), "its rows are shorter than its pixels");
   }
 
