@@ -104,6 +104,33 @@ Unpacked unlz4(PackedBytes packed, std::size_t atMost) {
   return out;
 }
 
+// https://github.com/nemequ/liblzf (lzf_d.c): runs of literals, and copies of what is already unpacked.
+Unpacked unlzf(PackedBytes packed, std::size_t atMost) {
+  constexpr CodecKind kind = CodecKind::lzf;
+  Unpacked out;
+  std::size_t at = 0;
+  const auto next = [&] {
+    if (at == packed.size()) damaged(kind, "they are cut off");
+    return static_cast<std::size_t>(packed[at++]);
+  };
+  while (at < packed.size()) {
+    const std::size_t control = next();
+    if (control < 32) {
+      if (control + 1 > packed.size() - at) damaged(kind, "they are cut off");
+      out.insert(out.end(), packed.begin() + static_cast<std::ptrdiff_t>(at),
+                 packed.begin() + static_cast<std::ptrdiff_t>(at + control + 1));
+      at += control + 1;
+    } else {
+      const std::size_t length = (control >> 5 < 7 ? control >> 5 : 7 + next()) + 2;
+      const std::size_t back = ((control & 31u) << 8 | next()) + 1;
+      if (back > out.size()) damaged(kind, "they refer to bytes before the first");
+      for (std::size_t i = 0; i < length; ++i) out.push_back(out[out.size() - back]);
+    }
+    if (out.size() > atMost) tooLong(kind, atMost);
+  }
+  return out;
+}
+
 Unpacked unlz4Blocks(PackedBytes packed, std::size_t atMost) {
   constexpr CodecKind kind = CodecKind::lz4Blocks;
   if (packed.size() < 12) damaged(kind, "they are cut off");
@@ -187,6 +214,8 @@ std::string_view nameOf(CodecKind kind) {
     case CodecKind::lz4:
     case CodecKind::lz4Blocks:
       return "lz4";
+    case CodecKind::lzf:
+      return "lzf";
     case CodecKind::blosc:
       return "blosc";
     case CodecKind::shuffle:
@@ -209,6 +238,8 @@ std::vector<std::byte> unpacked(const Codec& codec, std::span<const std::byte> p
       return unlz4(packed, atMost);
     case CodecKind::lz4Blocks:
       return unlz4Blocks(packed, atMost);
+    case CodecKind::lzf:
+      return unlzf(packed, atMost);
     case CodecKind::blosc:
       return unblosc(packed, atMost);
     case CodecKind::shuffle:

@@ -14,6 +14,7 @@ enum class CodecKind {
   zstd,        // frames
   lz4,         // numcodecs: length (4 bytes, little endian), one block
   lz4Blocks,   // HDF5's filter 32004: lengths (big endian), blocks
+  lzf,         // HDF5's filter 32000, h5py's: LibLZF's format without a length
   blosc,       // a frame of Blosc 1
   shuffle,     // first bytes of all numbers, then second bytes, ...
   crc32c,      // the sum behind the bytes, little endian
