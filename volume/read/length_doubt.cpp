@@ -6,7 +6,7 @@ namespace isolux::volume {
 
 std::optional<std::string> lengthDoubt(std::span<const std::string> warnings) {
   for (const std::string& warning : warnings)
-    for (const std::string_view doubt : {kSpacingAssumed, kSliceDistanceAssumed})
+    for (const std::string_view doubt : {kSpacingAssumed, kSliceDistanceAssumed, kUnevenSpacing})
       if (warning.find(doubt) != std::string::npos) return warning;
   return std::nullopt;
 }

@@ -14,6 +14,7 @@ namespace isolux::volume {
 inline constexpr std::string_view kSpacingAssumed = "1 mm assumed";
 inline constexpr std::string_view kSliceDistanceAssumed = "assumed as the distance of slices";
 inline constexpr std::string_view kSlicesResampled = "resampled linearly";
+inline constexpr std::string_view kUnevenSpacing = "unevenly spaced";
 inline constexpr std::string_view kSlicesMissing = "slices are missing in ";  // then how many places
 
 // The first of the warnings that says lengths are a guess: of a file that does not state its spacing.

@@ -1,5 +1,6 @@
 // Zarr folders made by hand: what is refused, and how; parts of what is read. Files by independent writers:
 // compare_chunked.py.
+#include <cmath>
 #include <cstring>
 #include <map>
 #include <memory>
@@ -186,6 +187,126 @@ TEST(Zarr, ALevelThatLiesElsewhereIsLeftOut) {
   EXPECT_THAT(zarr->facts().warnings, testing::Contains(HasSubstr("does not lie where level 0 lies")));
 }
 
+Volume whole(const Files& files, const ReadOptions& options = {}) {
+  base::Progress progress;
+  return wholeVolume(*opened(files), options, progress);
+}
+
+// An array as xarray writes it: its words, those of the array's axes, and their positions in m.
+Files labelled(const std::string& words, const std::string& unit = "m") {
+  Files files;
+  for (const auto& [name, text] : plainArray()) files["v/" + name] = text;
+  files[".zgroup"] = R"({"zarr_format": 2})";
+  files["v/.zattrs"] = R"({"_ARRAY_DIMENSIONS": ["z", "y", "x"])" + words + "}";
+  const double steps[] = {2, -0.5, 0.25}, firsts[] = {1, 2, 3};
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::string name(1, "zyx"[axis]);
+    files[name + "/.zarray"] =
+        R"({"zarr_format": 2, "shape": [4], "chunks": [3], "dtype": "<f8", "compressor": null,
+      "fill_value": "NaN", "order": "C", "filters": null})";
+    files[name + "/.zattrs"] = R"({"_ARRAY_DIMENSIONS": [")" + name + R"("], "units": ")" + unit + "\"}";
+    std::vector<double> positions = test::ramp<double>(6, firsts[axis], steps[axis]);
+    files[name + "/0"] = test::bytesOf(std::vector<double>(positions.begin(), positions.begin() + 3));
+    files[name + "/1"] = test::bytesOf(std::vector<double>(positions.begin() + 3, positions.end()));
+  }
+  return files;
+}
+
+TEST(Zarr, AnArrayOfXarrayHasItsPlaceAndItsValues) {
+  const Volume volume =
+      whole(labelled(R"(, "scale_factor": 0.5, "add_offset": 3, "_FillValue": 121, "units": "K")"));
+  EXPECT_EQ(volume.unit, "K");
+  EXPECT_EQ(volume.fileType, VoxelType::uint16);
+  EXPECT_EQ(volume.grid->value(3, 2, 1), 123 * 0.5 + 3);
+  EXPECT_TRUE(std::isnan(volume.grid->value(1, 2, 1)));
+  EXPECT_EQ(volume.grid->missingCount(), 1u);
+  test::expectNear(test::worldOf(volume, 0, 0, 0), {3000, 2000, 1000});
+  test::expectNear(test::worldOf(volume, 1, 2, 3), {3250, 1000, 7000});
+  EXPECT_THAT(volume.warnings, testing::Each(HasSubstr("missing")));
+}
+
+TEST(Zarr, TheFillValueOfXarrayIsMissing) {
+  Files files = labelled("");
+  files.erase("v/1.0.0");
+  const Volume volume = whole(files);
+  EXPECT_TRUE(std::isnan(volume.grid->value(0, 0, 2)));
+  EXPECT_EQ(volume.grid->value(0, 3, 2), 230);
+  EXPECT_EQ(whole({{".zarray", plainArray()[".zarray"]}}).grid->value(0, 0, 0), 7)
+      << "elsewhere it is a value";
+}
+
+TEST(Zarr, OtherUnitsOfAxesAreNoLengths) {
+  EXPECT_THAT(whole(labelled("", "degrees_north")).warnings,
+              testing::Contains(HasSubstr(R"("degrees_north" is not known: 1 mm assumed)")));
+  EXPECT_THAT(whole(labelled("", "")).warnings, testing::Contains(HasSubstr("names no unit of length")));
+}
+
+TEST(Zarr, UnevenPositionsAreSaid) {
+  Files files = labelled("");
+  files["x/1"] = test::bytesOf(std::vector<double>{6, 9, 9});
+  const Volume volume = whole(files);
+  EXPECT_THAT(volume.warnings, testing::Contains(HasSubstr("along x are unevenly spaced")));
+  EXPECT_EQ(volume.grid->geometry().spacingMm().x, 1000);
+}
+
+TEST(Zarr, BareWordsOfPythonAreRead) {
+  const Volume volume =
+      whole(labelled(R"(, "a": NaN, "b": [Infinity, -Infinity], "c": "NaN \" NaN", "valid_max": NaN)"));
+  EXPECT_EQ(volume.grid->value(1, 0, 0), 1);
+  EXPECT_THAT(volume.warnings, testing::Contains(HasSubstr("valid range")));
+  Files files = labelled("");
+  files["v/.zattrs"] = R"({"a": NaN, "b": nil})";
+  EXPECT_THAT(refusal(files), HasSubstr("v/.zattrs: byte 18: is no JSON"));
+}
+
+TEST(Zarr, AKeyThatStandsTwiceIsSaid) {
+  EXPECT_THAT(whole(labelled(R"(, "scale_factor": 2, "scale_factor": 3)")).warnings,
+              testing::Contains(HasSubstr(R"("scale_factor" stands twice in .zattrs)")));
+  Files files = image("[3, 2, 1]", R"({"type": "scale", "scale": [6, 4, 2]})");
+  files[".zattrs"] = replaced(files[".zattrs"], R"("unit": "mm")", R"("unit": "m", "unit": "mm")");
+  EXPECT_THAT(whole(files).warnings, testing::Contains(HasSubstr(R"("unit" stands twice)")));
+}
+
+TEST(Zarr, AnImageWithoutAScaleSaysSo) {
+  Files files = image("[3, 2, 1]", R"({"type": "scale", "scale": [6, 4, 2]})");
+  files[".zattrs"] = replaced(files[".zattrs"], R"({"type": "scale", "scale": [3, 2, 1]})", "");
+  EXPECT_THAT(whole(files).warnings, testing::Contains(HasSubstr("1 mm assumed")));
+}
+
+TEST(Zarr, NamesOfChannelsAreSaid) {
+  Files files = image("[3, 2, 1]", R"({"type": "scale", "scale": [6, 4, 2]})");
+  files[".zattrs"] =
+      replaced(files[".zattrs"], "{", R"({"omero": {"channels": [{"label": "DAPI"}, {"label": "GFP"}]}, )");
+  EXPECT_THAT(whole(files).warnings, testing::Contains(HasSubstr("DAPI, GFP")));
+}
+
+TEST(Zarr, AGroupShowsItsVolumeNotItsPositions) {
+  Files files = labelled("");
+  EXPECT_THAT(opened(files)->facts().choices, testing::IsEmpty());
+  for (const auto& [name, text] : plainArray()) files["a/" + name] = text;
+  EXPECT_THAT(opened(files)->facts().choices, testing::ElementsAre("a\ta", "v\tv"));
+}
+
+TEST(Zarr, APlateShowsItsFirstWell) {
+  Files files;
+  files[".zattrs"] = R"({"plate": {"wells": [{"path": "A/1"}, {"path": "B/2"}]}})";
+  for (const char* well : {"A/1/0/", "B/2/0/", "B/2/1/"})
+    for (const auto& [name, text] : image("[3, 2, 1]", R"({"type": "scale", "scale": [6, 4, 2]})"))
+      files[well + name] = text;
+  const auto plate = opened(files);
+  EXPECT_EQ(plate->facts().levels[0].geometry.spacingMm(), glm::dvec3(1, 2, 3));
+  EXPECT_THAT(plate->facts().choices, testing::ElementsAre("A/1/0\tA/1/0", "B/2/0\tB/2/0", "B/2/1\tB/2/1"));
+  files[".zattrs"] = R"({"plate": {"wells": [{"path": "../A/1"}]}})";
+  EXPECT_THAT(refusal(files), HasSubstr("leaves the folder"));
+}
+
+TEST(Zarr, ManyTinyChunksAreRefused) {
+  Files files;
+  files[".zarray"] = R"({"zarr_format": 2, "shape": [1000, 1000, 1000], "chunks": [1, 1, 1], "dtype": "|u1",
+    "compressor": null, "fill_value": 0, "order": "C", "filters": null})";
+  EXPECT_THAT(refusal(files), HasSubstr("more than 16777216 chunks"));
+}
+
 // One shard of 2 x 2 x 2 chunks of one voxel each.
 Files shard(bool damagedIndex, std::uint64_t offset) {
   Files files;
@@ -213,6 +334,13 @@ TEST(Zarr, ShardsAreReadByTheirIndex) {
   EXPECT_THAT(readBox(*zarr, {0, 0, 0}, {2, 2, 2}), testing::ElementsAre(10, 11, 12, 13, 14, 15, 5, 17));
   EXPECT_THAT(refusal(shard(true, 6)), HasSubstr("checksum of the shard's index is wrong"));
   EXPECT_THAT(refusal(shard(false, 1000)), HasSubstr("chunk 0/1/1: damaged: it lies behind the end"));
+}
+
+TEST(Zarr, TheFillValueOfXarrayInZarr3IsInBase64) {
+  Files files = shard(false, 6);
+  files["zarr.json"] = replaced(files["zarr.json"], R"("fill_value": 5)", R"("fill_value": 5, "attributes":
+    {"_FillValue": "CwA="})");
+  EXPECT_TRUE(std::isnan(whole(files).grid->value(1, 0, 0)));
 }
 
 TEST(Zarr, AVanishedArrayIsNoEmptyOne) {

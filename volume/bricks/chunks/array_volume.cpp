@@ -60,6 +60,18 @@ void checkDimsOf(const ArrayLayout& layout, const ArrayAxes& axes, const std::st
     if (along(axis, layout.dims) > 1000000) throwInput(file, "dims", "time steps or channels are absurd");
 }
 
+// Each chunk costs a look into its file, some ten microseconds, however few voxels it has.
+void checkChunksOf(const ChunkedLevel& level, const std::string& file) {
+  constexpr std::size_t most = std::size_t{1} << 24, fewVoxels = 4096;
+  const glm::dvec3 chunk(level.chunkDims);
+  const glm::dvec3 chunks = glm::ceil(glm::dvec3(level.geometry.dims) / chunk);
+  const double voxels = chunk.x * chunk.y * chunk.z;
+  if (chunks.x * chunks.y * chunks.z > static_cast<double>(most) && voxels < static_cast<double>(fewVoxels))
+    throwInput(file, "chunks",
+               "has more than " + std::to_string(most) + " chunks of fewer than " +
+                   std::to_string(fewVoxels) + " voxels; write it with larger ones");
+}
+
 glm::ivec3 dimsOf(const ArrayLayout& layout, const ArrayAxes& axes) {
   return {static_cast<int>(along(axes.x, layout.dims)), static_cast<int>(along(axes.y, layout.dims)),
           static_cast<int>(along(axes.z, layout.dims))};
@@ -95,6 +107,7 @@ ArrayVolume::ArrayVolume(ChunkedFacts facts, ArrayAxes axes,
                  "its type, axes, time steps or channels are not those of level 0");
     facts_.levels[level].geometry.dims = dimsOf(layout, axes_);
     facts_.levels[level].chunkDims = chunkOf(layout);
+    checkChunksOf(facts_.levels[level], facts_.name);
     facts_.levels[level].cheapParts = arrays_[level]->plain();
   }
   if (facts_.storedType != finest.type) facts_.wholeVoxelBytes = bytesOf(finest.type) + sizeof(float);

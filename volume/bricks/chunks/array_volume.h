@@ -33,7 +33,8 @@ class ArrayVolume final : public ChunkedVolume {
   void setTitle(std::string title) { facts_.title = std::move(title); }
   void setChoices(std::vector<std::string> choices,
                   std::string warning);  // warning: empty, or of the one chosen
-  VoxelType fileType() const { return arrays_.front()->layout().type; }
+  VoxelType fileType() const { return arrays_.front()->layout().type; }  // of readWhole()
+  VoxelType typeInFile() const { return arrays_.front()->fileType(); }
 
   std::size_t read(VolumePart part, std::size_t level, glm::ivec3 low, glm::ivec3 size,
                    std::span<std::byte> voxels) const override;

@@ -34,6 +34,8 @@ class ChunkedArray {
   virtual ~ChunkedArray() = default;
 
   virtual const ArrayLayout& layout() const = 0;
+  // Of the numbers in the file, where read() turns them into others.
+  virtual VoxelType fileType() const { return layout().type; }
   // True where a part of a chunk costs no more than that part: chunks are neither packed nor summed.
   virtual bool plain() const = 0;
   // The chunk `index` (by axis); of it the box [low, low + size) is needed, which lies in chunk and array.

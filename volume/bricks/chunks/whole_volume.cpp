@@ -59,6 +59,7 @@ Volume wholeVolume(const ArrayVolume& volume, const ReadOptions& options, base::
     header.warnings.push_back(std::to_string(whole.missingChunks) + " of " + std::to_string(whole.chunks) +
                               " chunks are not in the file: their voxels have its fill value");
   Volume made = finishVolume(header, std::move(whole.voxels), options, progress);
+  made.fileType = volume.typeInFile();
   takeNames(made, facts);
   return made;
 }

@@ -1,12 +1,17 @@
 #include "volume/bricks/zarr/json_fields.h"
 
 #include <cmath>
+#include <filesystem>
+#include <functional>
 #include <limits>
+#include <set>
+#include <string_view>
 
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "volume/bricks/chunks/chunked_array.h"
+#include "volume/read/input/text.h"
 
 namespace isolux::volume {
 
@@ -82,13 +87,68 @@ std::vector<std::uint64_t> JsonField::counts() const {
   return values;
 }
 
-nlohmann::json parseJson(const std::string& text, const std::string& file) {
+namespace {
+
+// Python writes the bare words NaN, Infinity and -Infinity, which JSON does not have: put in quotes, as
+// JsonField::number() knows them. `quoted`: where, in the new text.
+std::string withQuotedNumbers(const std::string& text, std::vector<std::size_t>& quoted) {
+  std::string out;
+  bool inText = false;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::string_view rest = std::string_view(text).substr(at);
+    std::size_t length = 0;
+    for (const std::string_view word : {"NaN", "Infinity", "-Infinity"})
+      if (!inText && rest.starts_with(word)) length = word.size();
+    if (length > 0) {
+      quoted.push_back(out.size());
+      out.append("\"").append(rest.substr(0, length)).append("\"");
+      at += length;
+      continue;
+    }
+    if (inText && text[at] == '\\' && at + 1 < text.size()) out += text[at++];
+    if (text[at] == '"') inText = !inText;
+    out += text[at++];
+  }
+  return out;
+}
+
+// Tells keys that stand twice in one object; JSON leaves open which counts.
+class KeyWatch {
+ public:
+  bool operator()(int, nlohmann::json::parse_event_t event, nlohmann::json& value) {
+    using Event = nlohmann::json::parse_event_t;
+    if (event == Event::object_start) keys_.emplace_back();
+    if (event == Event::object_end) keys_.pop_back();
+    if (event == Event::key && !keys_.back().insert(value.get<std::string>()).second)
+      twice_.insert(value.get<std::string>());
+    return true;
+  }
+  const std::set<std::string>& twice() const { return twice_; }
+
+ private:
+  std::vector<std::set<std::string>> keys_;
+  std::set<std::string> twice_;
+};
+
+}  // namespace
+
+nlohmann::json parseJson(const std::string& text, const std::string& file,
+                         std::vector<std::string>* warnings) {
+  std::vector<std::size_t> quoted;
+  const std::string plain = withQuotedNumbers(text, quoted);
   try {
-    nlohmann::json json = nlohmann::json::parse(text);
+    KeyWatch watch;
+    nlohmann::json json = nlohmann::json::parse(plain, std::ref(watch));
     if (!json.is_object()) base::throwInput(file, "", "is no JSON object");
+    if (warnings)
+      for (const std::string& key : watch.twice())
+        warnings->push_back("the key " + inQuotes(key) + " stands twice in " +
+                            std::filesystem::path(file).filename().string() + "; the last one counts");
     return json;
   } catch (const nlohmann::json::parse_error& error) {
-    base::throwInput(file, "byte " + std::to_string(error.byte), "is no JSON");
+    std::size_t byte = error.byte;
+    for (const std::size_t at : quoted) byte -= at < error.byte ? 2 : 0;
+    base::throwInput(file, "byte " + std::to_string(byte), "is no JSON");
   } catch (const nlohmann::json::exception& error) {
     base::throwInput(file, "", std::string("cannot be used: ") + error.what());
   }

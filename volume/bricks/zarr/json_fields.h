@@ -36,7 +36,9 @@ class JsonField {
   std::string file_, place_;
 };
 
-// Of a metadata file. Throws base::Error{input} with the byte where the text is no JSON object.
-nlohmann::json parseJson(const std::string& text, const std::string& file);
+// Of a metadata file; the bare words NaN, Infinity and -Infinity become texts. Keys that stand twice are
+// added to `warnings`. Throws base::Error{input} with the byte where the text is no JSON object.
+nlohmann::json parseJson(const std::string& text, const std::string& file,
+                         std::vector<std::string>* warnings = nullptr);
 
 }  // namespace isolux::volume

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <numeric>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -80,7 +81,7 @@ ArrayAxes rolesOf(const std::vector<OmeAxis>& list, const JsonField& field) {
 // p -> scale * p + translation, by axis.
 struct AxisTransform {
   std::vector<double> scale, translation;
-  bool placed = false;
+  bool scaled = false, placed = false;
 };
 
 void append(const JsonField& list, AxisTransform& transform) {
@@ -99,6 +100,7 @@ void append(const JsonField& list, AxisTransform& transform) {
         transform.translation[axis] += values[axis];
       }
     }
+    transform.scaled = transform.scaled || type == "scale";
     transform.placed = transform.placed || type == "translation";
   }
 }
@@ -117,6 +119,23 @@ double unitOf(const std::vector<OmeAxis>& list, const std::vector<std::optional<
   return 1.0;
 }
 
+// Since version 0.5 all is under "ome".
+JsonField rootOf(const nlohmann::json& attributes, const std::string& file) {
+  const bool inOme = attributes.contains("ome") && attributes["ome"].is_object();
+  return {inOme ? attributes["ome"] : attributes, file, inOme ? "ome" : ""};
+}
+
+// What the channels are called ("omero"), as a warning says it; "" where they have no names.
+std::string channelNames(const JsonField& root) {
+  std::string names;
+  if (!root.has("omero") || !root.at("omero").has("channels")) return names;
+  for (const auto& channel : root.at("omero").at("channels").value()) {
+    const auto label = channel.is_object() ? channel.value("label", nlohmann::json()) : nlohmann::json();
+    if (label.is_string()) names += (names.empty() ? "" : ", ") + label.get<std::string>();
+  }
+  return names.empty() ? names : "channels are " + inQuotes(names);
+}
+
 std::string safePath(const JsonField& field) {
   const std::string text = field.text();
   const std::filesystem::path path(text);
@@ -129,8 +148,8 @@ std::string safePath(const JsonField& field) {
 }  // namespace
 
 std::optional<OmeImage> parseOme(const nlohmann::json& attributes, const std::string& file) {
-  const bool inOme = attributes.contains("ome") && attributes["ome"].is_object();
-  const JsonField root(inOme ? attributes["ome"] : attributes, file, inOme ? "ome" : "");
+  const JsonField root = rootOf(attributes, file);
+  const bool inOme = !root.place().empty();
   if (!root.has("multiscales")) return std::nullopt;
   const std::vector<JsonField> images = root.at("multiscales").entries();
   if (images.empty()) root.at("multiscales").refuse("is empty");
@@ -140,6 +159,7 @@ std::optional<OmeImage> parseOme(const nlohmann::json& attributes, const std::st
   ome.name = image.text("name", "");
   if (images.size() > 1)
     ome.warnings.push_back(std::to_string(images.size()) + " multiscales; the first is shown");
+  if (const std::string names = channelNames(root); !names.empty()) ome.warnings.push_back(names);
   const std::vector<OmeAxis> axes = axesOf(image);
   ome.axisCount = axes.size();
   ome.axes = rolesOf(axes, image.has("axes") ? image.at("axes") : image);
@@ -148,10 +168,12 @@ std::optional<OmeImage> parseOme(const nlohmann::json& attributes, const std::st
     AxisTransform transform{std::vector<double>(axes.size(), 1.0), std::vector<double>(axes.size(), 0.0)};
     if (dataset.has("coordinateTransformations")) append(dataset.at("coordinateTransformations"), transform);
     if (image.has("coordinateTransformations")) append(image.at("coordinateTransformations"), transform);
+    if (!transform.scaled && ome.levels.empty())
+      ome.warnings.push_back("the image does not say how large voxels are; " + std::string(kSpacingAssumed));
     OmeLevel level{safePath(dataset.at("path")), glm::dvec3(1.0), glm::dvec3(0.0), transform.placed};
     for (std::size_t direction = 0; direction < 3; ++direction) {
       if (!space[direction]) continue;
-      const double unit = unitOf(axes, space, direction, ome.warnings);
+      const double unit = transform.scaled ? unitOf(axes, space, direction, ome.warnings) : 1.0;
       const auto axis = static_cast<int>(direction);
       level.spacingMm[axis] = transform.scale[*space[direction]] * unit;
       level.originMm[axis] = transform.translation[*space[direction]] * unit;
@@ -163,40 +185,51 @@ std::optional<OmeImage> parseOme(const nlohmann::json& attributes, const std::st
   return ome;
 }
 
+std::vector<std::string> wellsOf(const nlohmann::json& attributes, const std::string& file) {
+  const JsonField root = rootOf(attributes, file);
+  std::vector<std::string> wells;
+  if (root.has("plate"))
+    for (const JsonField& well : root.at("plate").at("wells").entries())
+      wells.push_back(safePath(well.at("path")));
+  return wells;
+}
+
 ArrayAxes axesNamed(const std::vector<std::string>& names, const std::vector<std::uint64_t>& dims,
                     const std::string& file, const std::string& place) {
   ArrayAxes axes;
-  const std::vector<std::pair<std::string, std::optional<std::size_t>*>> known = {{"x", &axes.x},
-                                                                                  {"y", &axes.y},
-                                                                                  {"z", &axes.z},
-                                                                                  {"t", &axes.time},
-                                                                                  {"time", &axes.time},
-                                                                                  {"c", &axes.channel},
-                                                                                  {"channel", &axes.channel}};
+  const std::pair<std::vector<std::string>, std::optional<std::size_t>*> known[] = {
+      {{"x", "xspace", "lon", "longitude"}, &axes.x},
+      {{"y", "yspace", "lat", "latitude"}, &axes.y},
+      {{"z", "zspace", "lev", "level", "depth", "height", "altitude", "plev"}, &axes.z},
+      {{"t", "time"}, &axes.time},
+      {{"c", "channel", "band", "vector_dimension"}, &axes.channel}};
   std::vector<std::size_t> others;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto found = std::find_if(known.begin(), known.end(),
-                                    [&](const auto& row) { return row.first == lowered(names[i]); });
-    if (found == known.end() || *found->second)
+  for (std::size_t i = 0; i < dims.size(); ++i) {
+    const std::string name = i < names.size() ? lowered(names[i]) : "";
+    const auto found = std::find_if(std::begin(known), std::end(known), [&](const auto& row) {
+      return std::find(row.first.begin(), row.first.end(), name) != row.first.end();
+    });
+    if (found == std::end(known) || *found->second)
       others.push_back(i);
     else
       *found->second = i;
   }
-  if (!axes.x || !axes.y) {  // names say nothing: by place
+  const auto takeLast = [&](std::optional<std::size_t>& axis) {
+    if (axis || others.empty()) return;
+    axis = others.back();
+    others.pop_back();
+  };
+  const bool named = axes.x && axes.y;
+  if (!named) {  // names say nothing: by place
     axes = ArrayAxes();
-    others.clear();
-    for (std::size_t i = 0; i < dims.size(); ++i) others.push_back(i);
-    const auto takeLast = [&](std::optional<std::size_t>& axis) {
-      if (others.empty()) return;
-      axis = others.back();
-      others.pop_back();
-    };
+    others.resize(dims.size());
+    std::iota(others.begin(), others.end(), std::size_t{0});
     takeLast(axes.x);
     takeLast(axes.y);
-    takeLast(axes.z);
-    if (others.size() > 1) takeLast(axes.channel);
-    takeLast(axes.time);
   }
+  takeLast(axes.z);
+  if (others.size() > 1) takeLast(axes.channel);
+  takeLast(axes.time);
   if (!axes.x || !axes.y)
     base::throwInput(file, place, "the array has one axis; two or three of space are needed");
   for (const std::size_t axis : others)

@@ -32,8 +32,12 @@ struct OmeImage {
 // hold no multiscales. Throws base::Error{input}.
 std::optional<OmeImage> parseOme(const nlohmann::json& attributes, const std::string& file);
 
-// What axes are by their names ("t", "c", "z", "y", "x"; "" is any), else by their place: the last are y and
-// x, z before them, then channel and time. Throws base::Error{input} at `place`.
+// The folders of a plate's wells; none where the attributes of a group are of no plate. Throws
+// base::Error{input}.
+std::vector<std::string> wellsOf(const nlohmann::json& attributes, const std::string& file);
+
+// What axes are by their names ("t", "c", "z", "y", "x", and those of CF and MINC; "" is any), else by their
+// place: the last are y and x, z before them, then channel and time. Throws base::Error{input} at `place`.
 ArrayAxes axesNamed(const std::vector<std::string>& names, const std::vector<std::uint64_t>& dims,
                     const std::string& file, const std::string& place);
 

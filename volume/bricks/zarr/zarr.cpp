@@ -9,6 +9,7 @@
 #include "volume/bricks/zarr/json_fields.h"
 #include "volume/bricks/zarr/ome.h"
 #include "volume/bricks/zarr/zarr_array.h"
+#include "volume/bricks/zarr/zarr_statements.h"
 #include "volume/read/input/image_header.h"
 #include "volume/read/length_doubt.h"
 
@@ -25,22 +26,32 @@ constexpr const char* kZarrFiles[] = {"zarr.json", ".zarray", ".zgroup", ".zattr
 struct ZarrAttributes {
   nlohmann::json json;
   std::string file;
+  std::vector<std::string> warnings;
 };
 std::optional<ZarrAttributes> attributesOf(const ZarrStore& store, const std::string& key) {
   const std::string v3 = joinedKey(key, "zarr.json"), v2 = joinedKey(key, ".zattrs");
+  ZarrAttributes found;
   if (const auto text = store.text(v3)) {
-    const nlohmann::json json = parseJson(*text, store.nameOf(v3));
+    found.file = store.nameOf(v3);
+    const nlohmann::json json = parseJson(*text, found.file, &found.warnings);
     if (!json.contains("attributes") || !json["attributes"].is_object()) return std::nullopt;
-    return ZarrAttributes{json["attributes"], store.nameOf(v3)};
+    found.json = json["attributes"];
+  } else if (const auto old = store.text(v2)) {
+    found.file = store.nameOf(v2);
+    found.json = parseJson(*old, found.file, &found.warnings);
+  } else {
+    return std::nullopt;
   }
-  if (const auto text = store.text(v2))
-    return ZarrAttributes{parseJson(*text, store.nameOf(v2)), store.nameOf(v2)};
-  return std::nullopt;
+  return found;
 }
 
 std::optional<OmeImage> omeOf(const ZarrStore& store, const std::string& key) {
   const auto attributes = attributesOf(store, key);
-  return attributes ? parseOme(attributes->json, attributes->file) : std::nullopt;
+  if (!attributes) return std::nullopt;
+  auto image = parseOme(attributes->json, attributes->file);
+  if (image)
+    image->warnings.insert(image->warnings.begin(), attributes->warnings.begin(), attributes->warnings.end());
+  return image;
 }
 
 ChunkedFacts factsNamed(const std::string& name, std::string format) {
@@ -50,21 +61,25 @@ ChunkedFacts factsNamed(const std::string& name, std::string format) {
   return facts;
 }
 
+// "a/b" lies in "a"; the root in nothing.
+std::pair<std::string, std::string> parentAndName(const std::string& key) {
+  const std::size_t slash = key.rfind('/');
+  if (slash == std::string::npos) return {"", key};
+  return {key.substr(0, slash), key.substr(slash + 1)};
+}
+
 // An array without any image round it.
-std::unique_ptr<ArrayVolume> volumeOfArray(std::shared_ptr<const ZarrArray> array, const std::string& name) {
-  const ZarrMetadata& metadata = array->metadata();
-  std::vector<std::string> names = metadata.dimensionNames;
-  const auto& attributes = array->attributes();
-  if (names.empty() && attributes.contains("_ARRAY_DIMENSIONS"))  // xarray's
-    for (const auto& axis : JsonField(attributes["_ARRAY_DIMENSIONS"], name, "_ARRAY_DIMENSIONS").entries())
-      names.push_back(axis.text());
-  if (names.size() > metadata.dims.size()) names.clear();
-  const ArrayAxes axes = axesNamed(names, metadata.dims, name, "shape");
-  ChunkedFacts facts = factsNamed(name, "Zarr " + std::to_string(metadata.version));
-  facts.warnings.push_back("the array does not say how large voxels are; " + std::string(kSpacingAssumed));
+std::unique_ptr<ArrayVolume> volumeOfArray(const std::shared_ptr<const ZarrStore>& store,
+                                           const std::string& key, const std::string& name) {
+  const auto array = std::make_shared<const ZarrArray>(store, key);
+  const ArrayStatements statements = statementsOf(store, key, *array);
+  const std::vector<std::uint64_t>& dims = array->metadata().dims;
+  const ArrayAxes axes = axesNamed(namesOf(statements.axes), dims, name, "shape");
+  ChunkedFacts facts = factsNamed(name, "Zarr " + std::to_string(array->metadata().version));
   facts.levels.resize(1);
-  return std::make_unique<ArrayVolume>(std::move(facts), axes,
-                                       std::vector<std::shared_ptr<const ChunkedArray>>{std::move(array)});
+  applyStatements(statements, axes, dims, facts);
+  return std::make_unique<ArrayVolume>(
+      std::move(facts), axes, std::vector<std::shared_ptr<const ChunkedArray>>{valuesOf(array, statements)});
 }
 
 // The outer faces of the outermost voxels.
@@ -151,13 +166,6 @@ std::unique_ptr<ArrayVolume> volumeOfImage(const std::shared_ptr<const ZarrStore
   return std::make_unique<ArrayVolume>(std::move(facts), image.axes, std::move(usable.arrays));
 }
 
-// "a/b" lies in "a"; the root in nothing.
-std::pair<std::string, std::string> parentAndName(const std::string& key) {
-  const std::size_t slash = key.rfind('/');
-  if (slash == std::string::npos) return {"", key};
-  return {key.substr(0, slash), key.substr(slash + 1)};
-}
-
 // The image of the folder above, with this array as its one level: a level opened by itself lies where it
 // does.
 std::optional<OmeImage> imageOfLevel(const ZarrStore& store, const std::string& key) {
@@ -179,17 +187,39 @@ std::optional<OmeImage> imageOfLevel(const ZarrStore& store, const std::string& 
   return image;
 }
 
-// Of a group without an image of its own: its folders that hold an image or an array.
-std::vector<std::string> imagesIn(const ZarrStore& store, const std::string& key) {
-  std::vector<std::string> names;
-  for (const std::string& name : store.folders(key)) {
-    const std::string child = joinedKey(key, name);
-    try {
-      if (ZarrArray::isArray(store, child) || omeOf(store, child)) names.push_back(name);
-    } catch (const base::Error&) {  // a damaged one is told of when it is asked for
-      names.push_back(name);
+// Axes of more than one entry; of an image or one that cannot be read, as many as a volume has.
+std::ptrdiff_t wideAxesOf(const std::shared_ptr<const ZarrStore>& store, const std::string& key) {
+  try {
+    if (ZarrArray::isArray(*store, key)) {
+      const ZarrArray array(store, key);
+      return std::min<std::ptrdiff_t>(
+          std::count_if(array.metadata().dims.begin(), array.metadata().dims.end(),
+                        [](auto n) { return n > 1; }),
+          3);
     }
+    return omeOf(*store, key) ? 3 : 0;
+  } catch (const base::Error&) {  // a damaged one is told of when it is asked for
+    return 3;
   }
+}
+
+// Of a group without an image of its own: its folders that hold an image or an array, volumes before
+// pictures; the coordinates of axes only where there is nothing else. Of a plate: the images of all wells.
+std::vector<std::string> imagesIn(const std::shared_ptr<const ZarrStore>& store, const std::string& key) {
+  std::vector<std::pair<std::string, std::ptrdiff_t>> found;
+  for (const std::string& name : store->folders(key))
+    if (const std::ptrdiff_t wide = wideAxesOf(store, joinedKey(key, name)); wide > 0)
+      found.emplace_back(name, wide);
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  if (!found.empty() && found.front().second >= 2)
+    std::erase_if(found, [](const auto& entry) { return entry.second < 2; });
+  std::vector<std::string> names;
+  for (const auto& [name, wide] : found) names.push_back(name);
+  if (const auto attributes = names.empty() ? attributesOf(*store, key) : std::nullopt)
+    for (const std::string& well : wellsOf(attributes->json, attributes->file))
+      for (const std::string& image : imagesIn(store, joinedKey(key, well)))
+        names.push_back(joinedKey(well, image));
   return names;
 }
 
@@ -216,14 +246,14 @@ std::unique_ptr<ArrayVolume> openZarr(std::shared_ptr<const ZarrStore> store, co
   if (ZarrArray::isArray(*store, key)) {
     if (const auto image = imageOfLevel(*store, key))
       return volumeOfImage(store, parentAndName(key).first, *image, name);
-    return volumeOfArray(std::make_shared<const ZarrArray>(store, key), name);
+    return volumeOfArray(store, key, name);
   }
   if (const auto image = omeOf(*store, key)) {
     auto volume = volumeOfImage(store, key, *image, name);
     volume->setTitle(image->name);
     return volume;
   }
-  const std::vector<std::string> images = imagesIn(*store, key);
+  const std::vector<std::string> images = imagesIn(store, key);
   if (images.empty())
     throwInput(name, "", "the Zarr group holds no image and no array; open a folder in it that does");
   const std::string chosen = series.empty() ? images.front() : series;

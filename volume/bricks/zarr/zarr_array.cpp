@@ -8,6 +8,7 @@
 #include "base/memory_budget.h"
 #include "volume/bricks/chunks/checksums.h"
 #include "volume/bricks/zarr/json_fields.h"
+#include "volume/bricks/zarr/zarr_statements.h"
 
 namespace isolux::volume {
 
@@ -46,8 +47,8 @@ void checkPackedSize(const ChunkFormat& format, std::uint64_t size, const std::s
 
 bool ZarrArray::isArray(const ZarrStore& store, const std::string& key) {
   if (const auto text = store.text(joinedKey(key, "zarr.json"))) {
-    const nlohmann::json json = nlohmann::json::parse(*text, nullptr, false);
-    return json.is_object() && json.value("node_type", nlohmann::json()) == "array";
+    const nlohmann::json json = parseJson(*text, store.nameOf(joinedKey(key, "zarr.json")));
+    return json.value("node_type", nlohmann::json()) == "array";
   }
   return store.open(joinedKey(key, ".zarray")) != nullptr;
 }
@@ -58,18 +59,20 @@ ZarrArray::ZarrArray(std::shared_ptr<const ZarrStore> store, std::string key)
   attributes_ = nlohmann::json::object();
   if (const auto text = store_->text(v3)) {
     const std::string file = store_->nameOf(v3);
-    const nlohmann::json json = parseJson(*text, file);
+    const nlohmann::json json = parseJson(*text, file, &warnings_);
     if (json.value("node_type", nlohmann::json()) != "array") throwInput(file, "node_type", "is no array");
     metadata_ = parseZarrV3(json, file);
     if (json.contains("attributes") && json["attributes"].is_object()) attributes_ = json["attributes"];
   } else if (const auto old = store_->text(v2)) {
     const std::string file = store_->nameOf(v2);
-    metadata_ = parseZarrV2(parseJson(*old, file), file);
+    metadata_ = parseZarrV2(parseJson(*old, file, &warnings_), file);
     const std::string beside = joinedKey(key_, ".zattrs");
-    if (const auto more = store_->text(beside)) attributes_ = parseJson(*more, store_->nameOf(beside));
+    if (const auto more = store_->text(beside))
+      attributes_ = parseJson(*more, store_->nameOf(beside), &warnings_);
   } else {
     throwInput(store_->nameOf(key_), "", "is no Zarr array: it has neither zarr.json nor .zarray");
   }
+  metadata_.format.number = withSign(attributesOf(*this), metadata_.format.number);
   layout_ = {metadata_.dims, metadata_.format.dims, metadata_.format.number.type};
   if (metadata_.shards) {
     std::uint64_t chunks = 1;

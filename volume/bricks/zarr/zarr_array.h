@@ -5,6 +5,9 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
 
 #include "volume/bricks/chunks/chunked_array.h"
 #include "volume/bricks/zarr/zarr_metadata.h"
@@ -24,8 +27,9 @@ class ZarrArray final : public ChunkedArray {
 
   const ZarrMetadata& metadata() const { return metadata_; }
   const nlohmann::json& attributes() const { return attributes_; }
+  const std::vector<std::string>& warnings() const { return warnings_; }  // of the metadata
 
-  // True where the folder `key` holds an array's metadata.
+  // True where the folder `key` holds an array's metadata. Throws base::Error{input} where these are no JSON.
   static bool isArray(const ZarrStore& store, const std::string& key);
 
  private:
@@ -44,6 +48,7 @@ class ZarrArray final : public ChunkedArray {
   std::string key_;
   ZarrMetadata metadata_;
   nlohmann::json attributes_;
+  std::vector<std::string> warnings_;
   ArrayLayout layout_;
 
   mutable std::mutex mutex_;  // of what follows: tables of the shards read last, newest first

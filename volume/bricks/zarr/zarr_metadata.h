@@ -24,7 +24,8 @@ struct ZarrShards {
 struct ZarrMetadata {
   int version = 2;
   std::vector<std::uint64_t> dims;
-  ChunkFormat format;  // with shards: of a chunk in them
+  ChunkFormat format;               // with shards: of a chunk in them
+  std::optional<double> fillValue;  // of format.fill; none where the file has none
   std::optional<ZarrShards> shards;
   std::string keyPrefix, separator;         // of a chunk's file: prefix, then its place ("0.1.2")
   std::vector<std::string> dimensionNames;  // empty, or of each axis; "" where it has none

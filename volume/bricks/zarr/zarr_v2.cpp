@@ -80,7 +80,10 @@ ZarrMetadata parseZarrV2(const nlohmann::json& json, const std::string& file) {
     for (auto filter = filters.rbegin(); filter != filters.rend(); ++filter)
       format.codecs.push_back(codecOfV2(*filter));
   }
-  if (root.has("fill_value")) format.fill = fillOf(format.number.type, root.at("fill_value").number());
+  if (root.has("fill_value")) {
+    metadata.fillValue = root.at("fill_value").number();
+    format.fill = fillOf(format.number.type, *metadata.fillValue);
+  }
   metadata.separator = root.text("dimension_separator", ".");
   if (metadata.separator != "." && metadata.separator != "/")
     root.at("dimension_separator").refuse("must be \".\" or \"/\"");
