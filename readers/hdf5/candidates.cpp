@@ -1,7 +1,9 @@
 #include "readers/hdf5/candidates.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
+#include <set>
 
 #include "base/error.h"
 #include "readers/hdf5/hdf5_handles.h"
@@ -58,32 +60,88 @@ std::vector<std::uint64_t> dimsOf(hid_t dataset) {
   return {dims.begin(), dims.end()};
 }
 
-struct Search {
-  std::vector<Candidate> found;
-  std::size_t objects = 0;
+struct Link {
+  std::shared_ptr<const Hdf5Handle> group;
+  std::string name, path;
 };
 
-herr_t lookAt(hid_t root, const char* name, const H5O_info_t* info, void* data) {
-  auto& search = *static_cast<Search*>(data);
-  constexpr std::size_t most = 100000, mostFound = 1000;
-  if (++search.objects > most || search.found.size() >= mostFound) return 1;
-  if (info->type != H5O_TYPE_DATASET) return 0;
-  const Hdf5Handle dataset(::H5Dopen2(root, name, H5P_DEFAULT));
-  if (!dataset) return 0;
-  const Hdf5Handle type(::H5Dget_type(dataset.get()));
-  const auto number = type ? numberOf(type.get()) : std::nullopt;
-  const std::vector<std::uint64_t> dims = dimsOf(dataset.get());
-  const auto wide = std::count_if(dims.begin(), dims.end(), [](std::uint64_t n) { return n > 1; });
-  if (!number || dims.size() < 2 || wide < 2 || std::count(dims.begin(), dims.end(), 0u) > 0) return 0;
-  Candidate candidate{std::string("/") + name, dims, *number};
-  candidate.voxels = 1.0;
-  for (const std::uint64_t n : dims) candidate.voxels *= static_cast<double>(n);
-  if (dims.size() < 3) candidate.voxels *= 1e-9;  // a picture only where there is no volume
-  search.found.push_back(std::move(candidate));
-  return 0;
+// Goes through the hard links of all groups; each object once. Objects are opened from their own group, so
+// that deep ones take no longer than others (H5Ovisit's time grows with the square of the depth).
+class Search {
+ public:
+  explicit Search(hid_t file) {
+    links_.push_back({std::make_shared<const Hdf5Handle>(::H5Gopen2(file, "/", H5P_DEFAULT)), ".", ""});
+  }
+
+  void run() {
+    constexpr std::size_t mostObjects = 100000, mostFound = 1000;
+    while (!links_.empty() && objects_++ < mostObjects && found.size() < mostFound) {
+      const Link link = std::move(links_.back());
+      links_.pop_back();
+      look(link);
+    }
+  }
+
+  std::vector<Candidate> found;
+  std::vector<std::string> external;  // "/path leads to FILE:/path", a few
+
+ private:
+  void look(const Link& link) {
+    auto object =
+        std::make_shared<const Hdf5Handle>(::H5Oopen(link.group->get(), link.name.c_str(), H5P_DEFAULT));
+    H5O_info_t info{};
+    if (!*object || ::H5Oget_info2(object->get(), &info, H5O_INFO_BASIC) < 0 ||
+        !seen_.insert(info.addr).second)
+      return;
+    if (info.type == H5O_TYPE_DATASET) {
+      if (auto candidate = candidateOf(object->get(), link.path)) found.push_back(std::move(*candidate));
+    } else if (info.type == H5O_TYPE_GROUP) {
+      const std::size_t first = links_.size();
+      group_ = object;
+      path_ = link.path;
+      ::H5Literate(object->get(), H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, addLink, this);
+      std::reverse(links_.begin() + static_cast<std::ptrdiff_t>(first), links_.end());
+    }
+  }
+
+  static herr_t addLink(hid_t group, const char* name, const H5L_info_t* info, void* data) {
+    auto& search = *static_cast<Search*>(data);
+    constexpr std::size_t most = 100000, mostNamed = 3;
+    const std::string path = search.path_ + "/" + name;
+    if (info->type == H5L_TYPE_HARD) search.links_.push_back({search.group_, name, path});
+    if (info->type == H5L_TYPE_EXTERNAL && search.external.size() < mostNamed && !openedObject(group, name))
+      search.external.push_back(path + " leads to " + externalTarget());
+    return search.links_.size() < most ? 0 : 1;
+  }
+
+  std::vector<Link> links_;  // still to be followed, the next is the last
+  std::set<haddr_t> seen_;
+  std::size_t objects_ = 0;
+  std::shared_ptr<const Hdf5Handle> group_;  // whose links are listed
+  std::string path_;
+};
+
+std::string joined(const std::vector<std::string>& texts) {
+  std::string all;
+  for (const std::string& text : texts) all += (all.empty() ? "" : ", ") + text;
+  return all;
 }
 
 }  // namespace
+
+std::optional<Candidate> candidateOf(hid_t dataset, const std::string& path) {
+  const Hdf5Handle type(::H5Dget_type(dataset));
+  const auto number = type ? numberOf(type.get()) : std::nullopt;
+  const std::vector<std::uint64_t> dims = dimsOf(dataset);
+  const auto wide = std::count_if(dims.begin(), dims.end(), [](std::uint64_t n) { return n > 1; });
+  if (!number || dims.size() < 2 || wide < 2 || std::count(dims.begin(), dims.end(), 0u) > 0)
+    return std::nullopt;
+  Candidate candidate{path, dims, *number};
+  candidate.voxels = 1.0;
+  for (const std::uint64_t n : dims) candidate.voxels *= static_cast<double>(n);
+  if (dims.size() < 3) candidate.voxels *= 1e-9;  // a picture only where there is no volume
+  return candidate;
+}
 
 std::string describe(const Candidate& candidate) {
   std::string text = candidate.path + "\t" + candidate.path + ", ";
@@ -93,28 +151,34 @@ std::string describe(const Candidate& candidate) {
 }
 
 std::vector<Candidate> candidatesOf(hid_t file, const std::string& name) {
-  Search search;
-  if (::H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_NATIVE, lookAt, &search, H5O_INFO_BASIC) < 0)
-    throwInput(name, "", "the file is damaged: " + hdf5Complaint());
-  if (search.found.empty())
-    throwInput(name, "", "holds no dataset of numbers with at least two axes of more than one entry");
+  Search search(file);
+  search.run();
+  if (search.found.empty() && !search.external.empty())
+    throwInput(name, "", "holds no volume itself; " + joined(search.external) + ": open that file");
   std::stable_sort(search.found.begin(), search.found.end(),
                    [](const Candidate& a, const Candidate& b) { return a.voxels > b.voxels; });
   return std::move(search.found);
 }
 
-const Candidate& chosenOf(const std::vector<Candidate>& candidates, const std::string& wanted,
-                          const std::string& file) {
-  if (wanted.empty()) return candidates.front();
-  const std::string path = wanted.starts_with('/') ? wanted : "/" + wanted;
-  for (const Candidate& candidate : candidates)
-    if (candidate.path == path) return candidate;
-  std::string names;
+Candidate chosenOf(hid_t file, const std::vector<Candidate>& candidates, const std::string& wanted,
+                   const std::string& name) {
+  const std::string path = wanted.empty() || wanted.starts_with('/') ? wanted : "/" + wanted;
+  if (!path.empty()) {  // may lead through links that the search does not follow
+    const Hdf5Handle object = openedObject(file, path);
+    if (object && ::H5Iget_type(object.get()) == H5I_DATASET)
+      if (auto candidate = candidateOf(object.get(), path)) return std::move(*candidate);
+    if (!object && !externalTarget().empty())
+      throwInput(name, path, "is a link to " + externalTarget() + ", another file: open that");
+  }
+  if (candidates.empty())
+    throwInput(name, path, "holds no dataset of numbers with at least two axes of more than one entry");
+  if (path.empty()) return candidates.front();
+  std::vector<std::string> names;
   for (std::size_t i = 0; i < std::min<std::size_t>(candidates.size(), 5); ++i)
-    names += (i > 0 ? ", " : "") + candidates[i].path;
-  throwInput(
-      file, path,
-      "there is no such dataset of numbers; the file has " + names + (candidates.size() > 5 ? ", ..." : ""));
+    names.push_back(candidates[i].path);
+  throwInput(name, path,
+             "there is no such dataset of numbers; the file has " + joined(names) +
+                 (candidates.size() > 5 ? ", ..." : ""));
 }
 
 }  // namespace isolux::readers

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,13 +19,18 @@ struct Candidate {
   double voxels = 0.0;
 };
 
+// Nothing where the dataset at `path` is no volume and no picture.
+std::optional<Candidate> candidateOf(hid_t dataset, const std::string& path);
+
 // Datasets of numbers with two axes or more of more than one entry, the largest first; pictures behind
-// volumes. At least one, at most 1000. Throws base::Error{input}; `name` of the file.
+// volumes. At most 1000. Throws base::Error{input} where there are none but links to other files; `name` of
+// the file.
 std::vector<Candidate> candidatesOf(hid_t file, const std::string& name);
 
-// The one called `wanted`, or else the first. Throws base::Error{input} naming what there is.
-const Candidate& chosenOf(const std::vector<Candidate>& candidates, const std::string& wanted,
-                          const std::string& file);
+// The one at the path `wanted`, also through soft links; the first where that is empty. Throws
+// base::Error{input} naming what there is, or the file that an external link leads to.
+Candidate chosenOf(hid_t file, const std::vector<Candidate>& candidates, const std::string& wanted,
+                   const std::string& name);
 
 // "/a<TAB>/a, 10 x 20 x 30 uint16".
 std::string describe(const Candidate& candidate);

@@ -1,14 +1,18 @@
 #include "readers/hdf5/dataset.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <utility>
 
 #include "base/error.h"
 #include "readers/hdf5/candidates.h"
+#include "readers/hdf5/conventions.h"
 #include "readers/hdf5/hdf5_handles.h"
 #include "readers/hdf5/recording_driver.h"
+#include "readers/hdf5/storage.h"
 #include "readers/limits.h"
 
 namespace isolux::readers {
@@ -44,46 +48,6 @@ hid_t memoryType(VoxelType type) {
   return H5T_NATIVE_DOUBLE;
 }
 
-std::vector<double> numbersOfAttribute(hid_t object, const char* name) {
-  if (::H5Aexists(object, name) <= 0) return {};
-  const Hdf5Handle attribute(::H5Aopen(object, name, H5P_DEFAULT));
-  const Hdf5Handle space(attribute ? ::H5Aget_space(attribute.get()) : H5I_INVALID_HID);
-  const hssize_t count = space ? ::H5Sget_simple_extent_npoints(space.get()) : 0;
-  if (count < 1 || count > static_cast<hssize_t>(kMostArrayAxes)) return {};
-  std::vector<double> values(static_cast<std::size_t>(count));
-  if (::H5Aread(attribute.get(), H5T_NATIVE_DOUBLE, values.data()) < 0) return {};
-  return values;
-}
-
-// Of fixed or of variable length; empty where it is anything else.
-std::vector<std::string> textsOfAttribute(hid_t object, const char* name) {
-  if (::H5Aexists(object, name) <= 0) return {};
-  const Hdf5Handle attribute(::H5Aopen(object, name, H5P_DEFAULT));
-  const Hdf5Handle space(attribute ? ::H5Aget_space(attribute.get()) : H5I_INVALID_HID);
-  const Hdf5Handle type(attribute ? ::H5Aget_type(attribute.get()) : H5I_INVALID_HID);
-  const hssize_t count = space ? ::H5Sget_simple_extent_npoints(space.get()) : 0;
-  if (!type || ::H5Tget_class(type.get()) != H5T_STRING || count < 1 ||
-      count > static_cast<hssize_t>(kMostArrayAxes))
-    return {};
-  std::vector<std::string> texts;
-  if (::H5Tis_variable_str(type.get()) > 0) {
-    std::vector<char*> values(static_cast<std::size_t>(count), nullptr);
-    if (::H5Aread(attribute.get(), type.get(), values.data()) < 0) return {};
-    for (char* const value : values) {
-      texts.emplace_back(value != nullptr ? value : "");
-      ::H5free_memory(value);
-    }
-    return texts;
-  }
-  const std::size_t length = ::H5Tget_size(type.get());
-  if (length > std::size_t{1} << 20) return {};
-  std::string all(length * static_cast<std::size_t>(count), '\0');
-  if (::H5Aread(attribute.get(), type.get(), all.data()) < 0) return {};
-  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
-    texts.emplace_back(all.substr(i * length, length).c_str());
-  return texts;
-}
-
 std::vector<Hdf5Filter> filtersOf(hid_t properties, const std::string& file, const std::string& place) {
   std::vector<Hdf5Filter> filters;
   const int count = ::H5Pget_nfilters(properties);
@@ -98,12 +62,6 @@ std::vector<Hdf5Filter> filtersOf(hid_t properties, const std::string& file, con
     filters.push_back(std::move(filter));
   }
   return filters;
-}
-
-void readFill(hid_t properties, Hdf5Layout& layout) {
-  H5D_fill_value_t defined = H5D_FILL_VALUE_UNDEFINED;
-  if (::H5Pfill_value_defined(properties, &defined) < 0 || defined == H5D_FILL_VALUE_UNDEFINED) return;
-  ::H5Pget_fill_value(properties, memoryType(layout.number.type), layout.fill.data());
 }
 
 void readStorage(hid_t properties, const std::string& file, Hdf5Layout& layout) {
@@ -124,9 +82,12 @@ void readStorage(hid_t properties, const std::string& file, Hdf5Layout& layout) 
       layout.chunk = layout.dims;
       break;
     case H5D_COMPACT:
-      throwInput(file, layout.dataset, "it is stored in the file's header (compact), which is not read");
+      throwInput(file, layout.dataset,
+                 "it is stored in the file's header (compact), which is not read; h5repack -l CONTI FILE NEW "
+                 "changes it");
     case H5D_VIRTUAL:
-      throwInput(file, layout.dataset, "it is made of other datasets (virtual), which is not read");
+      throwInput(file, layout.dataset,
+                 "it is made of other datasets (virtual) that are virtual themselves, which is not read");
     default:
       throwInput(file, layout.dataset, "it is stored in a way that is not known");
   }
@@ -198,38 +159,103 @@ std::vector<Hdf5Chunk> chunksOf(hid_t dataset, const Hdf5Layout& layout, const s
   return chunks;
 }
 
+// Storage of the dataset at `path`, which has layout.dims, and its chunks behind those of the table.
+void addDataset(hid_t file, const std::string& path, const std::string& name, Hdf5Table& table,
+                base::Progress& progress) {
+  const Hdf5Handle dataset = openedObject(file, path);
+  const Hdf5Handle properties(dataset ? ::H5Dget_create_plist(dataset.get()) : H5I_INVALID_HID);
+  if (!properties) throwInput(name, path, "cannot be opened: " + hdf5Complaint());
+  if (::H5Pget_layout(properties.get()) == H5D_VIRTUAL)
+    return addVirtual(file, properties.get(), name, table, progress);
+  readStored(dataset.get(), name, table, progress);
+}
+
+// All of them as one array with two more axes, of times and channels, in chunks of one of each.
+void addImaris(hid_t file, const ImarisImage& image, const std::string& name, Hdf5Table& table,
+               base::Progress& progress) {
+  Hdf5Layout& layout = table.layout;
+  std::vector<std::uint64_t> chunk;
+  for (const std::string& path : image.datasets) {
+    const Hdf5Handle dataset = openedObject(file, path);
+    const auto candidate = dataset ? candidateOf(dataset.get(), path) : std::nullopt;
+    if (!candidate || candidate->dims != layout.dims || candidate->number.type != layout.number.type)
+      throwInput(name, path, "is missing, or another size or type than the first channel");
+  }
+  const std::vector<std::uint64_t> padded = layout.dims;
+  for (const std::string& path : image.datasets) {
+    layout.dims = image.dims;
+    const std::vector<Hdf5Filter> filters = std::exchange(layout.filters, {});
+    addDataset(file, path, name, table, progress);
+    if (layout.contiguous) layout.chunk = padded;
+    layout.contiguous = false;
+    if (!chunk.empty() && (chunk != layout.chunk || filters != layout.filters))
+      throwInput(name, path, "its chunks are not those of the first channel");
+    chunk = layout.chunk;
+  }
+  if (image.datasets.size() == 1) return;
+  layout.dims.insert(layout.dims.begin(), {image.times, image.channels});
+  layout.chunk.insert(layout.chunk.begin(), {1, 1});
+  std::vector<AxisStatement> axes(2);
+  axes[0].name = "t";
+  axes[1].name = "c";
+  layout.statements.axes.insert(layout.statements.axes.begin(), axes.begin(), axes.end());
+  if (layout.chunkCount() > kMostHdf5Chunks)
+    throwInput(name, layout.dataset, "has more than 16777216 chunks");
+}
+
 }  // namespace
+
+void readFill(hid_t properties, Hdf5Layout& layout) {
+  H5D_fill_value_t defined = H5D_FILL_VALUE_UNDEFINED;
+  if (::H5Pfill_value_defined(properties, &defined) < 0 || defined == H5D_FILL_VALUE_UNDEFINED) return;
+  ::H5Pget_fill_value(properties, memoryType(layout.number.type), layout.fill.data());
+}
+
+Hdf5Handle openedFile(const std::string& name) {
+  const Hdf5Handle access(::H5Pcreate(H5P_FILE_ACCESS));
+  if (!access || ::H5Pset_driver(access.get(), recordingDriver(), nullptr) < 0)
+    throwInput(name, "", "the HDF5 library cannot be used: " + hdf5Complaint());
+  Hdf5Handle file(::H5Fopen(name.c_str(), H5F_ACC_RDONLY, access.get()));
+  if (!file) throwInput(name, "", "is no HDF5 file, or damaged: " + hdf5Complaint());
+  return file;
+}
+
+void readStored(hid_t dataset, const std::string& name, Hdf5Table& table, base::Progress& progress) {
+  const Hdf5Handle properties(::H5Dget_create_plist(dataset));
+  if (!properties) throwInput(name, table.layout.dataset, "cannot be opened: " + hdf5Complaint());
+  readStorage(properties.get(), name, table.layout);
+  readFill(properties.get(), table.layout);
+  if (table.layout.chunkCount() > kMostHdf5Chunks)
+    throwInput(name, table.layout.dataset, "has more than 16777216 chunks");
+  const std::vector<Hdf5Chunk> chunks = chunksOf(dataset, table.layout, name, progress);
+  table.chunks.insert(table.chunks.end(), chunks.begin(), chunks.end());
+}
 
 Hdf5Table describeDataset(const std::filesystem::path& path, const ReadOptions& options,
                           base::Progress& progress) {
   silenceHdf5();
   const std::string name = path.string();
-  const Hdf5Handle access(::H5Pcreate(H5P_FILE_ACCESS));
-  if (!access || ::H5Pset_driver(access.get(), recordingDriver(), nullptr) < 0)
-    throwInput(name, "", "the HDF5 library cannot be used: " + hdf5Complaint());
-  const Hdf5Handle file(::H5Fopen(name.c_str(), H5F_ACC_RDONLY, access.get()));
-  if (!file) throwInput(name, "", "is no HDF5 file, or damaged: " + hdf5Complaint());
+  const Hdf5Handle file = openedFile(name);
   allowHeaders(1000, 0);
   const std::vector<Candidate> candidates = candidatesOf(file.get(), name);
-  const Candidate& chosen = chosenOf(candidates, options.series, name);
-  const Hdf5Handle dataset(::H5Dopen2(file.get(), chosen.path.c_str(), H5P_DEFAULT));
-  const Hdf5Handle properties(dataset ? ::H5Dget_create_plist(dataset.get()) : H5I_INVALID_HID);
-  if (!properties) throwInput(name, chosen.path, "cannot be opened: " + hdf5Complaint());
+  const bool named = !options.series.empty();
+  std::string wanted = named ? options.series : preferredOf(file.get());
+  if (const Hdf5Handle object = openedObject(file.get(), wanted);
+      !named && !candidateOf(object.get(), wanted))
+    wanted.clear();
+  Candidate chosen = chosenOf(file.get(), candidates, wanted, name);
+  const ImarisImage imaris = imarisImage(file.get(), chosen, named);
   Hdf5Table table;
   Hdf5Layout& layout = table.layout;
+  layout.statements = statementsOf(file.get(), chosen, name);
   layout.dataset = chosen.path;
   layout.dims = chosen.dims;
   layout.number = chosen.number;
   for (const Candidate& candidate : candidates) layout.others.push_back(describe(candidate));
-  readStorage(properties.get(), name, layout);
-  readFill(properties.get(), layout);
-  layout.elementSizeUm = numbersOfAttribute(dataset.get(), "element_size_um");
-  layout.labels = textsOfAttribute(dataset.get(), "DIMENSION_LABELS");
-  if (const auto tags = textsOfAttribute(dataset.get(), "axistags"); tags.size() == 1)
-    layout.axisTags = tags[0];
-  if (layout.chunkCount() > kMostHdf5Chunks)
-    throwInput(name, layout.dataset, "has more than 16777216 chunks");
-  table.chunks = chunksOf(dataset.get(), layout, name, progress);
+  if (imaris.datasets.empty())
+    addDataset(file.get(), chosen.path, name, table, progress);
+  else
+    addImaris(file.get(), imaris, name, table, progress);
   return table;
 }
 

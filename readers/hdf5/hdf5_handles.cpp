@@ -10,7 +10,37 @@ herr_t noteComplaint(unsigned depth, const H5E_error2_t* error, void* text) {
   return 0;
 }
 
+std::string& lastTarget() {
+  static std::string target;
+  return target;
+}
+
+herr_t refuseExternal(const char*, const char*, const char* file, const char* object, unsigned*, hid_t,
+                      void*) {
+  lastTarget() = std::string(file) + ":" + object;
+  return -1;
+}
+
+// The library would read other files by another driver, and whatever file a name leads to.
+hid_t ownLinksOnly() {
+  static const hid_t access = [] {
+    const hid_t list = ::H5Pcreate(H5P_LINK_ACCESS);
+    ::H5Pset_elink_cb(list, refuseExternal, nullptr);
+    return list;
+  }();
+  return access;
+}
+
 }  // namespace
+
+Hdf5Handle openedObject(hid_t location, const std::string& path) {
+  lastTarget().clear();
+  return Hdf5Handle(::H5Oopen(location, path.c_str(), ownLinksOnly()));
+}
+
+const std::string& externalTarget() {
+  return lastTarget();
+}
 
 Hdf5Handle::~Hdf5Handle() {
   if (id_ >= 0) ::H5Idec_ref(id_);

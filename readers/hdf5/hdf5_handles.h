@@ -24,6 +24,12 @@ class Hdf5Handle {
   hid_t id_;
 };
 
+// Opens an object by its path through hard and soft links of its own file; external links are not followed.
+// H5Oopen() otherwise: not valid where there is none.
+Hdf5Handle openedObject(hid_t location, const std::string& path);
+// Where the external link leads that the last openedObject() met, "FILE:/path"; "" where it met none.
+const std::string& externalTarget();
+
 // What the library complained of last, in its words; no stack of it is printed after silenceHdf5().
 std::string hdf5Complaint();
 // No messages on stderr, no filters loaded from elsewhere.

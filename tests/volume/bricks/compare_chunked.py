@@ -45,8 +45,9 @@ def run(tool, path, *arguments):
     return subprocess.run([tool, str(path), *map(str, arguments)], capture_output=True, text=True)
 
 
-def compare(tool, what, path, values, component=0, time=0, spacing=None, origin=None, **facts):
-    """`values`: of that component and time step, [z, y, x]."""
+def compare(tool, what, path, values, component=0, time=0, spacing=None, origin=None, matrix=None, warns=(), quiet=False,
+            **facts):
+    """`values`: of that component and time step, [z, y, x]; NaN where missing. `warns`: parts of warnings; `quiet`: none."""
     global count
     count += 1
     done = run(tool, path, component, time)
@@ -56,17 +57,27 @@ def compare(tool, what, path, values, component=0, time=0, spacing=None, origin=
     values = numpy.asarray(values, float)
     check(f"{what} dims", got["dims"], values.shape[::-1])
     z, y, x = numpy.meshgrid(*(numpy.arange(n) for n in values.shape), indexing="ij")
-    check(f"{what} sum", got["placed_sum"], (values * ((x + 2 * y + 3 * z) % 11)).sum(), 1e-6)
-    check(f"{what} range", got["range"], [values.min(), values.max()])
+    span = numpy.nanmax(values) - numpy.nanmin(values)
+    check(f"{what} sum", got["placed_sum"], numpy.nansum(values * ((x + 2 * y + 3 * z) % 11)), 1e-6 * (1 + span * values.size))
+    check(f"{what} range", got["range"], [numpy.nanmin(values), numpy.nanmax(values)], 1e-7 * span)
+    check(f"{what} missing", got["missing"], numpy.isnan(values).sum())
     for sample in got["samples"]:
         i, j, k = sample["voxel"]
-        check(f"{what} at {sample['voxel']}", sample["value"], values[k, j, i])
+        if not numpy.isnan(values[k, j, i]):
+            check(f"{what} at {sample['voxel']}", sample["value"], values[k, j, i], 1e-7 * span)
     if "parts_differ" not in got or (component >= 0 and got["parts_differ"] != 0):
         fail(f"{what} parts", got.get("parts_differ"), 0)
     if spacing:
         check(f"{what} spacing", got["spacing_mm"], spacing)
     if origin:
         check(f"{what} origin", [got["world_from_voxel"][i] for i in (3, 7, 11)], origin)
+    if matrix is not None:
+        check(f"{what} matrix", got["world_from_voxel"][:12], numpy.asarray(matrix)[:3].ravel(), 1e-9)
+    for text in warns:
+        if not any(text in warning for warning in got["warnings"]):
+            fail(f"{what} warnings", got["warnings"], text)
+    if not warns and quiet and got["warnings"]:
+        fail(f"{what} warnings", got["warnings"], [])
     for key, wanted in facts.items():
         if got[key] != wanted:
             fail(f"{what} {key}", got[key], wanted)
@@ -353,7 +364,15 @@ def hdf5(tool, folder):
     plain = numpy.full((4, 4, 4), 7)
     plain[2:] = numpy.arange(32).reshape(2, 4, 4)
     compare(tool, "HDF5 filter mask", f"{path}:/mixed", plain)
-    refused(tool, "HDF5 lzf", f"{path}:/lzf", "axes.h5", "/lzf", "filter lzf")
+    compare(tool, "HDF5 lzf", f"{path}:/lzf", values[0, :, :, :, 0])
+    incompressible = numpy.random.default_rng(1).integers(0, 65536, (9, 10, 11), dtype="u2")
+    with h5py.File(folder / "packed.h5", "w") as file:
+        file.create_dataset("noise", data=incompressible, chunks=(4, 4, 4), compression="lzf")
+        file.create_dataset("flat", data=numpy.full((40, 40, 40), 3, "u1"), chunks=(40, 40, 40), compression="lzf")
+        file.create_dataset("offset", data=incompressible, chunks=(4, 4, 4), scaleoffset=0)
+    compare(tool, "HDF5 lzf of noise", f"{folder}/packed.h5:/noise", incompressible)
+    compare(tool, "HDF5 lzf of long runs", f"{folder}/packed.h5:/flat", numpy.full((40, 40, 40), 3))
+    refused(tool, "HDF5 scale-offset", f"{folder}/packed.h5:/offset", "filter scaleoffset", "h5repack -f GZIP=1")
     refused(tool, "HDF5 wrong name", f"{path}:/other", "/other", "/data")
     whole = (folder / "filters2_True_None.h5").read_bytes()
     with h5py.File(folder / "filters2_True_None.h5", "r") as file:
@@ -375,10 +394,231 @@ def hdf5(tool, folder):
     refused(tool, "HDF5 of a signature", folder / "empty.h5", "empty.h5", "damaged")
 
 
+def attributes(object, **values):
+    for name, value in values.items():
+        object.attrs[name] = value
+
+
+def net_cdf(file, values, **words):
+    """A variable with positions of its axes, as netCDF-4 writes it: even ones in m, latitude from the north."""
+    positions = {"z": 10 + 2.5 * numpy.arange(values.shape[0]), "y": 8 - 0.5 * numpy.arange(values.shape[1]),
+                 "x": 100 + 0.25 * numpy.arange(values.shape[2])}
+    made = file.create_dataset("v", data=values)
+    for axis, (name, where) in enumerate(positions.items()):
+        scale = file.create_dataset(name, data=where)
+        scale.make_scale(name)
+        attributes(scale, units=b"m")
+        made.dims[axis].attach_scale(scale)
+    attributes(made, **words)
+    return made
+
+
+def cf(tool, folder):
+    raw = field((6, 7, 8), "<i2")
+    raw[1, 2, 3], raw[0, 0, 0], raw[5, 6, 7] = -32767, 900, -900
+    missing = (raw == -32767)
+    where = {"spacing": [250, 500, 2500], "origin": [1e5, 8000, 1e4]}
+    with h5py.File(folder / "packed.nc", "w") as file:
+        net_cdf(file, raw, scale_factor=0.01, add_offset=273.15, _FillValue=numpy.int16(-32767), units=b"K")
+    values = numpy.where(missing, numpy.nan, raw * 0.01 + 273.15)
+    compare(tool, "CF packed", folder / "packed.nc", values, unit="K", type="int16", **where)
+    for number, (words, good) in enumerate([
+            ({"valid_range": numpy.array([-400, 400], "i2")}, abs(raw) <= 400),
+            ({"valid_min": numpy.int16(-40)}, raw >= -40),
+            ({"valid_max": numpy.int16(60)}, raw <= 60),
+            ({"missing_value": numpy.array([5, 900], "i2")}, (raw != 5) & (raw != 900)),
+            ({"valid_range": numpy.array([-6.0, 10.0]), "scale_factor": 0.1}, (raw >= -60) & (raw <= 100))]):
+        path = folder / f"range{number}.nc"
+        with h5py.File(path, "w") as file:
+            net_cdf(file, raw, **words)
+        compare(tool, f"CF {words}", path, numpy.where(good, raw * words.get("scale_factor", 1.0), numpy.nan), **where)
+    with h5py.File(folder / "unsigned.nc", "w") as file:
+        net_cdf(file, raw.astype("i1"), _Unsigned=b"true", _FillValue=numpy.int8(-1))
+    byte = raw.astype("i1").astype("u1")
+    compare(tool, "CF unsigned", folder / "unsigned.nc", numpy.where(byte == 255, numpy.nan, byte), type="uint8")
+    with h5py.File(folder / "floats.nc", "w") as file:
+        values = raw.astype("f4")
+        values[2, 2] = 9.96921e36
+        net_cdf(file, values, _FillValue=numpy.float32(9.96921e36))
+        values[2, 2] = numpy.nan
+    compare(tool, "CF float fill", folder / "floats.nc", values, **where)
+    with h5py.File(folder / "default.nc", "w") as file:
+        values = raw.astype("f4")
+        values[3, 3] = 9.969209968386869e36
+        net_cdf(file, values)
+        file.attrs["_NCProperties"] = b"version=2,netcdf=4.9.2"
+        values[3, 3] = numpy.nan
+    compare(tool, "netCDF's own fill", folder / "default.nc", values)
+    with h5py.File(folder / "zero.nc", "w") as file:
+        net_cdf(file, raw, scale_factor=0.0)
+    compare(tool, "CF scale of 0", folder / "zero.nc", raw, warns=["scale_factor 0"])
+    with h5py.File(folder / "earth.nc", "w") as file:
+        made = file.create_dataset("t", data=field((3, 4, 5, 6), "f4"))
+        seen = made[2]
+        for axis, (name, unit, positions) in enumerate([
+                ("time", b"days since 2000-01-01", [0, 1, 2]), ("lev", b"hPa", [1000, 850, 500, 200]),
+                ("lat", b"degrees_north", 40.0 - numpy.arange(5)), ("lon", b"degrees_east", 5.0 + numpy.arange(6))]):
+            scale = file.create_dataset(name, data=numpy.asarray(positions, "f8"))
+            scale.make_scale(name)
+            attributes(scale, units=unit)
+            made.dims[axis].attach_scale(scale)
+    compare(tool, "latitude and pressure", folder / "earth.nc", seen, 0, 2, spacing=[1, 1, 1], time_steps=3,
+            warns=["cannot be compared", "1 mm assumed"])
+    with h5py.File(folder / "uneven.nc", "w") as file:
+        made = net_cdf(file, raw)
+        file["z"][...] = [0, 1, 2, 5, 9, 20]
+    compare(tool, "uneven positions", folder / "uneven.nc", raw, spacing=[250, 500, 4000], warns=["unevenly spaced"])
+    with h5py.File(folder / "both.h5", "w") as file:
+        net_cdf(file, raw, element_size_um=[3.0, 2.0, 1.0])
+    compare(tool, "sizes against positions", folder / "both.h5", raw, spacing=[1e-3, 2e-3, 3e-3], warns=["contradicts"])
+
+
+def minc(tool, folder):
+    raw = field((4, 5, 6), "u1")
+    low, high = numpy.arange(4.0), 10.0 + numpy.arange(4.0) ** 2
+    for number, (kept, minima, maxima) in enumerate([(1, low, high), (0, low[1], high[1]), (0, None, None)]):
+        path = folder / f"m{number}.mnc"
+        with h5py.File(path, "w") as file:
+            image = file.create_dataset("minc-2.0/image/0/image", data=raw)
+            attributes(image, dimorder=b"zspace,yspace,xspace", valid_range=numpy.array([0.0, 250.0]))
+            if minima is not None:
+                file.create_dataset("minc-2.0/image/0/image-min", data=minima)
+                file.create_dataset("minc-2.0/image/0/image-max", data=maxima)
+            for name, start, step, cosines in [("xspace", -10.0, 2.0, [0.8, 0.6, 0.0]), ("yspace", -20.0, -3.0, [-0.6, 0.8, 0.0]),
+                                               ("zspace", 5.0, 4.0, [0.0, 0.0, 1.0])]:
+                dimension = file.create_dataset(f"minc-2.0/dimensions/{name}", data=0)
+                attributes(dimension, start=start, step=step, direction_cosines=cosines, units=b"mm", spacing=b"regular__")
+        values = raw.astype(float)
+        if minima is not None:
+            shape = (-1, 1, 1) if kept else ()
+            lows, highs = numpy.reshape(minima, shape), numpy.reshape(maxima, shape)
+            values = lows + values / 250 * (highs - lows)
+        start = -10 * numpy.array([0.8, 0.6, 0]) - 20 * numpy.array([-0.6, 0.8, 0]) + [0, 0, 5]
+        ras = numpy.array([[1.6, 1.8, 0, start[0]], [1.2, -2.4, 0, start[1]], [0, 0, 4, start[2]]])
+        compare(tool, f"MINC {number}", path, values, matrix=ras * [[-1], [-1], [1]], orientation_stated=True, type="uint8")
+    with h5py.File(folder / "m1.mnc", "r+") as file:
+        file["minc-2.0/image/0/image"].attrs["valid_range"] = [10.0, 50.0]
+        file["minc-2.0/image/0/image-min"][...] = 1.0
+        file["minc-2.0/image/0/image-max"][...] = 5.0
+    compare(tool, "MINC range", folder / "m1.mnc", numpy.where((raw >= 10) & (raw <= 50), 1 + (raw - 10.0) / 10, numpy.nan))
+
+
+def vtk_hdf(tool, folder):
+    values = field((4, 5, 6), "f4")
+    def write(name, **words):
+        with h5py.File(folder / name, "w") as file:
+            group = file.create_group("VTKHDF")
+            attributes(group, Type=b"ImageData", Version=[1, 0], WholeExtent=[2, 7, 0, 4, 0, 3], Spacing=[0.5, 1.0, 2.0],
+                       Origin=[10.0, 20.0, 30.0], Direction=[0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0])
+            attributes(group, **words)
+            group["PointData/a"] = values * 0
+            group["PointData/b"] = values
+            group["CellData/c"] = values[1:, 1:, 1:]
+            group["PointData"].attrs["Scalars"] = b"b"
+        return folder / name
+    matrix = [[0, -1, 0, 10], [0.5, 0, 0, 21], [0, 0, 2, 30]]
+    compare(tool, "VTKHDF", write("image.vtkhdf"), values, matrix=matrix)
+    matrix = [[0, -1, 0, 9.5], [0.5, 0, 0, 21.25], [0, 0, 2, 31]]
+    compare(tool, "VTKHDF cells", f"{folder}/image.vtkhdf:/VTKHDF/CellData/c", values[1:, 1:, 1:], matrix=matrix, warns=["cells"])
+    refused(tool, "VTKHDF grid", write("grid.vtkhdf", Type=b"UnstructuredGrid"), "/VTKHDF", "UnstructuredGrid", "ImageData")
+    refused(tool, "VTKHDF extent", write("extent.vtkhdf", WholeExtent=[0, 9, 0, 4, 0, 3]), "6 entries along x", "10")
+
+
+def imaris(tool, folder):
+    letters = lambda text: numpy.array([c.encode() for c in text], "S1")
+    volumes = {}
+    with h5py.File(folder / "a.ims", "w") as file:
+        info = file.create_group("DataSetInfo/Image")
+        words = {"X": "6", "Y": "5", "Z": "4", "Unit": "um", "ExtMin0": "1.0", "ExtMax0": "2.2", "ExtMin1": "2", "ExtMax1": "3",
+                 "ExtMin2": "-4", "ExtMax2": "4"}
+        for name, text in words.items():
+            info.attrs[name] = letters(text)
+        for c in range(3):
+            file.create_group(f"DataSetInfo/Channel {c}").attrs["Name"] = letters(f"dye{c}")
+        for level in range(2):
+            for t, c in itertools.product(range(2), range(3)):
+                data = numpy.zeros((8, 8, 8), "u2")
+                data[:4, :5, :6] = volumes[t, c] = field((4, 5, 6), "u2") + 1000 * t + 100 * c
+                group = file.create_group(f"DataSet/ResolutionLevel {level}/TimePoint {t}/Channel {c}")
+                group.create_dataset("Data", data=data if level == 0 else data[:4, :4, :4], chunks=(4, 4, 4), compression="gzip")
+                if level == 0:
+                    for letter, size in zip("XYZ", "654"):
+                        group.attrs["ImageSize" + letter] = letters(size)
+    where = {"spacing": [0.2e-3, 0.2e-3, 2e-3], "origin": [1.1e-3, 2.1e-3, -3e-3]}
+    for t, c in volumes:
+        compare(tool, f"Imaris {t} {c}", folder / "a.ims", volumes[t, c], c, t, components=3, time_steps=2, warns=["dye0, dye1"], **where)
+    name = "/DataSet/ResolutionLevel 0/TimePoint 1/Channel 2/Data"
+    compare(tool, "Imaris channel by name", f"{folder}/a.ims:{name}", volumes[1, 2], components=1, **where)
+
+
+def nexus(tool, folder):
+    values = field((4, 5, 6), "<i4")
+    with h5py.File(folder / "scan.nxs", "w") as file:
+        file.attrs["default"] = "entry"
+        entry = file.create_group("entry")
+        attributes(entry, NX_class=b"NXentry", default=b"data")
+        detector = entry.create_dataset("instrument/detector/data", data=values)
+        attributes(detector, units=b"counts")
+        group = entry.create_group("data")
+        attributes(group, NX_class=b"NXdata", signal="data", axes=["rotation", "y", "x"])
+        group["data"] = h5py.SoftLink("/entry/instrument/detector/data")
+        for axis, (name, n) in enumerate([("rotation", 4), ("y", 5), ("x", 7)]):  # x: borders of 6
+            attributes(group.create_dataset(name, data=0.1 * numpy.arange(n)), units=b"um")
+        group["data_scaling_factor"] = 0.5
+        group["data_offset"] = 3.0
+        file["far"] = h5py.ExternalLink("other.h5", "/there")
+    compare(tool, "NeXus", folder / "scan.nxs", values * 0.5 + 3, spacing=[1e-4] * 3, origin=[0.5e-4, 0, 0], unit="counts", quiet=True)
+    compare(tool, "NeXus soft link", f"{folder}/scan.nxs:/entry/data/data", values * 0.5 + 3)
+    compare(tool, "NeXus itself", f"{folder}/scan.nxs:/entry/instrument/detector/data", values)
+    refused(tool, "external link", f"{folder}/scan.nxs:/far", "/far", "other.h5:/there")
+    with h5py.File(folder / "master.h5", "w") as file:
+        file["entry/data/data_000001"] = h5py.ExternalLink("x_data_000001.h5", "/entry/data/data")
+        file["n"] = 3
+    refused(tool, "master file", folder / "master.h5", "x_data_000001.h5:/entry/data/data", "open that file")
+    with h5py.File(folder / "deep.h5", "w") as file:
+        group = file
+        for i in range(3000):
+            group = group.create_group("g")
+        group["v"] = values
+    done = subprocess.run([tool, str(folder / "deep.h5")], capture_output=True, text=True, timeout=30)
+    if done.returncode:
+        fail("groups in groups", done.stderr, "a volume")
+
+
+def virtual(tool, folder):
+    values = field((10, 7, 8), "<u2")
+    for number, words in enumerate([{"chunks": (1, 7, 8), "compression": "gzip"}, {"chunks": (1, 4, 8)}]):
+        layout = h5py.VirtualLayout((12, 7, 8), "<u2")
+        for k in range(3):
+            part = f"part{number}_{k}.h5"
+            with h5py.File(folder / part, "w") as file:
+                file.create_dataset("entry/data", data=numpy.concatenate([values[:2] * 0, values[3 * k:3 * k + 3]]), **words)
+            layout[3 * k:3 * k + 3] = h5py.VirtualSource(part, "entry/data", (5, 7, 8))[2:]
+        with h5py.File(folder / f"whole{number}.h5", "w") as file:
+            file.create_virtual_dataset("v", layout, fillvalue=9)
+            seen = file["v"][...]
+        compare(tool, f"virtual {words}", folder / f"whole{number}.h5", seen)
+    layout = h5py.VirtualLayout((4, 7, 8), "<u2")
+    with h5py.File(folder / "slices.h5", "w") as file:
+        for k in range(4):
+            file[f"s{k}"] = values[k]
+            layout[k] = h5py.VirtualSource(".", f"s{k}", (7, 8))
+        file.create_virtual_dataset("v", layout)
+    compare(tool, "virtual of slices of its own file", f"{folder}/slices.h5:/v", values[:4])
+    for name, source, wanted in [("gone", "nowhere.h5", "nowhere.h5"), ("out", "/etc/part0_0.h5", "outside the folder"),
+                                 ("mesh", "part0_0.h5", "no boxes")]:
+        layout = h5py.VirtualLayout((2, 7, 8), "<u2")
+        whole = h5py.VirtualSource(source, "entry/data", (5, 7, 8))
+        layout[...] = whole[::3] if name == "mesh" else whole[:2]
+        with h5py.File(folder / f"{name}.h5", "w") as file:
+            file.create_virtual_dataset("v", layout)
+        refused(tool, f"virtual {name}", folder / f"{name}.h5", wanted)
+
+
 def main():
     tool = sys.argv[1]
     with tempfile.TemporaryDirectory() as temporary:
-        for part in (zarr_v2, ome, zarr_v3, hdf5):
+        for part in (zarr_v2, ome, zarr_v3, hdf5, cf, minc, vtk_hdf, imaris, nexus, virtual):
             folder = pathlib.Path(temporary) / part.__name__
             folder.mkdir()
             part(tool, folder)

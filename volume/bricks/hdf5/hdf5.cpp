@@ -1,14 +1,8 @@
 #include "volume/bricks/hdf5/hdf5.h"
 
-#include <cmath>
-
-#include <nlohmann/json.hpp>
-
 #include "base/error.h"
 #include "volume/bricks/hdf5/hdf5_array.h"
 #include "volume/bricks/zarr/ome.h"
-#include "volume/read/input/image_header.h"
-#include "volume/read/length_doubt.h"
 #include "volume/read/process/reader_process.h"
 
 namespace isolux::volume {
@@ -16,34 +10,6 @@ namespace isolux::volume {
 namespace fs = std::filesystem;
 
 namespace {
-
-// vigra's: {"axes": [{"key": "z", ...}, ...]}. Empty where it is anything else.
-std::vector<std::string> keysOfAxisTags(const std::string& text) {
-  std::vector<std::string> keys;
-  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
-  if (!json.is_object() || !json.contains("axes") || !json["axes"].is_array()) return keys;
-  for (const auto& axis : json["axes"]) {
-    if (!axis.is_object() || !axis.contains("key") || !axis["key"].is_string()) return {};
-    keys.push_back(axis["key"].get<std::string>());
-  }
-  return keys;
-}
-
-std::vector<std::string> axisNamesOf(const Hdf5Layout& layout) {
-  std::vector<std::string> names = keysOfAxisTags(layout.axisTags);
-  if (names.size() != layout.dims.size()) names = layout.labels;
-  if (names.size() != layout.dims.size()) names.clear();
-  return names;
-}
-
-// element_size_um has the sizes of z, y and x, whatever other axes there are.
-glm::dvec3 spacingOfElements(const Hdf5Layout& layout, std::vector<std::string>& warnings) {
-  const std::vector<double>& um = layout.elementSizeUm;
-  if (um.size() == 3) return 1e-3 * glm::dvec3(um[2], um[1], um[0]);
-  warnings.push_back("the dataset does not say how large voxels are (no attribute element_size_um); " +
-                     std::string(kSpacingAssumed));
-  return glm::dvec3(1.0);
-}
 
 Hdf5Layout announcedLayout(ReaderProcess& reader) {
   return reader.announced(MessageKind::chunks, decodeHdf5Layout);
@@ -92,23 +58,21 @@ std::unique_ptr<ArrayVolume> openHdf5(const Hdf5Path& path, const std::string& s
   reader.read(0, std::as_writable_bytes(std::span(chunks)));
   reader.forgetMemory();
   const std::string name = path.file.string();
-  const ArrayAxes axes = axesNamed(axisNamesOf(layout), layout.dims, name, layout.dataset);
+  const ArrayAxes axes = axesNamed(namesOf(layout.statements.axes), layout.dims, name, layout.dataset);
   ChunkedFacts facts;
   facts.name = name;
   facts.format = "HDF5";
   facts.levels.resize(1);
-  const glm::dvec3 spacing = spacingOfElements(layout, facts.warnings);
-  facts.levels[0].geometry.worldFromVoxel =
-      checkedGeometry(glm::dmat3(1.0), spacing, glm::dvec3(0.0), name, facts.warnings);
+  applyStatements(layout.statements, axes, layout.dims, facts);
   facts.title = path.file.filename().string() + (path.dataset.empty() ? "" : ":" + path.dataset);
   if (path.dataset.empty()) facts.choices = layout.others;
   if (facts.choices.size() > 1 && series.empty())
-    facts.warnings.push_back(std::to_string(facts.choices.size()) + " datasets; the largest, " +
-                             layout.dataset + ", is shown; source.series chooses another");
+    facts.warnings.push_back(std::to_string(facts.choices.size()) + " datasets; " + layout.dataset +
+                             " is shown; source.series chooses another");
   return std::make_unique<ArrayVolume>(
       std::move(facts), axes,
-      std::vector<std::shared_ptr<const ChunkedArray>>{
-          std::make_shared<const Hdf5Array>(path.file, layout, std::move(chunks))});
+      std::vector<std::shared_ptr<const ChunkedArray>>{valuesOf(
+          std::make_shared<const Hdf5Array>(path.file, layout, std::move(chunks)), layout.statements)});
 }
 
 Volume readHdf5(const Hdf5Path& path, const ReadOptions& options, base::Progress& progress) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <vector>
 
 #include "volume/bricks/chunks/chunked_array.h"
@@ -23,7 +24,7 @@ class Hdf5Array final : public ChunkedArray {
  private:
   ChunkFormat formatOf(std::uint64_t mask) const;
 
-  FileBytes bytes_;
+  std::vector<std::unique_ptr<Bytes>> files_;  // the file itself, then layout.files
   ArrayLayout layout_;
   ChunkFormat format_;
   std::vector<Codec> filters_;  // in the order in which they were applied

@@ -1,7 +1,7 @@
 #include "volume/bricks/hdf5/hdf5_layout.h"
 
 #include <bit>
-#include <cstring>
+#include <span>
 
 #include "volume/read/process/wire.h"
 
@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint64_t kLongestHdf5Axis = std::uint64_t{1} << 40;
 constexpr std::uint64_t kMostHdf5Filters = 32, kMostFilterValues = 256;
-constexpr std::size_t kMostHdf5Datasets = 10000;
+constexpr std::size_t kMostHdf5Datasets = 10000, kMostHdf5Files = 1000;
 
 void putNumbers(WireWriter& wire, const std::vector<std::uint64_t>& numbers) {
   wire.put(static_cast<std::uint64_t>(numbers.size()));
@@ -35,6 +35,91 @@ std::vector<Hdf5Filter> takeFilters(WireReader& wire) {
   return filters;
 }
 
+void putReals(WireWriter& wire, std::span<const double> numbers) {
+  wire.put(static_cast<std::uint64_t>(numbers.size()));
+  for (const double number : numbers) wire.put(number);
+}
+
+std::vector<double> takeReals(WireReader& wire, std::uint64_t most) {
+  std::vector<double> numbers(static_cast<std::size_t>(wire.number(0, most)));
+  for (double& number : numbers) number = wire.real();
+  return numbers;
+}
+
+void putVector(WireWriter& wire, const glm::dvec3& v) {
+  for (int i = 0; i < 3; ++i) wire.put(v[i]);
+}
+
+glm::dvec3 takeVector(WireReader& wire) {
+  glm::dvec3 v(0.0);
+  for (int i = 0; i < 3; ++i) v[i] = wire.real();
+  return v;
+}
+
+void putStatements(WireWriter& wire, const ArrayStatements& statements) {
+  wire.put(static_cast<std::uint64_t>(statements.axes.size()));
+  for (const AxisStatement& axis : statements.axes) {
+    wire.put(std::string_view(axis.name));
+    wire.put(std::string_view(axis.unit));
+    wire.put(std::uint64_t{axis.step.has_value()});
+    wire.put(axis.step.value_or(0.0));
+    wire.put(axis.first);
+    wire.put(axis.deviation);
+    putVector(wire, axis.direction);
+  }
+  putVector(wire, statements.originMm);
+  wire.put(std::uint64_t{statements.anatomical});
+  wire.put(statements.slope);
+  wire.put(statements.intercept);
+  wire.put(std::string_view(statements.unit));
+  putReals(wire, statements.missing.values);
+  wire.put(statements.missing.least);
+  wire.put(statements.missing.greatest);
+  wire.put(statements.slices.axes);
+  putReals(wire, statements.slices.slopes);
+  putReals(wire, statements.slices.intercepts);
+  wire.put(statements.warnings);
+}
+
+AxisStatement takeAxis(WireReader& wire) {
+  AxisStatement axis;
+  axis.name = wire.text();
+  axis.unit = wire.text();
+  const bool hasStep = wire.number(0, 1) != 0;
+  if (const double step = wire.real(); hasStep) axis.step = step;
+  axis.first = wire.real();
+  axis.deviation = wire.real();
+  axis.direction = takeVector(wire);
+  return axis;
+}
+
+ArrayStatements takeStatements(WireReader& wire, const Hdf5Layout& layout) {
+  constexpr std::uint64_t mostMissing = 4096, mostSlices = 1000000, mostWarnings = 10000;
+  ArrayStatements statements;
+  const std::uint64_t axes = wire.number(0, kMostArrayAxes);
+  for (std::uint64_t i = 0; i < axes; ++i) statements.axes.push_back(takeAxis(wire));
+  statements.originMm = takeVector(wire);
+  statements.anatomical = wire.number(0, 1) != 0;
+  statements.slope = wire.finite();
+  statements.intercept = wire.finite();
+  statements.unit = wire.text();
+  statements.missing.values = takeReals(wire, mostMissing);
+  statements.missing.least = wire.real();
+  statements.missing.greatest = wire.real();
+  SliceScaling& slices = statements.slices;
+  slices.axes = wire.number(0, layout.dims.size());
+  slices.slopes = takeReals(wire, mostSlices);
+  slices.intercepts = takeReals(wire, mostSlices);
+  statements.warnings = wire.texts(mostWarnings);
+  std::uint64_t places = slices.slopes.empty() ? 0 : 1;
+  for (std::uint64_t axis = 0; axis < slices.axes && places <= mostSlices; ++axis)
+    places *= layout.dims[static_cast<std::size_t>(axis)];
+  if (!(statements.axes.empty() || statements.axes.size() == layout.dims.size()) ||
+      slices.slopes.size() != places || slices.intercepts.size() != places)
+    throwBadAnswer("statements do not fit the axes");
+  return statements;
+}
+
 }  // namespace
 
 std::uint64_t Hdf5Layout::chunkCount() const {
@@ -50,6 +135,7 @@ std::string encode(const Hdf5Layout& layout) {
   WireWriter wire;
   wire.put(std::string_view(layout.dataset));
   wire.put(layout.others);
+  wire.put(layout.files);
   putNumbers(wire, layout.dims);
   putNumbers(wire, layout.chunk);
   wire.put(std::uint64_t{layout.contiguous});
@@ -63,10 +149,7 @@ std::string encode(const Hdf5Layout& layout) {
     wire.put(static_cast<std::uint64_t>(filter.values.size()));
     for (const std::uint32_t value : filter.values) wire.put(std::uint64_t{value});
   }
-  wire.put(static_cast<std::uint64_t>(layout.elementSizeUm.size()));
-  for (const double size : layout.elementSizeUm) wire.put(size);
-  wire.put(std::string_view(layout.axisTags));
-  wire.put(layout.labels);
+  putStatements(wire, layout.statements);
   return wire.bytes();
 }
 
@@ -75,6 +158,7 @@ Hdf5Layout decodeHdf5Layout(std::string_view body) {
   Hdf5Layout layout;
   layout.dataset = wire.text();
   layout.others = wire.texts(kMostHdf5Datasets);
+  layout.files = wire.texts(kMostHdf5Files);
   layout.dims = takeAxes(wire);
   layout.chunk = takeAxes(wire);
   layout.contiguous = wire.number(0, 1) != 0;
@@ -83,10 +167,7 @@ Hdf5Layout decodeHdf5Layout(std::string_view body) {
   layout.number.big = wire.number(0, 1) != 0;
   layout.fill = std::bit_cast<std::array<std::byte, 8>>(wire.number());
   layout.filters = takeFilters(wire);
-  layout.elementSizeUm.resize(static_cast<std::size_t>(wire.number(0, kMostArrayAxes)));
-  for (double& size : layout.elementSizeUm) size = wire.real();
-  layout.axisTags = wire.text();
-  layout.labels = wire.texts(kMostArrayAxes);
+  layout.statements = takeStatements(wire, layout);
   wire.end();
   if (layout.chunk.size() != layout.dims.size())
     throwBadAnswer("chunks have not as many axes as the dataset");

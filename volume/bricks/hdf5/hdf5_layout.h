@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "volume/bricks/chunks/array_statements.h"
 #include "volume/bricks/chunks/chunk_format.h"
 
 namespace isolux::volume {
@@ -18,24 +19,25 @@ namespace isolux::volume {
 struct Hdf5Filter {
   std::uint32_t id = 0;
   std::vector<std::uint32_t> values;
+  bool operator==(const Hdf5Filter&) const = default;
 };
 
-// Where a chunk lies in the file. Size 0: nowhere. Bit i of the mask: filter i was passed by.
+// Where a chunk lies in the file, or in number `file` - 1 of layout.files. Size 0: nowhere. Bit i of the
+// mask: filter i was passed by.
 struct Hdf5Chunk {
-  std::uint64_t address = 0, size = 0, mask = 0;
+  std::uint64_t address = 0, size = 0, mask = 0, file = 0;
 };
 
 struct Hdf5Layout {
   std::string dataset;                     // "/group/name"
   std::vector<std::string> others;         // what else the file holds, with "\t" and a description
+  std::vector<std::string> files;          // others that chunks lie in, in the folder of the file or below
   std::vector<std::uint64_t> dims, chunk;  // a contiguous dataset is one chunk
   bool contiguous = false;
   FileNumber number;
-  std::array<std::byte, 8> fill{};    // a number of `number.type`
-  std::vector<Hdf5Filter> filters;    // in the order in which they were applied
-  std::vector<double> elementSizeUm;  // of the attribute element_size_um, slowest axis first; or empty
-  std::string axisTags;               // JSON, as vigra and ilastik write it; or empty
-  std::vector<std::string> labels;    // DIMENSION_LABELS of the axes; or empty
+  std::array<std::byte, 8> fill{};  // a number of `number.type`
+  std::vector<Hdf5Filter> filters;  // in the order in which they were applied
+  ArrayStatements statements;       // by the conventions that the file follows
 
   // Of the table, in the order of C arrays. After decodeHdf5Layout(): at most 2^24.
   std::uint64_t chunkCount() const;
