@@ -247,15 +247,17 @@ Hdf5Table describeDataset(const std::filesystem::path& path, const ReadOptions& 
   const ImarisImage imaris = imarisImage(file.get(), chosen, named);
   Hdf5Table table;
   Hdf5Layout& layout = table.layout;
+  const FileNumber stored = chosen.number;
   layout.statements = statementsOf(file.get(), chosen, name);
   layout.dataset = chosen.path;
   layout.dims = chosen.dims;
-  layout.number = chosen.number;
+  layout.number = stored;
   for (const Candidate& candidate : candidates) layout.others.push_back(describe(candidate));
   if (imaris.datasets.empty())
     addDataset(file.get(), chosen.path, name, table, progress);
   else
     addImaris(file.get(), imaris, name, table, progress);
+  layout.number = chosen.number;  // perhaps without its sign: the same bytes
   return table;
 }
 

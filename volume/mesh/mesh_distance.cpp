@@ -9,6 +9,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/error.h"
+#include "base/memory_budget.h"
 #include "volume/mesh/triangle_tree.h"
 #include "volume/parallel_loops.h"
 #include "volume/parallel_steps.h"
@@ -50,7 +52,15 @@ void measureBlock(const TriangleTree& tree, glm::ivec3 first, glm::ivec3 dims, f
 std::vector<float> unsignedDistance(const TriangleMesh& voxelMesh, glm::ivec3 dims,
                                     base::Progress& progress) {
   progress.report(0.0, "measuring distances");
-  const TriangleTree tree(voxelMesh, progress);
+  constexpr std::size_t mostPieces = std::size_t{1} << 25;
+  const std::size_t pieces = TriangleTree::piecesOf(voxelMesh, kBlock, mostPieces, progress);
+  if (pieces >= mostPieces)
+    throw base::Error(base::ErrorKind::memory, "", "source.mesh_voxels",
+                      "the mesh's surface has more than " + std::to_string(mostPieces) +
+                          " pieces of 8 voxels; a lower number needs less");
+  const auto held = base::machineMemory().reserve(pieces * TriangleTree::kBytesOfPiece, "triangles in pieces",
+                                                  "a lower source.mesh_voxels needs less");
+  const TriangleTree tree(voxelMesh, kBlock, progress);
   std::vector<float> values;
   resizeStoppably(
       values,

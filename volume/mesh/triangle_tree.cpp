@@ -140,11 +140,48 @@ class TriangleTree::Builder {
   std::vector<glm::dvec3> middles_;
 };
 
-TriangleTree::TriangleTree(const TriangleMesh& mesh, const base::Progress& progress) {
+// Calls `f` with the pieces of each triangle while it returns true: halves across the longest side, again and
+// again.
+template <typename F>
+void TriangleTree::forEachPiece(const TriangleMesh& mesh, double longestSide, const base::Progress& progress,
+                                F&& f) {
+  std::vector<Corners> open;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (i % 4096 == 0) progress.throwIfStopped();
+    const Triangle& t = mesh.triangles[i];
+    open.push_back({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)});
+    while (!open.empty()) {
+      Corners piece = open.back();
+      open.pop_back();
+      const double ab = lengthSquared(piece.b - piece.a), bc = lengthSquared(piece.c - piece.b),
+                   ca = lengthSquared(piece.a - piece.c);
+      if (std::max({ab, bc, ca}) <= longestSide * longestSide) {
+        if (!f(piece)) return;
+        continue;
+      }
+      if (bc >= ab && bc >= ca) piece = {piece.b, piece.c, piece.a};
+      if (ca > ab && ca > bc) piece = {piece.c, piece.a, piece.b};
+      const glm::dvec3 middle = 0.5 * (piece.a + piece.b);
+      open.push_back({piece.a, middle, piece.c});
+      open.push_back({middle, piece.b, piece.c});
+    }
+  }
+}
+
+std::size_t TriangleTree::piecesOf(const TriangleMesh& mesh, double longestSide, std::size_t most,
+                                   const base::Progress& progress) {
+  std::size_t count = 0;
+  forEachPiece(mesh, longestSide, progress, [&](const Corners&) { return ++count < most; });
+  return count;
+}
+
+TriangleTree::TriangleTree(const TriangleMesh& mesh, double longestSide, const base::Progress& progress) {
   assert(!mesh.triangles.empty());
   triangles_.reserve(mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles)
-    triangles_.push_back({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)});
+  forEachPiece(mesh, longestSide, progress, [&](const Corners& piece) {
+    triangles_.push_back(piece);
+    return true;
+  });
   progress.throwIfStopped();
   Builder(triangles_, nodes_, progress).build();
 }

@@ -18,8 +18,15 @@ glm::dvec3 closestPoint(const glm::dvec3& p, const glm::dvec3& a, const glm::dve
 
 class TriangleTree {
  public:
-  // At least one triangle. On all cores; throws Error{interrupted}.
-  TriangleTree(const TriangleMesh& mesh, const base::Progress& progress);
+  // At least one triangle. Those with sides longer than `longestSide` are cut into pieces first: boxes of
+  // large triangles overlap, so that each question would look at most of them. On all cores; throws
+  // Error{interrupted}.
+  TriangleTree(const TriangleMesh& mesh, double longestSide, const base::Progress& progress);
+
+  // How many pieces that makes, counted no further than `most`.
+  static std::size_t piecesOf(const TriangleMesh& mesh, double longestSide, std::size_t most,
+                              const base::Progress& progress);
+  static constexpr std::size_t kBytesOfPiece = 300;  // while it is built
 
   // The smaller of `limit` and the distance from p to the surface. `nearest` is the nearest triangle of a
   // point near by, or -1: a good one is fast, any is right. It becomes p's where that is nearer than `limit`.
@@ -35,6 +42,10 @@ class TriangleTree {
     glm::dvec3 a, b, c;
   };
   class Builder;
+
+  template <typename F>
+  static void forEachPiece(const TriangleMesh& mesh, double longestSide, const base::Progress& progress,
+                           F&& f);
 
   std::vector<Corners> triangles_;  // in the order of the leaves
   std::vector<Node> nodes_;

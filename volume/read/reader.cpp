@@ -170,7 +170,7 @@ std::vector<std::string> fileFilters() {
       "DICOM (*.dcm)",
       "TIFF (*.tif *.tiff)",
       "Zarr (zarr.json .zattrs .zarray .zgroup)",
-      "HDF5 (*.h5 *.hdf5 *.hdf *.ilp *.nxs *.mat)",
+      "HDF5 (*.h5 *.hdf5 *.hdf *.ilp *.nxs *.mat *.nc *.mnc *.ims *.vtkhdf)",
       "Triangle meshes (*.stl *.obj *.ply *.vtp)",
       "Raw (*.raw *.bin *.dat *.img)",
       "All files (*)"};

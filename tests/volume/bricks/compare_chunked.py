@@ -436,6 +436,11 @@ def cf(tool, folder):
         net_cdf(file, raw.astype("i1"), _Unsigned=b"true", _FillValue=numpy.int8(-1))
     byte = raw.astype("i1").astype("u1")
     compare(tool, "CF unsigned", folder / "unsigned.nc", numpy.where(byte == 255, numpy.nan, byte), type="uint8")
+    with h5py.File(folder / "hole.nc", "w") as file:
+        made = file.create_dataset("v", (6, 7, 8), "i1", chunks=(3, 7, 8), fillvalue=-2)
+        made[:3] = raw[:3].astype("i1")
+        made.attrs["_Unsigned"] = b"true"
+    compare(tool, "CF unsigned hole", folder / "hole.nc", numpy.concatenate([byte[:3], byte[3:] * 0 + 254]))
     with h5py.File(folder / "floats.nc", "w") as file:
         values = raw.astype("f4")
         values[2, 2] = 9.96921e36

@@ -2,6 +2,7 @@
 #include "volume/mesh/mesh_distance.h"
 
 #include <cmath>
+#include <ctime>
 #include <random>
 
 #include <glm/geometric.hpp>
@@ -10,6 +11,7 @@
 #include "tests/volume/mesh/mesh_shapes.h"
 #include "tests/volume/read/reader_support.h"
 #include "volume/mesh/mesh_repair.h"
+#include "volume/mesh/triangle_tree.h"
 #include "volume/prepared_volume.h"
 
 namespace isolux {
@@ -301,6 +303,28 @@ TEST(MeshDistance, StopsWhenAsked) {
     ADD_FAILURE() << "was not stopped";
   } catch (const base::Error& error) {
     EXPECT_EQ(error.kind(), base::ErrorKind::interrupted);
+  }
+}
+
+// Boxes of large triangles that cross overlap: 33 ms a triangle before they were cut into pieces.
+TEST(MeshDistance, LargeTrianglesThatCrossTakeNoLonger) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> place(0.0, 100.0);
+  TriangleMesh mesh;
+  for (int i = 0; i < 3000; ++i) mesh.points.emplace_back(place(random), place(random), place(random));
+  for (int i = 0; i < 3000; i += 3) mesh.triangles.emplace_back(i, i + 1, i + 2);
+  const std::clock_t begin = std::clock();
+  const Volume volume = volumeOf(mesh, 128);
+  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 15.0);
+  const double h = volume.grid->geometry().spacingMm().x;
+  for (const glm::ivec3& voxel : randomVoxels(*volume.grid, 50, 2)) {
+    double nearest = volume::kDistanceBand * h;
+    for (const volume::Triangle& t : mesh.triangles)
+      nearest = std::min(nearest,
+                         glm::distance(worldAt(*volume.grid, voxel),
+                                       volume::closestPoint(worldAt(*volume.grid, voxel), mesh.corner(t, 0),
+                                                            mesh.corner(t, 1), mesh.corner(t, 2))));
+    EXPECT_NEAR(std::abs(volume.grid->value(voxel.x, voxel.y, voxel.z)), nearest, 1e-5 * h + 1e-6 * nearest);
   }
 }
 

@@ -49,7 +49,56 @@ TEST(VtkLegacy, OtherAttributes) {
   expectNear(worldOf(cells, 0, 0, 0), {10.25, 20.5, 31});
   EXPECT_TRUE(test::warns(cells, "cells"));
   writeFile(path, "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 0 float\n");
-  expectError(path, "STRUCTURED_POINTS");
+  expectError(path, "a mesh; save it as");
+  writeFile(path, "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\n");
+  expectError(path, "Resample To Image");
+}
+
+// VisIt and ParaView write TIME and CYCLE before the dimensions.
+TEST(VtkLegacy, FieldsBeforeTheDimensionsAreReadOver) {
+  const auto path = test::temporaryFolder() / "v.vtk";
+  const std::string data = "POINT_DATA 8\nSCALARS a short\nLOOKUP_TABLE default\n";
+  const std::string points = "DIMENSIONS 2 2 2\nSPACING 0.5 1 2\nORIGIN 10 20 30\n",
+                    title = "# vtk DataFile Version 3.0\nt\n";
+  const std::string dataset = "DATASET STRUCTURED_POINTS\n";
+  const std::string texts = "FIELD FieldData 2\nTIME 1 1 double\n0.25\nCYCLE 1 2 int\n7\n8\n";
+  for (const std::string& head :
+       {dataset + texts + points, texts + dataset + points, dataset + points + texts}) {
+    writeFile(path, title + "ASCII\n" + head + data + "0 1 2 3 4 5 6 7\n");
+    EXPECT_EQ(valuesOf(readFile(path)), zeroToSeven);
+  }
+  // A binary number may hold what ends a line.
+  const std::string binary = "FIELD FieldData 2\nTIME 1 1 double\n" +
+                             bytesOf(std::vector<double>{0.25}, true) + "\nCYCLE 1 2 int\n" +
+                             bytesOf(std::vector<std::int32_t>{0x0a0a0d0a, 10}, true) + "\n";
+  writeFile(path,
+            title + "BINARY\n" + dataset + binary + points + data + bytesOf(ramp<std::int16_t>(8), true));
+  const auto volume = readFile(path);
+  EXPECT_EQ(valuesOf(volume), zeroToSeven);
+  expectNear(worldOf(volume, 1, 1, 1), {10.5, 21, 32});
+  writeFile(path, title + "BINARY\n" + dataset + "FIELD FieldData 1\nTIME 1 999999 double\n");
+  expectError(path, "header");
+}
+
+TEST(VtkLegacy, AnEvenRectilinearGridIsAVolume) {
+  const auto path = test::temporaryFolder() / "v.vtk";
+  const auto grid = [](const std::string& x) {
+    return "# vtk DataFile Version 3.0\nt\nASCII\nDATASET RECTILINEAR_GRID\nDIMENSIONS 4 2 1\nX_COORDINATES "
+           "4 float\n" +
+           x +
+           "\nY_COORDINATES 2 float\n5 3\nZ_COORDINATES 1 float\n-1\nPOINT_DATA 8\nSCALARS a "
+           "int\nLOOKUP_TABLE default\n"
+           "0 1 2 3 4 5 6 7\n";
+  };
+  writeFile(path, grid("1 1.5\n2 2.5"));
+  const auto volume = readFile(path);
+  EXPECT_EQ(valuesOf(volume), zeroToSeven);
+  expectNear(worldOf(volume, 0, 0, 0), {1, 5, -1});
+  expectNear(worldOf(volume, 3, 1, 0), {2.5, 3, -1});
+  writeFile(path, grid("1 1.5 2 2.6"));
+  expectError(path, "(X_COORDINATES): its steps are uneven");
+  writeFile(path, grid("1 1.5 2"));
+  expectError(path, "line 8 (Y_COORDINATES): \"Y_COORDINATES\" is not a number");
 }
 
 std::string vti(const std::string& attributes, const std::string& array, const std::string& behind = "",
@@ -72,6 +121,37 @@ TEST(Vti, TextWithDirection) {
   expectNear(worldOf(v, 1, 0, 0), {10, 20.5, 30});
   expectNear(worldOf(v, 0, 1, 0), {10, 20, 31});
   expectNear(worldOf(v, 0, 0, 1), {8, 20, 30});
+}
+
+TEST(Vti, ALongHeaderBeforeAppendedData) {
+  const auto path = test::temporaryFolder() / "v.vti";
+  for (const int arrays : {10, 20000}) {
+    std::string others;
+    for (int i = 0; i < arrays; ++i)
+      others += "<DataArray type=\"UInt8\" Name=\"b" + std::to_string(i) +
+                "\" format=\"appended\" offset=\"0\"/>\n";
+    const std::string size = bytesOf(std::vector<std::uint32_t>{8});
+    writeFile(path, vti("", "<DataArray type=\"UInt8\" Name=\"a\" format=\"appended\" offset=\"0\"/>\n",
+                        "<FieldData>" + others + "</FieldData>\n<AppendedData encoding=\"raw\">\n_" + size +
+                            bytesOf(ramp<std::uint8_t>(8)) + "\n</AppendedData>\n"));
+    EXPECT_EQ(valuesOf(readFile(path)), zeroToSeven) << arrays;
+  }
+}
+
+TEST(Vti, OtherKindsAreNamedWithWhatHelps) {
+  const auto path = test::temporaryFolder() / "p.pvti";
+  const auto pieces = [](const std::string& more) {
+    return "<?xml version=\"1.0\"?>\n<VTKFile type=\"PImageData\">\n<PImageData WholeExtent=\"0 1 0 1 0 "
+           "1\">\n"
+           "<Piece Extent=\"0 1 0 1 0 1\" Source=\"p_0.vti\"/>\n" +
+           more + "</PImageData>\n</VTKFile>\n";
+  };
+  writeFile(path, pieces(""));
+  expectError(path, "the voxels are in \"p_0.vti\": open that file");
+  writeFile(path, pieces("<Piece Source=\"p_1.vti\"/>"));
+  expectError(path, "2 files (p_0.vti, p_1.vti)");
+  writeFile(path, "<VTKFile type=\"RectilinearGrid\">\n</VTKFile>\n");
+  expectError(path, "is \"RectilinearGrid\"; of volumes ImageData is read: resample it");
 }
 
 TEST(Vti, ExtentThatDoesNotStartAtZero) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <optional>
+#include <vector>
 
 #include "base/error.h"
 #include "volume/read/input/payload.h"
@@ -18,7 +19,7 @@ using base::throwInput;
 
 namespace {
 
-constexpr std::size_t appendedWithin = std::size_t{1} << 20;  // tags before the appended data
+constexpr std::size_t firstPiece = std::size_t{1} << 20;  // most files have their tags in it
 
 std::optional<VoxelType> vtiType(std::string_view name) {
   static constexpr std::string_view names[] = {"Int8",   "UInt8", "Int16",  "UInt16",  "Int32",
@@ -51,10 +52,12 @@ class Check {
 
  private:
   void load(const ReadOptions& options);
-  void loadRest();
+  void cutAppended(std::size_t appended);
   void checkText(std::size_t begin) const;
   std::array<std::int64_t, 6> extentOf(const Tag& tag, std::string_view key) const;
   glm::dvec3 threeReals(const Tag& tag, std::string_view key, double otherwise) const;
+  void refuseType(const std::string& type);
+  [[noreturn]] void refuseParallel() const;
   void readImageTag(const Tag& tag);
   void checkSize(const Array& array);
   void checkBinary(std::uint64_t begin, std::uint64_t end, bool base64);
@@ -67,39 +70,45 @@ class Check {
   std::string text_;
   Layout layout_;
   VtiHeader header_;
+  bool parallel_ = false;             // of a .pvti
+  std::vector<std::string> sources_;  // of its pieces
   glm::dvec3 spacing_{1.0}, origin_{0.0};
   glm::dmat3 directions_{1.0};
   std::array<std::int64_t, 6> whole_{};
 };
 
-// The tags: all before the appended data, which may be rubbish to a parser; else the whole file.
+// The tags: all before the appended data, which may be rubbish to a parser; else the whole file, piece by
+// piece: what is no text is found before all of it is read.
 void Check::load(const ReadOptions& options) {
-  text_ = bytes_.head(appendedWithin);
-  const std::size_t appended = text_.find("<AppendedData");
-  if (appended != std::string::npos) {
-    const std::size_t mark = text_.find('_', appended);
-    if (mark == std::string::npos) throwInput(file_, "AppendedData", "truncated: the data do not start");
-    layout_.hasAppended = true;
-    layout_.appendedAt = mark + 1;
-    text_.resize(mark);
-  } else if (bytes_.size() > text_.size()) {
+  constexpr std::string_view tag = "<AppendedData";
+  for (std::size_t have = 0;;) {
+    const std::size_t rest = static_cast<std::size_t>(bytes_.size()) - have;
+    text_.resize(have + std::min(rest, have == 0 ? firstPiece : std::size_t{64} << 20));
+    bytes_.read(have, std::as_writable_bytes(std::span(text_)).subspan(have));
+    const std::size_t appended = text_.find(tag, have - std::min(have, tag.size()));
+    if (appended != std::string::npos) return cutAppended(appended);
+    checkText(have);
+    have = text_.size();
+    if (have == bytes_.size()) return;
     checkBudget(bytes_.size(), "the file", "", file_, options);
-    loadRest();
-  } else {
-    checkText(0);
   }
 }
 
-// A large file without appended data, piece by piece: what is no text is found before all of it is read.
-void Check::loadRest() {
-  checkText(0);
-  while (text_.size() < bytes_.size()) {
-    const std::size_t have = text_.size();
-    const auto rest = static_cast<std::size_t>(bytes_.size() - have);
-    text_.resize(have + std::min(rest, std::size_t{64} << 20));
-    bytes_.read(have, std::as_writable_bytes(std::span(text_)).subspan(have));
-    checkText(have);
+void Check::cutAppended(std::size_t appended) {
+  std::size_t mark = text_.find('_', appended);
+  if (mark == std::string::npos && text_.size() < bytes_.size()) {  // the tag itself is cut
+    constexpr std::size_t longestTag = 4096;
+    text_.resize(appended);
+    std::string tag(std::min<std::size_t>(longestTag, static_cast<std::size_t>(bytes_.size()) - appended),
+                    '\0');
+    bytes_.read(appended, std::as_writable_bytes(std::span(tag)));
+    text_ += tag;
+    mark = text_.find('_', appended);
   }
+  if (mark == std::string::npos) throwInput(file_, "AppendedData", "truncated: the data do not start");
+  layout_.hasAppended = true;
+  layout_.appendedAt = mark + 1;
+  text_.resize(mark);
 }
 
 void Check::checkText(std::size_t begin) const {
@@ -149,6 +158,31 @@ void Check::readImageTag(const Tag& tag) {
   }
 }
 
+void Check::refuseType(const std::string& type) {
+  if (type == "PImageData") {
+    parallel_ = true;
+  } else if (type.ends_with("PolyData")) {
+    throwInput(file_, "VTKFile type", "is " + type + ", a mesh; save it as one .vtp file");
+  } else {
+    throwInput(
+        file_, "VTKFile type",
+        (type.empty() ? "is missing" : "is " + inQuotes(type)) +
+            "; of volumes ImageData is read: resample it (ParaView: Resample To Image) and save it as .vti");
+  }
+}
+
+// A .pvti has no voxels: it names the files that do.
+void Check::refuseParallel() const {
+  std::string files;
+  for (std::size_t i = 0; i < std::min<std::size_t>(sources_.size(), 3); ++i)
+    files += (i > 0 ? ", " : "") + sources_[i];
+  if (sources_.size() == 1)
+    throwInput(file_, "Piece Source", "the voxels are in " + inQuotes(files) + ": open that file");
+  throwInput(file_, "Piece Source",
+             "the voxels are in " + std::to_string(sources_.size()) + " files (" + files +
+                 (sources_.size() > 3 ? ", ..." : "") + "); write them as one .vti, or open one of them");
+}
+
 VtiHeader Check::run() {
   header_.image.format = "VTK XML";
   Tags tags(text_, file_);
@@ -160,19 +194,23 @@ VtiHeader Check::run() {
     if (tag->name == "DataArray" || tag->name == "Array") checkArrayClaims(*tag, bytes_);
     if (tag->name == "VTKFile") {
       const auto type = tag->find("type");
-      if (!type || *type != "ImageData") throwInput(file_, "VTKFile type", "is not ImageData");
+      if (!type || *type != "ImageData") refuseType(type ? std::string(*type) : "");
       const auto order = tag->find("byte_order");
       const auto width = tag->find("header_type");
       layout_.big = order && *order == "BigEndian";
       layout_.header64 = width && *width == "UInt64";
       if (const auto compressor = tag->find("compressor")) layout_.compressor = *compressor;
       hasFile = true;
+    } else if (tag->name == "Piece" && parallel_) {
+      sources_.emplace_back(tag->find("Source").value_or(""));
     } else if (tag->name == "ImageData") {
       readImageTag(*tag);
       hasImage = true;
     } else if (tag->name == "Piece") {
       if (!hasImage) throwInput(file_, "Piece", "stands outside of ImageData");
-      if (hasPiece) throwInput(file_, "Piece", "several pieces are not supported");
+      if (hasPiece)
+        throwInput(file_, "Piece",
+                   "the image is cut into several pieces; write it in one (ParaView: save the data as .vti)");
       if (extentOf(*tag, "Extent") != whole_) throwInput(file_, "Piece Extent", "is not the whole extent");
       hasPiece = true;
     } else if (tag->name == "PointData" || tag->name == "CellData") {
@@ -190,6 +228,7 @@ VtiHeader Check::run() {
     }
   }
   if (!hasFile) throwInput(file_, "VTKFile", "is missing");
+  if (parallel_) refuseParallel();
   if (!hasImage) throwInput(file_, "ImageData", "is missing");
   if (!hasPiece) throwInput(file_, "Piece", "is missing");
 

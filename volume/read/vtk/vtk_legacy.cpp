@@ -1,9 +1,12 @@
 #include "volume/read/vtk/vtk_legacy.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
 #include <optional>
 
 #include "base/error.h"
+#include "volume/read/input/convert.h"
 #include "volume/read/input/payload.h"
 #include "volume/read/input/text.h"
 #include "volume/read/length_doubt.h"
@@ -14,7 +17,7 @@ using base::throwInput;
 
 namespace {
 
-constexpr std::size_t longestLegacyHeader = std::size_t{1} << 16;  // up to the first array
+constexpr std::size_t longestLegacyHeader = std::size_t{1} << 20;  // up to the first array
 
 std::optional<VoxelType> legacyTypeNamed(std::string_view name) {
   struct Name {
@@ -50,7 +53,15 @@ class Parser {
  private:
   using Words = std::vector<std::string_view>;
 
-  std::string place() const { return linePlace(lines_.number(), keyword_); }
+  int line() const { return linesBefore_ + lines_.number(); }
+  std::size_t offset() const { return skipped_ + lines_.offset(); }  // of the byte after it
+  std::string place() const { return linePlace(line(), keyword_); }
+  // Goes on behind so many bytes of binary data.
+  void skip(std::size_t bytes) {
+    linesBefore_ = line();
+    skipped_ = offset() + bytes;
+    lines_ = Lines(std::string_view(text_).substr(skipped_));
+  }
   [[noreturn]] void fail(const std::string& reason) const { throwInput(file_, place(), reason); }
 
   // The words of the next line that has any.
@@ -65,7 +76,7 @@ class Parser {
   }
   Words need(const std::string& what) {
     auto words = next();
-    if (!words) throwInput(file_, linePlace(lines_.number()), "truncated: " + what + " is missing");
+    if (!words) throwInput(file_, linePlace(line()), "truncated: " + what + " is missing");
     return *words;
   }
   glm::dvec3 threeReals(const Words& words) const {
@@ -88,15 +99,20 @@ class Parser {
     if (!type) fail("the voxel type " + inQuotes(name) + " is not supported");
     header_.type = *type;
   }
+  std::vector<double> numbers(std::uint64_t count, VoxelType type);
+  void skipFields(const Words& words);
+  void readCoordinates(int axis, const Words& words);
   void readStructure();
   void readAttributes();
   bool readArray(const Words& words);
 
   std::string file_, text_;
-  Lines lines_;
+  Lines lines_;  // of the text behind `skipped_`
+  std::size_t skipped_ = 0;
+  int linesBefore_ = 0;
   std::string keyword_;
   ImageHeader header_;
-  bool text8_ = false, hasDims_ = false, hasSpacing_ = false, cells_ = false;
+  bool text8_ = false, rectilinear_ = false, hasDims_ = false, hasSpacing_ = false, cells_ = false;
   glm::dvec3 spacing_{1.0}, origin_{0.0};
   std::int64_t tuples_ = 0;
 };
@@ -127,11 +143,78 @@ void Parser::readStructure() {
       cells_ = key == "cell_data";
       return;
     } else if (key == "field") {
-      fail("field data before the dimensions are not supported");
+      skipFields(words);
+    } else if (rectilinear_ && key.size() == 13 && key.ends_with("_coordinates")) {
+      readCoordinates(key[0] - 'x', words);
     } else if (key != "metadata" && key != "information" && key != "name" && key != "data") {
       fail("the keyword " + inQuotes(words[0]) + " is not known here");
     }
   }
+}
+
+// Numbers of a text or binary array at the end of the header so far. The header is read on behind them.
+std::vector<double> Parser::numbers(std::uint64_t count, VoxelType type) {
+  const std::size_t width = bytesOf(type), at = offset();
+  if (count > text_.size()) fail("has more numbers than a header holds");
+  std::vector<double> values;
+  if (text8_) {
+    while (values.size() < count) {
+      const Words words = need("a number");
+      for (const std::string_view word : words) {
+        const auto value = realOf(word);
+        if (!value) fail(inQuotes(word) + " is not a number");
+        values.push_back(*value);
+      }
+    }
+    if (values.size() > count) fail("has more numbers than it announces");
+    return values;
+  }
+  if (text_.size() - at < count * width) fail("is longer than the 1 MiB of a header, or truncated");
+  withType(type, [&]<class T>(T number) {
+    for (std::uint64_t i = 0; i < count; ++i) {
+      char bytes[sizeof(T)];
+      std::reverse_copy(text_.begin() + static_cast<std::ptrdiff_t>(at + i * width),
+                        text_.begin() + static_cast<std::ptrdiff_t>(at + (i + 1) * width), bytes);
+      std::memcpy(&number, bytes, sizeof(T));
+      values.push_back(static_cast<double>(number));
+    }
+  });
+  skip(static_cast<std::size_t>(count) * width);
+  return values;
+}
+
+// TIME, CYCLE and the like, which VisIt and ParaView write there: nothing that a volume needs.
+void Parser::skipFields(const Words& words) {
+  if (words.size() != 3) fail("name and number of arrays are needed");
+  const std::int64_t arrays = count(words[2]);
+  for (std::int64_t i = 0; i < arrays; ++i) {
+    const Words array = need("a field array");
+    if (array.size() != 4) fail("name, components, tuples and type are needed");
+    const std::int64_t components = count(array[1]), tuples = count(array[2]);
+    if (components > 65536 || tuples > 65536) fail("has more numbers than a header holds");
+    const auto type = legacyTypeNamed(array[3]);
+    if (!type) fail("the type " + inQuotes(array[3]) + " is not supported before the data");
+    numbers(static_cast<std::uint64_t>(components * tuples), *type);
+  }
+}
+
+// One axis of a rectilinear grid, which is a volume where its steps are even.
+void Parser::readCoordinates(int axis, const Words& words) {
+  if (words.size() != 3) fail("number and type are needed");
+  const std::int64_t n = count(words[1]);
+  if (!hasDims_ || n != header_.dims[static_cast<std::size_t>(axis)]) fail("does not fit DIMENSIONS");
+  const auto type = legacyTypeNamed(words[2]);
+  if (!type) fail("the type " + inQuotes(words[2]) + " is not supported");
+  const std::string keyword = keyword_;
+  const std::vector<double> positions = numbers(static_cast<std::uint64_t>(n), *type);
+  keyword_ = keyword;
+  const double step = n > 1 ? (positions.back() - positions.front()) / static_cast<double>(n - 1) : 1.0;
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    if (!(std::abs(positions[i] - positions[0] - static_cast<double>(i) * step) <= 1e-3 * std::abs(step)))
+      fail("its steps are uneven; resample the grid (ParaView: Resample To Image) and save it as .vti");
+  spacing_[axis] = step;
+  origin_[axis] = positions[0];
+  hasSpacing_ = true;
 }
 
 // True when `words` start an array; then the rest of its header is read, too.
@@ -193,11 +276,18 @@ ImageHeader Parser::parse() {
   const Words encoding = need("ASCII or BINARY");
   text8_ = sameIgnoringCase(encoding[0], "ascii");
   if (!text8_ && !sameIgnoringCase(encoding[0], "binary")) fail("is neither ASCII nor BINARY");
-  const Words dataset = need("DATASET");
+  Words dataset = need("DATASET");
+  while (sameIgnoringCase(dataset[0], "field")) {  // written by some before the dataset
+    skipFields(dataset);
+    dataset = need("DATASET");
+  }
   if (!sameIgnoringCase(dataset[0], "dataset") || dataset.size() != 2) fail("DATASET is expected here");
-  if (!sameIgnoringCase(dataset[1], "structured_points"))
+  const std::string kind = lowered(dataset[1]);
+  rectilinear_ = kind == "rectilinear_grid";
+  if (kind == "polydata") fail("is POLYDATA, a mesh; save it as .vtp, .ply or .stl");
+  if (!rectilinear_ && kind != "structured_points")
     fail("a dataset of kind " + inQuotes(dataset[1]) +
-         " is no regular volume; only STRUCTURED_POINTS is read");
+         " is no regular volume; resample it (ParaView: Resample To Image) and save it as .vti");
   readStructure();
 
   glm::dvec3 origin = origin_;
@@ -218,7 +308,7 @@ ImageHeader Parser::parse() {
          (cells_ ? " cells" : " points"));
   readAttributes();
   checkDims(header_, file_, place());
-  header_.payload.offset = lines_.offset();
+  header_.payload.offset = offset();
   header_.payload.encoding = text8_ ? Encoding::ascii : Encoding::raw;
   header_.payload.endianness = Endianness::big;
   header_.payload.moreMayFollow = true;  // other arrays, metadata
