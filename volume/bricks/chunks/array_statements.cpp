@@ -5,7 +5,7 @@
 #include <set>
 
 #include "base/number_text.h"
-#include "volume/bricks/zarr/ome.h"
+#include "volume/read/input/length_unit.h"
 #include "volume/read/input/image_header.h"
 #include "volume/read/input/text.h"
 #include "volume/read/length_doubt.h"
