@@ -14,7 +14,7 @@
 #include "base/number_text.h"
 #include "readers/hdf5/attributes.h"
 #include "readers/hdf5/hdf5_handles.h"
-#include "volume/read/input/length_unit.h"
+#include "volume/bricks/zarr/ome.h"
 #include "volume/read/input/convert.h"
 #include "volume/read/input/text.h"
 
