@@ -214,9 +214,10 @@ SliceStack stackOf(const std::vector<DicomSource>& sources, const std::string& f
     const bool isOneFile = sources.back().fileIndex == 0;
     const bool isNumbered = sources.front().file->instance != sources.back().file->instance;
     const std::string order = isOneFile ? "frames" : isNumbered ? "instance numbers" : "file names";
-    warnings.push_back(
-        "no slice has a position and an orientation" +
-        (isCine ? std::string() : "; the order of the " + order + " is used: it may be a mirror image"));
+    warnings.push_back("no slice has a position and an orientation" +
+                       (isCine || sources.size() == 1
+                            ? std::string()
+                            : "; the order of the " + order + " is used: it may be a mirror image"));
     for (std::size_t i = 0; i < sources.size(); ++i)
       planes.positionsMm.emplace_back(0.0, 0.0, isCine ? 0.0 : static_cast<double>(i) * planes.thicknessMm);
     return stackSlices(planes, folder);
