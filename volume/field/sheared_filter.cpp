@@ -112,8 +112,17 @@ class DirectFilter {
   std::vector<std::vector<Tap1D>> before_, behind_;  // samples beyond the ends of a row, by their distance
 };
 
+// Of a Gaussian with this variance: sampled, or, where sampling changes it, that of which the response has
+// the same powers of u = 2 - 2 cos, the second difference, up to the third.
+HalfKernel lineKernel(double variance) {
+  if (variance >= 1.0) return gaussianKernel(std::sqrt(variance));
+  const double v = variance, c1 = -v / 2.0, c2 = v * v / 8.0 - v / 24.0,
+               c3 = -v * v * v / 48.0 + v * v / 48.0 - v / 180.0;
+  return {1.0 + 2.0 * c1 + 6.0 * c2 + 20.0 * c3, -c1 - 4.0 * c2 - 15.0 * c3, c2 + 6.0 * c3, -c3};
+}
+
 std::vector<KernelTap> tapsAlong(const LatticeLine& line) {
-  const HalfKernel kernel = gaussianKernel(std::sqrt(line.variance));
+  const HalfKernel kernel = lineKernel(line.variance);
   const int reach = static_cast<int>(kernel.size()) - 1;
   std::vector<KernelTap> taps;
   for (int k = -reach; k <= reach; ++k)

@@ -24,7 +24,7 @@ namespace isolux::volume {
 
 namespace {
 
-constexpr double kApart = 1e-3, kSame = 1e-9;  // voxels: of mergeEqualPoints()
+constexpr double kApart = 1e-3, kSame = 1e-9, kNear = 1e-6;  // voxels; kSame: of mergeEqualPoints()
 
 // How far inside a voxel is; missing and hidden voxels, and those beyond the border, are infinitely far
 // outside.
@@ -155,7 +155,7 @@ class Maker {
       const CrossedEdge edge(grid_, request_, point);
       point = edge.point();
       atVoxel[i] = edge.atVoxel && throughVoxels ? 1 : 0;
-      if (request_.field == scene::Field::trilinear || atVoxel[i]) return;
+      if (request_.field == scene::Field::trilinear) return;
       if (const auto moved = foot_.of(point))
         point = *moved;
       else
@@ -168,7 +168,7 @@ class Maker {
   }
 
   std::size_t voxelAt(const glm::dvec3& point) const {
-    const glm::ivec3 voxel(point);
+    const glm::ivec3 voxel(glm::round(point));
     return grid_.index(voxel.x, voxel.y, voxel.z);
   }
 
@@ -202,7 +202,7 @@ class Maker {
     for (const Triangle& t : mesh_.triangles)
       for (int i = 0; i < 3; ++i) {
         const glm::dvec3& point = mesh_.corner(t, i);
-        if (point != glm::floor(point) || !atVoxels_.contains(voxelAt(point))) continue;
+        if (glm::distance(point, glm::round(point)) > kNear || !atVoxels_.contains(voxelAt(point))) continue;
         fans[voxelAt(point)].emplace_back(t[(i + 1) % 3], t[(i + 2) % 3]);
       }
     std::vector<std::size_t> joined;

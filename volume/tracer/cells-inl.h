@@ -206,7 +206,7 @@ HWY_INLINE VF roots(const Group& g) {
   const VF half = hn::Set(d, 0.5f), zero = hn::Zero(d);
   VF s = low;
   for (int step = 0; step < 8; ++step) {  // regula falsi, Illinois
-    const VF next = hn::NegMulAdd(atLow, hn::Div(hn::Sub(high, low), hn::Sub(atHigh, atLow)), low);
+    const VF next = hn::Sub(low, hn::Div(hn::Mul(atLow, hn::Sub(high, low)), hn::Sub(atHigh, atLow)));
     // Where both ends are 0 the root is found.
     s = hn::IfThenElse(hn::Eq(next, next), next, s);
     const VF value = f(s);
