@@ -85,7 +85,7 @@ TEST_F(ReferenceDialogTest, WhatCannotBeTracedIsSaidInOneLine) {
   scene::Scene resolved = window_->document()->resolvedScene();
   resolved.look.mode = scene::LookMode::gi;
   resolved.light.environment.file = "/nowhere/sky.hdr";
-  ui::ReferenceDialog dialog(window_->document()->volume(), resolved, QSize(8, 8), std::nullopt);
+  ui::ReferenceDialog dialog(window_->document()->volume(), resolved, resolved, QSize(8, 8), std::nullopt);
   dialog.startButton()->click();
   ASSERT_TRUE(waitUntil([&] { return dialog.startButton()->text() == "Trace"; }));
   EXPECT_TRUE(dialog.text().contains("sky.hdr")) << dialog.text().toStdString();

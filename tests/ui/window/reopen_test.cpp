@@ -106,8 +106,9 @@ TEST_F(ReopenTest, TheVolumeBeforeIsFreed) {
   for (const char* panel : {"Accuracy", "Looks", "Volume", "Pieces", "Marks", "Passes", "Settings"}) {
     window_->showPanel(panel);
     fullPicture(*window_);
-    if (QString(panel) == "Accuracy")
+    if (QString(panel) == "Accuracy") {
       ASSERT_TRUE(waitUntil([&] { return accuracy->picture().known().has_value(); }));
+    }
     if (QString(panel) == "Looks") {
       const auto& painter = window_->panel<ui::LooksPanel>()->painter();
       ASSERT_TRUE(waitUntil([&] { return painter.complete() && painter.drawnCount() > 0; }));

@@ -267,6 +267,7 @@ TEST_F(BrokenFiles, FormatsThatAreKnownButNotRead) {
   refuse("a.pvti", "<VTKFile type=\"PImageData\"></VTKFile>", "open one piece");
   for (const char* kind : {"RectilinearGrid", "StructuredGrid", "UnstructuredGrid", "PUnstructuredGrid"})
     refuse("grid.vtu", "<VTKFile type=\"" + std::string(kind) + "\"></VTKFile>", "Resample To Image");
+  refuse("a.hv", "!INTERFILE :=\nname of data file := a.v\n", "Interfile");
   refuse("a.npy", "\x93NUMPY" + binary, "NumPy");
   refuse("a.png", "\x89PNG" + binary, "TIFF");
   refuse("a.czi", "ZISRAWFILE" + binary, "bfconvert");
