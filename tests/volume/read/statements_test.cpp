@@ -1,5 +1,5 @@
-// The tables of docs/reading-volumes.md: what every format says about itself is honoured, warned about or
-// refused, and each cell names tests that are there.
+// The statementTables of docs/reading-volumes.md: what every format says about itself is honoured, warned
+// about or refused, and each cell names tests that are there.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -19,23 +19,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string contentOf(const fs::path& file) {
+std::string textOfFile(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-using Row = std::vector<std::string>;  // cells
-std::vector<std::vector<Row>> tables() {
-  const std::string page = contentOf(fs::path(ISOLUX_SOURCE_DIR) / "docs" / "reading-volumes.md");
+using TableRow = std::vector<std::string>;  // cells
+std::vector<std::vector<TableRow>> statementTables() {
+  const std::string page = textOfFile(fs::path(ISOLUX_SOURCE_DIR) / "docs" / "reading-volumes.md");
   const std::size_t begin = page.find("## What a file says about itself");
   if (begin == std::string::npos) return {};
   std::istringstream lines(page.substr(begin, page.find("\n## ", begin + 3) - begin));
-  std::vector<std::vector<Row>> found;
+  std::vector<std::vector<TableRow>> found;
   bool inside = false;
   for (std::string line; std::getline(lines, line); inside = line.starts_with('|')) {
     if (!line.starts_with('|')) continue;
     if (!inside) found.emplace_back();
-    Row cells;
+    TableRow cells;
     std::istringstream parts(line.substr(1));
     for (std::string cell; std::getline(parts, cell, '|');) {
       const std::size_t first = cell.find_first_not_of(' ');
@@ -49,12 +49,12 @@ std::vector<std::vector<Row>> tables() {
 }
 
 // "Suite.Name" of all tests, and "compare_chunked.py: name" of its parts.
-std::set<std::string> testNames() {
+std::set<std::string> namesOfTests() {
   std::set<std::string> names;
   const std::regex test(R"(TEST(?:_F|_P)?\((\w+),\s*(\w+)\))"), part(R"(\ndef (\w+)\()");
   const fs::path folder = fs::path(ISOLUX_SOURCE_DIR) / "tests" / "volume";
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-    const std::string content = entry.is_regular_file() ? contentOf(entry.path()) : "";
+    const std::string content = entry.is_regular_file() ? textOfFile(entry.path()) : "";
     const bool python = entry.path().extension() == ".py";
     for (auto it = std::sregex_iterator(content.begin(), content.end(), python ? part : test);
          it != std::sregex_iterator(); ++it)
@@ -65,15 +65,15 @@ std::set<std::string> testNames() {
 }
 
 TEST(Statements, OfEveryFormatHaveAnAnswerAndATestThatIsThere) {
-  const std::set<std::string> known = testNames();
+  const std::set<std::string> known = namesOfTests();
   ASSERT_GT(known.size(), 100u);
   const std::regex named(R"(`(\w+\.\w+|\w+\.py: \w+)`)");
-  const auto all = tables();
+  const auto all = statementTables();
   ASSERT_GE(all.size(), 3u);
   int tests = 0;
-  for (const std::vector<Row>& table : all) {
+  for (const std::vector<TableRow>& table : all) {
     ASSERT_GE(table.size(), 15u) << "a head and fourteen statements";
-    for (const Row& row : table) {
+    for (const TableRow& row : table) {
       ASSERT_EQ(row.size(), table.front().size()) << row[0];
       for (const std::string& cell : row) {
         EXPECT_NE(cell, "") << row[0];
