@@ -704,18 +704,6 @@
         <translation>Licht ± %1</translation>
     </message>
     <message>
-        <source>How far the picture on screen may be from the same view in double precision: 99 % of what is seen keeps these bounds, of light %2 %.
-A pixel is not certain where a rounding may show another surface, as along edges.
-One ray through the middle of each pixel, %1 pixels.</source>
-        <translation>Wie weit das Bild auf dem Schirm von derselben Ansicht in doppelter Genauigkeit abweichen kann: 99 % des Sichtbaren halten diese Schranken ein, beim Licht %2 %.
-Ein Pixel ist nicht sicher, wo eine Rundung eine andere Fläche zeigen kann, etwa an Kanten.
-Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
-    </message>
-    <message>
-        <source>Noise of the data is not in them: it turns a typical normal by up to %1°.</source>
-        <translation>Rauschen der Daten ist nicht darin: es dreht eine typische Normale um bis zu %1°.</translation>
-    </message>
-    <message>
         <source>mm of depth</source>
         <translation>mm der Tiefe</translation>
     </message>
@@ -766,6 +754,26 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
     <message>
         <source>no pixels missed</source>
         <translation>keine Pixel verfehlt</translation>
+    </message>
+    <message>
+        <source>Depth ± %1 by noise and sampling</source>
+        <translation>Tiefe ± %1 durch Rauschen und Abtastung</translation>
+    </message>
+    <message>
+        <source>by arithmetic ± %1</source>
+        <translation>durch Rechnung ± %1</translation>
+    </message>
+    <message>
+        <source>How far the surface on screen may be from the object&apos;s own, by the noise of the samples and the distance between them, and from the same view in double precision, by arithmetic: 99 % of what is seen keeps these bounds, of light %2 %.
+A pixel is not certain where a rounding may show another surface, as along edges.
+One ray through the middle of each pixel, %1 pixels.</source>
+        <translation>Wie weit die Fläche auf dem Bildschirm von der des Objekts entfernt sein kann, durch das Rauschen der Abtastwerte und ihren Abstand, und von derselben Ansicht in doppelter Genauigkeit, durch Rechnung: 99 % des Sichtbaren halten diese Schranken ein, vom Licht %2 %.
+Ein Pixel ist ungewiss, wo eine Rundung eine andere Fläche zeigen kann, etwa an Kanten.
+Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
+    </message>
+    <message>
+        <source>Noise turns a typical normal by up to %1°.</source>
+        <translation>Rauschen dreht eine typische Normale um bis zu %1°.</translation>
     </message>
 </context>
 <context>
@@ -1217,6 +1225,13 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
     <message>
         <source>Beside the scale of the screen itself.</source>
         <translation>Zusätzlich zur Skalierung des Bildschirms.</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::ColorButton</name>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
     </message>
 </context>
 <context>
@@ -1701,6 +1716,10 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <source>Open around damage</source>
         <translation>Um Beschädigtes herum öffnen</translation>
     </message>
+    <message>
+        <source>Reset all settings</source>
+        <translation>Alle Einstellungen zurücksetzen</translation>
+    </message>
 </context>
 <context>
     <name>isolux::ui::DocumentKeeper</name>
@@ -1735,18 +1754,6 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>Keine</translation>
     </message>
     <message>
-        <source>Depth</source>
-        <translation>Tiefe</translation>
-    </message>
-    <message>
-        <source>Normals</source>
-        <translation>Normalen</translation>
-    </message>
-    <message>
-        <source>Curvature</source>
-        <translation>Krümmung</translation>
-    </message>
-    <message>
         <source>Light</source>
         <translation>Licht</translation>
     </message>
@@ -1765,6 +1772,22 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
     <message>
         <source>No light is stored for this picture, or a surface is transparent: the look Global illumination stores some</source>
         <translation>Für dieses Bild ist kein Licht gespeichert, oder eine Fläche ist durchsichtig: der Stil Globale Beleuchtung speichert welches</translation>
+    </message>
+    <message>
+        <source>Depth, by noise and sampling</source>
+        <translation>Tiefe, durch Rauschen und Abtastung</translation>
+    </message>
+    <message>
+        <source>Depth, by arithmetic</source>
+        <translation>Tiefe, durch Rechnung</translation>
+    </message>
+    <message>
+        <source>Normals, by arithmetic</source>
+        <translation>Normalen, durch Rechnung</translation>
+    </message>
+    <message>
+        <source>Curvature, by arithmetic</source>
+        <translation>Krümmung, durch Rechnung</translation>
     </message>
 </context>
 <context>
@@ -2036,10 +2059,6 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
 </context>
 <context>
     <name>isolux::ui::MainWindow</name>
-    <message>
-        <source>Link the views of another window, too: then both turn together</source>
-        <translation>Auch in einem anderen Fenster die Ansichten koppeln: Dann drehen sich beide zusammen</translation>
-    </message>
     <message>
         <source>%1 (%2 in the Volume panel)</source>
         <translation>%1 (%2 im Reiter Volumen)</translation>
@@ -2333,10 +2352,6 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
         <translation>Eine Option nach ihrem Namen suchen</translation>
     </message>
     <message>
-        <source>&amp;Preferences …</source>
-        <translation>&amp;Einstellungen …</translation>
-    </message>
-    <message>
         <source>Memory, threads and speed: settings of this machine</source>
         <translation>Speicher, Threads und Tempo: Einstellungen dieses Rechners</translation>
     </message>
@@ -2573,10 +2588,6 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
         <translation>Ansichten der Fenster &amp;koppeln</translation>
     </message>
     <message>
-        <source>The views of all windows where this is checked go together</source>
-        <translation>Die Ansichten aller Fenster, in denen dies gewählt ist, bewegen sich gemeinsam</translation>
-    </message>
-    <message>
         <source>&amp;Use this view in the other windows</source>
         <translation>Diese Ansicht in den anderen Fenstern &amp;verwenden</translation>
     </message>
@@ -2780,6 +2791,22 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
         <source>Parts missing</source>
         <translation>Teile fehlen</translation>
     </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>&amp;Einstellungen…</translation>
+    </message>
+    <message>
+        <source>The views of all windows go together, but for those where this is taken back</source>
+        <translation>Die Ansichten aller Fenster gehen zusammen, außer denen, wo dies zurückgenommen ist</translation>
+    </message>
+    <message>
+        <source>Centre on a place of the mesh</source>
+        <translation>Auf eine Stelle des Netzes zentrieren</translation>
+    </message>
+    <message>
+        <source>&amp;Reset all settings</source>
+        <translation>Alle Einstellungen zu&amp;rücksetzen</translation>
+    </message>
 </context>
 <context>
     <name>isolux::ui::MarksPanel</name>
@@ -2883,6 +2910,14 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
         <source>Delete marks</source>
         <translation>Marken löschen</translation>
     </message>
+    <message>
+        <source>Measure anyway</source>
+        <translation>Trotzdem messen</translation>
+    </message>
+    <message>
+        <source>The file does not state how large its voxels are: with 1 mm, which may be wrong</source>
+        <translation>Die Datei sagt nicht, wie groß ihre Voxel sind: mit 1 mm, was falsch sein kann</translation>
+    </message>
 </context>
 <context>
     <name>isolux::ui::MeshDialog</name>
@@ -2949,6 +2984,30 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
     <message>
         <source>Saved %1: %2. %3.</source>
         <translation>%1 gespeichert: %2. %3.</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w the farthest place</source>
+        <translation>Die &amp;entfernteste Stelle zeigen</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>etwa %1</translation>
+    </message>
+    <message>
+        <source>not known before</source>
+        <translation>vorher nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1 and more, as the tolerance asks for</source>
+        <translation>%1 und mehr, je nach Toleranz</translation>
     </message>
 </context>
 <context>
@@ -3161,6 +3220,14 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
     <message>
         <source>Into the clipboard, without the session</source>
         <translation>In die Zwischenablage, ohne die Sitzung</translation>
+    </message>
+    <message>
+        <source>&amp;What is left out or invented</source>
+        <translation>&amp;Was fehlt oder erfunden ist</translation>
+    </message>
+    <message>
+        <source>Hidden pieces, missing slices that are interpolated; nothing where there are none</source>
+        <translation>Verborgene Teile, fehlende Schichten, die interpoliert sind; nichts, wo es keine gibt</translation>
     </message>
 </context>
 <context>
@@ -4093,6 +4160,10 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <source>Drawing the picture</source>
         <translation>Das Bild wird gezeichnet</translation>
     </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
 </context>
 <context>
     <name>isolux::ui::ViewportOverlay</name>
@@ -4230,6 +4301,10 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <message>
         <source>0 is the voxels of the file; each further level has the means of twice as many along each axis</source>
         <translation>0 sind die Voxel der Datei; jede weitere Stufe hat die Mittel von doppelt so vielen je Achse</translation>
+    </message>
+    <message>
+        <source> (slices %1 mm apart)</source>
+        <translation> (Schichten im Abstand von %1 mm)</translation>
     </message>
 </context>
 <context>
@@ -5119,6 +5194,30 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <source>light %1 %</source>
         <translation>Licht %1 %</translation>
     </message>
+    <message>
+        <source>%1 of %2 pieces hidden</source>
+        <translation>%1 von %2 Teilen verborgen</translation>
+    </message>
+    <message>
+        <source>%1 gap interpolated</source>
+        <translation>%1 Lücke interpoliert</translation>
+    </message>
+    <message>
+        <source>%1 gaps interpolated</source>
+        <translation>%1 Lücken interpoliert</translation>
+    </message>
+    <message>
+        <source>uneven slices resampled</source>
+        <translation>ungleiche Schichten umgerechnet</translation>
+    </message>
+    <message>
+        <source>parts missing</source>
+        <translation>Teile fehlen</translation>
+    </message>
+    <message>
+        <source>no settings keep %1; the least that can be promised is %2; a larger picture, gi.samples above 1024 or gi.lattice_scale above 2 may keep it</source>
+        <translation>keine Einstellungen halten ein: %1; das Kleinste, was sich zusagen lässt, ist %2; ein größeres Bild, gi.samples über 1024 oder gi.lattice_scale über 2 mag es einhalten</translation>
+    </message>
 </context>
 <context>
     <name>settings</name>
@@ -5833,6 +5932,10 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <message>
         <source>Whether voxels that cannot be read of a file in chunks are missing ones; otherwise the file is refused.</source>
         <translation>Ob Voxel, die in einer Datei aus Blöcken nicht zu lesen sind, als fehlend gelten; sonst wird die Datei abgewiesen.</translation>
+    </message>
+    <message>
+        <source>A line on the finished picture for each thing that it leaves out or that nobody measured: pieces that are hidden, missing slices that are interpolated. Without any, nothing is written.</source>
+        <translation>Eine Zeile auf dem fertigen Bild für alles, was es weglässt oder was niemand gemessen hat: verborgene Teile, fehlende Schichten, die interpoliert sind. Ohne solches steht nichts da.</translation>
     </message>
 </context>
 <context>
@@ -7942,6 +8045,14 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <message>
         <source>around damage</source>
         <translation>um Beschädigtes herum</translation>
+    </message>
+    <message>
+        <source>Caveats</source>
+        <translation>Vorbehalte</translation>
+    </message>
+    <message>
+        <source>caveats</source>
+        <translation>Vorbehalte</translation>
     </message>
 </context>
 </TS>
