@@ -91,9 +91,8 @@ bool belongsToVolume(const std::string& path) {
   return lampPosition || coveredByOne(kOfVolume, path) || isStoredPath(path) || scene::isOfMachine(path);
 }
 
-// The background is the user's, unless the preset names one.
 bool resetByPreset(const std::string& path) {
-  return coveredByOne(kReset, path) && !path.starts_with("look.background");
+  return coveredByOne(kReset, path);
 }
 
 Preset parsePreset(const std::string& text, const std::filesystem::path& file) {
