@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <optional>
+#include <regex>
+#include <string>
 
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
@@ -272,10 +273,12 @@ std::string imarisPath(ImarisPlace place) {
 }
 
 std::optional<ImarisPlace> imarisPlaceOf(const std::string& path) {
-  ImarisPlace place;
-  const bool read = std::sscanf(path.c_str(), "/DataSet/ResolutionLevel %d/TimePoint %d/Channel %d/Data",
-                                &place.level, &place.time, &place.channel) == 3;
-  return read && imarisPath(place) == path ? std::optional(place) : std::nullopt;
+  static const std::regex pattern(
+      R"(/DataSet/ResolutionLevel (\d{1,6})/TimePoint (\d{1,6})/Channel (\d{1,6})/Data)");
+  std::smatch found;
+  if (!std::regex_match(path, found, pattern)) return std::nullopt;
+  const ImarisPlace place{std::stoi(found[1]), std::stoi(found[2]), std::stoi(found[3])};
+  return imarisPath(place) == path ? std::optional(place) : std::nullopt;
 }
 
 // Imaris writes numbers as texts, a letter each.

@@ -84,8 +84,8 @@ TEST(ErrorOverlay, PixelsAboveTheLimitAreHatchedAndOthersUntouched) {
           EXPECT_EQ(colorAt(limited, x, y), colorAt(plain, x, y)) << overlay << " " << x << ", " << y;
         }
       }
-    EXPECT_GT(dark, 2000) << overlay;
-    EXPECT_GT(bright, 2000) << overlay;
+    EXPECT_GT(dark, 1700) << overlay;
+    EXPECT_GT(bright, 1700) << overlay;
   }
 }
 

@@ -1,6 +1,7 @@
 #include "volume/bricks/zarr/zarr_array.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -56,22 +57,23 @@ bool ZarrArray::isArray(const ZarrStore& store, const std::string& key) {
 ZarrArray::ZarrArray(std::shared_ptr<const ZarrStore> store, std::string key)
     : store_(std::move(store)), key_(std::move(key)) {
   const std::string v3 = joinedKey(key_, "zarr.json"), v2 = joinedKey(key_, ".zarray");
-  attributes_ = nlohmann::json::object();
+  nlohmann::json attributes = nlohmann::json::object();
   if (const auto text = store_->text(v3)) {
     const std::string file = store_->nameOf(v3);
     const nlohmann::json json = parseJson(*text, file, &warnings_);
     if (json.value("node_type", nlohmann::json()) != "array") throwInput(file, "node_type", "is no array");
     metadata_ = parseZarrV3(json, file);
-    if (json.contains("attributes") && json["attributes"].is_object()) attributes_ = json["attributes"];
+    if (json.contains("attributes") && json["attributes"].is_object()) attributes = json["attributes"];
   } else if (const auto old = store_->text(v2)) {
     const std::string file = store_->nameOf(v2);
     metadata_ = parseZarrV2(parseJson(*old, file, &warnings_), file);
     const std::string beside = joinedKey(key_, ".zattrs");
     if (const auto more = store_->text(beside))
-      attributes_ = parseJson(*more, store_->nameOf(beside), &warnings_);
+      attributes = parseJson(*more, store_->nameOf(beside), &warnings_);
   } else {
     throwInput(store_->nameOf(key_), "", "is no Zarr array: it has neither zarr.json nor .zarray");
   }
+  attributes_ = std::make_shared<const nlohmann::json>(std::move(attributes));
   metadata_.format.number = withSign(attributesOf(*this), metadata_.format.number);
   layout_ = {metadata_.dims, metadata_.format.dims, metadata_.format.number.type};
   if (metadata_.shards) {

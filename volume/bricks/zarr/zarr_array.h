@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "volume/bricks/chunks/chunked_array.h"
 #include "volume/bricks/zarr/zarr_metadata.h"
@@ -26,7 +26,7 @@ class ZarrArray final : public ChunkedArray {
                   std::span<const std::uint64_t> size) const override;
 
   const ZarrMetadata& metadata() const { return metadata_; }
-  const nlohmann::json& attributes() const { return attributes_; }
+  const nlohmann::json& attributes() const { return *attributes_; }
   const std::vector<std::string>& warnings() const { return warnings_; }  // of the metadata
 
   // True where the folder `key` holds an array's metadata. Throws base::Error{input} where these are no JSON.
@@ -47,7 +47,7 @@ class ZarrArray final : public ChunkedArray {
   std::shared_ptr<const ZarrStore> store_;
   std::string key_;
   ZarrMetadata metadata_;
-  nlohmann::json attributes_;
+  std::shared_ptr<const nlohmann::json> attributes_;
   std::vector<std::string> warnings_;
   ArrayLayout layout_;
 
