@@ -14,8 +14,8 @@ namespace isolux::volume {
 namespace {
 
 constexpr double kEnough = 1e-4;   // of the cell, by what the two rules may differ on a stretch of slices
-constexpr int kMostHalvings = 45;  // sheets that hug the faces of a cell end within a millionth of a slice
-constexpr double kOfZero = 1e-13;  // of the cell's largest value: a corner at the isovalue is so far inside
+constexpr int kMostHalvings = 30;  // sheets that hug the faces of a cell end within a millionth of a slice
+constexpr double kOfZero = 1e-8;   // of the cell's largest value: a corner at the isovalue is so far inside
 constexpr int kMostArcStretches = 16;  // of arcs in halved stretches of slices, doubled with each
 
 // A cell turned so that slices are stacked along its last axis, scaled to values of 1 at most.

@@ -30,9 +30,7 @@ FileFormat formatOf(const Bytes& bytes, const fs::path& path) {
   if (head.starts_with("NRRD0")) return FileFormat::nrrd;
   if (head.starts_with("# vtk DataFile")) return FileFormat::vtkLegacy;
   if (isMesh(head, extension)) return FileFormat::mesh;
-  if (head.find("<VTKFile") != std::string::npos)
-    return isOtherVtkXml(head) ? FileFormat::unknown : FileFormat::vti;
-  if (looksLikeDicom(head)) return FileFormat::dicom;  // before TIFF, whose mark its preamble may hold
+  if (head.find("<VTKFile") != std::string::npos) return FileFormat::vti;
   if (looksLikeTiff(head)) return FileFormat::tiff;
   if (looksLikeNifti(head)) return FileFormat::nifti;
   if (isPacked(head) && looksLikeNifti(inflatedHead(bytes, niftiHeaderBytes))) return FileFormat::nifti;

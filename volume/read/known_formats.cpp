@@ -42,10 +42,6 @@ constexpr Known kAmira{"an Amira or Avizo file", "Amira exports it as NRRD or TI
 constexpr Known kPicture{"a single picture in a format",
                          "save the slices as TIFF (`mogrify -format tif FILES`)"};
 constexpr Known kAfni{"an AFNI dataset", "`3dAFNItoNIFTI FILE` converts it"};
-constexpr Known kPieces{"a list of pieces (parallel VTK file)",
-                        "open one piece (.vti), or let ParaView save it as one"};
-constexpr Known kOtherGrid{"a VTK file of another kind of grid",
-                           "ParaView's filter Resample To Image makes a .vti of it"};
 
 constexpr Mark kMarks[] = {
     {0, "BZh"sv, {"packed with bzip2", "unpack it with `bunzip2 FILE`"}},
@@ -95,20 +91,6 @@ constexpr Mark kMarks[] = {
     {0, "%PDF"sv, {"a PDF document", "it holds no voxels"}},
     {0, "glTF"sv, {"a glTF model", "save the mesh as STL, OBJ or PLY"}},
 };
-
-// "<VTKFile type="PImageData": PolyData and ImageData are read.
-std::optional<Known> knownVtk(std::string_view head) {
-  const std::size_t tag = head.find("<VTKFile");
-  if (tag == std::string_view::npos) return std::nullopt;
-  const std::string_view inside = head.substr(tag, head.find('>', tag) - tag);
-  for (const std::string_view kind : {"\"PImageData\""sv, "\"PPolyData\""sv})
-    if (inside.find(kind) != std::string_view::npos) return kPieces;
-  for (const std::string_view kind :
-       {"RectilinearGrid\""sv, "StructuredGrid\""sv, "UnstructuredGrid\""sv, "HyperTreeGrid\""sv,
-        "OverlappingAMR\""sv, "\"vtkMultiBlockDataSet\""sv, "\"Collection\""sv, "\"Table\""sv})
-    if (inside.find(kind) != std::string_view::npos) return kOtherGrid;
-  return std::nullopt;
-}
 
 // FreeSurfer's version, 1, and seven sizes: big-endian numbers of 4 bytes.
 bool looksLikeFreeSurfer(std::string_view head) {
@@ -194,7 +176,6 @@ bool looksLikeText(std::string_view head, const std::string& ending) {
 std::optional<Known> byContent(std::string_view head) {
   for (const Mark& mark : kMarks)
     if (head.size() > mark.at && head.substr(mark.at).starts_with(mark.bytes)) return mark.known;
-  if (const auto vtk = knownVtk(head)) return vtk;
   if (looksLikeFreeSurfer(head)) return kFreeSurfer;
   return std::nullopt;
 }
@@ -216,10 +197,6 @@ std::optional<std::string> knownButNotRead(const Bytes& bytes, const fs::path& p
   if (looksLikeText(head, lowered(path.extension().string())))
     return sentence({"a text file", "it names no volume format"});
   return std::nullopt;
-}
-
-bool isOtherVtkXml(std::string_view head) {
-  return knownVtk(head).has_value();
 }
 
 std::optional<std::string> knownButNotReadIn(const fs::path& folder) {

@@ -14,9 +14,6 @@ namespace isolux::volume {
 // formatOf() knows nothing. Any thread.
 std::optional<std::string> knownButNotRead(const Bytes& bytes, const std::filesystem::path& path);
 
-// True for XML files of VTK that are neither ImageData nor PolyData.
-bool isOtherVtkXml(std::string_view head);
-
 // As knownButNotRead(), of a folder by its files.
 std::optional<std::string> knownButNotReadIn(const std::filesystem::path& folder);
 

@@ -31,7 +31,8 @@ std::vector<std::string> inventedData(std::span<const std::string> warnings) {
       const std::string count = warning.substr(number, warning.find(' ', number) - number);
       missing.push_back(count + (count == "1" ? " gap interpolated" : " gaps interpolated"));
     }
-    if (warning.find(kSlicesResampled) != std::string::npos) resampled.emplace_back("uneven slices resampled");
+    if (warning.find(kSlicesResampled) != std::string::npos)
+      resampled.emplace_back("uneven slices resampled");
   }
   missing.insert(missing.end(), resampled.begin(), resampled.end());
   return missing;

@@ -249,8 +249,10 @@ double millimetresOf(const NiftiFields& fields, std::vector<std::string>& warnin
       return 1.0;
     case 3:
       return 0.001;
+    case 0:  // not said: mm, as all programs take it
+      return 1.0;
     default:
-      warnings.push_back("xyzt_units names no unit of length; mm is taken, as other programs do");
+      warnings.push_back("xyzt_units names no known unit of length; mm is taken, as other programs do");
       return 1.0;
   }
 }

@@ -160,20 +160,20 @@ bool needsRawDescription(const fs::path& path) {
 }
 
 std::vector<std::string> fileFilters() {
-  return {
-      ("Volumes (*.nii *.nii.gz *.nii.zst *.hdr *.mhd *.mha *.nrrd *.nhdr *.vti *.vtk *.dcm *.tif *.tiff *.h5 "
-       "*.hdf5 zarr.json .zattrs *.raw *.stl *.obj *.ply *.vtp)"),
-      "NIfTI (*.nii *.nii.gz *.nii.zst *.hdr *.img)",
-      "MetaImage (*.mhd *.mha)",
-      "NRRD (*.nrrd *.nhdr)",
-      "VTK (*.vti *.vtk)",
-      "DICOM (*.dcm)",
-      "TIFF (*.tif *.tiff)",
-      "Zarr (zarr.json .zattrs .zarray .zgroup)",
-      "HDF5 (*.h5 *.hdf5 *.hdf *.ilp *.nxs *.mat *.nc *.mnc *.ims *.vtkhdf)",
-      "Triangle meshes (*.stl *.obj *.ply *.vtp)",
-      "Raw (*.raw *.bin *.dat *.img)",
-      "All files (*)"};
+  return {("Volumes (*.nii *.nii.gz *.nii.zst *.hdr *.mhd *.mha *.nrrd *.nhdr *.vti *.vtk *.dcm *.tif *.tiff "
+           "*.h5 "
+           "*.hdf5 zarr.json .zattrs *.raw *.stl *.obj *.ply *.vtp)"),
+          "NIfTI (*.nii *.nii.gz *.nii.zst *.hdr *.img)",
+          "MetaImage (*.mhd *.mha)",
+          "NRRD (*.nrrd *.nhdr)",
+          "VTK (*.vti *.vtk)",
+          "DICOM (*.dcm)",
+          "TIFF (*.tif *.tiff)",
+          "Zarr (zarr.json .zattrs .zarray .zgroup)",
+          "HDF5 (*.h5 *.hdf5 *.hdf *.ilp *.nxs *.mat *.nc *.mnc *.ims *.vtkhdf)",
+          "Triangle meshes (*.stl *.obj *.ply *.vtp)",
+          "Raw (*.raw *.bin *.dat *.img)",
+          "All files (*)"};
 }
 
 }  // namespace isolux::volume

@@ -57,13 +57,13 @@ struct Volume {
   VoxelType fileType = VoxelType::uint8;  // as the file has it
   std::string unit;                       // "HU" for CT, else ""
   scene::WorldAxes axes =
-      scene::WorldAxes::zUp;               // anatomical only where the file states where the patient lies
-  int components = 1, timeSteps = 1;       // what the file offers
-  int coarsestLevel = 0;                   // of a volume read at a level (volume/bricks/coarse_level.h)
-  std::string damage;                      // what could not be read, a line; "": all could (Source::aroundDamage)
-  std::optional<double> isovalue;          // the one to show first, where the source knows it
-  std::optional<double> noise;             // of a voxel, data units, where the source knows it
-  int labels = 0;                          // of a label map (volume/statistics/label_map.h); 0: it is none
+      scene::WorldAxes::zUp;          // anatomical only where the file states where the patient lies
+  int components = 1, timeSteps = 1;  // what the file offers
+  int coarsestLevel = 0;              // of a volume read at a level (volume/bricks/coarse_level.h)
+  std::string damage;                 // what could not be read, a line; "": all could (Source::aroundDamage)
+  std::optional<double> isovalue;     // the one to show first, where the source knows it
+  std::optional<double> noise;        // of a voxel, data units, where the source knows it
+  int labels = 0;                     // of a label map (volume/statistics/label_map.h); 0: it is none
   std::vector<std::string> seriesChoices;  // DICOM: "UID<TAB>description, N slices"
   std::vector<std::string> warnings;  // one line each: converted, resampled, missing voxels, ignored fields
 };

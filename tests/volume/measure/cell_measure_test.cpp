@@ -67,8 +67,8 @@ TEST(CellMeasureTest, AHyperbolaHasItsArea) {
 TEST(CellMeasureTest, APlateauAtTheIsovalueCountsOnce) {
   const CellMeasure below = measureCell(cornersOf([](glm::dvec3 p) { return p.z - 1.0; }), kUnit);
   const CellMeasure above = measureCell(cornersOf([](glm::dvec3 p) { return p.z; }), kUnit);
-  EXPECT_NEAR(below.area, 1.0, 1e-12);
-  EXPECT_NEAR(below.volume, 0.0, 1e-12);
+  EXPECT_NEAR(below.area, 1.0, 1e-7);  // a corner at the isovalue is a hair inside
+  EXPECT_NEAR(below.volume, 0.0, 1e-7);
   EXPECT_EQ(above.area, 0.0);
   EXPECT_EQ(above.volume, 1.0);
 }

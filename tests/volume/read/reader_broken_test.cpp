@@ -212,7 +212,7 @@ TEST_F(BrokenFiles, Vtk) {
        {"unknown type",
         vti("0 1 0 1 0 1", "<DataArray type=\"String\" Name=\"a\" format=\"ascii\">0</DataArray>"), "String"},
        {"no array", vti("0 1 0 1 0 1", ""), "no named array"},
-       {"another dataset", "<VTKFile type=\"RectilinearGrid\"></VTKFile>", "another kind of grid"},
+       {"another dataset", "<VTKFile type=\"RectilinearGrid\"></VTKFile>", "of volumes ImageData is read"},
        {"tag not closed", "<VTKFile type=\"ImageData\"", "truncated"},
        {"entities", "<!DOCTYPE x><VTKFile type=\"ImageData\"></VTKFile>", "refused"}});
 }
@@ -264,7 +264,7 @@ TEST_F(BrokenFiles, FormatsThatAreKnownButNotRead) {
   refuse("a.cube", "water\ndensity\n3 0 0 0\n4 1 0 0\n4 0 1 0\n4 0 0 1\n", "Gaussian cube");
   refuse("water", "water\ndensity\n3 0 0 0\n4 1 0 0\n4 0 1 0\n4 0 0 1\n", "Gaussian cube");
   refuse("a.vdb", " BDV" + binary, "OpenVDB");
-  refuse("a.pvti", "<VTKFile type=\"PImageData\"></VTKFile>", "open one piece");
+  refuse("a.pvti", "<VTKFile type=\"PImageData\"></VTKFile>", "Piece Source");
   for (const char* kind : {"RectilinearGrid", "StructuredGrid", "UnstructuredGrid", "PUnstructuredGrid"})
     refuse("grid.vtu", "<VTKFile type=\"" + std::string(kind) + "\"></VTKFile>", "Resample To Image");
   refuse("a.hv", "!INTERFILE :=\nname of data file := a.v\n", "Interfile");

@@ -105,7 +105,11 @@ std::string withQuotedNumbers(const std::string& text, std::vector<std::size_t>&
       at += length;
       continue;
     }
-    if (inText && text[at] == '\\' && at + 1 < text.size()) out += text[at++];
+    if (inText && text[at] == '\\' && at + 1 < text.size()) {
+      out += text[at++];
+      out += text[at++];
+      continue;
+    }
     if (text[at] == '"') inText = !inText;
     out += text[at++];
   }
