@@ -17,13 +17,22 @@ std::vector<double> isovaluesThere(const scene::Scene& resolved) {
 
 }  // namespace
 
+namespace {
+
+// A choice that hides no piece may still hide what a spline has beside all pieces.
+bool hidesOf(const scene::Scene& resolved, const std::shared_ptr<const HiddenVoxels>& voxels) {
+  return voxels && (voxels->any() || resolved.hit.field != scene::Field::trilinear);
+}
+
+}  // namespace
+
 std::vector<HiddenOfSurface> hiddenOf(const scene::Scene& resolved, const PieceSets& pieces,
                                       base::Progress& progress) {
   std::vector<HiddenOfSurface> result;
   if (!hidesPieces(resolved.pieces)) return result;
   const scene::Inside inside = resolved.isosurface.inside;
   for (const double isovalue : isovaluesThere(resolved))
-    if (auto voxels = pieces.hidden(resolved.pieces, isovalue, inside, progress))
+    if (auto voxels = pieces.hidden(resolved.pieces, isovalue, inside, progress); hidesOf(resolved, voxels))
       result.push_back({isovalue, std::move(voxels), inside});
   return result;
 }
@@ -32,7 +41,8 @@ std::vector<HiddenOfSurface> knownHidden(const scene::Scene& resolved, const Pie
   std::vector<HiddenOfSurface> result;
   const scene::Inside inside = resolved.isosurface.inside;
   for (const double isovalue : isovaluesThere(resolved))
-    if (const auto voxels = pieces.findHidden(resolved.pieces, isovalue, inside); voxels && *voxels)
+    if (const auto voxels = pieces.findHidden(resolved.pieces, isovalue, inside);
+        voxels && hidesOf(resolved, *voxels))
       result.push_back({isovalue, *voxels, inside});
   return result;
 }

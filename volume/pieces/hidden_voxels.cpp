@@ -14,6 +14,7 @@ HiddenVoxels::HiddenVoxels(glm::ivec3 dims, bool hidesStrays)
              static_cast<std::size_t>(dims.z)) {}
 
 void HiddenVoxels::hide(int begin, int end, int y, int z) {
+  any_ = any_ || begin < end;
   for (int x = begin; x < end;) {
     const int bit = x % kVoxelsPerWord;
     const int count = std::min(end - x, kVoxelsPerWord - bit);
@@ -21,10 +22,6 @@ void HiddenVoxels::hide(int begin, int end, int y, int z) {
     words_[word({x, y, z})] |= ones << bit;
     x += count;
   }
-}
-
-bool HiddenVoxels::any() const {
-  return std::any_of(words_.begin(), words_.end(), [](std::uint64_t bits) { return bits != 0; });
 }
 
 std::uint64_t HiddenVoxels::key() const {

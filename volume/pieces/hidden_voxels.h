@@ -26,7 +26,7 @@ class HiddenVoxels {
   bool at(glm::ivec3 voxel) const { return (words_[word(voxel)] >> (voxel.x % kVoxelsPerWord) & 1u) != 0; }
   // Voxels x from `begin` to before `end` of row (y, z).
   void hide(int begin, int end, int y, int z);
-  bool any() const;
+  bool any() const { return any_; }
   bool hidesStrays() const { return hidesStrays_; }
 
   glm::ivec3 dims() const { return dims_; }
@@ -45,7 +45,7 @@ class HiddenVoxels {
   }
 
   glm::ivec3 dims_;
-  bool hidesStrays_;
+  bool hidesStrays_, any_ = false;
   int wordsPerRow_;
   std::vector<std::uint64_t> words_;
 };

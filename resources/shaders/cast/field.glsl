@@ -31,17 +31,8 @@ bool cellMissing(ivec3 cell) {
   return anyMissing(low, high);
 }
 
-// mix(), but of values on one side of 0 never one on the other, however far apart they are: drivers may take mix() for
-// a + s (b - a).
-vec4 between(vec4 a, vec4 b, float s) {
-  precise vec4 v = (1.0 - s) * a + s * b;
-  return v;
-}
-float between(float a, float b, float s) { return between(vec4(a), vec4(b), s).x; }
-
 float bilinear(vec4 corners, float x, float y) {
-  vec4 along = between(corners.xzxz, corners.ywyw, x);
-  return between(along.x, along.y, y);
+  return mix(mix(corners.x, corners.y, x), mix(corners.z, corners.w, x), y);
 }
 
 // f - isovalue at p (voxel coordinates, clamped to the domain); huge where a corner is missing.
@@ -51,7 +42,7 @@ float trilinearMinus(vec3 p, float isovalue) {
   vec4 low, high;
   cellCorners(cell, low, high);
   if (anyMissing(low, high)) return missingTexel;
-  return bilinear(between(low - isovalue, high - isovalue, f.z), f.x, f.y);
+  return bilinear(mix(low - isovalue, high - isovalue, f.z), f.x, f.y);
 }
 
 // Corner values less one of them: derivatives of values like 1e6 + small come from the small part alone.

@@ -100,16 +100,14 @@ ivec3 nextCell(Path path, ivec3 cell, int shift, float tOut, bvec3 axis) {
 
 // The cubic in Bernstein form on [0, 1] by de Casteljau: no cancellation, and inside the hull of its coefficients.
 float cubic(vec4 b, float s) {
-  vec4 q = between(b, b.yzww, s), r = between(q, q.yzww, s);
-  return between(r.x, r.y, s);
+  vec3 q = mix(b.xyz, b.yzw, s);
+  vec2 r = mix(q.xy, q.yz, s);
+  return mix(r.x, r.y, s);
 }
 
 // Ascending, in [0, 1]; 1 where there is none.
 vec2 extremaOf(vec4 b) {
-  // The derivative's Bernstein coefficients, as c2 s^2 + 2 c1 s + c0. Squares of differences beside what stands for no
-  // value would be 0.
-  vec4 size = abs(b);
-  b /= max(max(max(size.x, size.y), max(size.z, size.w)), 1e-37);
+  // The derivative's Bernstein coefficients, as c2 s^2 + 2 c1 s + c0.
   float d0 = b.y - b.x, d1 = b.z - b.y, d2 = b.w - b.z;
   float c2 = d0 - 2.0 * d1 + d2, c1 = d1 - d0, c0 = d0;
   float discriminant = c1 * c1 - c2 * c0;
@@ -176,7 +174,7 @@ float rootIn(vec4 b, vec2 bracket) {
 // Bernstein coefficients of the trilinear field along the segment from..to of a cell: the polar form, which for a
 // multi-affine field is the mean over which axes have already moved.
 vec4 bernstein(vec4 low, vec4 high, vec3 from, vec3 to) {
-  vec4 atFrom = between(low, high, from.z), atTo = between(low, high, to.z);
+  vec4 atFrom = mix(low, high, from.z), atTo = mix(low, high, to.z);
   float f000 = bilinear(atFrom, from.x, from.y), f100 = bilinear(atFrom, to.x, from.y);
   float f010 = bilinear(atFrom, from.x, to.y), f110 = bilinear(atFrom, to.x, to.y);
   float f001 = bilinear(atTo, from.x, from.y), f101 = bilinear(atTo, to.x, from.y);
