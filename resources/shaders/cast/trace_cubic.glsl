@@ -54,7 +54,7 @@ void bernstein9(vec4 rows[16], vec3 from, vec3 to, out float b[10]) {
 // The polynomial on [s, 1], or on [0, s], as one on [0, 1]: de Casteljau.
 void keepRight(inout float c[10], float s) {
   for (int r = 1; r < 10; ++r)
-    for (int i = 0; i < 10 - r; ++i) c[i] = between(c[i], c[i + 1], s);
+    for (int i = 0; i < 10 - r; ++i) c[i] = mix(c[i], c[i + 1], s);
 }
 // Written by way of the mirrored polynomial: Mesa 22.3 miscompiles de Casteljau with a descending inner loop.
 void keepLeft(inout float c[10], float s) {
