@@ -4,8 +4,9 @@
 
 namespace isolux::render {
 
-// Stands for a missing voxel in a float32 volume texture, whose real values are at most 1 in magnitude
-// (field.glsl). A number, not NaN: GLSL compilers may assume that NaN does not occur.
+// Stands for a missing voxel in a float32 volume texture, whose real values are at most 2^40 in magnitude
+// (volume/field/value_scaling.h; field.glsl). A number, not NaN: GLSL compilers may assume that NaN does not
+// occur.
 inline constexpr float missingTexel = 1e30f;
 
 // Stands for no offset to an edge, in an image of offsets in mm (edge.frag.glsl, measures.glsl).

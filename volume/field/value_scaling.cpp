@@ -9,6 +9,10 @@ int exponentOf(double least, double most) {
   const double largest = std::max(std::fabs(least), std::fabs(most));
   int exponent = 0;
   if (largest > 0.0) std::frexp(largest, &exponent);
+  // What stands for no value (-1e30, -FLT_MAX) lies far beyond the others: they stay numbers that float has
+  // in full.
+  constexpr int ordinary = 40;
+  if (exponent > ordinary) exponent = std::max(ordinary, exponent - ordinary);
   return std::clamp(exponent, -126, 127);
 }
 

@@ -8,7 +8,8 @@ struct ValueScaling {
   int exponent = 0;
 };
 
-// The power of two by which the largest magnitude becomes about 1, clamped to what float has.
+// The power of two by which the largest magnitude becomes about 1, or, where it is beyond 2^40, at most 2^40;
+// clamped to what float has.
 int exponentOf(double least, double most);
 // The same with an offset where subtracting it rounds nothing: every value within a factor of two of it.
 ValueScaling scalingOf(double least, double most);
