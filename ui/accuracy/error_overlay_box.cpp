@@ -28,6 +28,9 @@ ErrorOverlayBox::ErrorOverlayBox(QWidget* parent)
   errors_->addItem(tr("Normals, by arithmetic"), static_cast<int>(app::ErrorImage::normal));
   errors_->addItem(tr("Curvature, by arithmetic"), static_cast<int>(app::ErrorImage::kappa));
   errors_->addItem(tr("Light"), static_cast<int>(app::ErrorImage::light));
+  // The longest entry does not make the panel wider.
+  errors_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  errors_->setMinimumContentsLength(10);
   errors_->setAccessibleName(tr("Errors shown in the picture"));
   errors_->setToolTip(
       tr("Lays bounds of this error over the finished picture, as colours. Hatched is what may err by more "
