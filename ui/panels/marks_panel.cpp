@@ -68,6 +68,9 @@ MarksPanel::MarksPanel(QWidget* parent)
   details_->setTabChangesFocus(true);
   colour_->setToolTip(tr("Colour of the mark"));
   colour_->setAccessibleName(tr("Colour of the mark"));
+  QSizePolicy keepsPlace = colour_->sizePolicy();  // a mark that is chosen makes the panel no wider
+  keepsPlace.setRetainSizeWhenHidden(true);
+  colour_->setSizePolicy(keepsPlace);
   connect(colour_, &ColorButton::chosen, this, &MarksPanel::recolour);
   delete_ = addButton(tr("Delete"), tr("Delete the chosen marks (Del)"));
   copy_ = addButton(tr("Copy"), tr("Copy what all marks say as text"));

@@ -160,6 +160,8 @@ TEST_F(LightWindowTest, AnotherVolumeHasNoneOfTheLightOfTheOneBefore) {
   DialogAnswers discard(QMessageBox::Discard);
   ASSERT_TRUE(load(*window_, "phantom:torus:20"));
   EXPECT_TRUE(dropped);
+  EXPECT_EQ(light()->light(), nullptr) << "it takes the default look";
+  lightUp(8);
   EXPECT_TRUE(waitUntil([&] { return light()->light() != nullptr; }));
   EXPECT_NE(light()->light(), before);
   EXPECT_TRUE(waitForPhase(Phase::finished));

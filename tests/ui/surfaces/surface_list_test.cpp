@@ -75,7 +75,7 @@ TEST_F(WindowTest, EveryIsosurfaceHasAHandleAndARow) {
   QTest::mouseClick(slider, Qt::LeftButton, Qt::AltModifier, at(600.0));
   ASSERT_EQ(panel->surfaces()->rows().size(), 2u);
   EXPECT_TRUE(panel->surfaces()->isVisible() && !panel->spinBox()->isVisible());
-  const double pixel = slider->plot().shownRange() / 300.0;
+  const double pixel = slider->plot().shownRange() / slider->width();
   EXPECT_NEAR(*scene().extraIsosurfaces[0].value, 600.0, pixel);
   EXPECT_FALSE(scene().isosurface.value.has_value()) << "the first stays automatic";
 
