@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <set>
 #include <vector>
 
 namespace isolux::volume {
@@ -48,6 +49,18 @@ void compare(double a, double b, double background, const std::vector<double>& v
   if (std::abs(rank(a) - rank(b)) > 1) ++result.jumps;
 }
 
+bool insideItsRegion(const Grid& grid, glm::ivec3 at) {
+  const double value = grid.value(at.x, at.y, at.z);
+  for (int axis = 0; axis < 3; ++axis)
+    for (const int step : {-1, 1}) {
+      glm::ivec3 beside = at;
+      beside[axis] += step;
+      const bool exists = beside[axis] >= 0 && beside[axis] < grid.dims()[axis];
+      if (exists && grid.value(beside.x, beside.y, beside.z) != value) return false;
+    }
+  return true;
+}
+
 }  // namespace
 
 std::optional<LabelMap> labelMapOf(const Grid& grid, const base::Progress& progress) {
@@ -71,9 +84,11 @@ std::optional<LabelMap> labelMapOf(const Grid& grid, const base::Progress& progr
   for (const auto& [value, count] : counts) values.push_back(value);
 
   Neighbours found;
+  std::set<double> bodies;  // values of voxels whose neighbours all have the same one
   eachRow(stride, [&](int y, int z) {
     for (int x = 0; x < dims.x; ++x) {
       const double here = grid.value(x, y, z);
+      if (here != background && insideItsRegion(grid, {x, y, z})) bodies.insert(here);
       if (x + 1 < dims.x) compare(here, grid.value(x + 1, y, z), background, values, found);
       if (y + 1 < dims.y) compare(here, grid.value(x, y + 1, z), background, values, found);
       if (z + 1 < dims.z) compare(here, grid.value(x, y, z + 1), background, values, found);
@@ -83,7 +98,8 @@ std::optional<LabelMap> labelMapOf(const Grid& grid, const base::Progress& progr
   const auto part = [](std::size_t of, std::size_t all) {
     return all == 0 ? 0.0 : static_cast<double>(of) / static_cast<double>(all);
   };
-  if (part(found.unequal, found.pairs) > kMostUnequal || part(found.jumps, found.unequal) < kLeastJumps)
+  if (bodies.size() < 2 || part(found.unequal, found.pairs) > kMostUnequal ||
+      part(found.jumps, found.unequal) < kLeastJumps)
     return std::nullopt;
   if (stride > 1) {  // rare labels lie between the rows
     counts.clear();

@@ -61,6 +61,15 @@ TEST(LabelMaps, ScansAndSmoothFieldsAreNone) {
   EXPECT_FALSE(found(gridOf([](glm::dvec3 p) {
     return 8.0 * std::round(std::max(0.0, 16.0 - ballDistance(p)) / 4);
   }))) << "and in coarse ones";
+  const auto inBlock = [](glm::dvec3 p) {  // 20 voxels wide, along the axes, or needles beside it
+    const bool needle = p.x > 30 && std::fmod(p.y, 6) < 1 && std::fmod(p.z, 6) < 1;
+    return needle || (p.x > 8 && p.x < 28 && p.y > 7 && p.y < 32 && p.z > 8 && p.z < 30);
+  };
+  EXPECT_FALSE(found(gridOf([&](glm::dvec3 p) {
+    double sum = 0.0;
+    for (int i = 0; i < 8; ++i) sum += inBlock(p + 0.5 * glm::dvec3(i & 1, i / 2 & 1, i / 4)) ? 22.0 : 0.0;
+    return sum;
+  }))) << "a mask that was averaged";
   std::uint64_t counter = 0;
   EXPECT_FALSE(found(gridOf([&](glm::dvec3 p) {
     return 20.0 * organs(p) + 8.0 * base::uniformNoise(7, counter++);
