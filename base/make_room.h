@@ -5,8 +5,8 @@
 
 namespace isolux::base {
 
-// Returns make(). Where that throws Error{memory}, calls forget(), which drops something kept and returns whether
-// there was anything, and tries again; throws the error where nothing is kept.
+// Returns make(). Where that throws Error{memory}, calls forget(), which drops something kept and returns
+// whether there was anything, and tries again; throws the error where nothing is kept.
 template <class Make, class Forget>
 auto madeWithRoom(const Make& make, const Forget& forget) {
   for (;;) try {

@@ -59,7 +59,7 @@ void limitReader(std::size_t budgetBytes) {
   constexpr std::uint64_t small = std::uint64_t{512} << 20, most = std::uint64_t{1} << 46;
   setLimit(RLIMIT_CORE, 0);
   std::signal(SIGXFSZ, SIG_IGN);  // a write is refused, that is enough
-#ifndef ISOLUX_COVERAGE  // which lines ran is written to files
+#ifndef ISOLUX_COVERAGE           // which lines ran is written to files
   setLimit(RLIMIT_FSIZE, 0);
 #endif
   ::mallopt(M_ARENA_MAX, 2);  // each arena reserves address space

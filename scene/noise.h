@@ -14,8 +14,8 @@ struct NoiseModel {
   std::vector<double> values, deviations;
   // Standard deviation of the blur along each axis, voxels; 0: neighbours are independent.
   glm::dvec3 correlation{0.0};
-  // mm: slices lie up to so far apart, and what lies between them was interpolated when the volume was read; 0: it
-  // has none of these.
+  // mm: slices lie up to so far apart, and what lies between them was interpolated when the volume was read;
+  // 0: it has none of these.
   double slicesMm = 0.0;
 
   // Linear between values; beyond the first and the last as there. 0 without values.

@@ -259,7 +259,8 @@ std::optional<TargetAnswer> TargetSearch::keepErrors(const std::vector<Limit>& a
   }
   addLight(answer, surface, progress);
   const MeasuredCandidate& chosen = answer.measured[answer.chosen];
-  answer.reason = "it is the least work that keeps " + limitsText(std::span(answer.limits).first(answer.asked));
+  answer.reason =
+      "it is the least work that keeps " + limitsText(std::span(answer.limits).first(answer.asked));
   answer.expectedMilliseconds = scaledMilliseconds(chosen.candidate, progress);
   return answer;
 }

@@ -61,7 +61,8 @@ void MainWindow::applyPreset(const app::Preset& preset) {
   const VolumePointer volume = document_->volume();
   if (!volume) return;
   if (const std::string reason = app::whyNot(preset, *volume); !reason.empty())
-    return message_->show(MessageBar::Kind::error, tr("Does not apply: %1").arg(translated(texts::presets, reason)));
+    return message_->show(MessageBar::Kind::error,
+                          tr("Does not apply: %1").arg(translated(texts::presets, reason)));
   document_->endGesture();
   document_->edit({app::withPreset(document_->scene(), preset, *volume),
                    tr("Preset %1").arg(translated(texts::presets, preset.title)),

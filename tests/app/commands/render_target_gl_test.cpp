@@ -37,7 +37,8 @@ TEST(RenderTargetGl, TheChoiceIsExplainedAndItsPictureIsMadeAgainBySession) {
   EXPECT_THAT(result.err, HasSubstr("note: --error: light is ignored: this picture reads no stored light\n"));
   EXPECT_THAT(
       result.out,
-      HasSubstr("chosen because it is the least work that keeps depth at most 0.2 voxels, missed at most 3 %"));
+      HasSubstr(
+          "chosen because it is the least work that keeps depth at most 0.2 voxels, missed at most 3 %"));
   const json target = json::parse(contentOf(folder / "s.json")).at("target");
   const json& settings = target["chosen"]["settings"];
   EXPECT_EQ(settings["hit.method"], "sampled");

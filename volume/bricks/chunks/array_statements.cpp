@@ -5,8 +5,8 @@
 #include <set>
 
 #include "base/number_text.h"
-#include "volume/read/input/length_unit.h"
 #include "volume/read/input/image_header.h"
+#include "volume/read/input/length_unit.h"
 #include "volume/read/input/text.h"
 #include "volume/read/length_doubt.h"
 

@@ -24,8 +24,8 @@ namespace isolux::volume {
 
 // Where the readers lie, for programs that are not ours (Python). To be called before anything is read.
 void setReaderFolder(std::filesystem::path folder);
-// A reader, which lies beside the running program, or in that folder. `name`: "isolux-reader-vtk". Throws Error{input} when
-// there is none.
+// A reader, which lies beside the running program, or in that folder. `name`: "isolux-reader-vtk". Throws
+// Error{input} when there is none.
 std::filesystem::path readerProgram(const std::string& name);
 
 // Closes a file descriptor.

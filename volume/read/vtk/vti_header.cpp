@@ -173,7 +173,8 @@ void Check::refuseType(const std::string& type) {
 
 // A .pvti has no voxels: it names the files that do.
 void Check::refuseParallel() const {
-  if (sources_.empty()) throwInput(file_, "Piece Source", "is missing: a .pvti names the files of its voxels");
+  if (sources_.empty())
+    throwInput(file_, "Piece Source", "is missing: a .pvti names the files of its voxels");
   std::string files;
   for (std::size_t i = 0; i < std::min<std::size_t>(sources_.size(), 3); ++i)
     files += (i > 0 ? ", " : "") + sources_[i];
