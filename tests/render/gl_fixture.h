@@ -1,6 +1,7 @@
 // What tests of the renderer share: a software context, phantoms ready to draw, and deferred images.
 #pragma once
 
+#include <cstdlib>
 #include <memory>
 
 #include <gtest/gtest.h>
@@ -15,12 +16,14 @@
 
 namespace isolux::test {
 
-// Tests with this fixture need software GL and nothing else; their names end in "GlTest". An error that the
-// driver reports fails the test, wherever it comes from.
+// Tests with this fixture need software GL and nothing else; their names end in "GlTest". With ISOLUX_GPU=1
+// in the environment they draw on a graphics card. An error that the driver reports fails the test, wherever
+// it comes from.
 class RenderGlTest : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    context_ = render::OffscreenContext::create(render::ContextChoice::software);
+    context_ = render::OffscreenContext::create(std::getenv("ISOLUX_GPU") ? render::ContextChoice::egl
+                                                                          : render::ContextChoice::software);
   }
   static void TearDownTestSuite() { context_.reset(); }
   void SetUp() override {

@@ -172,14 +172,17 @@ float rootIn(vec4 b, vec2 bracket) {
 }
 
 // Bernstein coefficients of the trilinear field along the segment from..to of a cell: the polar form, which for a
-// multi-affine field is the mean over which axes have already moved.
+// multi-affine field is the mean over which axes have already moved. Within the corners' values, which rounding beside
+// what stands for no value (-1e30) would leave: no surface where no corner is on its other side.
 vec4 bernstein(vec4 low, vec4 high, vec3 from, vec3 to) {
   vec4 atFrom = mix(low, high, from.z), atTo = mix(low, high, to.z);
   float f000 = bilinear(atFrom, from.x, from.y), f100 = bilinear(atFrom, to.x, from.y);
   float f010 = bilinear(atFrom, from.x, to.y), f110 = bilinear(atFrom, to.x, to.y);
   float f001 = bilinear(atTo, from.x, from.y), f101 = bilinear(atTo, to.x, from.y);
   float f011 = bilinear(atTo, from.x, to.y), f111 = bilinear(atTo, to.x, to.y);
-  return vec4(f000, (f100 + f010 + f001) / 3.0, (f110 + f101 + f011) / 3.0, f111);
+  vec4 least = min(low, high), most = max(low, high);
+  return clamp(vec4(f000, (f100 + f010 + f001) / 3.0, (f110 + f101 + f011) / 3.0, f111),
+               min(min(least.x, least.y), min(least.z, least.w)), max(max(most.x, most.y), max(most.z, most.w)));
 }
 
 int sidesOf(float valueMinusFirst) {
