@@ -1,12 +1,14 @@
 #include "app/cluster/mpi_ranks.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <utility>
 
 #include <dlfcn.h>
+#include <fcntl.h>
 #include <unistd.h>
 
 #include "app/cluster/mpi_module.h"
@@ -32,6 +34,23 @@ int tasksOfLauncher() {
   for (const char* name : {"PMI_SIZE", "SLURM_STEP_NUM_TASKS"})
     if (const char* const text = std::getenv(name)) most = std::max(most, std::atoi(text));
   return most;
+}
+
+// MPI starts once in a rank, and ends the job the second time: the launcher's folder, which goes with the
+// job, remembers it.
+void claimRank() {
+  const auto text = [](const char* name) {
+    const char* const set = std::getenv(name);
+    return std::string(set ? set : "");
+  };
+  const std::string folder = text("PMIX_SERVER_TMPDIR"), rank = text("PMIX_RANK");
+  if (folder.empty() || rank.empty()) return;
+  const fs::path claim = fs::path(folder) / ("isolux-" + text("PMIX_NAMESPACE") + "-" + rank);
+  const int file = ::open(claim.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  if (file >= 0)
+    ::close(file);
+  else if (errno == EEXIST)
+    failMpi("MPI has been started in this rank before, and starts once: give each bake its own mpirun");
 }
 
 class ModuleRanks : public MpiRanks {
@@ -98,6 +117,7 @@ std::unique_ptr<MpiRanks> connectMpi() {
   const auto find = reinterpret_cast<const IsoluxMpiModule* (*)()>(::dlsym(library, "isoluxMpiModule"));
   if (!find) failMpi("is another program's");
   const IsoluxMpiModule& table = *find();
+  claimRank();
   if (table.begin() != 0) failMpi("MPI cannot be started");
   const int started = tasksOfLauncher();
   if (table.size() == 1 && started > 1)

@@ -27,6 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
+using testing::Not;
 
 using Words = std::vector<std::string>;
 
@@ -243,6 +244,21 @@ TEST_F(BakeOverMpi, ARankWithAnotherVolumeIsNamedAndASentOneIsTheSame) {
   EXPECT_EQ(missing.exitCode, 3);
   EXPECT_THAT(missing.err, HasSubstr("isolux: rank 1 on "));
   EXPECT_THAT(missing.err, HasSubstr("nowhere.vti"));
+}
+
+TEST_F(BakeOverMpi, ASecondBakeOfTheSameRanksIsRefusedInOneLine) {
+  const std::string script = "\"$0\" \"$@\" --out one.vti && \"$0\" \"$@\" --out again.vti";
+  const RunResult twice =
+      RunningIsolux({"--oversubscribe", "--bind-to", "none", "-n", "2", "/bin/bash", "-c", script,
+                     ISOLUX_BINARY, "bake", "phantom:gyroid:16", "--set", "gi.samples=4"},
+                    settings())
+          .wait();
+  EXPECT_EQ(twice.exitCode, 3) << twice.err;
+  EXPECT_THAT(twice.err, HasSubstr("isolux-mpi.so: MPI has been started in this rank before"));
+  EXPECT_THAT(twice.err, HasSubstr("--no-mpi"));
+  EXPECT_THAT(twice.err, Not(HasSubstr("mistake in Isolux")));
+  EXPECT_TRUE(fs::exists(folder_ / "one.vti"));
+  EXPECT_FALSE(fs::exists(folder_ / "again.vti"));
 }
 
 TEST_F(BakeOverMpi, WrongUseOnRank0LetsAllGo) {
