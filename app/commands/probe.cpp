@@ -77,52 +77,6 @@ ordered_json hitJson(const volume::PreparedVolume& prepared, const volume::Surfa
   return json;
 }
 
-struct Probed {
-  ordered_json points = ordered_json::array(), rays = ordered_json::array();
-};
-
-Probed probed(const ProbeOptions& options, const scene::Scene& scene,
-              const std::shared_ptr<const volume::PreparedVolume>& prepared, base::Progress& progress) {
-  const auto points = options.points.empty() ? std::vector<NumberRow>{} : readNumberRows(options.points, 3);
-  const auto rays = options.rays.empty() ? std::vector<NumberRow>{} : readNumberRows(options.rays, 6);
-  const volume::PointProbe probe(prepared, scene, progress);
-  const volume::SurfaceEdges edges(prepared, scene, progress);
-  const Probes probes{probe, edges.finder()};
-  Probed result;
-  std::size_t outside = 0, missed = 0, firstOutside = 0, firstMissed = 0;
-  for (const NumberRow& row : points) {
-    const glm::dvec3 world(row.numbers[0], row.numbers[1], row.numbers[2]);
-    const auto point = probe.at(world);
-    if (!point && outside++ == 0) firstOutside = row.line;
-    addPoint(result.points.emplace_back(ordered_json::object()), probes, world, point);
-  }
-  const double isovalue = scene.isosurface.value.value_or(0.0);
-  const volume::SurfaceOf surface{prepared->grid(),
-                                  isovalue,
-                                  scene.isosurface.inside,
-                                  {{isovalue}, {scene.derivatives.noise.value_or(0.0)}, glm::dvec3(0.0)}};
-  const volume::SurfaceCut cut =
-      rays.empty() ? volume::SurfaceCut() : volume::SurfaceCut(scene, prepared->grid().geometry());
-  for (const NumberRow& row : rays) {
-    const glm::dvec3 origin(row.numbers[0], row.numbers[1], row.numbers[2]);
-    const glm::dvec3 direction(row.numbers[3], row.numbers[4], row.numbers[5]);
-    if (!(glm::length(direction) > 0.0))
-      base::throwInput(options.rays, "line " + std::to_string(row.line), "a ray needs a direction");
-    ordered_json hit = hitJson(*prepared, surface, probes, cut, origin, glm::normalize(direction));
-    if (hit.is_null() && missed++ == 0) firstMissed = row.line;
-    result.rays.push_back(
-        {{"origin_mm", vectorOf(origin)}, {"direction", vectorOf(direction)}, {"hit", hit}});
-  }
-  if (outside > 0)
-    printNote(std::to_string(outside) + " of " + std::to_string(points.size()) +
-              " points lie outside the volume or beside missing voxels, the first in line " +
-              std::to_string(firstOutside));
-  if (missed > 0)
-    printNote(std::to_string(missed) + " of " + std::to_string(rays.size()) +
-              " rays hit nothing, the first in line " + std::to_string(firstMissed));
-  return result;
-}
-
 // Numbers of an object that is flat but for short arrays, in columns.
 void addColumns(const ordered_json& json, std::string& names, std::string& values) {
   for (const auto& [key, value] : json.items()) {
@@ -144,22 +98,80 @@ void addColumns(const ordered_json& json, std::string& names, std::string& value
   }
 }
 
-// Rows without a hit have fewer columns than the others.
-void printTable(const ordered_json& rows) {
-  std::string header;
-  std::vector<std::string> lines;
-  for (const ordered_json& row : rows) {
+// What is printed: objects for JSON, else lines of a table, which take a fifth of their memory.
+class Rows {
+ public:
+  explicit Rows(bool asJson) : asJson_(asJson) {}
+  void add(ordered_json row) {
+    if (asJson_) return objects_.push_back(std::move(row));
     std::string names;
-    addColumns(row, names, lines.emplace_back());
-    if (names.size() > header.size()) header = names;
+    addColumns(row, names, lines_.emplace_back());
+    if (names.size() > header_.size()) header_ = names;
   }
-  if (lines.empty()) return;
-  const auto columns = std::count(header.begin(), header.end(), ',');
-  std::cout << header << '\n';
-  for (const std::string& line : lines) {
-    const auto missing = columns - std::count(line.begin(), line.end(), ',');
-    std::cout << line << std::string(static_cast<std::size_t>(missing), ',') << '\n';
+  const ordered_json& objects() const { return objects_; }
+  // Rows without a hit have fewer columns than the others.
+  void printTable() const {
+    if (lines_.empty()) return;
+    const auto columns = std::count(header_.begin(), header_.end(), ',');
+    std::cout << header_ << '\n';
+    for (const std::string& line : lines_) {
+      const auto missing = columns - std::count(line.begin(), line.end(), ',');
+      std::cout << line << std::string(static_cast<std::size_t>(missing), ',') << '\n';
+    }
   }
+
+ private:
+  bool asJson_;
+  ordered_json objects_ = ordered_json::array();
+  std::string header_;
+  std::vector<std::string> lines_;
+};
+
+struct Probed {
+  Rows points, rays;
+};
+
+Probed probed(const ProbeOptions& options, const scene::Scene& scene,
+              const std::shared_ptr<const volume::PreparedVolume>& prepared, base::Progress& progress) {
+  const auto points = options.points.empty() ? std::vector<NumberRow>{} : readNumberRows(options.points, 3);
+  const auto rays = options.rays.empty() ? std::vector<NumberRow>{} : readNumberRows(options.rays, 6);
+  const volume::PointProbe probe(prepared, scene, progress);
+  const volume::SurfaceEdges edges(prepared, scene, progress);
+  const Probes probes{probe, edges.finder()};
+  Probed result{Rows(options.json), Rows(options.json)};
+  std::size_t outside = 0, missed = 0, firstOutside = 0, firstMissed = 0;
+  for (const NumberRow& row : points) {
+    const glm::dvec3 world(row.numbers[0], row.numbers[1], row.numbers[2]);
+    const auto point = probe.at(world);
+    if (!point && outside++ == 0) firstOutside = row.line;
+    ordered_json probed = ordered_json::object();
+    addPoint(probed, probes, world, point);
+    result.points.add(std::move(probed));
+  }
+  const double isovalue = scene.isosurface.value.value_or(0.0);
+  const volume::SurfaceOf surface{prepared->grid(),
+                                  isovalue,
+                                  scene.isosurface.inside,
+                                  {{isovalue}, {scene.derivatives.noise.value_or(0.0)}, glm::dvec3(0.0)}};
+  const volume::SurfaceCut cut =
+      rays.empty() ? volume::SurfaceCut() : volume::SurfaceCut(scene, prepared->grid().geometry());
+  for (const NumberRow& row : rays) {
+    const glm::dvec3 origin(row.numbers[0], row.numbers[1], row.numbers[2]);
+    const glm::dvec3 direction(row.numbers[3], row.numbers[4], row.numbers[5]);
+    if (!(glm::length(direction) > 0.0))
+      base::throwInput(options.rays, "line " + std::to_string(row.line), "a ray needs a direction");
+    ordered_json hit = hitJson(*prepared, surface, probes, cut, origin, glm::normalize(direction));
+    if (hit.is_null() && missed++ == 0) firstMissed = row.line;
+    result.rays.add({{"origin_mm", vectorOf(origin)}, {"direction", vectorOf(direction)}, {"hit", hit}});
+  }
+  if (outside > 0)
+    printNote(std::to_string(outside) + " of " + std::to_string(points.size()) +
+              " points lie outside the volume or beside missing voxels, the first in line " +
+              std::to_string(firstOutside));
+  if (missed > 0)
+    printNote(std::to_string(missed) + " of " + std::to_string(rays.size()) +
+              " rays hit nothing, the first in line " + std::to_string(firstMissed));
+  return result;
 }
 
 }  // namespace
@@ -191,12 +203,13 @@ Command makeProbe(CLI::App& program) {
             const Probed result = probed(*options, scene, prepared, progress);
             const bool both = !options->points.empty() && !options->rays.empty();
             if (options->json)
-              std::cout << jsonText(both ? ordered_json{{"points", result.points}, {"rays", result.rays}}
-                                    : options->rays.empty() ? result.points
-                                                            : result.rays);
+              std::cout << jsonText(
+                  both ? ordered_json{{"points", result.points.objects()}, {"rays", result.rays.objects()}}
+                  : options->rays.empty() ? result.points.objects()
+                                          : result.rays.objects());
             else {
-              printTable(result.points);
-              printTable(result.rays);
+              result.points.printTable();
+              result.rays.printTable();
             }
             printWarnings(prepared->volume);
           }};

@@ -63,6 +63,23 @@ TEST_F(BakeParts, MorePathsGoOnFromTheFileOfThePart) {
   EXPECT_TRUE(bytesOf("once.part-1-of-2.vti") == bytesOf("twice.part-1-of-2.vti"));
 }
 
+TEST_F(BakeParts, PiecesReplaceStoredLightOnly) {
+  for (const char* name : {"light.pvti", "light.piece-1-of-2.vti", "light.piece-1-of-1.vti"}) {
+    std::ofstream(folder_ / name) << "notes";
+    const RunResult refused = bake("light.vti", {"--pieces", "2"});
+    EXPECT_EQ(refused.exitCode, 3) << name;
+    EXPECT_TRUE(refused.isOneErrorLine()) << refused.err;
+    EXPECT_THAT(refused.err, testing::AllOf(HasSubstr(name), HasSubstr("--overwrite")));
+    EXPECT_EQ(bytesOf(name), "notes");
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "light.vti"));
+    std::filesystem::remove(folder_ / name);
+  }
+  std::ofstream(folder_ / "light.pvti") << "notes";
+  EXPECT_EQ(bake("light.vti", {"--pieces", "2", "--overwrite"}).exitCode, 0);
+  EXPECT_THAT(bytesOf("light.pvti"), HasSubstr(".piece-1-of-2."));
+  EXPECT_EQ(bake("light.vti", {"--pieces", "2"}).exitCode, 0) << "its own";
+}
+
 TEST_F(BakeParts, WrongUseIsOneLine) {
   for (const char* part : {"0/3", "4/3", "1", "1/", "/3", "a/b", "1/3x", "-1/3", "1/99999999999"}) {
     const RunResult result = bake("light.vti", {"--part", part});
