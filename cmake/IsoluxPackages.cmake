@@ -4,6 +4,7 @@
 find_package(Threads REQUIRED)
 find_package(PkgConfig REQUIRED)
 find_package(ZLIB REQUIRED)
+find_package(BZip2 REQUIRED)
 find_package(PNG REQUIRED)
 pkg_check_modules(OpenEXR REQUIRED IMPORTED_TARGET OpenEXR)
 find_package(nlohmann_json REQUIRED)

@@ -465,13 +465,13 @@ void Header::readEncoding(ImageHeader& header) const {
   Payload& payload = header.payload;
   if (name == "raw") {
     payload.encoding = Encoding::raw;
-  } else if (name == "gzip" || name == "gz") {
+  } else if (name == "gzip" || name == "gz" || name == "bzip2" || name == "bz2") {
     payload.encoding = Encoding::zlib;
   } else if (name == "txt" || name == "text" || name == "ascii") {
     payload.encoding = Encoding::ascii;
-  } else if (name == "bzip2" || name == "bz2" || name == "hex") {
+  } else if (name == "hex") {
     throwInput(file_, encoding.place(),
-               "the encoding " + inQuotes(name) + " is not supported; gzip, raw and text are");
+               "the encoding \"hex\" is not supported; gzip, bzip2, raw and text are");
   } else {
     throwInput(file_, encoding.place(), "the encoding " + inQuotes(encoding.value) + " is not known");
   }

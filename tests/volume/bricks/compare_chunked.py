@@ -7,6 +7,7 @@ DESCRIBE_VOLUME is the test tool of tests/volume_tools; it also reads parts of e
 Zarr 3, which zarr-python before 3 does not write, is put together here by its specification, with their codecs and a CRC-32C bit by
 bit. Values say where they are. Exit code 77: a package is missing (skipped)."""
 
+import bz2
 import itertools
 import json
 import pathlib
@@ -120,7 +121,7 @@ def zarr_v2(tool, folder):
         write_zarr2(path, values, chunks=chunks, order=order, dimension_separator=separator)
         compare(tool, f"Zarr 2 {dtype} {order} {separator}", path, values, format="Zarr 2",
                 type={"|b1": "uint8", "<f2": "float32", ">f2": "float32"}.get(dtype, numpy.dtype(dtype).name))
-    codecs = [None, numcodecs.Zlib(3), numcodecs.GZip(3), numcodecs.Zstd(3), numcodecs.LZ4()]
+    codecs = [None, numcodecs.Zlib(3), numcodecs.GZip(3), numcodecs.Zstd(3), numcodecs.LZ4(), numcodecs.BZ2(3)]
     codecs += [numcodecs.Blosc(name, 3, shuffle) for name in ("blosclz", "lz4", "lz4hc", "zlib", "zstd")
                for shuffle in (0, 1, 2)]
     values = field(shape, "<u2") * 257
@@ -213,7 +214,8 @@ def packed(values, codecs, dtype):
             data += struct.pack("<I", crc32c(data))
         else:
             maker = {"gzip": numcodecs.GZip, "zstd": numcodecs.Zstd, "blosc": numcodecs.Blosc,
-                     "numcodecs.zlib": numcodecs.Zlib, "numcodecs.lz4": numcodecs.LZ4}[name]
+                     "numcodecs.zlib": numcodecs.Zlib, "numcodecs.lz4": numcodecs.LZ4,
+                     "numcodecs.bz2": numcodecs.BZ2}[name]
             words = {k: v for k, v in given.items() if k in ("level", "cname", "clevel", "blocksize")}
             if name == "blosc":
                 words["shuffle"] = {"noshuffle": 0, "shuffle": 1, "bitshuffle": 2}[given["shuffle"]]
@@ -286,7 +288,8 @@ def zarr_v3(tool, folder):
     crc = {"name": "crc32c"}
     pipelines = [[little], [big], [little, gzip], [little, zstd], [big, blosc], [turn, little, zstd, crc],
                  [turn, again, big], [little, crc], [little, {"name": "numcodecs.zlib", "configuration": {"level": 1}}],
-                 [little, {"name": "numcodecs.lz4", "configuration": {}}]]
+                 [little, {"name": "numcodecs.lz4", "configuration": {}}],
+                 [little, {"name": "numcodecs.bz2", "configuration": {"level": 1}}]]
     for number, codecs in enumerate(pipelines):
         values = field(shape, "u2") * 257
         names = "+".join(c["name"] for c in codecs)
@@ -365,6 +368,15 @@ def hdf5(tool, folder):
     plain[2:] = numpy.arange(32).reshape(2, 4, 4)
     compare(tool, "HDF5 filter mask", f"{path}:/mixed", plain)
     compare(tool, "HDF5 lzf", f"{path}:/lzf", values[0, :, :, :, 0])
+    with h5py.File(folder / "bzip2.h5", "w") as file:
+        made = h5py.h5p.create(h5py.h5p.DATASET_CREATE)
+        made.set_chunk((2, 4, 4))
+        made.set_filter(307, h5py.h5z.FLAG_OPTIONAL, (9,))
+        chunks = h5py.h5d.create(file.id, b"a", h5py.h5t.STD_U8LE, h5py.h5s.create_simple((4, 4, 4)), made)
+        for at in (0, 2):
+            chunks.write_direct_chunk((at, 0, 0), bz2.compress(bytes(range(at, at + 32))))
+    pair = numpy.array([list(range(0, 32)), list(range(2, 34))], "u1").reshape(4, 4, 4)
+    compare(tool, "HDF5 bzip2", folder / "bzip2.h5", pair)
     incompressible = numpy.random.default_rng(1).integers(0, 65536, (9, 10, 11), dtype="u2")
     with h5py.File(folder / "packed.h5", "w") as file:
         file.create_dataset("noise", data=incompressible, chunks=(4, 4, 4), compression="lzf")

@@ -105,7 +105,7 @@ TEST(Zarr, DamagedChunksAreNamed) {
   Files files = plainArray();
   files["1.0.0"].resize(47);
   EXPECT_THAT(refusal(files), testing::AllOf(HasSubstr("1.0.0: chunk 1/0/0"), HasSubstr("47 bytes")));
-  for (const char* codec : {"zlib", "gzip", "zstd", "lz4", "blosc"}) {
+  for (const char* codec : {"zlib", "gzip", "zstd", "bz2", "lz4", "blosc"}) {
     Files packed = plainArray();
     packed[".zarray"] = replaced(packed[".zarray"], R"("compressor": null)",
                                  std::string(R"("compressor": {"id": ")") + codec + R"("})");

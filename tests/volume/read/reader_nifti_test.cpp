@@ -211,6 +211,16 @@ TEST(Nifti, PackedWithZstd) {
   expectError(path, "cannot hold");
 }
 
+TEST(Nifti, PackedWithBzip2) {
+  NiftiFile file = small();
+  const auto path = test::temporaryFolder() / "v.nii.bz2";
+  writeFile(path, test::bzip2(file.bytes()));
+  EXPECT_EQ(valuesOf(readFile(path)), zeroToSeven);
+  file.dims = {4096, 4096, 2400};
+  writeFile(path, test::bzip2(file.bytes()));
+  expectError(path, "cannot hold");
+}
+
 TEST(Nifti, BigEndianGzipAndPairs) {
   NiftiFile file;
   file.big = true;

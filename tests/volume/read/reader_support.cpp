@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include <bzlib.h>
 #include <zlib.h>
 
 namespace isolux::test {
@@ -37,6 +38,15 @@ std::string gzipped(const std::string& bytes) {
 }
 std::string zlibbed(const std::string& bytes) {
   return deflated(bytes, 15);
+}
+
+std::string bzip2(const std::string& bytes) {
+  std::string in = bytes, out(bytes.size() + bytes.size() / 100 + 600, '\0');
+  auto size = static_cast<unsigned>(out.size());
+  EXPECT_EQ(BZ2_bzBuffToBuffCompress(out.data(), &size, in.data(), static_cast<unsigned>(in.size()), 1, 0, 0),
+            BZ_OK);
+  out.resize(size);
+  return out;
 }
 
 volume::Volume readFile(const fs::path& path, const volume::ReadOptions& options) {

@@ -20,6 +20,7 @@ namespace isolux::test {
 void writeFile(const std::filesystem::path& path, const std::string& bytes);
 std::string gzipped(const std::string& bytes);
 std::string zlibbed(const std::string& bytes);
+std::string bzip2(const std::string& bytes);
 
 // The bytes of numbers, little or big endian.
 template <typename T>

@@ -7,6 +7,7 @@
 #include <string>
 
 #include <blosc.h>
+#include <bzlib.h>
 #include <lz4.h>
 #include <zlib.h>
 #include <zstd.h>
@@ -83,6 +84,21 @@ Unpacked unzstd(PackedBytes packed, std::size_t atMost) {
   Unpacked out(atMost);
   const std::size_t size = ::ZSTD_decompress(out.data(), out.size(), packed.data(), packed.size());
   if (::ZSTD_isError(size) != 0) damaged(CodecKind::zstd, ::ZSTD_getErrorName(size));
+  out.resize(size);
+  return out;
+}
+
+// `out` is below 4 GiB.
+Unpacked unbzip2(PackedBytes packed, std::size_t atMost) {
+  Unpacked out(atMost + 1);  // one more tells that there is more
+  auto size = static_cast<unsigned>(out.size());
+  char* const in = const_cast<char*>(reinterpret_cast<const char*>(packed.data()));  // its older signature
+  const int result = ::BZ2_bzBuffToBuffDecompress(reinterpret_cast<char*>(out.data()), &size, in,
+                                                  static_cast<unsigned>(packed.size()), 0, 0);
+  if (result == BZ_OUTBUFF_FULL || (result == BZ_OK && size > atMost)) tooLong(CodecKind::bzip2, atMost);
+  if (result == BZ_UNEXPECTED_EOF) damaged(CodecKind::bzip2, "they are cut off");
+  if (result != BZ_OK)
+    damaged(CodecKind::bzip2, result == BZ_DATA_ERROR_MAGIC ? "no such stream" : "a block's sum is wrong");
   out.resize(size);
   return out;
 }
@@ -211,6 +227,8 @@ std::string_view nameOf(CodecKind kind) {
       return "deflate";
     case CodecKind::zstd:
       return "zstd";
+    case CodecKind::bzip2:
+      return "bzip2";
     case CodecKind::lz4:
     case CodecKind::lz4Blocks:
       return "lz4";
@@ -234,6 +252,8 @@ std::vector<std::byte> unpacked(const Codec& codec, std::span<const std::byte> p
       return inflated(packed, atMost);
     case CodecKind::zstd:
       return unzstd(packed, atMost);
+    case CodecKind::bzip2:
+      return unbzip2(packed, atMost);
     case CodecKind::lz4:
       return unlz4(packed, atMost);
     case CodecKind::lz4Blocks:

@@ -12,6 +12,7 @@ namespace isolux::volume {
 enum class CodecKind {
   deflate,     // zlib or gzip, told apart by content; several gzip members, too
   zstd,        // frames
+  bzip2,       // one stream
   lz4,         // numcodecs: length (4 bytes, little endian), one block
   lz4Blocks,   // HDF5's filter 32004: lengths (big endian), blocks
   lzf,         // HDF5's filter 32000, h5py's: LibLZF's format without a length

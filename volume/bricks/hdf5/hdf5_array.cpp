@@ -28,6 +28,8 @@ Codec codecOfFilter(const Hdf5Filter& filter, const FileNumber& number, const st
     }
     case 3:
       return {CodecKind::fletcher32, 1};
+    case 307:
+      return {CodecKind::bzip2, 1};
     case 32000:
       return {CodecKind::lzf, 1};
     case 32001:
@@ -41,8 +43,7 @@ Codec codecOfFilter(const Hdf5Filter& filter, const FileNumber& number, const st
   }
   // The library itself has the first three, so that h5repack undoes them; the others are plug-ins.
   static constexpr std::pair<std::uint32_t, const char*> known[] = {
-      {4, "szip"},           {5, "nbit"},    {6, "scaleoffset"}, {307, "bzip2"},
-      {32008, "bitshuffle"}, {32013, "zfp"}, {32026, "blosc2"}};
+      {4, "szip"}, {5, "nbit"}, {6, "scaleoffset"}, {32008, "bitshuffle"}, {32013, "zfp"}, {32026, "blosc2"}};
   std::string name = "number " + std::to_string(filter.id);
   for (const auto& [id, text] : known)
     if (id == filter.id) name = text;

@@ -41,6 +41,7 @@ Codec codecOfV2(const JsonField& field) {
   const std::string id = field.at("id").text();
   if (id == "zlib" || id == "gzip") return {CodecKind::deflate, 1};
   if (id == "zstd") return {CodecKind::zstd, 1};
+  if (id == "bz2") return {CodecKind::bzip2, 1};
   if (id == "lz4") return {CodecKind::lz4, 1};
   if (id == "blosc") return {CodecKind::blosc, 1};
   if (id == "shuffle") {
@@ -51,7 +52,8 @@ Codec codecOfV2(const JsonField& field) {
       size.refuse("must be a number of bytes from 1 to 256");
     return {CodecKind::shuffle, value.get<std::size_t>()};
   }
-  field.refuse("the codec " + inQuotes(id) + " is not read; zlib, gzip, zstd, lz4, blosc and shuffle are");
+  field.refuse("the codec " + inQuotes(id) +
+               " is not read; zlib, gzip, zstd, bz2, lz4, blosc and shuffle are");
 }
 
 }  // namespace

@@ -99,6 +99,7 @@ Codec packedCodecOf(const Extension& codec) {
   if (name.starts_with("numcodecs.")) name.remove_prefix(10);
   if (name == "gzip" || name == "zlib") return {CodecKind::deflate, 1};
   if (name == "zstd") return {CodecKind::zstd, 1};
+  if (name == "bz2") return {CodecKind::bzip2, 1};
   if (name == "lz4") return {CodecKind::lz4, 1};
   if (name == "blosc") return {CodecKind::blosc, 1};
   if (name == "crc32c") return {CodecKind::crc32c, 1};
@@ -109,7 +110,7 @@ Codec packedCodecOf(const Extension& codec) {
     return {CodecKind::shuffle, static_cast<std::size_t>(size)};
   }
   codec.field.refuse("the codec " + inQuotes(codec.name) +
-                     " is not read; bytes, transpose, gzip, zlib, zstd, lz4, blosc, shuffle, crc32c and "
+                     " is not read; bytes, transpose, gzip, zlib, zstd, bz2, lz4, blosc, shuffle, crc32c and "
                      "sharding_indexed are");
 }
 

@@ -17,7 +17,7 @@
 
 namespace isolux::volume {
 
-enum class Encoding { raw, zlib /* zlib, gzip or zstd, told apart by content */, ascii };
+enum class Encoding { raw, zlib /* zlib, gzip, zstd or bzip2, told apart by content */, ascii };
 
 // Where the voxels are and how they are written.
 struct Payload {

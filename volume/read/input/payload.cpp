@@ -81,7 +81,7 @@ void checkClaim(const Payload& payload, const Bytes& bytes, std::uint64_t begin,
       if (payload.compressedBytes > 0) available = payload.compressedBytes;
       std::string mark(static_cast<std::size_t>(std::min<std::uint64_t>(4, available)), '\0');
       bytes.read(begin, std::as_writable_bytes(std::span(mark)));
-      if (dataBytes / (isZstd(mark) ? kBestZstdRatio : kBestDeflateRatio) > available)
+      if (dataBytes / bestRatio(mark) > available)
         truncated(std::to_string(available) + " compressed bytes cannot hold that");
       break;
     }

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include <bzlib.h>
 #include <zlib.h>
 #include <zstd.h>
 
@@ -22,6 +23,14 @@ namespace isolux::volume {
 using base::throwInput;
 
 namespace {
+
+bool isZstd(std::string_view head) {
+  return head.starts_with("\x28\xb5\x2f\xfd");
+}
+
+bool isBzip2(std::string_view head) {
+  return head.starts_with("BZh");
+}
 
 class RawStream final : public VoxelStream {
  public:
@@ -37,7 +46,7 @@ class RawStream final : public VoxelStream {
   std::uint64_t at_;
 };
 
-// What both kinds of packed streams share.
+// What all kinds of packed streams share.
 class PackedStream : public VoxelStream {
  public:
   PackedStream(const Bytes& bytes, std::uint64_t offset, std::uint64_t length)
@@ -160,10 +169,54 @@ class ZstdStream final : public PackedStream {
   ZSTD_inBuffer from_{nullptr, 0, 0};
 };
 
+class Bzip2Stream final : public PackedStream {
+ public:
+  Bzip2Stream(const Bytes& bytes, std::uint64_t offset, std::uint64_t length)
+      : PackedStream(bytes, offset, length) {
+    begin();
+  }
+  ~Bzip2Stream() override { BZ2_bzDecompressEnd(&bz_); }
+  Bzip2Stream(const Bzip2Stream&) = delete;
+  Bzip2Stream& operator=(const Bzip2Stream&) = delete;
+
+  std::size_t readSome(std::span<std::byte> out) override {
+    bz_.next_out = reinterpret_cast<char*>(out.data());
+    bz_.avail_out = static_cast<unsigned>(out.size());
+    while (bz_.avail_out > 0) {
+      if (bz_.avail_in == 0) {
+        const auto more = refill();
+        if (more.empty()) break;
+        bz_.next_in = const_cast<char*>(reinterpret_cast<const char*>(more.data()));  // its older signature
+        bz_.avail_in = static_cast<unsigned>(more.size());
+      }
+      if (ended_) {
+        // Another stream may follow (pbzip2 makes many); anything else is padding.
+        if (*bz_.next_in != 'B') break;
+        BZ2_bzDecompressEnd(&bz_);
+        begin();
+      }
+      const int result = BZ2_bzDecompress(&bz_);
+      ended_ = result == BZ_STREAM_END;
+      if (!ended_ && result != BZ_OK)
+        fail(bz_.avail_in, result == BZ_DATA_ERROR_MAGIC ? "no bzip2 stream" : "a block's sum is wrong");
+    }
+    return out.size() - bz_.avail_out;
+  }
+
+ private:
+  void begin() {
+    if (BZ2_bzDecompressInit(&bz_, 0, 0) != BZ_OK) throw std::bad_alloc();
+    ended_ = false;
+  }
+  bz_stream bz_{};
+  bool ended_ = false;
+};
+
 std::unique_ptr<PackedStream> packedStream(const Bytes& bytes, std::uint64_t offset, std::uint64_t length) {
   std::string mark(static_cast<std::size_t>(std::min<std::uint64_t>(4, length)), '\0');
   bytes.read(offset, std::as_writable_bytes(std::span(mark)));
   if (isZstd(mark)) return std::make_unique<ZstdStream>(bytes, offset, length);
+  if (isBzip2(mark)) return std::make_unique<Bzip2Stream>(bytes, offset, length);
   return std::make_unique<InflateStream>(bytes, offset, length);
 }
 
@@ -267,12 +320,12 @@ class TextStream final : public VoxelStream {
 
 }  // namespace
 
-bool isZstd(std::string_view head) {
-  return head.starts_with("\x28\xb5\x2f\xfd");
+bool isPacked(std::string_view head) {
+  return head.starts_with("\x1f\x8b") || isZstd(head) || isBzip2(head);
 }
 
-bool isPacked(std::string_view head) {
-  return head.starts_with("\x1f\x8b") || isZstd(head);
+std::uint64_t bestRatio(std::string_view head) {
+  return isZstd(head) ? 32768 : isBzip2(head) ? std::uint64_t{1} << 21 : 1032;
 }
 
 std::unique_ptr<VoxelStream> rawStream(const Bytes& bytes, std::uint64_t offset) {

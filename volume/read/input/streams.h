@@ -13,13 +13,11 @@
 
 namespace isolux::volume {
 
-// What deflate (zlib, gzip) and zstd (a block of 128 KiB in 4 bytes) pack at the very best: a larger claim is
-// none that a file can hold.
-constexpr std::uint64_t kBestDeflateRatio = 1032, kBestZstdRatio = 32768;
-
-// By the first bytes of a file or stream. Zlib's streams have no mark.
-bool isZstd(std::string_view head);
-bool isPacked(std::string_view head);  // gzip or zstd
+// By the first bytes of a file or stream: gzip, zstd or bzip2. Zlib's streams have no mark.
+bool isPacked(std::string_view head);
+// What deflate (zlib, gzip), zstd (a block of 128 KiB in 4 bytes) or bzip2 (one of 46 MB in 40) packs at the
+// very best: a larger claim is none that a stream with this beginning can hold.
+std::uint64_t bestRatio(std::string_view head);
 
 class VoxelStream {
  public:
@@ -32,13 +30,13 @@ class VoxelStream {
 
 // Bytes from `offset` to the end of the file.
 std::unique_ptr<VoxelStream> rawStream(const Bytes& bytes, std::uint64_t offset);
-// zlib, gzip or zstd (several members, too) between `offset` and offset + length.
+// zlib, gzip, zstd or bzip2 (several members, too) between `offset` and offset + length.
 std::unique_ptr<VoxelStream> inflateStream(const Bytes& bytes, std::uint64_t offset, std::uint64_t length);
 // Numbers separated by white space or commas, as values of `type` in the machine's byte order.
 std::unique_ptr<VoxelStream> textStream(const Bytes& bytes, std::uint64_t offset, VoxelType type);
 
-// The first bytes of a file that is one zlib, gzip or zstd stream, at most `most`; fewer when it is shorter,
-// none when broken.
+// The first bytes of a file that is one zlib, gzip, zstd or bzip2 stream, at most `most`; fewer when it is
+// shorter, none when broken.
 std::string inflatedHead(const Bytes& bytes, std::size_t most);
 
 }  // namespace isolux::volume
