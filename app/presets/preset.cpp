@@ -6,6 +6,7 @@
 
 #include "app/documents/stored_scene.h"
 #include "app/files/json_text.h"
+#include "app/presets/preset_list.h"
 #include "app/presets/preset_value.h"
 #include "base/error.h"
 #include "scene/machine.h"
@@ -82,6 +83,17 @@ void checkPresetName(const std::string& name, const std::filesystem::path& file)
   });
   if (!plain)
     refusePreset(file, "name", "may have lower case letters, letters beyond ASCII, digits, '_' and '-' only");
+}
+
+// The background is the user's, unless a preset of the program made it what it is.
+bool isUsersBackground(const scene::Setting& setting, const scene::Scene& scene) {
+  if (!setting.path.starts_with("look.background")) return false;
+  const nlohmann::json shown = setting.get(scene);
+  const std::span<const Preset> presets = builtInPresets();
+  return std::none_of(presets.begin(), presets.end(), [&](const Preset& preset) {
+    return preset.settings.contains(setting.path) &&
+           nlohmann::json(preset.settings.at(setting.path)) == shown;
+  });
 }
 
 }  // namespace
@@ -162,7 +174,8 @@ scene::Scene withPreset(const scene::Scene& scene, const Preset& preset, const v
                         double shift) {
   scene::Scene result = scene;
   for (const scene::Setting& setting : scene::settings())
-    if (resetByPreset(setting.path)) setting.set(result, setting.defaultValue());
+    if (resetByPreset(setting.path) && !isUsersBackground(setting, scene))
+      setting.set(result, setting.defaultValue());
   for (const auto& [path, value] : preset.settings.items()) {
     const scene::Setting& setting = scene::setting(path);
     const bool isovalue = path.starts_with("isosurface") && path.ends_with(".value");

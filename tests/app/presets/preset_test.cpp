@@ -182,6 +182,20 @@ TEST_F(OwnPresets, AreKeptFoundAndGiveTheSameSceneAgain) {
   EXPECT_NE(warnings[0].find("broken"), std::string::npos);
 }
 
+TEST(Preset, LeavesABackgroundThatTheUserHasChosen) {
+  const auto volume = ramp("");
+  scene::Scene white;
+  white.look.backgroundTop = white.look.backgroundBottom = glm::dvec3(1.0);
+  const scene::Scene shown = withPreset(white, presetWith(R"({"look.mode": "gi"})"), *volume);
+  EXPECT_EQ(shown.look.backgroundTop, glm::dvec3(1.0));
+  EXPECT_EQ(shown.look.backgroundBottom, glm::dvec3(1.0));
+  const scene::Scene black = withPreset(white, findPreset("microscopy"), *volume);
+  EXPECT_NE(black.look.backgroundTop, glm::dvec3(1.0)) << "unless it has one of its own";
+  EXPECT_EQ(withPreset(black, findPreset("simulation"), *volume).look.backgroundTop,
+            scene::Look{}.backgroundTop)
+      << "which goes with it";
+}
+
 TEST_F(OwnPresets, AreReplacedWhereThatIsSaidOnly) {
   const fs::path file = savePreset(presetOf({}, presetNameOf("my bone"), "my bone", nullptr));
   EXPECT_EQ(presetNameOf("My  Bone!"), "my_bone") << "nearly the same name";
