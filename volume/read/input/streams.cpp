@@ -325,7 +325,7 @@ bool isPacked(std::string_view head) {
 }
 
 std::uint64_t bestRatio(std::string_view head) {
-  return isZstd(head) ? 32768 : isBzip2(head) ? std::uint64_t{1} << 21 : 1032;
+  return isZstd(head) ? 32768 : isBzip2(head) ? std::uint64_t{1} << 21 : kBestDeflateRatio;
 }
 
 std::unique_ptr<VoxelStream> rawStream(const Bytes& bytes, std::uint64_t offset) {

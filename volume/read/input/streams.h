@@ -17,6 +17,7 @@ namespace isolux::volume {
 bool isPacked(std::string_view head);
 // What deflate (zlib, gzip), zstd (a block of 128 KiB in 4 bytes) or bzip2 (one of 46 MB in 40) packs at the
 // very best: a larger claim is none that a stream with this beginning can hold.
+constexpr std::uint64_t kBestDeflateRatio = 1032;
 std::uint64_t bestRatio(std::string_view head);
 
 class VoxelStream {
