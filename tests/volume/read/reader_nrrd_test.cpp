@@ -73,11 +73,11 @@ TEST(Nrrd, EncodingsAndSkips) {
             "NRRD0001\r\ntype: uchar\r\ndimension: 3\r\nsizes: 2 2 2\r\nencoding: raw\r\n\r\n" +
                 bytesOf(ramp<std::uint8_t>(8)));
   check("crlf.nrrd");
-  const std::string packed = bzip2(raw);
+  const std::string packed = test::bzip2(raw);
   writeFile(folder / "bzip2.nrrd", fields + "encoding: bzip2\n\n" + packed);
   check("bzip2.nrrd");
   writeFile(folder / "bzip2.nrrd",
-            fields + "encoding: bz2\n\n" + bzip2(raw.substr(0, 9)) + bzip2(raw.substr(9)));
+            fields + "encoding: bz2\n\n" + test::bzip2(raw.substr(0, 9)) + test::bzip2(raw.substr(9)));
   check("bzip2.nrrd");
   for (const std::size_t cut : {packed.size() - 1, std::size_t{20}, std::size_t{3}}) {
     writeFile(folder / "bzip2.nrrd", fields + "encoding: bzip2\n\n" + packed.substr(0, cut));
