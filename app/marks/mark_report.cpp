@@ -84,7 +84,7 @@ std::string summaryText(const MarkReport& report) {
 }
 
 std::string fullText(const scene::Mark& mark, const MarkReport& report) {
-  std::string text = mark.name + " (" + markKind(mark.kind).name + ")\n";
+  std::string text = base::printable(mark.name) + " (" + markKind(mark.kind).name + ")\n";
   if (!report.place.empty()) text += "  " + report.place + '\n';
   for (const MarkQuantity& quantity : report.quantities)
     text += "  " + spaced(quantity.name) + ": " + quantityText(quantity) + '\n';

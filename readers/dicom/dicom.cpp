@@ -9,16 +9,14 @@
 
 #include <glm/geometric.hpp>
 
-#include <vtkCallbackCommand.h>
 #include <vtkDICOMReader.h>
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkStringArray.h>
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "readers/dicom/decode.h"
 #include "readers/dicom/series.h"
 #include "readers/limits.h"
 #include "readers/serve.h"
@@ -36,12 +34,6 @@ namespace fs = std::filesystem;
 using base::throwInput;
 
 namespace {
-
-void observe(vtkObject* caller, unsigned long, void* clientData, void* callData) {
-  auto& progress = *static_cast<base::Progress*>(clientData);
-  progress.report(*static_cast<double*>(callData), "reading");
-  if (progress.stopRequested()) static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
-}
 
 // The series asked for, else the one with most slices; and the list of all.
 std::vector<DicomFile> chooseSeries(std::vector<DicomFile> files, const std::string& wanted,
@@ -203,31 +195,6 @@ class Assembly {
   std::optional<std::pair<double, double>> padding_;
 };
 
-}  // namespace
-
-void decodeFiles(vtkDICOMReader* reader, const std::vector<DicomFile>& files, const std::string& folder,
-                 const VtkMessages& messages, base::Progress& progress) {
-  vtkNew<vtkStringArray> names;
-  for (const DicomFile& file : files) names->InsertNextValue(file.path.string());
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetCallback(observe);
-  observer->SetClientData(&progress);
-  reader->AddObserver(vtkCommand::ProgressEvent, observer);
-  reader->SetFileNames(names);
-  reader->SetSorting(0);
-  reader->SetAutoRescale(0);
-  reader->SetMemoryRowOrderToFileNative();
-  reader->Update();
-  progress.throwIfStopped();
-  if (!messages.errors().empty())
-    throwInput(
-        files.size() == 1 ? files[0].path.string() : folder, "pixel data",
-        "vtk-dicom refuses it: " + messages.errors().front() +
-            (files[0].transferSyntax.empty() ? "" : " (transfer syntax " + files[0].transferSyntax + ")"));
-}
-
-namespace {
-
 std::vector<DicomSource> stepOf(const std::vector<DicomSource>& sources, const SliceStack& stack,
                                 int timeStep) {
   std::vector<DicomSource> slices;
@@ -320,8 +287,7 @@ DecodedVolume decodeDicom(const fs::path& path, const ReadOptions& options, base
 
   allowDecoding(fileBytes);
   const VtkMessages messages;
-  vtkNew<vtkDICOMReader> reader;
-  decodeFiles(reader, files, name, messages, progress);
+  const auto reader = decodeFiles(files, name, messages, progress);
   vtkImageData* image = reader->GetOutput();
   vtkDataArray* array = image->GetPointData() ? image->GetPointData()->GetScalars() : nullptr;
   const auto sliceVoxels = static_cast<std::size_t>(first.columns) * static_cast<std::size_t>(first.rows);

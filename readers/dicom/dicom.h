@@ -1,6 +1,6 @@
 // DICOM series: a folder of files (with its subfolders), or the series a single file belongs to.
 //
-// Decoded by the vtk-dicom library, which knows the transfer syntaxes (through GDCM). Headers are read file
+// Decoded by the vtk-dicom library (decode.h). Headers are read file
 // by file with its parser; grouping, sorting by position and geometry are ours (slice_stack.h), because a
 // regular grid must be proven, not assumed. Sizes are compared with each file before anything is decoded.
 // vtk-dicom's messages are caught.
@@ -28,7 +28,6 @@
 #include "volume/read/process/reader_messages.h"
 
 class vtkDataArray;
-class vtkDICOMReader;
 
 namespace isolux::readers {
 
@@ -62,7 +61,8 @@ struct DicomFile {
   std::string series, description, date, number, modality, kernel, transferSyntax;
   std::string instanceUid, frameOfReference, photometric;
   int columns = 0, rows = 0, samples = 1, bitsAllocated = 0;  // columns, rows: of a slice
-  int tilesAcross = 1;  // more: one image holds the frames as tiles, row by row (Siemens mosaic)
+  int tilesAcross = 1, tilesDown = 1;  // more: one image holds the frames as tiles, row by row (mosaics.h)
+  std::uint64_t pixelDataAt = 0;       // where the pixel data begin, bytes
   bool isSigned = false;
   bool isCine = false;                           // frames are moments
   double pixelAspect = 1.0;                      // height / width of a pixel whose size is not stated
@@ -94,10 +94,6 @@ std::vector<DicomFile> scanDicomFolder(const std::filesystem::path& folder, int 
 // The voxels of a file; of what was decoded. Nothing: a type that is not supported.
 std::optional<volume::VoxelType> voxelTypeOf(const DicomFile& file);
 std::optional<volume::VoxelType> voxelTypeOf(vtkDataArray* array);
-
-// Decodes all files, in their order.
-void decodeFiles(vtkDICOMReader* reader, const std::vector<DicomFile>& files, const std::string& folder,
-                 const VtkMessages& messages, base::Progress& progress);
 
 // `path` is a folder or a file.
 volume::DecodedVolume decodeDicom(const std::filesystem::path& path, const volume::ReadOptions& options,

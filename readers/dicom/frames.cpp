@@ -71,6 +71,7 @@ volume::ImageTags tagsOf(const FrameElements& elements) {
   bValue = elements.text({DC::DiffusionBValue});
   if (bValue.empty()) bValue = elements.privateText(vtkDICOMTag(0x0019, 0x000c), "SIEMENS MR HEADER");
   if (bValue.empty()) bValue = elements.privateText(vtkDICOMTag(0x2001, 0x0003), "Philips Imaging DD 001");
+  if (bValue.empty()) bValue = elements.privateText(vtkDICOMTag(0x0065, 0x0009), "Image Private Header");
   tags[volume::kGradient] = elements.text({DC::DiffusionGradientOrientation});
   tags[volume::kEcho] = elements.text({DC::EffectiveEchoTime, DC::EchoTime, DC::EchoNumbers});
   tags[volume::kTemporal] = elements.text({DC::TemporalPositionIndex, DC::TemporalPositionIdentifier});

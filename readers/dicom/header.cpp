@@ -16,7 +16,7 @@
 #include "readers/dicom/dicom_object.h"
 #include "readers/dicom/elements.h"
 #include "readers/dicom/frames.h"
-#include "readers/dicom/siemens_mosaic.h"
+#include "readers/dicom/mosaics.h"
 #include "volume/read/input/bytes.h"
 
 namespace isolux::readers {
@@ -165,8 +165,9 @@ void readModalityLut(vtkDICOMMetaData* meta, DicomFile& file) {
 }  // namespace
 
 std::size_t DicomFile::decodedPixels() const {
-  const std::size_t images =
-      tilesAcross > 1 ? static_cast<std::size_t>(tilesAcross) * tilesAcross : frames.size();
+  const std::size_t images = tilesAcross > 1 || tilesDown > 1
+                                 ? static_cast<std::size_t>(tilesAcross) * static_cast<std::size_t>(tilesDown)
+                                 : frames.size();
   return images * static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns);
 }
 
@@ -214,7 +215,10 @@ DicomFile readHeader(const fs::path& path) {
   if (!object.hasUnit)
     for (DicomFrame& frame : file.frames) frame.unit.clear();
   readModalityLut(meta, file);
-  if (text(meta, DC::ImageType).find("MOSAIC") != std::string::npos) splitMosaic(meta, file);
+  file.pixelDataAt = static_cast<std::uint64_t>(parser->GetFileOffset());
+  const std::string imageType = text(meta, DC::ImageType);
+  if (imageType.find("MOSAIC") != std::string::npos) splitSiemensMosaic(meta, file);
+  if (imageType.find("VFRAME") != std::string::npos) splitUnitedMosaic(meta, file);
   return file;
 }
 

@@ -111,8 +111,7 @@ DecodedImage previewDicomFile(const fs::path& path, const ReadOptions& options, 
   checkBudget(values * bytesOf(*type), "its images", "", path.string(), options);
   allowDecoding(FileBytes(path).size());
   const VtkMessages messages;
-  vtkNew<vtkDICOMReader> reader;
-  decodeFiles(reader, {file}, path.string(), messages, progress);
+  const auto reader = decodeFiles({file}, path.string(), messages, progress);
   vtkImageData* const image = reader->GetOutput();
   vtkDataArray* const array = image->GetPointData() ? image->GetPointData()->GetScalars() : nullptr;
   if (!array || array->GetNumberOfComponents() != file.samples ||

@@ -34,7 +34,8 @@ void checkClaims(const Bytes& bytes, const base::Progress& progress) {
   bool hasPiece = false;
   while (const auto tag = tags.next()) {
     if (tag->name == "VTKFile" && tag->find("type") != "PolyData")
-      throwInput(bytes.name(), "VTKFile type", "is not PolyData");
+      throwInput(bytes.name(), "VTKFile type",
+                 "is " + volume::inQuotes(tag->find("type").value_or("")) + ", not PolyData");
     if (tag->name == "DataArray" || tag->name == "Array") checkArrayClaims(*tag, bytes);
     if (tag->name != "Piece") continue;
     hasPiece = true;

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <span>
 #include <string_view>
+#include <vector>
 
+#include "volume/read/file_format.h"
 #include "volume/read/input/streams.h"
 #include "volume/read/input/text.h"
 
@@ -39,6 +43,8 @@ constexpr Known kMicroscope{"a microscope's own file",
                             "`bfconvert FILE out.ome.tif` (Bio-Formats) converts it"};
 constexpr Known kNumpy{"a NumPy array", "save it as Zarr, HDF5 or NRRD"};
 constexpr Known kAmira{"an Amira or Avizo file", "Amira exports it as NRRD or TIFF"};
+constexpr Known kMeshScene{"a model of another format", "save the mesh as STL, OBJ or PLY"};
+constexpr Known kTracks{"a list of tracks", "it holds no voxels"};
 constexpr Known kPicture{"a single picture in a format",
                          "save the slices as TIFF (`mogrify -format tif FILES`)"};
 constexpr Known kAfni{"an AFNI dataset", "`3dAFNItoNIFTI FILE` converts it"};
@@ -88,6 +94,10 @@ constexpr Mark kMarks[] = {
     {0, "\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"sv, kMicroscope},  // compound files: .oib, .zvi, .txm, .xrm
     {0, "ZISRAWFILE"sv, kMicroscope},
     {0, "\xda\xce\xbe\x0a"sv, kMicroscope},  // .nd2
+    {0, "\x0e\x03\x13\x01"sv, {"an HDF4 file", "`h4toh5 FILE out.h5` converts it to HDF5"}},
+    {0, "P5\n"sv, kPicture},
+    {0, "P6\n"sv, kPicture},
+    {0, "IMGF"sv, {"an image of GE's scanners", "`dcm2niix FILE` may convert it"}},
     {0, "%PDF"sv, {"a PDF document", "it holds no voxels"}},
     {0, "glTF"sv, {"a glTF model", "save the mesh as STL, OBJ or PLY"}},
 };
@@ -98,17 +108,24 @@ bool looksLikeFreeSurfer(std::string_view head) {
          head[16] == 0 && head.substr(20, 3) == "\0\0\0"sv && head[23] <= 4;
 }
 
-// Two lines of words, then "-N x y z" and three axes: that is all there is to tell it by.
+// Two lines of words, then "N x y z" and three axes, "n x y z" each, and N atoms of five numbers: that is all
+// there is to tell it by.
 bool looksLikeCube(std::string_view head) {
   Lines lines(head);
   for (int i = 0; i < 2; ++i)
     if (!lines.next()) return false;
-  for (int i = 0; i < 4; ++i) {
+  const auto row = [&] {
     const auto line = lines.next();
-    const auto numbers = line ? realsOf(*line) : std::nullopt;
-    if (!numbers || numbers->size() < 4 || numbers->size() > 5) return false;
+    return (line ? realsOf(*line) : std::nullopt).value_or(std::vector<double>{});
+  };
+  double atoms = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    const std::vector<double> numbers = row();
+    if (numbers.size() < 4 || numbers.size() > (i == 0 ? 5 : 4) || numbers[0] != std::trunc(numbers[0]))
+      return false;
+    if (i == 0) atoms = numbers[0];
   }
-  return true;
+  return atoms == 0.0 || row().size() == 5;
 }
 
 // --- by name
@@ -154,6 +171,19 @@ constexpr Ending kEndings[] = {
     {".jp2", kPicture},
     {".gltf", {"a glTF model", "save the mesh as STL, OBJ or PLY"}},
     {".3mf", {"a 3MF model", "save the mesh as STL, OBJ or PLY"}},
+    {".x3d", kMeshScene},
+    {".wrl", kMeshScene},
+    {".mz3", kMeshScene},
+    {".gii", {"a GIFTI surface", "`mris_convert FILE out.stl` (FreeSurfer) converts it"}},
+    {".annot", {"a FreeSurfer annotation", "it holds no voxels"}},
+    {".trk", kTracks},
+    {".trk.gz", kTracks},
+    {".tck", kTracks},
+    {".tck.gz", kTracks},
+    {".tt", kTracks},
+    {".tt.gz", kTracks},
+    {".trx", kTracks},
+    {".fib.gz", {"a DSI Studio file", "DSI Studio exports its maps as NIfTI"}},
 };
 
 bool isPicture(const fs::path& file) {
@@ -190,8 +220,14 @@ std::optional<std::string> knownButNotRead(const Bytes& bytes, const fs::path& p
   for (const Ending& ending : kEndings)
     if (name.ends_with(ending.ending)) return sentence(ending.known);
   if (head.starts_with("\x1f\x8b")) {
-    const auto known = byContent(inflatedHead(bytes, headBytes));
-    return sentence(known.value_or(Known{"packed with gzip", "unpack it with `gunzip FILE`"}));
+    const std::string inside = inflatedHead(bytes, headBytes);
+    if (const auto known = byContent(inside)) return sentence(*known);
+    const MemoryBytes content(bytes.name(), std::as_bytes(std::span(inside)));
+    if (formatOf(content, path.stem()) == FileFormat::unknown)
+      return sentence(
+          {"packed with gzip",
+           "no format is recognised in it; if these are raw voxels, unpack it with `gunzip FILE`"});
+    return sentence({"packed with gzip", "unpack it with `gunzip FILE`"});
   }
   if (looksLikeCube(head)) return sentence(kCube);
   if (looksLikeText(head, lowered(path.extension().string())))

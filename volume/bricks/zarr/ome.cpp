@@ -22,10 +22,9 @@ struct OmeAxis {
 
 std::vector<OmeAxis> axesOf(const JsonField& image) {
   std::vector<OmeAxis> axes;
-  if (!image.has("axes")) {  // before 0.3: always these
-    for (const char* name : {"t", "c", "z", "y", "x"}) axes.push_back({name, "", ""});
-    return axes;
-  }
+  if (!image.has("axes"))  // before 0.3: always these
+    return {
+        {"t", "time", ""}, {"c", "channel", ""}, {"z", "space", ""}, {"y", "space", ""}, {"x", "space", ""}};
   for (const JsonField& axis : image.at("axes").entries()) {
     if (axis.value().is_string())
       axes.push_back({axis.text(), "", ""});

@@ -27,7 +27,7 @@ FileNumber numberOfV3(const JsonField& field) {
       {"uint32", {VoxelType::uint32}},   {"int64", {VoxelType::int64}},
       {"uint64", {VoxelType::uint64}},   {"float16", {VoxelType::float32, true}},
       {"float32", {VoxelType::float32}}, {"float64", {VoxelType::float64}}};
-  const std::string name = field.text();
+  const std::string name = field.value().is_object() ? field.at("name").text() : field.text();
   for (const auto& [known, number] : types)
     if (name == known) return number;
   field.refuse("the type " + inQuotes(name) + " is not read");
@@ -168,8 +168,8 @@ void readCodecs(const JsonField& field, ZarrMetadata& metadata) {
       format.number.big = bigEndianOf(codec);
       asBytes = true;
     } else {
-      if (!asBytes) entry.refuse("the codec bytes is missing before it");
       format.codecs.push_back(packedCodecOf(codec));
+      if (!asBytes) entry.refuse("the codec bytes is missing before it");
     }
   }
   if (!asBytes) field.refuse("the codec bytes is missing");

@@ -54,7 +54,7 @@ void visitFiles(const fs::path& folder, int depth, const std::function<bool(cons
 }
 
 // Old files lack the mark and begin with their first element at once: this follows a few elements from the
-// first of group 2 or 8, in ascending order, with or without a VR, in either byte order.
+// first of group 2 or 8, in ascending order: little endian with or without a VR, big endian with.
 bool beginsWithElements(std::string_view head) {
   const bool isBig = head.size() > 1 && head[0] == 0;
   const auto number = [&](std::size_t at, std::size_t size) {
@@ -73,6 +73,7 @@ bool beginsWithElements(std::string_view head) {
     last = tag;
     const std::string_view vr = head.substr(at + 4, 2);
     const bool isExplicit = std::all_of(vr.begin(), vr.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
+    if (isBig && !isExplicit) return false;
     const bool isLong = isExplicit && (vr == "OB" || vr == "OW" || vr == "SQ" || vr == "UN" || vr == "UT");
     const std::size_t value = isLong ? at + 12 : at + 8;
     at = value + (isExplicit && !isLong ? number(at + 6, 2) : number(value - 4, 4));

@@ -66,13 +66,18 @@ class PackedStream : public VoxelStream {
     }
   }
 
+  // To the end: where the stream is damaged, it is there that its sum says so.
   bool hasMore() override {
     std::byte one;
     try {
-      return readSome({&one, 1}) == 1;
+      if (readSome({&one, 1}) == 0) return false;
     } catch (const base::Error&) {
       return false;  // rubbish after the data
     }
+    std::vector<std::byte> rest(std::size_t{1} << 20);
+    while (readSome(rest) > 0) {
+    }
+    return true;
   }
 
   // As many bytes as there are, up to out.size().

@@ -25,7 +25,7 @@ class VoxelStream {
   virtual ~VoxelStream() = default;
   // Fills `out`, a whole number of elements, or throws Error{input} "truncated ...".
   virtual void read(std::span<std::byte> out) = 0;
-  // True when data follow the part that was read, as far as can be told cheaply.
+  // True when data follow the part that was read. Throws Error{input} where packed ones are damaged.
   virtual bool hasMore() = 0;
 };
 

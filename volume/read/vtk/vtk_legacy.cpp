@@ -237,8 +237,7 @@ bool Parser::readArray(const Words& words) {
   if (key == "color_scalars") {
     if (words.size() != 3) fail("name and number of components are needed");
     header_.components = count(words[2]);
-    if (text8_) fail("colours as text are not supported");
-    header_.type = VoxelType::uint8;
+    header_.type = text8_ ? VoxelType::float32 : VoxelType::uint8;  // as text from 0 to 1
     return true;
   }
   if (key == "field") {

@@ -1,4 +1,4 @@
-#include "readers/dicom/siemens_mosaic.h"
+#include "readers/dicom/mosaics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +8,8 @@
 
 #include <glm/geometric.hpp>
 
+#include <vtkDICOMDictionary.h>
+#include <vtkDICOMItem.h>
 #include <vtkDICOMMetaData.h>
 #include <vtkDICOMTag.h>
 #include <vtkDICOMValue.h>
@@ -113,9 +115,17 @@ std::optional<glm::dvec3> normalOf(vtkDICOMMetaData* meta) {
   return glm::normalize(normal);
 }
 
+void cutIntoTiles(glm::ivec2 tiles, int slices, const DicomFrame& tile, DicomFile& file) {
+  file.tilesAcross = tiles.x;
+  file.tilesDown = tiles.y;
+  file.columns /= tiles.x;
+  file.rows /= tiles.y;
+  file.frames.assign(static_cast<std::size_t>(slices), tile);
+}
+
 }  // namespace
 
-void splitMosaic(vtkDICOMMetaData* meta, DicomFile& file) {
+void splitSiemensMosaic(vtkDICOMMetaData* meta, DicomFile& file) {
   const int slices = slicesOf(meta);
   const int across = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(slices))));
   if (slices < 1 || file.frames.size() != 1 || file.columns % across != 0 || file.rows % across != 0)
@@ -134,12 +144,35 @@ void splitMosaic(vtkDICOMMetaData* meta, DicomFile& file) {
         "a mosaic without SliceNormalVector: which end of the stack is first is not known");
   const double distance = tile.thicknessMm > 0.0 ? tile.thicknessMm : 1.0;
   if (!(tile.thicknessMm > 0.0)) file.warnings.emplace_back("no distance of slices is stated; 1 mm assumed");
-  file.tilesAcross = across;
-  file.columns /= across;
-  file.rows /= across;
-  file.frames.assign(static_cast<std::size_t>(slices), tile);
+  cutIntoTiles({across, across}, slices, tile, file);
   for (int k = 0; k < slices; ++k)
     file.frames[static_cast<std::size_t>(k)].positionMm += normal * (distance * k);
+}
+
+void splitUnitedMosaic(vtkDICOMMetaData* meta, DicomFile& file) {
+  const auto element = [&](std::uint16_t number) -> const vtkDICOMValue& {
+    return meta->Get(meta->ResolvePrivateTag(vtkDICOMTag(0x0065, number), "Image Private Header"));
+  };
+  const int slices = static_cast<int>(std::clamp(numberIn(element(0x0050)).value_or(0.0), 0.0, 65535.0));
+  const int across = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(slices))));
+  const int down = slices > 0 ? (slices + across - 1) / across : 0;
+  const vtkDICOMValue& items = element(0x0051);
+  const vtkDICOMItem* const item = items.GetSequenceData();
+  if (slices < 1 || file.frames.size() != 1 || file.columns % across != 0 || file.rows % down != 0 || !item ||
+      items.GetNumberOfValues() != static_cast<std::size_t>(slices))
+    base::throwInput(
+        file.path.string(), "ImageType",
+        "is a mosaic of United Imaging that does not say where its tiles lie; dcm2niix may convert it");
+  cutIntoTiles({across, down}, slices, file.frames.front(), file);
+  for (int k = 0; k < slices; ++k) {
+    DicomFrame& frame = file.frames[static_cast<std::size_t>(k)];
+    const vtkDICOMValue& position = item[k].Get(DC::ImagePositionPatient);
+    if (position.GetNumberOfValues() != 3)
+      base::throwInput(file.path.string(), "ImagePositionPatient", "is missing for a tile of its mosaic");
+    for (int axis = 0; axis < 3; ++axis)
+      frame.positionMm[axis] = position.GetDouble(static_cast<std::size_t>(axis));
+    frame.hasPosition = true;
+  }
 }
 
 }  // namespace isolux::readers

@@ -1,0 +1,22 @@
+// The pixels of DICOM files, by vtk-dicom, which knows the transfer syntaxes (through GDCM).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <vtkSmartPointer.h>
+
+#include "base/progress.h"
+#include "readers/dicom/dicom.h"
+
+class vtkDICOMReader;
+
+namespace isolux::readers {
+
+// Decodes all files, in their order; the reader's output has them. RGB of JPEG is what the file says that it
+// is. `name`: of all of them, for messages. Throws base::Error: input for pixels that cannot be decoded, with
+// the file; interrupted.
+vtkSmartPointer<vtkDICOMReader> decodeFiles(const std::vector<DicomFile>& files, const std::string& name,
+                                            const VtkMessages& messages, base::Progress& progress);
+
+}  // namespace isolux::readers
