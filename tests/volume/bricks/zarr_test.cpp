@@ -187,6 +187,33 @@ TEST(Zarr, ALevelThatLiesElsewhereIsLeftOut) {
   EXPECT_THAT(zarr->facts().warnings, testing::Contains(HasSubstr("does not lie where level 0 lies")));
 }
 
+TEST(Zarr, ImagesBeforeVersion03HaveAlwaysTheSameAxes) {
+  for (const char* version : {"0.1", "0.2"}) {
+    Files files = plainArray();
+    std::string& array = files[".zarray"];
+    array = replaced(replaced(array, "[4, 4, 4]", "[1, 1, 4, 4, 4]"), "[2, 3, 4]", "[1, 1, 2, 3, 4]");
+    Files image;
+    for (const auto& [name, bytes] : files) image[name[0] == '.' ? "0/" + name : "0/0.0." + name] = bytes;
+    image[".zattrs"] =
+        std::string(R"({"multiscales": [{"version": ")") + version + R"(", "datasets": [{"path": "0"}]}]})";
+    const ChunkedFacts facts = opened(image)->facts();
+    EXPECT_EQ(facts.levels[0].geometry.dims(), glm::ivec3(4)) << version;
+  }
+}
+
+TEST(Zarr, CodecsAndTypesThatAreNotReadAreNamed) {
+  const std::string array = R"({"zarr_format": 3, "node_type": "array", "shape": [4, 4, 4], "data_type": TYPE,
+    "chunk_grid": {"name": "regular", "configuration": {"chunk_shape": [4, 4, 4]}},
+    "chunk_key_encoding": {"name": "default"}, "fill_value": 0, "codecs": [{"name": "CODEC"}]})";
+  EXPECT_THAT(refusal({{"zarr.json", replaced(replaced(array, "TYPE", "\"uint8\""), "CODEC", "zfpy")}}),
+              HasSubstr("the codec \"zfpy\" is not read"));
+  EXPECT_THAT(refusal({{"zarr.json", replaced(replaced(array, "TYPE", "\"uint8\""), "CODEC", "gzip")}}),
+              HasSubstr("the codec bytes is missing before it"));
+  EXPECT_THAT(refusal({{"zarr.json", replaced(replaced(array, "TYPE", R"({"name": "numpy.datetime64"})"),
+                                              "CODEC", "bytes")}}),
+              HasSubstr("the type \"numpy.datetime64\" is not read"));
+}
+
 Volume whole(const Files& files, const ReadOptions& options = {}) {
   base::Progress progress;
   return wholeVolume(*opened(files), options, progress);

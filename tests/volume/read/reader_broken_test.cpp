@@ -254,6 +254,16 @@ TEST_F(BrokenFiles, FormatsThatAreKnownButNotRead) {
          "unxz");
   refuse("a.zip", "PK\3\4" + binary, "unzip");
   refuse("a.raw.gz", test::gzipped(binary), "gunzip");
+  refuse("a.gz", test::gzipped(binary), "no format is recognised in it");
+  refuse("a.mha.gz", test::gzipped("ObjectType = Image\nNDims = 3\nDimSize = 2 2 2\n"), "unpack it with");
+  refuse("a.mz3", test::gzipped(binary), "STL");
+  refuse("a.trk.gz", test::gzipped(binary), "tracks");
+  refuse("lh.gii", "<?xml version=\"1.0\"?>\n<GIFTI>\n</GIFTI>\n", "mris_convert");
+  // Numbers of vertices and their labels, which are not the elements of a DICOM file.
+  refuse("lh.annot", bytesOf<std::int32_t>({163842, 0, 0xdc143c, 1, 0x8cb414, 2, 0xa0dc14}, true) + binary,
+         "FreeSurfer annotation");
+  refuse("a.hdf", "\x0e\x03\x13\x01" + binary, "h4toh5");
+  refuse("a.pgm", "P5\n4 4\n255\n" + binary, "TIFF");
   refuse("a.mnc", "CDF\1" + binary, "mincconvert");
   refuse("a.nc", "CDF\2" + binary, "nccopy");
   refuse("a+orig.HEAD", "type = string-attribute\n", "3dAFNItoNIFTI");
@@ -263,6 +273,7 @@ TEST_F(BrokenFiles, FormatsThatAreKnownButNotRead) {
   refuse("a.slc", "11111\n4 4 4 8\n" + binary, "SLC");
   refuse("a.cube", "water\ndensity\n3 0 0 0\n4 1 0 0\n4 0 1 0\n4 0 0 1\n", "Gaussian cube");
   refuse("water", "water\ndensity\n3 0 0 0\n4 1 0 0\n4 0 1 0\n4 0 0 1\n", "Gaussian cube");
+  refuse("a.vrt", "VERTEX\n4020 3 0 0\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n", "text file");
   refuse("a.vdb", " BDV" + binary, "OpenVDB");
   refuse("a.pvti", "<VTKFile type=\"PImageData\"></VTKFile>", "Piece Source");
   for (const char* kind : {"RectilinearGrid", "StructuredGrid", "UnstructuredGrid", "PUnstructuredGrid"})

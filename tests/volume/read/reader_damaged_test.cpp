@@ -18,12 +18,6 @@ using base::ErrorKind;
 using test::expectError;
 using test::writeFile;
 
-std::string contentOf(const fs::path& path) {
-  std::ostringstream content;
-  content << std::ifstream(path, std::ios::binary).rdbuf();
-  return content.str();
-}
-
 // Up to four bytes of [begin, end) become others; the recipe is the seed (Knuth's MMIX numbers).
 std::string mutantOf(std::string bytes, std::size_t begin, std::size_t end, std::uint64_t seed) {
   std::uint64_t state = seed;
@@ -51,7 +45,7 @@ void expectAnswer(const fs::path& path) {
 
 TEST(DamagedFiles, DicomHeaders) {
   ISOLUX_NEEDS_DATA();
-  const std::string whole = contentOf(test::dataFolder() / "dicom" / "ct_head_64" / "CTHead34.dcm");
+  const std::string whole = test::contentOfFile(test::dataFolder() / "dicom" / "ct_head_64" / "CTHead34.dcm");
   ASSERT_GT(whole.size(), 1410u);
   const fs::path file = test::temporaryFolder() / "a.dcm";
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {

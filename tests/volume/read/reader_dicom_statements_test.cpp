@@ -1,5 +1,6 @@
 // What DICOM files say about themselves is honoured, warned about or refused.
 #include <algorithm>
+#include <cstdlib>
 
 #include "tests/volume/read/dicom_file.h"
 #include "tests/volume/read/reader_support.h"
@@ -536,7 +537,87 @@ TEST(DicomFrames, AMosaicOfUnknownTilesIsRefused) {
   expectError(writeOne(s), "does not say how many slices");
 }
 
+// United Imaging's: five tiles of 1 x 2 in an image of 3 x 4, and where each lies.
+Slice unitedMosaic() {
+  Slice s = flatSlice(0, 1, 0);
+  s.columns = 3, s.rows = 4;
+  s.position = "";
+  s.pixels = test::bytesOf(test::ramp<std::int16_t>(12));
+  std::vector<std::string> places;
+  for (int k = 0; k < 5; ++k)
+    places.push_back(element(0x20, 0x32, "DS", "1\\2\\" + std::to_string(10 + 4 * k)));
+  s.more = {element(8, 8, "CS", "ORIGINAL\\PRIMARY\\M\\VFRAME"),
+            element(0x20, 0x37, "DS", "1\\0\\0\\0\\1\\0"), element(0x65, 0x10, "LO", "Image Private Header"),
+            element(0x65, 0x1050, "DS", "5"), sequence(0x65, 0x1051, places)};
+  return s;
+}
+
+TEST(DicomFrames, AMosaicOfUnitedImagingIsItsSlices) {
+  const auto v = readFile(writeOne(unitedMosaic()));
+  EXPECT_EQ(v.grid->dims(), glm::ivec3(1, 2, 5));
+  expectNear(worldOf(v, 0, 0, 0), {1, 2, 10});
+  expectNear(worldOf(v, 0, 1, 4), {1, 2.75, 26});
+  EXPECT_EQ(valuesOf(v), (std::vector<double>{0, 3, 1, 4, 2, 5, 6, 9, 7, 10}));
+  EXPECT_EQ(v.axes, scene::WorldAxes::anatomical);
+  Slice s = unitedMosaic();
+  s.more.pop_back();
+  expectError(writeOne(s), "does not say where its tiles lie");
+  s = unitedMosaic();
+  s.more.back() = sequence(0x65, 0x1051, std::vector<std::string>(5, element(0x20, 0x1041, "DS", "1")));
+  expectError(writeOne(s), "ImagePositionPatient");
+}
+
 // Values
+
+// The file in another transfer syntax.
+fs::path packed(const fs::path& file, const std::string& how) {
+  const fs::path made = file.parent_path() / "packed.dcm";
+  const std::string line =
+      "gdcmconv " + how + " '" + file.string() + "' '" + made.string() + "' >/dev/null 2>&1";
+  EXPECT_EQ(std::system(line.c_str()), 0) << line;
+  return made;
+}
+
+TEST(DicomValues, PixelsThatCannotBeDecodedAreRefused) {
+  Slice s = flatSlice(0, 1, 0);
+  s.columns = s.rows = 32;
+  s.pixels = test::bytesOf(test::ramp<std::int16_t>(1024));
+  for (const char* how : {"--j2k", "--jpeg", "--jpegls"}) {
+    const fs::path file = packed(writeOne(s), how);
+    EXPECT_EQ(readFile(file).grid->value(3, 1, 0), 35) << how;
+    std::string bytes = test::contentOfFile(file);
+    const std::size_t stream = bytes.find(std::string(how) == "--j2k" ? "\xff\x4f\xff" : "\xff\xd8\xff");
+    ASSERT_NE(stream, std::string::npos) << how;
+    for (std::size_t i = 2; i < 40; ++i) bytes[stream + i] = '\x11';
+    test::writeFile(file, bytes);
+    expectError(file, "packed.dcm: pixel data: ");
+  }
+}
+
+TEST(DicomValues, RgbOfJpegIsWhatTheFileSays) {
+  Slice s = flatSlice(0, 1, 0);
+  s.columns = s.rows = 16, s.samples = 3, s.bits = 8;
+  for (int i = 0; i < 256; ++i) s.pixels += "\xff\x02\x01";
+  const fs::path file = packed(writeOne(s), "--jpeg --lossy");
+  volume::ReadOptions options;
+  const double wanted[] = {255, 2, 1};
+  for (options.component = 0; options.component < 3; ++options.component)
+    EXPECT_NEAR(readFile(file, options).grid->value(5, 5, 0), wanted[options.component], 3)
+        << options.component;
+  // The same bytes with a mark that says YCbCr.
+  std::string bytes = test::contentOfFile(file);
+  const std::size_t frame = bytes.find("\xff\xc0");
+  ASSERT_NE(frame, std::string::npos);
+  for (int i = 0; i < 3; ++i) ASSERT_EQ(bytes[frame + 10 + 3 * static_cast<std::size_t>(i)], i);
+  const std::size_t scan = bytes.find("\xff\xda");
+  for (std::size_t i = 0; i < 3; ++i) {
+    bytes[frame + 10 + 3 * i] = static_cast<char>(i + 1);
+    bytes[scan + 5 + 2 * i] = static_cast<char>(i + 1);
+  }
+  test::writeFile(file, bytes);
+  options.component = 0;
+  EXPECT_NEAR(readFile(file, options).grid->value(5, 5, 0), 255 + 1.402 * (1 - 128), 4);
+}
 
 TEST(DicomValues, AModalityLutIsApplied) {
   Slice s = flatSlice(0, 1, 0);

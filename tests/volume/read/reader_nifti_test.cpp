@@ -221,6 +221,19 @@ TEST(Nifti, PackedWithBzip2) {
   expectError(path, "cannot hold");
 }
 
+// Damaged so that more comes out: the sum at the end says so.
+TEST(Nifti, PackedDataThatGoOnAreCheckedToTheirEnd) {
+  NiftiFile file = small();
+  const auto path = test::temporaryFolder() / "v.nii.gz";
+  const std::string longer = file.bytes() + std::string(100, '\1');
+  writeFile(path, test::gzipped(longer));
+  EXPECT_TRUE(test::warns(readFile(path), "more data than the header announces"));
+  std::string wrong = test::gzipped(longer);
+  wrong[wrong.size() - 8] ^= 1;  // of the sum
+  writeFile(path, wrong);
+  expectError(path, "damaged");
+}
+
 TEST(Nifti, BigEndianGzipAndPairs) {
   NiftiFile file;
   file.big = true;

@@ -16,6 +16,12 @@ void writeFile(const fs::path& path, const std::string& bytes) {
   ASSERT_TRUE(out.good()) << path;
 }
 
+std::string contentOfFile(const fs::path& path) {
+  std::ostringstream content;
+  content << std::ifstream(path, std::ios::binary).rdbuf();
+  return content.str();
+}
+
 namespace {
 std::string deflated(const std::string& bytes, int windowBits) {
   z_stream z{};

@@ -18,6 +18,7 @@
 namespace isolux::test {
 
 void writeFile(const std::filesystem::path& path, const std::string& bytes);
+std::string contentOfFile(const std::filesystem::path& path);
 std::string gzipped(const std::string& bytes);
 std::string zlibbed(const std::string& bytes);
 std::string bzip2(const std::string& bytes);

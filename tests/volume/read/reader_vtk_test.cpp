@@ -43,6 +43,8 @@ TEST(VtkLegacy, OtherAttributes) {
   EXPECT_EQ(valuesOf(readFile(path, options))[7], 22.0);
   writeFile(path, legacy("ASCII", "POINT_DATA 8\nFIELD data 1\nrho 1 8 int\n0 1 2 3 4 5 6 7\n"));
   EXPECT_EQ(valuesOf(readFile(path)), zeroToSeven);
+  writeFile(path, legacy("ASCII", "POINT_DATA 8\nCOLOR_SCALARS c 1\n0 0.5 1 0 0 0 0 0.25\n"));
+  EXPECT_EQ(valuesOf(readFile(path)), (std::vector<double>{0, 0.5, 1, 0, 0, 0, 0, 0.25}));
   writeFile(path, legacy("ASCII", "CELL_DATA 1\nSCALARS c unsigned_char\nLOOKUP_TABLE default\n9\n"));
   const auto cells = readFile(path);
   EXPECT_EQ(cells.grid->dims(), glm::ivec3(1));
