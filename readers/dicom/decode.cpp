@@ -43,9 +43,9 @@ class CheckedReader final : public vtkDICOMReader {
   static unsigned char mark(vtkIdType i) { return static_cast<unsigned char>(167 * i + (i >> 8) + 13); }
   std::string undecoded_;
 };
-vtkStandardNewMacro(CheckedReader);
+vtkStandardNewMacro(CheckedReader)
 
-void observe(vtkObject* caller, unsigned long, void* clientData, void* callData) {
+    void observe(vtkObject* caller, unsigned long, void* clientData, void* callData) {
   auto& progress = *static_cast<base::Progress*>(clientData);
   progress.report(*static_cast<double*>(callData), "reading");
   if (progress.stopRequested()) static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
