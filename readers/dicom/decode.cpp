@@ -25,14 +25,13 @@ constexpr const char* kJpegBaseline = "1.2.840.10008.1.2.4.50";
 // vtk-dicom does not ask whether GDCM could decode a frame: pixels that stay as they are before were not.
 class CheckedReader final : public vtkDICOMReader {
  public:
-  vtkTypeMacro(CheckedReader, vtkDICOMReader);
-  static CheckedReader* New();
+  static CheckedReader* New() { VTK_STANDARD_NEW_BODY(CheckedReader); }
   const std::string& undecoded() const { return undecoded_; }  // the first file; empty: none
 
  protected:
   bool ReadFileDelegated(const char* file, int index, unsigned char* pixels, vtkIdType bytes) override {
     for (vtkIdType i = 0; i < bytes; ++i) pixels[i] = mark(i);
-    const bool read = Superclass::ReadFileDelegated(file, index, pixels, bytes);
+    const bool read = vtkDICOMReader::ReadFileDelegated(file, index, pixels, bytes);
     vtkIdType same = 0;
     while (same < bytes && pixels[same] == mark(same)) ++same;
     if (undecoded_.empty() && (!read || same == bytes)) undecoded_ = file;
@@ -43,9 +42,8 @@ class CheckedReader final : public vtkDICOMReader {
   static unsigned char mark(vtkIdType i) { return static_cast<unsigned char>(167 * i + (i >> 8) + 13); }
   std::string undecoded_;
 };
-vtkStandardNewMacro(CheckedReader)
 
-    void observe(vtkObject* caller, unsigned long, void* clientData, void* callData) {
+void observe(vtkObject* caller, unsigned long, void* clientData, void* callData) {
   auto& progress = *static_cast<base::Progress*>(clientData);
   progress.report(*static_cast<double*>(callData), "reading");
   if (progress.stopRequested()) static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
