@@ -197,7 +197,7 @@ TEST(Zarr, ImagesBeforeVersion03HaveAlwaysTheSameAxes) {
     image[".zattrs"] =
         std::string(R"({"multiscales": [{"version": ")") + version + R"(", "datasets": [{"path": "0"}]}]})";
     const ChunkedFacts facts = opened(image)->facts();
-    EXPECT_EQ(facts.levels[0].geometry.dims(), glm::ivec3(4)) << version;
+    EXPECT_EQ(facts.levels[0].geometry.dims, glm::ivec3(4)) << version;
   }
 }
 
