@@ -272,7 +272,7 @@ TEST_F(BrokenFiles, FormatsThatAreKnownButNotRead) {
   refuse("a.map", std::string(208, '\0') + "MAP " + binary, "mrc2tif");
   refuse("a.slc", "11111\n4 4 4 8\n" + binary, "SLC");
   refuse("a.cube", "water\ndensity\n3 0 0 0\n4 1 0 0\n4 0 1 0\n4 0 0 1\n", "Gaussian cube");
-  refuse("water", "water\ndensity\n3 0 0 0\n4 1 0 0\n4 0 1 0\n4 0 0 1\n", "Gaussian cube");
+  refuse("water", "water\ndensity\n1 0 0 0\n4 1 0 0\n4 0 1 0\n4 0 0 1\n8 8 0 0 0\n", "Gaussian cube");
   refuse("a.vrt", "VERTEX\n4020 3 0 0\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n", "text file");
   refuse("a.vdb", " BDV" + binary, "OpenVDB");
   refuse("a.pvti", "<VTKFile type=\"PImageData\"></VTKFile>", "Piece Source");

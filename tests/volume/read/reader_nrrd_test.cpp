@@ -79,7 +79,7 @@ TEST(Nrrd, EncodingsAndSkips) {
   writeFile(folder / "bzip2.nrrd",
             fields + "encoding: bz2\n\n" + test::bzip2(raw.substr(0, 9)) + test::bzip2(raw.substr(9)));
   check("bzip2.nrrd");
-  for (const std::size_t cut : {packed.size() - 1, std::size_t{20}, std::size_t{3}}) {
+  for (const std::size_t cut : {packed.size() - 12, std::size_t{20}, std::size_t{3}}) {
     writeFile(folder / "bzip2.nrrd", fields + "encoding: bzip2\n\n" + packed.substr(0, cut));
     expectError(folder / "bzip2.nrrd", "");
   }
