@@ -135,7 +135,7 @@ TEST(Zarr, MetadataThatCannotBeAreRefused) {
       {"\"<u2\"", "[[\"a\", \"<u2\"]]"},
       {"\"<u2\"", "\"|u2\""},
       {"\"C\"", "\"D\""},
-      {"null", "{\"id\": \"bz2\"}"},
+      {"null", "{\"id\": \"lzma\"}"},
       {"null", "{}"},
       {"\"zarr_format\": 2", "\"zarr_format\": 9"},
       {"7", "\"x\""},
