@@ -87,6 +87,17 @@ QString unfinishedLightText(const app::LightState& state, bool cancelled) {
 }
 
 LightStatus::LightStatus(QWidget* parent)
+QString unfinishedLightSentence(const app::LightState& state, bool cancelled) {
+  if (unfinishedLightText(state, cancelled).isEmpty()) return {};
+  const double fraction = fractionOf(state.counters), left = state.counters.secondsLeft;
+  const QString percent = percentText(fraction);
+  if (cancelled) return QObject::tr("Computing light was stopped at %1").arg(percent);
+  if (state.phase == Phase::paused) return QObject::tr("Computing light is paused at %1").arg(percent);
+  if (state.phase == Phase::preparing) return QObject::tr("Light is about to be computed");
+  return left > 0.0 ? QObject::tr("Light is being computed: %1, %2 left").arg(percent, durationText(left))
+                    : QObject::tr("Light is being computed: %1").arg(percent);
+}
+
     : QWidget(parent),
       label_(new QLabel(this)),
       bar_(new QProgressBar(this)),

@@ -258,6 +258,12 @@ void MainWindow::connectLight() {
   connect(light_, &BakedLight::noted, this,
           [this](const QString& text) { message_->show(MessageBar::Kind::note, text); });
   connect(lightStatus_, &LightStatus::paused, light_, [this] { light_->setPaused(true); });
+  connect(light_, &BakedLight::stateChanged, pictureDot_,
+          [this](const app::LightState& state, bool cancelled) {
+            using Phase = app::LightState::Phase;
+            const bool works = state.phase == Phase::preparing || state.phase == Phase::baking;
+            pictureDot_->setLight(unfinishedLightSentence(state, cancelled), works && !cancelled);
+          });
   connect(lightStatus_, &LightStatus::goOn, light_, &BakedLight::goOn);
   connect(lightStatus_, &LightStatus::cancelled, light_, &BakedLight::cancel);
 }
