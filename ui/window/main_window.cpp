@@ -29,6 +29,7 @@
 #include "ui/document/picture_wish.h"
 #include "ui/document/preferences.h"
 #include "ui/document/privacy.h"
+#include "ui/editors/elided_label.h"
 #include "ui/editors/environment_edit.h"
 #include "ui/editors/number_text.h"
 #include "ui/panels/isovalue_panel.h"
@@ -86,8 +87,8 @@ MainWindow::MainWindow(QWidget* parent)
       folders_(new FolderOpener(
           this, [this](const QString& folder, const QString& series) { openSeries(folder, series); })),
       recentPictures_(new RecentPictures(viewport_)),
-      pointedLabel_(new QLabel(this)),
-      coarseLabel_(new QLabel(this)),
+      pointedLabel_(new ElidedLabel(this)),
+      coarseLabel_(new ElidedLabel(this)),
       recordingLabel_(new QLabel(this)),
       pictureDot_(new PictureDot(this)) {
   setAcceptDrops(true);
@@ -144,6 +145,7 @@ void MainWindow::makePanels() {
   setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
   setDocumentMode(true);
 
+  static_cast<ElidedLabel*>(coarseLabel_)->keepFirstPart();
   setInk(coarseLabel_, Ink::warning);
   coarseLabel_->setContentsMargins(10, 0, 10, 0);
   setInk(recordingLabel_, Ink::error);

@@ -9,6 +9,7 @@
 #include "ui/accuracy/level_marks.h"
 #include "ui/accuracy/level_zero.h"
 #include "ui/document/baked_light.h"
+#include "ui/editors/elided_label.h"
 #include "ui/presets/looks_panel.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
@@ -41,13 +42,12 @@ void MainWindow::connectLooks() {
   });
   connect(levelZero_, &LevelZero::changed, this, &MainWindow::showLevel);
   connect(levelZero_, &LevelZero::opened, levelMarks_, &LevelMarks::lookAgain);
-  auto* const label = new QLabel(this);
+  auto* const label = new ElidedLabel(this);
   label->setObjectName("pictureAccuracy");
   label->setContentsMargins(10, 0, 0, 0);
-  label->setMinimumWidth(1);  // gives way, so that the window can be as narrow as without
   label->hide();
   setInk(label, Ink::quiet);
-  statusBar()->insertPermanentWidget(1, label);
+  statusBar()->insertPermanentWidget(1, label);  // the text under the pointer gives way first
   connect(accuracy, &AccuracyPanel::pictureKnown, label,
           [label](const QString& text, const QString& meaning) {
             label->setText(text);
