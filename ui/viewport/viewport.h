@@ -97,13 +97,19 @@ class Viewport : public QWidget {
   };
   render::StillPicture picture(const StillWish& wish);
   render::StillPicture picture() { return picture(StillWish{}); }
-  glm::ivec2 pixelSize() const;                   // of the screen
+  // What lies between the letters of a picture of this size, of so many pixels each of a screen at 100 %:
+  // where a view is fitted to. As scene::fittedTo() has it.
+  static glm::dvec2 fittingRoom(glm::ivec2 pixels, double ratio);
+  glm::ivec2 pixelSize() const;  // of the screen
+  const ViewportOverlay* overlay() const { return overlay_; }
   const QImage& shown() const { return image_; }  // the pixels on screen, without letters and scale
   const std::optional<render::Tile>& legend() const { return legend_; }  // where it stands in them
   // What may be shown in place of the picture: the last that is there.
   enum class Over { structure, levelZero, errors };
-  // Shown in place of the picture `of` while that is on screen; null: nothing is.
-  void setOver(Over what, const QImage& image, const QImage& of);
+  // Shown in place of the picture `of` while that is on screen; null: nothing is. `legend`: of its own,
+  // beside the picture's.
+  void setOver(Over what, const QImage& image, const QImage& of,
+               const std::optional<render::Tile>& legend = {});
   bool showsOver(Over what) const {
     const Laid& laid = laid_[static_cast<std::size_t>(what)];
     return !laid.image.isNull() && laid.of == image_.cacheKey();
@@ -168,6 +174,7 @@ class Viewport : public QWidget {
   void placeButtons();
   void showCaveats();
   void showed(const app::DrawnPicture& picture, std::uint64_t view);
+  std::vector<QRectF> legendBoxes() const;  // that are on screen
   void tellSeen(const app::DrawnPicture& picture, std::uint64_t view);
   void fail(const QString& reason, const QString& advice);
   void redraw(
@@ -239,6 +246,7 @@ class Viewport : public QWidget {
     qint64 of = 0;  // QImage::cacheKey
   };
   std::array<Laid, 3> laid_;  // by Over
+    std::optional<render::Tile> legend{};
   std::optional<render::Tile> legend_;
   render::FrameRequest shownRequest_, orderedRequest_;
   std::uint64_t orderNumber_ = 0;

@@ -144,8 +144,11 @@ const QImage& Viewport::pixelsToShow() const {
   return image_;
 }
 
-void Viewport::setOver(Over what, const QImage& image, const QImage& of) {
-  laid_[static_cast<std::size_t>(what)] = {image.convertToFormat(QImage::Format_RGB32), of.cacheKey()};
+void Viewport::setOver(Over what, const QImage& image, const QImage& of,
+                       const std::optional<render::Tile>& legend) {
+  laid_[static_cast<std::size_t>(what)] = {image.convertToFormat(QImage::Format_RGB32), of.cacheKey(),
+                                           legend};
+  placeButtons();
   update();
 }
 
@@ -245,6 +248,7 @@ void Viewport::put(const app::DrawnPicture& picture) {
   update();
 }
 
+  placeButtons();
 // What was changed before this order is answered by its picture. Which view it shows.
 std::uint64_t Viewport::answer(std::uint64_t order) {
   std::uint64_t view = 0;

@@ -30,12 +30,13 @@ void MainWindow::connectLooks() {
   for (const Docked& docked : panels_)
     if (docked.panel == accuracy)
       connect(docked.dock, &QDockWidget::visibilityChanged, accuracy, &AccuracyPanel::seenChanged);
-  connect(accuracy, &AccuracyPanel::overlayPainted, viewport_, [this](const QImage& image, const QImage& of) {
-    viewport_->setOver(Viewport::Over::errors, image, of);
-  });
-  connect(levelMarks_, &LevelMarks::painted, viewport_, [this](const QImage& image, const QImage& of) {
-    viewport_->setOver(Viewport::Over::structure, image, of);
-  });
+  const auto layOver = [this](Viewport::Over what) {
+    return [this, what](const QImage& image, const QImage& of, const std::optional<render::Tile>& legend) {
+      viewport_->setOver(what, image, of, legend);
+    };
+  };
+  connect(accuracy, &AccuracyPanel::overlayPainted, viewport_, layOver(Viewport::Over::errors));
+  connect(levelMarks_, &LevelMarks::painted, viewport_, layOver(Viewport::Over::structure));
   connect(levelMarks_, &LevelMarks::changed, this, &MainWindow::showLevel);
   connect(levelZero_, &LevelZero::painted, viewport_, [this](const QImage& image, const QImage& of) {
     viewport_->setOver(Viewport::Over::levelZero, image, of);
