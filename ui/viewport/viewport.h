@@ -92,13 +92,14 @@ class Viewport : public QWidget {
   struct StillWish {
     glm::ivec2 size{0};  // 0: the pixels of the screen, and its ratio
     double pixelRatio = 1.0;
-    bool linear = false;  // also as linear float32
-    QString what;         // what the dialog says; empty: that a picture is drawn
+    std::optional<scene::Camera> camera{};  // resolved; none: the window's
+    bool linear = false;                    // also as linear float32
+    QString what;                           // what the dialog says; empty: that a picture is drawn
   };
   render::StillPicture picture(const StillWish& wish);
   render::StillPicture picture() { return picture(StillWish{}); }
-  // What lies between the letters of a picture of this size, of so many pixels each of a screen at 100 %:
-  // where a view is fitted to. As scene::fittedTo() has it.
+  // Between the letters at the sides of a picture of this size, where views are fitted to, as
+  // scene::fittedTo() has it. `ratio`: pixels to one of a screen at 100 %.
   static glm::dvec2 fittingRoom(glm::ivec2 pixels, double ratio);
   glm::ivec2 pixelSize() const;  // of the screen
   const ViewportOverlay* overlay() const { return overlay_; }
@@ -119,6 +120,7 @@ class Viewport : public QWidget {
   const std::optional<QString>& problem() const { return problem_; }  // why there is no picture now
 
  Q_SIGNALS:
+  void resized();
   void edited(const isolux::ui::Edit& edit);
   void gestureEnded();
   void pointed(const std::optional<isolux::app::Pick>& pick);
@@ -172,9 +174,9 @@ class Viewport : public QWidget {
   void offerRemedy(const std::optional<render::EmptyPicture>& empty);
   void takeRemedy();
   void placeButtons();
+  std::vector<QRectF> legendBoxes() const;  // that are on screen
   void showCaveats();
   void showed(const app::DrawnPicture& picture, std::uint64_t view);
-  std::vector<QRectF> legendBoxes() const;  // that are on screen
   void tellSeen(const app::DrawnPicture& picture, std::uint64_t view);
   void fail(const QString& reason, const QString& advice);
   void redraw(
@@ -244,9 +246,9 @@ class Viewport : public QWidget {
   struct Laid {
     QImage image;
     qint64 of = 0;  // QImage::cacheKey
+    std::optional<render::Tile> legend{};
   };
   std::array<Laid, 3> laid_;  // by Over
-    std::optional<render::Tile> legend{};
   std::optional<render::Tile> legend_;
   render::FrameRequest shownRequest_, orderedRequest_;
   std::uint64_t orderNumber_ = 0;

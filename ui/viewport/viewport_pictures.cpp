@@ -114,6 +114,13 @@ void Viewport::resizeEvent(QResizeEvent* event) {
   showLamps();
   showCuts();
   redraw();
+  Q_EMIT resized();
+}
+
+// Only across: of pictures that are wider than high the view is that of `isolux render`.
+glm::dvec2 Viewport::fittingRoom(glm::ivec2 pixels, double ratio) {
+  const double letter = std::min(std::max(34.0 * ratio, 0.06 * pixels.x), 0.3 * pixels.x);
+  return {(pixels.x - 2.0 * letter) / pixels.y, 1.0};
 }
 
 glm::ivec2 Viewport::pixelSize() const {
@@ -240,6 +247,7 @@ void Viewport::put(const app::DrawnPicture& picture) {
                .convertToFormat(QImage::Format_RGB32);
   laid_ = {};
   legend_ = picture.report.legend;
+  placeButtons();
   // A draft that comes after a change is shown all the same, so that the view moves.
   shownChanges_ = picture.order == orderNumber_ ? orderedChanges_ : 0;
   shownAtRest_ = picture.order == orderNumber_ && orderedAtRest_;
@@ -248,7 +256,6 @@ void Viewport::put(const app::DrawnPicture& picture) {
   update();
 }
 
-  placeButtons();
 // What was changed before this order is answered by its picture. Which view it shows.
 std::uint64_t Viewport::answer(std::uint64_t order) {
   std::uint64_t view = 0;
@@ -358,6 +365,7 @@ render::StillPicture Viewport::picture(const StillWish& wish) {
   request.linear = wish.linear;
   app::PictureOrder order = orderOf(request, true);
   if (!ofScreen) order.request.pixelRatio = wish.pixelRatio;
+  if (wish.camera) order.scene.camera = *wish.camera;
   order.scene.picture.transparent = scene_.picture.transparent;
   thread_.drawStill(std::move(order));
   const std::unique_ptr<app::PictureThread::Still> still = awaitStill(what);

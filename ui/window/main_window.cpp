@@ -205,6 +205,9 @@ void MainWindow::connectDocument() {
   connect(document_, &Document::failed, this, showError);
   connect(viewport_, &Viewport::failed, this, showError);
 
+  connect(viewport_, &Viewport::resized, document_, [this] {
+    document_->setFittingRoom(Viewport::fittingRoom(viewport_->pixelSize(), viewport_->devicePixelRatioF()));
+  });
   connect(message_, &MessageBar::heightTaken, viewport_, &Viewport::setTopInset);
   connect(viewport_, &Viewport::noted, this,
           [this](const QString& text) { message_->show(MessageBar::Kind::note, text); });
@@ -255,17 +258,17 @@ void MainWindow::connectLight() {
   connect(viewport_, &Viewport::seen, light_, &BakedLight::setVisible);
   connect(light_, &BakedLight::lightChanged, viewport_, &Viewport::setLight);
   connect(light_, &BakedLight::stateChanged, lightStatus_, &LightStatus::setState);
-  connect(light_, &BakedLight::failed, this,
-          [this](const QString& text) { message_->show(MessageBar::Kind::error, text); });
-  connect(light_, &BakedLight::noted, this,
-          [this](const QString& text) { message_->show(MessageBar::Kind::note, text); });
-  connect(lightStatus_, &LightStatus::paused, light_, [this] { light_->setPaused(true); });
   connect(light_, &BakedLight::stateChanged, pictureDot_,
           [this](const app::LightState& state, bool cancelled) {
             using Phase = app::LightState::Phase;
             const bool works = state.phase == Phase::preparing || state.phase == Phase::baking;
             pictureDot_->setLight(unfinishedLightSentence(state, cancelled), works && !cancelled);
           });
+  connect(light_, &BakedLight::failed, this,
+          [this](const QString& text) { message_->show(MessageBar::Kind::error, text); });
+  connect(light_, &BakedLight::noted, this,
+          [this](const QString& text) { message_->show(MessageBar::Kind::note, text); });
+  connect(lightStatus_, &LightStatus::paused, light_, [this] { light_->setPaused(true); });
   connect(lightStatus_, &LightStatus::goOn, light_, &BakedLight::goOn);
   connect(lightStatus_, &LightStatus::cancelled, light_, &BakedLight::cancel);
 }
@@ -321,7 +324,7 @@ void MainWindow::showScene(const scene::Scene& scene, const scene::Scene& resolv
   light_->setScene(resolved);
   viewport_->setScene(scene, resolved);
   slices_->setScene(scene, resolved);
-  tellLinked(resolved);
+  tellLinked();
   for (const Docked& docked : panels_) docked.panel->setScene(scene, resolved);
   marks_->setScene(resolved);
   projection_->setChecked(scene.camera.projection == scene::Projection::orthographic);

@@ -80,7 +80,7 @@ void MainWindow::preview(const std::optional<scene::Scene>& scene) {
   const VolumePointer& volume = document_->volume();
   previewing_ = scene && volume;
   if (previewing_)
-    viewport_->setScene(*scene, scene::resolve(*scene, volume->facts));
+    viewport_->setScene(*scene, document_->resolved(*scene));
   else
     viewport_->setScene(document_->scene(), document_->resolvedScene());
   tellAccuracy();
