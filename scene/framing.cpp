@@ -64,4 +64,26 @@ Camera framingBall(const Camera& camera, double aspect, glm::dvec3 centreMm, dou
   return lookingAt(camera, frame, centreMm, distance);
 }
 
+Camera fittedTo(const Camera& camera, glm::dvec3 boundsMinMm, glm::dvec3 boundsMaxMm, glm::dvec2 room) {
+  if (!(room.x > 0.0 && room.y > 0.0) || !camera.eye || !camera.target) return camera;
+  const Camera fit = fitted(camera, boundsMinMm, boundsMaxMm);
+  const CameraFrame frame = frameOf(camera);
+  const double roundings = 1e-9 * frame.distance;
+  if (!(glm::distance(*camera.target, *fit.target) <= roundings &&
+        glm::distance(*camera.eye, *fit.eye) <= roundings))
+    return camera;
+  const glm::dvec2 tangents = room * std::tan(glm::radians(std::clamp(camera.fov, 1e-3, 179.0)) / 2.0);
+  double distance = frame.distance;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 d =
+        glm::dvec3(corner & 1 ? boundsMaxMm.x : boundsMinMm.x, corner & 2 ? boundsMaxMm.y : boundsMinMm.y,
+                   corner & 4 ? boundsMaxMm.z : boundsMinMm.z) -
+        *fit.target;
+    const double toward = frame.projection == Projection::perspective ? glm::dot(d, frame.back) : 0.0;
+    distance = std::max({distance, toward + std::abs(glm::dot(d, frame.right)) / tangents.x,
+                         toward + std::abs(glm::dot(d, frame.up)) / tangents.y});
+  }
+  return distance > frame.distance ? lookingAt(camera, frame, *fit.target, distance) : camera;
+}
+
 }  // namespace isolux::scene

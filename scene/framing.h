@@ -30,4 +30,9 @@ Camera framing(const Camera& camera, double aspect,
 // camera is turned about it.
 Camera framingBall(const Camera& camera, double aspect, glm::dvec3 centreMm, double radiusMm);
 
+// A camera as fitted() makes it of this box, moved back until the box lies within `room`: how far it may
+// reach across and up from the middle of the picture, in halves of its height. Any other camera as it is:
+// somebody has chosen what it shows.
+Camera fittedTo(const Camera& camera, glm::dvec3 boundsMinMm, glm::dvec3 boundsMaxMm, glm::dvec2 room);
+
 }  // namespace isolux::scene

@@ -87,8 +87,8 @@ std::optional<render::Tile> OverlayPainter::addLegend(const render::Legend& lege
   const auto covered = [&](const volume::Rectangle& rectangle) {
     return coveredOf(seen, size, taken, rectangle);
   };
-  const render::LegendImage drawn = render::drawLegend(legend, std::min(size.y, 2 * size.x));
-  if (drawn.size.x > size.x * 7 / 10 || drawn.size.y > size.y * 7 / 10) return std::nullopt;
+  const render::LegendImage drawn = render::legendFor(legend, size);
+  if (drawn.size.x == 0) return std::nullopt;
   const render::Tile place{render::legendPlace(corner, drawn.size, size, covered), drawn.size};
   const glm::ivec2 low(place.origin.x, size.y - place.origin.y - drawn.size.y);
   for (int y = 0; y < drawn.size.y; ++y)

@@ -22,18 +22,21 @@ struct OverlayWork {
   static constexpr const char* kDoes = "show errors in the picture";
   void run(base::Progress&) {
     painted = subject.picture();
-    paintErrors(*subject.errors, subject.wish, subject.shortestEdgeMm, subject.corner, subject.taken,
-                painted);
+    legend = paintErrors(*subject.errors, subject.wish, subject.shortestEdgeMm, subject.corner, subject.taken,
+                         painted);
   }
 
   Subject subject;
   render::ColorImage painted{};
+  std::optional<render::Tile> legend{};  // where it stands in it
 };
 
 class OverlayJob : public QuietJob<OverlayWork> {
  public:
   using QuietJob::QuietJob;
-  const render::ColorImage& painted() const { return work().painted; }  // after finished(), without an error
+  // After finished(), without an error.
+  const render::ColorImage& painted() const { return work().painted; }
+  const std::optional<render::Tile>& legend() const { return work().legend; }
 };
 
 }  // namespace isolux::app

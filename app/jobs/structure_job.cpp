@@ -32,7 +32,7 @@ void StructureWork::run(base::Progress& progress) {
   request.stop = progress.token();
   structure =
       hiddenStructure(quiet.renderer(), shown, request, *subject.volume, *known.whole, *known.gaps, progress);
-  paintStructure(*structure, shown.look.legendCorner, subject.taken, marked);
+  legend = paintStructure(*structure, shown.look.legendCorner, subject.taken, marked);
 }
 
 }  // namespace isolux::app

@@ -33,6 +33,7 @@ struct StructureWork {
   Subject subject;
   std::optional<HiddenStructure> structure{};  // none: the volume has no index
   render::ColorImage marked{};
+  std::optional<render::Tile> legend{};  // where it stands in it
 };
 
 class StructureJob : public QuietJob<StructureWork> {
@@ -41,6 +42,7 @@ class StructureJob : public QuietJob<StructureWork> {
   // After finished(), without an error.
   const std::optional<HiddenStructure>& structure() const { return work().structure; }
   const render::ColorImage& marked() const { return work().marked; }
+  const std::optional<render::Tile>& legend() const { return work().legend; }
   const KnownStructure& known() const { return work().subject.known; }
 };
 

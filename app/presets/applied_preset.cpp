@@ -29,17 +29,22 @@ bool shows(const scene::Scene& scene, scene::Scene preset) {
 }  // namespace
 
 std::optional<AppliedPreset> appliedPreset(const scene::Scene& scene, std::span<const Preset> presets,
-                                           const volume::PreparedVolume& volume) {
+                                           const volume::PreparedVolume& volume,
+                                           std::optional<std::size_t> last) {
   const double suggested = volume.facts.suggestedIsovalue;
   const double value = scene.isosurface.value.value_or(suggested);
+  std::optional<AppliedPreset> shifted;
   for (std::size_t i = 0; i < presets.size(); ++i) {
+    if (!whyNot(presets[i], volume).empty()) continue;
     const scene::Scene plain = withPreset(scene, presets[i], volume);
     if (shows(scene, plain)) return AppliedPreset{i, 0.0};
     const double shift = value - plain.isosurface.value.value_or(suggested);
-    if (shift != 0.0 && shows(scene, withPreset(scene, presets[i], volume, shift)))
-      return AppliedPreset{i, shift};
+    if (shift == 0.0 || (shifted && shifted->index == last)) continue;
+    const bool nearer = !shifted || i == last || std::abs(shift) < std::abs(shifted->shift);
+    if (nearer && shows(scene, withPreset(scene, presets[i], volume, shift)))
+      shifted = AppliedPreset{i, shift};
   }
-  return std::nullopt;
+  return shifted;
 }
 
 double shiftReach(const volume::PreparedVolume& volume) {

@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "app/annotation/free_places.h"
 #include "app/annotation/ink.h"
 #include "base/number_text.h"
 #include "base/numbers.h"
@@ -31,14 +33,51 @@ std::string lengthText(double mm) {
   return signedText(std::round(mm * 100.0) / 100.0, 6);
 }
 
-void drawLetters(const SliceLetters& letters, const render::Font& font, int margin, Ink& ink,
-                 glm::ivec2 size) {
-  const int middle = (size.y + font.ascent()) / 2;
-  const auto centered = [&](const std::string& text) { return (size.x - font.width(text)) / 2; };
-  ink.text(font, letters.left, {margin, middle});
-  ink.text(font, letters.right, {size.x - margin - font.width(letters.right), middle});
-  ink.text(font, letters.top, {centered(letters.top), margin + font.ascent()});
-  ink.text(font, letters.bottom, {centered(letters.bottom), size.y - margin});
+// Sizes of what is written, by the size of the picture.
+struct Measures {
+  int margin;
+  render::Font large, small;
+  Measures(glm::ivec2 size, double pixelRatio)
+      : margin(std::clamp(std::min(size.x, size.y) / 48, 4, 40)),
+        large(textPixels(size, pixelRatio, 22, 15, 96)),
+        small(textPixels(size, pixelRatio, 40, 11, 64)) {}
+
+  static int textPixels(glm::ivec2 size, double pixelRatio, int part, int least, int most) {
+    const int onScreen = static_cast<int>(std::lround(least * std::max(1.0, pixelRatio)));
+    return std::max(std::clamp(std::min(size.x, size.y) / part, least, most), onScreen);
+  }
+};
+
+// Broken between words where it is wider than that.
+std::vector<std::string> wrapped(const std::string& text, const render::Font& font, int width) {
+  std::vector<std::string> result;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string now;
+    for (std::string word; words >> word;) {
+      const std::string longer = now.empty() ? word : now + ' ' + word;
+      if (!now.empty() && font.width(longer) > width) {
+        result.push_back(now);
+        now = word;
+      } else {
+        now = longer;
+      }
+    }
+    if (!now.empty()) result.push_back(now);
+  }
+  return result;
+}
+
+// Lines one below the other, the first at `low`.
+std::vector<WrittenText> stacked(const std::vector<std::string>& lines, const render::Font& font,
+                                 glm::ivec2 low) {
+  std::vector<WrittenText> result;
+  for (const std::string& line : lines) {
+    result.push_back({line, {glm::dvec2(low), glm::dvec2(font.width(line), font.ascent())}});
+    low.y += font.lineHeight();
+  }
+  return result;
 }
 
 void drawRuler(const Ruler& ruler, const render::Font& font, int margin, Ink& ink, glm::ivec2 size) {
@@ -47,8 +86,18 @@ void drawRuler(const Ruler& ruler, const render::Font& font, int margin, Ink& in
   ink.fill({right - length, bottom - thick}, {right, bottom});
   ink.fill({right - length, bottom - tick}, {right - length + thick, bottom});
   ink.fill({right - thick, bottom - tick}, {right, bottom});
-  ink.text(font, ruler.text,
-           {right - (length + font.width(ruler.text)) / 2, bottom - tick - font.ascent() / 3});
+}
+
+// The ruler's text above it; its box has the ruler, too.
+std::pair<WrittenText, TextBox> rulerBoxes(const Ruler& ruler, const render::Font& font, int margin,
+                                           glm::ivec2 size) {
+  const int length = static_cast<int>(std::lround(ruler.pixels)), tick = font.ascent() / 2;
+  const int wide = font.width(ruler.text), right = size.x - margin,
+            top = size.y - margin - tick - font.ascent() / 3 - font.ascent();
+  const int left = std::min(right - (length + wide) / 2, right - wide);
+  const int leftmost = std::min(left, right - length);
+  return {{ruler.text, {glm::dvec2(left, top), glm::dvec2(wide, font.ascent())}},
+          {glm::dvec2(leftmost, top), glm::dvec2(right - leftmost, size.y - margin - top)}};
 }
 
 }  // namespace
@@ -105,25 +154,59 @@ Ruler rulerOf(const volume::SlicePlane& plane) {
   return ruler;
 }
 
-void drawWords(const SliceWords& words, render::ColorImage& image, double pixelRatio) {
-  const auto atLeast = [&](int pixels) {
-    return static_cast<int>(std::lround(pixels * std::max(1.0, pixelRatio)));
+SliceWordPlaces placesOf(const SliceWords& words, glm::ivec2 size, double pixelRatio) {
+  SliceWordPlaces places;
+  if (size.y < kLowestWithLetters || size.x < kLowestWithLetters) return places;
+  const Measures m(size, pixelRatio);
+  FreePlaces free({glm::dvec2(m.margin), glm::dvec2(size - 2 * m.margin)}, std::max(2, m.margin / 2));
+  const auto take = [&](std::vector<WrittenText> texts) {
+    for (WrittenText& text : texts) {
+      free.take(text.box);
+      places.texts.push_back(std::move(text));
+    }
   };
+  if (std::min(size.x, size.y) >= kLowestWithWords) {
+    auto [text, box] = rulerBoxes(words.ruler, m.small, m.margin, size);
+    free.take(box);
+    places.texts.push_back(std::move(text));
+    const int wide = size.x - 2 * m.margin;
+    take(stacked(wrapped(words.place + '\n' + words.convention, m.small, wide), m.small,
+                 glm::ivec2(m.margin)));
+    const int beside = static_cast<int>(box.low.x) - 2 * m.margin - m.small.ascent();
+    const std::vector<std::string> lines = wrapped(words.window, m.small, beside);
+    const int high = m.small.ascent() + m.small.lineHeight() * (static_cast<int>(lines.size()) - 1);
+    take(stacked(lines, m.small, {m.margin, size.y - m.margin - high}));
+  }
+  const int high = m.large.ascent();
+  const auto letter = [&](const std::string& text, glm::dvec2 part, int axis) {  // of the room there is
+    const glm::dvec2 extent(m.large.width(text), high), room = glm::dvec2(size - 2 * m.margin) - extent;
+    const TextBox wanted{glm::floor(glm::dvec2(m.margin) + part * room), extent};
+    return WrittenText{text, free.place(wanted, axis).value_or(wanted)};
+  };
+  const SliceLetters& letters = words.letters;
+  places.letters = {letter(letters.left, {0.0, 0.5}, 1), letter(letters.right, {1.0, 0.5}, 1),
+                    letter(letters.top, {0.5, 0.0}, 0), letter(letters.bottom, {0.5, 1.0}, 0)};
+  return places;
+}
+
+glm::dvec2 letterBorder(const SliceLetters& letters, glm::ivec2 size, double pixelRatio) {
+  const Measures m(size, pixelRatio);
+  const int wide = std::max(m.large.width(letters.left), m.large.width(letters.right));
+  return glm::dvec2(2 * m.margin) + glm::dvec2(wide, m.large.ascent());
+}
+
+void drawWords(const SliceWords& words, render::ColorImage& image, double pixelRatio) {
   if (image.size.y < kLowestWithLetters || image.size.x < kLowestWithLetters) return;
   const int least = std::min(image.size.x, image.size.y);
-  const int margin = std::clamp(least / 48, 4, 40);
+  const Measures m(image.size, pixelRatio);
+  const SliceWordPlaces places = placesOf(words, image.size, pixelRatio);
   Ink ink(image.size);
-  const render::Font large(std::max(std::clamp(least / 22, 15, 96), atLeast(15)));
-  drawLetters(words.letters, large, margin, ink, image.size);
-  if (least >= kLowestWithWords) {
-    const render::Font small(std::max(std::clamp(least / 40, 11, 64), atLeast(11)));
-    std::istringstream lines(words.place + '\n' + words.convention);
-    int baseline = margin + small.ascent();
-    for (std::string text; std::getline(lines, text); baseline += small.lineHeight())
-      ink.text(small, text, {margin, baseline});
-    ink.text(small, words.window, {margin, image.size.y - margin});
-    drawRuler(words.ruler, small, margin, ink, image.size);
-  }
+  const auto write = [&](const WrittenText& text, const render::Font& font) {
+    ink.text(font, text.text, glm::ivec2(text.box.low) + glm::ivec2(0, font.ascent()));
+  };
+  for (const WrittenText& letter : places.letters) write(letter, m.large);
+  for (const WrittenText& text : places.texts) write(text, m.small);
+  if (least >= kLowestWithWords) drawRuler(words.ruler, m.small, m.margin, ink, image.size);
   ink.blendOver(image, least >= 400 ? 2 : 1);
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/annotation/free_places.h"
 #include "app/slices/slice_content.h"
 #include "render/graph/frame.h"
 #include "scene/world_axes.h"
@@ -33,14 +34,30 @@ struct Ruler {
 };
 Ruler rulerOf(const volume::SlicePlane& plane);  // about a fifth of the width; a round number
 
-// Writes all that onto the picture, as large as its height allows, bright on a dark rim. Pictures lower than
-// 160 pixels have the letters alone, those lower than 48 nothing. `pixelRatio`: how many pixels are one of a
-// screen at 100 %; texts are no smaller than they are there.
 struct SliceWords {
   SliceLetters letters;
   std::string place, convention, window;
   Ruler ruler;
 };
+
+// Where all that stands in a picture of this size, as large as it allows: what is too wide is broken between
+// words, and a letter that would touch a text stands beside it on its edge. Pictures with a side below 160
+// pixels have the letters alone, those below 48 nothing. `pixelRatio`: how many pixels are one of a screen at
+// 100 %; texts are no smaller than they are there.
+struct WrittenText {
+  std::string text;
+  TextBox box;  // down to the baseline
+};
+struct SliceWordPlaces {
+  std::vector<WrittenText> letters;  // left, right, top, bottom
+  std::vector<WrittenText> texts;
+};
+SliceWordPlaces placesOf(const SliceWords& words, glm::ivec2 size, double pixelRatio = 1.0);
+// How wide the strips at the picture's sides are, and how high those at its top and bottom, that the letters
+// stand in.
+glm::dvec2 letterBorder(const SliceLetters& letters, glm::ivec2 size, double pixelRatio);
+
+// Writes it there, bright on a dark rim.
 void drawWords(const SliceWords& words, render::ColorImage& image, double pixelRatio = 1.0);
 
 }  // namespace isolux::app

@@ -273,6 +273,20 @@ LegendImage drawLegend(const Legend& legend, int pictureHeight) {
   return legend.quantityVertical.empty() ? drawBar(legend, pictureHeight) : drawSquare(legend, pictureHeight);
 }
 
+LegendImage legendFor(const Legend& legend, glm::ivec2 picture) {
+  constexpr int readable = 36 * 9;  // the height whose text is smallest
+  int height = std::min(picture.y, 2 * picture.x);
+  LegendImage image = drawLegend(legend, height);
+  const auto takes = [&](double width, double height) {
+    return image.size.x > width * picture.x || image.size.y > height * picture.y;
+  };
+  while (takes(0.4, 0.5) && height > readable) {
+    height = std::max(readable, height - std::max(36, height / 12));
+    image = drawLegend(legend, height);
+  }
+  return takes(0.65, 0.65) ? LegendImage{} : image;
+}
+
 Hatch hatchAt(glm::ivec2 pixel, int lineWidth) {
   const int phase = (pixel.x + pixel.y) % (4 * lineWidth) / lineWidth;
   return phase == 0 ? Hatch::dark : phase == 1 ? Hatch::bright : Hatch::none;

@@ -136,9 +136,8 @@ void blendStraight(const FrameState& frame, const Target& picture, const LegendI
 
 std::optional<Tile> drawLegendOver(FrameState& frame, const Target& picture, const Legend& legend) {
   const glm::ivec2 size = frame.request.size;
-  const LegendImage image = drawLegend(legend, std::min(size.y, 2 * size.x));
-  const int margin = marginOf(size);
-  if (image.size.x + 2 * margin > size.x * 7 / 10 || image.size.y + 2 * margin > size.y * 7 / 10) return {};
+  const LegendImage image = legendFor(legend, size);
+  if (image.size.x == 0) return {};
   const scene::LegendCorner wanted = frame.scene->look.legendCorner;
   const bool unknown = frame.request.tile.has_value() && wanted == scene::LegendCorner::automatic;
   const Tile place{

@@ -775,6 +775,26 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <source>Noise turns a typical normal by up to %1°.</source>
         <translation>Rauschen dreht eine typische Normale um bis zu %1°.</translation>
     </message>
+    <message>
+        <source>Computing light was stopped at %1</source>
+        <translation>Lichtberechnung bei %1 angehalten</translation>
+    </message>
+    <message>
+        <source>Computing light is paused at %1</source>
+        <translation>Lichtberechnung bei %1 pausiert</translation>
+    </message>
+    <message>
+        <source>Light is about to be computed</source>
+        <translation>Die Lichtberechnung beginnt gleich</translation>
+    </message>
+    <message>
+        <source>Light is being computed: %1, %2 left</source>
+        <translation>Das Licht wird berechnet: %1, noch %2</translation>
+    </message>
+    <message>
+        <source>Light is being computed: %1</source>
+        <translation>Das Licht wird berechnet: %1</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -3245,8 +3265,12 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
         <translation>Noch gibt es kein Bild</translation>
     </message>
     <message>
-        <source>%1; the last one took %2</source>
-        <translation>%1; das letzte brauchte %2</translation>
+        <source>The picture is final but for its light</source>
+        <translation>Das Bild ist bis auf sein Licht fertig</translation>
+    </message>
+    <message>
+        <source>The last one took %1</source>
+        <translation>Das letzte dauerte %1</translation>
     </message>
 </context>
 <context>

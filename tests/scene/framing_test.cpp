@@ -132,5 +132,32 @@ TEST(Framing, NumbersThatAreNoneLeaveTheCamera) {
   EXPECT_EQ(framingBall(camera, 1.0, {0, 0, 0}, std::numeric_limits<double>::quiet_NaN()), camera);
 }
 
+// A view that nobody has chosen is cut off in no picture.
+TEST(Framing, AFittedCameraIsFittedToNarrowPicturesToo) {
+  const glm::dvec3 low(-60, -100, -20), high(80, 40, 50);
+  std::vector<glm::dvec3> corners;
+  for (int i = 0; i < 8; ++i)
+    corners.emplace_back(i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z);
+  for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+    const Camera fit = fitted(obliqueCamera(projection), low, high);
+    for (const double across : {1.0, 1.7, 0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
+      EXPECT_EQ(fittedTo(fit, low, high, {across, 1.0}), fit) << across;
+    const Extent between = extentIn(fittedTo(fit, low, high, {2.0, 0.8}), 1.0, corners);
+    EXPECT_LE(std::max(-between.low.y, between.high.y), 0.8 + 1e-9);
+    for (const double aspect : {0.9, 0.5, 0.2}) {
+      const Camera narrow = fittedTo(fit, low, high, {aspect, 1.0});
+      const Extent e = extentIn(narrow, aspect, corners);
+      EXPECT_GE(e.low.x, -1.0 - 1e-9);
+      EXPECT_LE(e.high.x, 1.0 + 1e-9);
+      EXPECT_GE(e.low.y, -1.0);
+      EXPECT_LE(e.high.y, 1.0);
+      const double reaches = std::max(-e.low.x, e.high.x);
+      EXPECT_NEAR(aspect < 0.5 ? reaches : 1.0, 1.0, 1e-9) << "no farther than needed";
+    }
+    for (const Camera& chosen : {orbited(fit, 0.1, 0.0), zoomed(fit, 1.1), panned(fit, {0.1, 0.0})})
+      EXPECT_EQ(fittedTo(chosen, low, high, {0.5, 0.5}), chosen);
+  }
+}
+
 }  // namespace
 }  // namespace isolux::scene

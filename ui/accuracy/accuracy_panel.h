@@ -59,7 +59,8 @@ class AccuracyPanel : public Panel {
   // What is known of the picture on screen; empty: nothing, or nobody wants to know.
   void pictureKnown(const QString& text, const QString& meaning);
   // The picture on screen with its errors laid over; null: nothing is. `of`: whose pixels they are.
-  void overlayPainted(const QImage& image, const QImage& of);
+  void overlayPainted(const QImage& image, const QImage& of,
+                      const std::optional<isolux::render::Tile>& legend);
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -110,13 +110,13 @@ void ErrorOverlayBox::poll() {
   pollTimer_.stop();
   const std::unique_ptr<app::OverlayJob> job = std::move(job_);
   if (job->error()) return take({});
-  take(imageOf(job->painted()));
+  take(imageOf(job->painted()), job->legend());
 }
 
-void ErrorOverlayBox::take(const QImage& image) {
+void ErrorOverlayBox::take(const QImage& image, const std::optional<render::Tile>& legend) {
   const bool nothing = image.isNull() && !isPainted_;
   isPainted_ = !image.isNull();
-  if (!nothing) Q_EMIT painted(image, shown_.picture);
+  if (!nothing) Q_EMIT painted(image, shown_.picture, legend);
 }
 
 }  // namespace isolux::ui

@@ -40,13 +40,13 @@ class ErrorOverlayBox : public QWidget {
  Q_SIGNALS:
   void wantedChanged();
   // A picture with its errors; null: the picture as it is.
-  void painted(const QImage& image, const QImage& of);
+  void painted(const QImage& image, const QImage& of, const std::optional<isolux::render::Tile>& legend);
 
  private:
   std::optional<app::ErrorImage> chosen() const;
   void paint();
   void poll();
-  void take(const QImage& image);
+  void take(const QImage& image, const std::optional<render::Tile>& legend = {});
 
   Shown shown_;
   std::unique_ptr<app::OverlayJob> job_;

@@ -70,13 +70,14 @@ void LevelMarks::poll() {
   tell(job->structure());
   if (!job->structure() || job->structure()->share() == 0.0) return;
   marked_ = imageOf(job->marked());
-  if (marks_) Q_EMIT painted(marked_, shown_->picture);
+  legend_ = job->legend();
+  if (marks_) Q_EMIT painted(marked_, shown_->picture, legend_);
 }
 
 void LevelMarks::setMarking(bool marks) {
   marks_ = marks;
   QSettings().setValue(marksKey, marks);
-  if (shown_) Q_EMIT painted(marks ? marked_ : QImage(), shown_->picture);
+  if (shown_) Q_EMIT painted(marks ? marked_ : QImage(), shown_->picture, legend_);
 }
 
 void LevelMarks::tell(const std::optional<app::HiddenStructure>& structure) {

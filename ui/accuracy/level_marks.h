@@ -37,8 +37,9 @@ class LevelMarks : public QObject {
   QString meaning() const { return meaning_; }  // a sentence, or how it would become known
 
  Q_SIGNALS:
-  void changed();                                       // what is said
-  void painted(const QImage& image, const QImage& of);  // the marked picture; null: it has no marks
+  void changed();  // what is said
+  // The marked picture, and where its legend stands; null: it has no marks.
+  void painted(const QImage& image, const QImage& of, const std::optional<isolux::render::Tile>& legend);
 
  private:
   void look();
@@ -50,6 +51,7 @@ class LevelMarks : public QObject {
   app::KnownStructure known_;  // of knownOf_
   VolumePointer knownOf_;
   QImage marked_;
+  std::optional<render::Tile> legend_;  // in it
   QString text_, meaning_;
   bool marks_ = true;
   std::unique_ptr<app::StructureJob> job_;

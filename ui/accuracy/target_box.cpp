@@ -41,6 +41,7 @@ TargetBox::TargetBox(QWidget* parent)
       apply_(new QPushButton(tr("Apply"), this)),
       text_(new QLabel(this)) {
   makeRows();
+  for (NumberSpinBox* box : {most_, milliseconds_}) box->setOwnUndo();
   connect(most_, &QDoubleSpinBox::valueChanged, this, [this] { error_->setChecked(true); });
   connect(milliseconds_, &QDoubleSpinBox::valueChanged, this, [this] { time_->setChecked(true); });
   connect(unit_, &QComboBox::activated, this, [this] { error_->setChecked(true); });

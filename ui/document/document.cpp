@@ -12,6 +12,7 @@
 #include "app/files/files.h"
 #include "app/files/image_io.h"
 #include "app/files/output_guard.h"
+#include "scene/framing.h"
 #include "scene/scene_diff.h"
 #include "ui/document/privacy.h"
 
@@ -105,10 +106,23 @@ scene::Scene Document::shownScene() const {
   return shown;
 }
 
-scene::Scene Document::resolvedScene() const {
-  scene::Scene resolved = scene::resolve(shownScene(), volume_ ? volume_->facts : scene::VolumeFacts{});
-  if (volume_) volume_->derivativeChoices->completeIfChosen(resolved);
+scene::Scene Document::resolved(const scene::Scene& scene) const {
+  scene::Scene resolved = scene::resolve(scene, volume_ ? volume_->facts : scene::VolumeFacts{});
+  if (!volume_) return resolved;
+  volume_->derivativeChoices->completeIfChosen(resolved);
+  resolved.camera =
+      scene::fittedTo(resolved.camera, volume_->facts.boundsMinMm, volume_->facts.boundsMaxMm, fittingRoom_);
   return resolved;
+}
+
+void Document::setFittingRoom(glm::dvec2 room) {
+  const scene::Camera before = resolvedScene().camera;
+  fittingRoom_ = room;
+  if (!(resolvedScene().camera == before)) announce();
+}
+
+scene::Camera Document::camera() const {
+  return scene::resolve(scene(), volume_ ? volume_->facts : scene::VolumeFacts{}).camera;
 }
 
 QString Document::name() const {

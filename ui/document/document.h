@@ -38,7 +38,13 @@ class Document : public QObject {
   // As it is on screen: an animated flow has moved on since scene().
   scene::Scene shownScene() const;
   // shownScene() with automatic settings filled in from the volume, as far as they are known.
-  scene::Scene resolvedScene() const;
+  scene::Scene resolvedScene() const { return resolved(shownScene()); }
+  scene::Scene resolved(const scene::Scene& scene) const;
+  // Of the window's picture, as scene::fittedTo() has it: a view that nobody has turned, moved or zoomed
+  // shows all of the volume in there.
+  void setFittingRoom(glm::dvec2 room);
+  // Of resolvedScene(), as it is whatever room there is.
+  scene::Camera camera() const;
   void announce();  // says both again: more of what is automatic is known
   const VolumePointer& volume() const { return volume_; }
   const app::History& history() const { return history_; }
@@ -141,6 +147,7 @@ class Document : public QObject {
   std::unique_ptr<app::Recorder> recorder_;
   QString recordingFile_;
 
+  glm::dvec2 fittingRoom_{1.0};
   scene::FlowClock flow_;
   QElapsedTimer sinceFlowMoved_;
 };

@@ -1,9 +1,12 @@
 #include "ui/editors/number_spin_box.h"
 
 #include <cmath>
+#include <utility>
 
+#include <QDialog>
 #include <QFocusEvent>
 #include <QHelpEvent>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QSignalBlocker>
 #include <QToolTip>
@@ -32,6 +35,35 @@ QString tipOf(const QWidget* widget) {
   return widget->toolTip();
 }
 
+bool isUndoOrRedo(const QEvent& event) {
+  if (event.type() != QEvent::ShortcutOverride && event.type() != QEvent::KeyPress) return false;
+  const auto& key = static_cast<const QKeyEvent&>(event);
+  return key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo);
+}
+
+// What undo and redo do in a box that shows `shown` when nothing is typed. The text's own undo would change
+// it without entering it.
+template <typename Box, typename Number>
+void takeUndo(Box& box, QLineEdit& line, const QString& shown, const EnteredNumbers<Number>& entered,
+              QEvent& event) {
+  const bool undo = static_cast<const QKeyEvent&>(event).matches(QKeySequence::Undo);
+  const bool typed = line.text() != shown, own = entered.own || qobject_cast<QDialog*>(box.window());
+  if (event.type() == QEvent::ShortcutOverride) {
+    event.setAccepted(own || (undo && typed));  // else the window's shortcut
+  } else if (undo && typed) {
+    line.setText(shown);
+    box.selectAll();
+  } else if (undo && own && entered.before) {
+    box.setValue(*entered.before);
+    box.selectAll();
+  }
+}
+
+template <typename Number>
+void noteEntered(EnteredNumbers<Number>& entered, Number value) {
+  entered.before = std::exchange(entered.last, value);
+}
+
 }  // namespace
 
 NumberSpinBox::NumberSpinBox(QWidget* parent) : QDoubleSpinBox(parent) {
@@ -40,6 +72,7 @@ NumberSpinBox::NumberSpinBox(QWidget* parent) : QDoubleSpinBox(parent) {
   setKeyboardTracking(false);
   setFocusPolicy(Qt::StrongFocus);
   setButtonSymbols(QAbstractSpinBox::NoButtons);
+  connect(this, &NumberSpinBox::valueChanged, this, [this](double value) { noteEntered(entered_, value); });
 }
 
 QString NumberSpinBox::textFromValue(double value) const {
@@ -70,6 +103,10 @@ void NumberSpinBox::fixup(QString& text) const {
 }
 
 bool NumberSpinBox::event(QEvent* event) {
+  if (isUndoOrRedo(*event)) {
+    takeUndo(*this, *lineEdit(), textFromValue(value()) + suffix(), entered_, *event);
+    return true;
+  }
   if (event->type() != QEvent::ToolTip) return QDoubleSpinBox::event(event);
   const QString tip = tipOf(this), all = numberText(value(), allDigits) + suffix();
   QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), tip.isEmpty() ? all : all + "\n\n" + tip,
@@ -79,6 +116,8 @@ bool NumberSpinBox::event(QEvent* event) {
 
 void NumberSpinBox::focusInEvent(QFocusEvent* event) {
   editing_ = true;
+  entered_.last = value();
+  entered_.before.reset();
   showText();
   QDoubleSpinBox::focusInEvent(event);
 }
@@ -110,6 +149,19 @@ void NumberSpinBox::wheelEvent(QWheelEvent* event) {
 IntegerSpinBox::IntegerSpinBox(QWidget* parent) : QSpinBox(parent) {
   setKeyboardTracking(false);
   setFocusPolicy(Qt::StrongFocus);
+  connect(this, &IntegerSpinBox::valueChanged, this, [this](int value) { noteEntered(entered_, value); });
+}
+
+bool IntegerSpinBox::event(QEvent* event) {
+  if (!isUndoOrRedo(*event)) return QSpinBox::event(event);
+  takeUndo(*this, *lineEdit(), prefix() + textFromValue(value()) + suffix(), entered_, *event);
+  return true;
+}
+
+void IntegerSpinBox::focusInEvent(QFocusEvent* event) {
+  entered_.last = value();
+  entered_.before.reset();
+  QSpinBox::focusInEvent(event);
 }
 
 // A number out of range may be typed, to be told why it is refused.

@@ -1,10 +1,23 @@
 // Spin boxes that keep what they hold, and say why when they take something not.
+//
+// Undo (Ctrl+Z) shows at once. While something is typed and not entered yet, it puts the number back; else it
+// is the window's, whose last step it takes back, or, in dialogs and where the number is no part of a
+// document, the number that was entered before comes back.
 #pragma once
+
+#include <optional>
 
 #include <QDoubleSpinBox>
 #include <QSpinBox>
 
 namespace isolux::ui {
+
+// The numbers of a box since it has the focus.
+template <typename Number>
+struct EnteredNumbers {
+  std::optional<Number> last, before;  // before: what undo brings back
+  bool own = false;                    // also outside of dialogs
+};
 
 // For any double, from 1e-20 to 1e6. Shows four digits, all of them while it is edited and in its tooltip;
 // what is not edited keeps every digit.
@@ -20,6 +33,7 @@ class NumberSpinBox : public QDoubleSpinBox {
 
   // Shows a value without sending valueChanged.
   void showValue(double value);
+  void setOwnUndo() { entered_.own = true; }  // no part of the window's document
 
  Q_SIGNALS:
   void refused(const QString& why) const;  // a number out of range was entered; the old one stays
@@ -34,6 +48,7 @@ class NumberSpinBox : public QDoubleSpinBox {
   void showText();
 
   bool editing_ = false;  // has the focus
+  EnteredNumbers<double> entered_;
 };
 
 class IntegerSpinBox : public QSpinBox {
@@ -48,7 +63,12 @@ class IntegerSpinBox : public QSpinBox {
   void refused(const QString& why) const;
 
  protected:
+  bool event(QEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;  // only with the focus
+
+ private:
+  EnteredNumbers<int> entered_;
 };
 
 }  // namespace isolux::ui

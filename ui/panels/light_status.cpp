@@ -8,6 +8,7 @@
 #include <QProgressBar>
 #include <QToolButton>
 
+#include "ui/editors/elided_label.h"
 #include "ui/editors/number_text.h"
 #include "ui/window/icons.h"
 #include "ui/window/style.h"
@@ -86,16 +87,27 @@ QString unfinishedLightText(const app::LightState& state, bool cancelled) {
   return fraction < 1.0 ? QObject::tr("light was at %1").arg(percentText(fraction)) : QString();
 }
 
+QString unfinishedLightSentence(const app::LightState& state, bool cancelled) {
+  if (unfinishedLightText(state, cancelled).isEmpty()) return {};
+  const double fraction = fractionOf(state.counters), left = state.counters.secondsLeft;
+  const QString percent = percentText(fraction);
+  if (cancelled) return QObject::tr("Computing light was stopped at %1").arg(percent);
+  if (state.phase == Phase::paused) return QObject::tr("Computing light is paused at %1").arg(percent);
+  if (state.phase == Phase::preparing) return QObject::tr("Light is about to be computed");
+  return left > 0.0 ? QObject::tr("Light is being computed: %1, %2 left").arg(percent, durationText(left))
+                    : QObject::tr("Light is being computed: %1").arg(percent);
+}
+
 LightStatus::LightStatus(QWidget* parent)
     : QWidget(parent),
-      label_(new QLabel(this)),
+      label_(new ElidedLabel(this)),
       bar_(new QProgressBar(this)),
       pause_(new QToolButton(this)),
       stop_(new QToolButton(this)) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(10, 0, 0, 0);
   layout->setSpacing(6);
-  label_->setTextFormat(Qt::PlainText);
+  static_cast<ElidedLabel*>(label_)->keepFirstPart();
   bar_->setRange(0, 1000);
   bar_->setTextVisible(false);
   bar_->setFixedSize(90, 6);

@@ -39,6 +39,9 @@ class LightStatus : public QWidget {
 // none.
 QString unfinishedLightText(const app::LightState& state, bool cancelled);
 
+// "Light is being computed: 57 %, 18 s left", or paused, or stopped; "" when none is on its way.
+QString unfinishedLightSentence(const app::LightState& state, bool cancelled);
+
 // "1.2 million rays/s": as people read it.
 QString rateText(double raysPerSecond);
 

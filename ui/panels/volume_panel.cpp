@@ -16,6 +16,7 @@
 #include <QVBoxLayout>
 
 #include "ui/document/privacy.h"
+#include "ui/editors/number_spin_box.h"
 #include "ui/editors/number_text.h"
 #include "ui/editors/wrapped_text.h"
 #include "ui/panels/source_panel.h"
@@ -77,18 +78,21 @@ VolumePanel::VolumePanel(QWidget* parent)
   series_->setMinimumContentsLength(12);
   component_ = new QComboBox(choiceBox_);
   timeRow_ = new QWidget(choiceBox_);
+  const auto numberBox = [this](QWidget* parent) {
+    auto* box = new IntegerSpinBox(parent);
+    connect(box, &IntegerSpinBox::refused, this, &VolumePanel::failed);
+    return box;
+  };
   timeSlider_ = new QSlider(Qt::Horizontal, timeRow_);
   timeSlider_->setTracking(false);
   timeSlider_->setPageStep(1);
   timeSlider_->setAccessibleName(tr("Time step"));
-  timeStep_ = new QSpinBox(timeRow_);
-  timeStep_->setKeyboardTracking(false);
+  timeStep_ = numberBox(timeRow_);
   auto* timeLayout = new QHBoxLayout(timeRow_);
   timeLayout->setContentsMargins(0, 0, 0, 0);
   timeLayout->addWidget(timeSlider_, 1);
   timeLayout->addWidget(timeStep_);
-  level_ = new QSpinBox(choiceBox_);
-  level_->setKeyboardTracking(false);
+  level_ = numberBox(choiceBox_);
   level_->setToolTip(
       tr("0 is the voxels of the file; each further level has the means of twice as many along each axis"));
   choices_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);

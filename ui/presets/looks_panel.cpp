@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include <QEvent>
@@ -288,7 +289,13 @@ void LooksPanel::choose(const QListWidgetItem* item) {
 }
 
 void LooksPanel::showShift() {
-  const auto applied = app::appliedPreset(scene_, list_, *volume_);
+  std::optional<app::AppliedPreset> applied;
+  if (shifted_ && shift_->isSliderDown()) {  // the values pass by those of others
+    applied = app::appliedPreset(scene_, std::span(list_).subspan(*shifted_, 1), *volume_);
+    if (applied) applied->index = *shifted_;
+  } else {
+    applied = app::appliedPreset(scene_, list_, *volume_, shifted_);
+  }
   shifted_ = applied ? std::optional(applied->index) : std::nullopt;
   for (QWidget* widget : std::initializer_list<QWidget*>{shiftLabel_, shift_, shiftBox_}) {
     widget->setEnabled(applied.has_value());

@@ -31,12 +31,11 @@ void strokeOnRim(QPainter& painter, const QLineF& line, const QColor& color) {
 }  // namespace
 
 void paintPlanes(QPainter& painter, const volume::SlicePlane& picture, const std::vector<PlaneOfView>& planes,
-                 glm::dvec3 crosshairMm, double ratio) {
+                 glm::dvec3 crosshairMm, QSizeF border, double ratio) {
   const QRectF all(QPointF(0.0, 0.0), QSizeF(picture.size.x, picture.size.y) / ratio);
   const QPointF cross = unitOf(picture.pixelOf(crosshairMm), ratio);
   painter.save();
-  const double border = std::max(24.0, 0.075 * std::min(all.width(), all.height()));  // of the letters
-  painter.setClipRect(all.adjusted(border, border, -border, -border));
+  painter.setClipRect(all.adjusted(border.width(), border.height(), -border.width(), -border.height()));
   for (const PlaneOfView& other : planes) {
     const auto ends = app::crossingLine(picture, other.plane);
     if (!ends) continue;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <QColor>
+#include <QSizeF>
 
 #include "app/slices/slice_choice.h"
 #include "scene/scene.h"
@@ -18,9 +19,9 @@ struct PlaneOfView {
 };
 
 // `picture`: in pixels of the screen, of which the painter's unit has `ratio`. Lines are open about the
-// crosshair, and short of the letters at the sides.
+// crosshair, and end at `border` from the sides, where letters stand.
 void paintPlanes(QPainter& painter, const volume::SlicePlane& picture, const std::vector<PlaneOfView>& planes,
-                 glm::dvec3 crosshairMm, double ratio);
+                 glm::dvec3 crosshairMm, QSizeF border, double ratio);
 // Points no farther from the plane than `reachMm`; pins with their names.
 void paintPoints(QPainter& painter, const volume::SlicePlane& picture, const std::vector<scene::Mark>& marks,
                  double reachMm, double ratio);

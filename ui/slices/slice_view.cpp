@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/slices/slice_content.h"
+#include "app/slices/slice_labels.h"
 
 namespace isolux::ui {
 
@@ -192,7 +193,9 @@ void SliceView::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::SmoothPixmapTransform, !inPlace);
   painter.drawImage(inPlace ? QRectF(rect()) : QRectF(corner, end), image_);
   const double ratio = devicePixelRatioF();
-  paintPlanes(painter, *now, others_, position(), ratio);
+  const scene::WorldAxes axes = volume_->volume.axes;
+  const glm::dvec2 border = app::letterBorder(app::lettersOf(*now, axes), now->size, ratio) / ratio;
+  paintPlanes(painter, *now, others_, position(), {border.x, border.y}, ratio);
   const glm::dvec3 normal = now->frame().normal();
   const double reach =
       std::max(0.5 * resolved_.slice.slab, 0.5 * volume::voxelAlong(volume_->grid().geometry(), normal));

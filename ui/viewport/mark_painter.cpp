@@ -106,10 +106,10 @@ void paintLabel(QPainter& painter, const QRectF& place, const QString& text, con
 }  // namespace
 
 std::vector<QRectF> paintMarks(QPainter& painter, const std::vector<app::MarkShape>& marks,
-                               const scene::CameraFrame& frame, QSizeF size) {
+                               const scene::CameraFrame& frame, QSizeF size, std::vector<QRectF> taken) {
   constexpr double widestLabel = 340.0;
   painter.save();
-  std::vector<QRectF> taken, labels;
+  std::vector<QRectF> labels;
   for (const app::MarkShape& mark : marks) {
     const QColor colour = screenColour(mark.color);
     for (const app::MarkLine& line : mark.lines) paintLine(painter, line, colour, frame, size);

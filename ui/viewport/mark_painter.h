@@ -13,9 +13,9 @@ class QPainter;
 namespace isolux::ui {
 
 // `size`: of the picture, in the painter's pixels. Returns where the labels stand, in the order of the marks;
-// empty: its mark is not to be seen. Labels keep off the dots of all marks and off one another as long as
-// there is room.
+// empty: its mark is not to be seen. Labels keep off the dots of all marks, off one another and off what is
+// `taken` as long as there is room.
 std::vector<QRectF> paintMarks(QPainter& painter, const std::vector<app::MarkShape>& marks,
-                               const scene::CameraFrame& frame, QSizeF size);
+                               const scene::CameraFrame& frame, QSizeF size, std::vector<QRectF> taken = {});
 
 }  // namespace isolux::ui

@@ -19,20 +19,32 @@ void strokeOnDark(QPainter& painter, const QLineF& line, const QColor& color, do
   }
 }
 
+std::vector<QLineF> edgesOf(const SliceOutline& outline, const scene::CameraFrame& frame, QSizeF size) {
+  const glm::dvec2 pixels(size.width(), size.height());
+  std::vector<QLineF> edges;
+  for (std::size_t i = 0; i < outline.corners.size(); ++i) {
+    const auto from = app::pixelOf(frame, outline.corners[i], pixels),
+               to = app::pixelOf(frame, outline.corners[(i + 1) % outline.corners.size()], pixels);
+    if (from && to) edges.emplace_back(from->x, from->y, to->x, to->y);
+  }
+  return edges;
+}
+
 }  // namespace
+
+std::vector<QLineF> sliceLines(const SlicesInPicture& slices, const scene::CameraFrame& frame, QSizeF size) {
+  std::vector<QLineF> lines;
+  for (const SliceOutline& outline : slices.outlines)
+    for (const QLineF& edge : edgesOf(outline, frame, size)) lines.push_back(edge);
+  return lines;
+}
 
 void paintSlices(QPainter& painter, const SlicesInPicture& slices, const scene::CameraFrame& frame,
                  QSizeF size) {
   if (slices.outlines.empty()) return;
-  const glm::dvec2 pixels(size.width(), size.height());
-  const auto place = [&](glm::dvec3 world) { return app::pixelOf(frame, world, pixels); };
   for (const SliceOutline& outline : slices.outlines)
-    for (std::size_t i = 0; i < outline.corners.size(); ++i) {
-      const auto from = place(outline.corners[i]),
-                 to = place(outline.corners[(i + 1) % outline.corners.size()]);
-      if (from && to) strokeOnDark(painter, {from->x, from->y, to->x, to->y}, outline.color, 1.3);
-    }
-  const auto cross = place(slices.crosshairMm);
+    for (const QLineF& edge : edgesOf(outline, frame, size)) strokeOnDark(painter, edge, outline.color, 1.3);
+  const auto cross = app::pixelOf(frame, slices.crosshairMm, {size.width(), size.height()});
   if (!cross) return;
   const QPointF at(cross->x, cross->y);
   for (const QPointF way : {QPointF(1.0, 0.0), QPointF(-1.0, 0.0), QPointF(0.0, 1.0), QPointF(0.0, -1.0)})

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <QColor>
+#include <QLineF>
 #include <QSizeF>
 
 #include <glm/vec3.hpp>
@@ -22,6 +23,9 @@ struct SlicesInPicture {
   std::vector<SliceOutline> outlines;  // none: nothing is painted
   glm::dvec3 crosshairMm{0.0};
 };
+
+// Edges of the outlines in a picture of this size, in pixels. What lies behind the eye is left out.
+std::vector<QLineF> sliceLines(const SlicesInPicture& slices, const scene::CameraFrame& frame, QSizeF size);
 
 // `size`: of the picture, in the painter's pixels. What lies behind the eye is left out.
 void paintSlices(QPainter& painter, const SlicesInPicture& slices, const scene::CameraFrame& frame,

@@ -1,6 +1,7 @@
 #include "ui/viewport/viewport.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QPushButton>
 
@@ -17,8 +18,9 @@ namespace isolux::ui {
 namespace {
 constexpr int viewRestMilliseconds = 200;  // after the last change, before the fine picture
 constexpr int fieldPollMilliseconds = 50;
-constexpr int pictureMilliseconds = 4;   // a picture that is there is taken
-constexpr int pointedMilliseconds = 40;  // the pointer's value is looked up at most this often
+constexpr int pictureMilliseconds = 4;             // a picture that is there is taken
+const QString caveatSign = QStringLiteral(" · ");  // between two of them
+constexpr int pointedMilliseconds = 40;            // the pointer's value is looked up at most this often
 
 // Whether two scenes have the same pictures: marks lie over them.
 bool samePictures(const scene::Scene& from, scene::Scene to) {
@@ -111,13 +113,17 @@ void Viewport::offerRemedy(const std::optional<render::EmptyPicture>& empty) {
 
 // As finished pictures have it written on them (app/annotation).
 void Viewport::showCaveats() {
+  const bool wasHidden = caveats_->isHidden();
   const app::Caveats caveats = volume_ ? app::caveatsOf(resolved_, *volume_) : app::Caveats{};
   QStringList words;
   for (const std::string& line : caveats.lines()) words += translatedSentence(line);
   caveats_->setVisible(!words.isEmpty());
-  QString text = words.join(" · ");
+  QString text = words.join(caveatSign);
   if (caveats.hidden > 0) text += " – " + tr("Show");
-  if (text == caveats_->text()) return;
+  if (text == QString(caveats_->text()).replace('\n', caveatSign)) {
+    if (caveats_->isHidden() != wasHidden) placeButtons();
+    return;
+  }
   caveats_->setText(text);
   caveats_->setEnabled(caveats.hidden > 0);
   caveats_->setToolTip(caveats.hidden > 0 ? tr("Show all pieces") : QString());
@@ -141,20 +147,51 @@ void Viewport::takeRemedy() {
   Q_EMIT edited(edit);
 }
 
+std::vector<QRectF> Viewport::legendBoxes() const {
+  std::vector<QRectF> boxes;
+  const auto add = [&](const std::optional<render::Tile>& tile) {  // from below, in the picture's pixels
+    if (!tile || image_.isNull()) return;
+    const double across = static_cast<double>(width()) / image_.width(),
+                 down = static_cast<double>(height()) / image_.height();
+    boxes.emplace_back(across * tile->origin.x, height() - down * (tile->origin.y + tile->size.y),
+                       across * tile->size.x, down * tile->size.y);
+  };
+  add(legend_);
+  for (const Over what : {Over::errors, Over::levelZero, Over::structure})
+    if (showsOver(what)) {
+      add(laid_[static_cast<std::size_t>(what)].legend);
+      break;
+    }
+  return boxes;
+}
+
 void Viewport::placeButtons() {
-  constexpr int belowNote = 64, margin = 12;  // pixels: under the overlay's line; from the picture's corner
-  remedy_->adjustSize();
-  remedy_->move((width() - remedy_->width()) / 2, topInset_ + belowNote);
+  constexpr int belowNote = 64, margin = 12;  // pixels: under a note of one line; from the picture's corner
+  caveats_->setText(QString(caveats_->text()).replace('\n', caveatSign));
   caveats_->adjustSize();
-  QRect place({0, 0}, caveats_->size());
-  place.moveBottomRight({width() - margin, height() - margin});
-  if (legend_) {  // from below, in pixels of the screen
-    const double ratio = devicePixelRatioF();
-    const QRectF legend(legend_->origin.x / ratio, height() - (legend_->origin.y + legend_->size.y) / ratio,
-                        legend_->size.x / ratio, legend_->size.y / ratio);
-    if (legend.intersects(place)) place.moveRight(static_cast<int>(legend.left()) - margin);
+  if (caveats_->width() > width() - 2 * margin) {  // a line each
+    caveats_->setText(caveats_->text().replace(caveatSign, "\n"));
+    caveats_->adjustSize();
   }
-  caveats_->move(place.topLeft());
+  QRectF place(width() - margin - caveats_->width(), height() - margin - caveats_->height(),
+               caveats_->width(), caveats_->height());
+  std::vector<QRectF> taken = legendBoxes();
+  for (const QRectF& legend : taken)
+    if (legend.intersects(place)) {
+      const double left = legend.left() - margin - place.width();
+      if (left >= margin)
+        place.moveLeft(left);
+      else
+        place.moveBottom(legend.top() - margin);
+    }
+  caveats_->move(place.topLeft().toPoint());
+  if (!caveats_->isHidden()) taken.push_back(place);
+  overlay_->setTaken(std::move(taken));
+  remedy_->adjustSize();
+  const int below =
+      std::max(topInset_ + belowNote,
+               static_cast<int>(std::lround(overlay_->arrangement().note.bottom())) + margin / 2);
+  remedy_->move((width() - remedy_->width()) / 2, below);
 }
 
 bool Viewport::complete() const {

@@ -92,18 +92,25 @@ class Viewport : public QWidget {
   struct StillWish {
     glm::ivec2 size{0};  // 0: the pixels of the screen, and its ratio
     double pixelRatio = 1.0;
-    bool linear = false;  // also as linear float32
-    QString what;         // what the dialog says; empty: that a picture is drawn
+    std::optional<scene::Camera> camera{};  // resolved; none: the window's
+    bool linear = false;                    // also as linear float32
+    QString what;                           // what the dialog says; empty: that a picture is drawn
   };
   render::StillPicture picture(const StillWish& wish);
   render::StillPicture picture() { return picture(StillWish{}); }
-  glm::ivec2 pixelSize() const;                   // of the screen
+  // Between the letters at the sides of a picture of this size, where views are fitted to, as
+  // scene::fittedTo() has it. `ratio`: pixels to one of a screen at 100 %.
+  static glm::dvec2 fittingRoom(glm::ivec2 pixels, double ratio);
+  glm::ivec2 pixelSize() const;  // of the screen
+  const ViewportOverlay* overlay() const { return overlay_; }
   const QImage& shown() const { return image_; }  // the pixels on screen, without letters and scale
   const std::optional<render::Tile>& legend() const { return legend_; }  // where it stands in them
   // What may be shown in place of the picture: the last that is there.
   enum class Over { structure, levelZero, errors };
-  // Shown in place of the picture `of` while that is on screen; null: nothing is.
-  void setOver(Over what, const QImage& image, const QImage& of);
+  // Shown in place of the picture `of` while that is on screen; null: nothing is. `legend`: of its own,
+  // beside the picture's.
+  void setOver(Over what, const QImage& image, const QImage& of,
+               const std::optional<render::Tile>& legend = {});
   bool showsOver(Over what) const {
     const Laid& laid = laid_[static_cast<std::size_t>(what)];
     return !laid.image.isNull() && laid.of == image_.cacheKey();
@@ -113,6 +120,7 @@ class Viewport : public QWidget {
   const std::optional<QString>& problem() const { return problem_; }  // why there is no picture now
 
  Q_SIGNALS:
+  void resized();
   void edited(const isolux::ui::Edit& edit);
   void gestureEnded();
   void pointed(const std::optional<isolux::app::Pick>& pick);
@@ -166,6 +174,7 @@ class Viewport : public QWidget {
   void offerRemedy(const std::optional<render::EmptyPicture>& empty);
   void takeRemedy();
   void placeButtons();
+  std::vector<QRectF> legendBoxes() const;  // that are on screen
   void showCaveats();
   void showed(const app::DrawnPicture& picture, std::uint64_t view);
   void tellSeen(const app::DrawnPicture& picture, std::uint64_t view);
@@ -237,6 +246,7 @@ class Viewport : public QWidget {
   struct Laid {
     QImage image;
     qint64 of = 0;  // QImage::cacheKey
+    std::optional<render::Tile> legend{};
   };
   std::array<Laid, 3> laid_;  // by Over
   std::optional<render::Tile> legend_;

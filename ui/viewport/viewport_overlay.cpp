@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <utility>
 
 #include <QPainter>
 #include <QPainterPath>
@@ -11,8 +11,9 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "app/annotation/annotation.h"
+#include "app/annotation/free_places.h"
 #include "base/color.h"
-#include "base/numbers.h"
 #include "ui/editors/number_text.h"
 #include "ui/viewport/cut_painter.h"
 #include "ui/viewport/lamp_painter.h"
@@ -22,8 +23,21 @@
 namespace isolux::ui {
 
 namespace {
-constexpr double halfEdge = 17.0;  // of the cube, pixels
+// Pixels.
+constexpr double halfEdge = 17.0;  // of the cube
+constexpr double cubeInset = 48.0,
+                 cubeReach = 29.0;  // its middle from the corner, and how far it reaches turned
+constexpr double letterMargin = 12.0, noteTop = 36.0, textRim = 1.5;
+constexpr double barTick = 6.0, barLift = 11.0;  // of the scale bar: its ends, and its text over the line
+
+app::TextBox boxOf(const QRectF& rect) {
+  return {{rect.x(), rect.y()}, {rect.width(), rect.height()}};
 }
+
+QRectF rectOf(const app::TextBox& box) {
+  return {box.low.x, box.low.y, box.size.x, box.size.y};
+}
+}  // namespace
 
 ViewportOverlay::Inks ViewportOverlay::inksAt(double heightFraction) const {
   const QColor light(0xf4, 0xf6, 0xf8), dark(0x0a, 0x0c, 0x0f);
@@ -103,6 +117,12 @@ void ViewportOverlay::setTopInset(int pixels) {
   update();
 }
 
+void ViewportOverlay::setTaken(std::vector<QRectF> boxes) {
+  if (boxes == taken_) return;
+  taken_ = std::move(boxes);
+  update();
+}
+
 void ViewportOverlay::setHint(const QString& text) {
   hint_ = text;
   update();
@@ -129,25 +149,112 @@ void ViewportOverlay::setMarks(std::vector<app::MarkShape> marks, const QString&
   update();
 }
 
+std::vector<QRectF> ViewportOverlay::Arrangement::boxes() const {
+  std::vector<QRectF> all;
+  for (const QRectF& box : {cube, scale, note, toolHint, left, right, top, bottom})
+    if (!box.isEmpty()) all.push_back(box);
+  return all;
+}
+
+QFont ViewportOverlay::letterFont() const {
+  QFont letters = font();
+  letters.setPointSizeF(letters.pointSizeF() + 5.0);
+  letters.setWeight(QFont::DemiBold);
+  return letters;
+}
+
+QFont ViewportOverlay::scaleFont() const {
+  QFont medium = font();
+  medium.setWeight(QFont::Medium);
+  return medium;
+}
+
+ViewportOverlay::Arrangement ViewportOverlay::arrangement() const {
+  Arrangement found;
+  const QRectF all = QRectF(rect()).adjusted(4.0, topInset_ + 4.0, -4.0, -4.0);
+  app::FreePlaces free(boxOf(all), 3.0);
+  for (const QRectF& box : taken_) free.take(boxOf(box));
+  const auto place = [&](const QRectF& wanted, Qt::Orientation along) {
+    const auto box = free.place(boxOf(wanted), along == Qt::Horizontal ? 0 : 1);
+    return box ? rectOf(*box) : QRectF();
+  };
+
+  const QRectF cubeWanted(width() - cubeInset - cubeReach, topInset_ + cubeInset - cubeReach, 2.0 * cubeReach,
+                          2.0 * cubeReach);
+  found.cube = place(cubeWanted, Qt::Vertical);
+  if (found.cube.isEmpty()) found.cube = cubeWanted;
+
+  const double longest = std::min(140.0, 0.4 * width());
+  if (const auto bar = app::scaleBarOf(frame_, height(), longest)) {
+    found.scaleMm = bar->mm;
+    found.scalePixels = bar->pixels;
+    const QFontMetricsF metrics(scaleFont());
+    const double wide = std::max(bar->pixels, metrics.horizontalAdvance(scaleText(bar->mm))) + 2.0 * textRim;
+    const QSizeF size(wide, barLift + metrics.ascent() + 2.0 * textRim);
+    const double margin = 17.0;
+    const QPointF left(margin, height() - 19.0 - size.height());
+    const QRectF atLeft(left, size), atRight({width() - margin - wide, left.y()}, size);
+    found.scale = free.isFree(boxOf(atLeft)) || !free.isFree(boxOf(atRight)) ? place(atLeft, Qt::Vertical)
+                                                                             : place(atRight, Qt::Vertical);
+  }
+
+  const QFontMetricsF metrics(font());
+  const auto textBox = [&](const QStringList& text, double top) {
+    double wide = 0.0;
+    for (const QString& line : text) wide = std::max(wide, metrics.horizontalAdvance(line));
+    return QRectF(0.5 * (width() - wide), top, wide,
+                  metrics.lineSpacing() * static_cast<double>(text.size()));
+  };
+  if (!note_.isEmpty()) {
+    const QRectF wanted = textBox(lines(note_), topInset_ + noteTop);
+    found.note = place(wanted, Qt::Vertical);
+    if (found.note.isEmpty()) found.note = wanted;
+  }
+  if (!toolHint_.isEmpty()) {
+    const QStringList text = lines(toolHint_);
+    const double high = metrics.lineSpacing() * static_cast<double>(text.size());
+    found.toolHint = place(textBox(text, height() - 36.0 - high), Qt::Vertical);
+  }
+
+  for (const QLineF& line : sliceLines(slices_, frame_, size()))
+    free.takeLine({line.x1(), line.y1()}, {line.x2(), line.y2()});
+  const scene::EdgeLetters letters = scene::edgeLetters(frame_, axes_);
+  const QFontMetricsF large(letterFont());
+  const double high = large.capHeight(), middle = 0.5 * (height() - high);
+  const auto edge = [&](const std::string& letter, double fraction, double y) {  // of the width
+    const double wide = large.horizontalAdvance(QString::fromStdString(letter));
+    const double room = width() - 2.0 * letterMargin - wide;
+    return QRectF(letterMargin + fraction * room, y, wide, high);
+  };
+  found.left = place(edge(letters.left, 0.0, middle), Qt::Vertical);
+  found.right = place(edge(letters.right, 1.0, middle), Qt::Vertical);
+  found.top = place(edge(letters.top, 0.5, topInset_ + letterMargin), Qt::Horizontal);
+  found.bottom = place(edge(letters.bottom, 0.5, height() - letterMargin - high), Qt::Horizontal);
+  return found;
+}
+
 void ViewportOverlay::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
   if (!problem_.isEmpty()) {
     paintProblem(painter);
   } else if (visible_) {
+    const Arrangement places = arrangement();
     paintSlices(painter, slices_, frame_, size());
     if (!cuts_.empty()) paintCuts(painter, cuts_, cutGrip_);
-    if (!marks_.empty()) paintMarks(painter, marks_, frame_, size());
-    paintLetters(painter);
-    paintCube(painter);
-    paintScale(painter);
+    if (!marks_.empty()) {
+      std::vector<QRectF> taken = places.boxes();
+      taken.insert(taken.end(), taken_.begin(), taken_.end());
+      paintMarks(painter, marks_, frame_, size(), std::move(taken));
+    }
+    paintLetters(painter, places);
+    paintCube(painter, places.cube.center());
+    paintScale(painter, places);
     paintLamps(painter, lamps_, grip_);
-    if (!note_.isEmpty()) paintNote(painter);
-    if (!toolHint_.isEmpty()) paintToolHint(painter);
+    if (!note_.isEmpty()) paintLines(painter, lines(note_), places.note.top());
+    if (!places.toolHint.isEmpty()) paintLines(painter, lines(toolHint_), places.toolHint.top());
   } else if (!hint_.isEmpty()) {
-    const QFontMetricsF metrics(font());
-    drawText(painter, font(), QPointF(0.5 * (width() - metrics.horizontalAdvance(hint_)), 0.5 * height()),
-             hint_);
+    paintLines(painter, lines(hint_), 0.5 * height() - fontMetrics().ascent());
   }
 }
 
@@ -158,39 +265,35 @@ void ViewportOverlay::setNote(const QString& text) {
   update();
 }
 
-void ViewportOverlay::paintNote(QPainter& painter) const {
+// Broken between words.
+QStringList ViewportOverlay::lines(const QString& text) const {
   const QFontMetricsF metrics(font());
-  const double belowLetter = topInset_ + 48.0;
-  drawText(painter, font(), QPointF(0.5 * (width() - metrics.horizontalAdvance(note_)), belowLetter), note_);
+  QStringList result;
+  for (const QString& word : text.split(' ')) {
+    if (!result.isEmpty() && metrics.horizontalAdvance(result.back() + ' ' + word) <= width() - 24.0)
+      result.back() += ' ' + word;
+    else
+      result += word;
+  }
+  return result;
 }
 
-void ViewportOverlay::paintToolHint(QPainter& painter) const {
+void ViewportOverlay::paintLines(QPainter& painter, const QStringList& lines, double top) const {
   const QFontMetricsF metrics(font());
-  const QString text = metrics.elidedText(toolHint_, Qt::ElideRight, width() - 24.0);
-  const double aboveLetter = height() - 40.0;
-  drawText(painter, font(), QPointF(0.5 * (width() - metrics.horizontalAdvance(text)), aboveLetter), text);
+  double baseline = top + metrics.ascent();
+  for (const QString& line : lines) {
+    drawText(painter, font(), QPointF(0.5 * (width() - metrics.horizontalAdvance(line)), baseline), line);
+    baseline += metrics.lineSpacing();
+  }
 }
 
-void ViewportOverlay::paintLetters(QPainter& painter) const {
+void ViewportOverlay::paintLetters(QPainter& painter, const Arrangement& places) const {
   const scene::EdgeLetters letters = scene::edgeLetters(frame_, axes_);
-  QFont font = this->font();
-  font.setPointSizeF(font.pointSizeF() + 5.0);
-  font.setWeight(QFont::DemiBold);
-  const QFontMetricsF metrics(font);
-  const double margin = 12.0, x = 0.5 * width(), y = 0.5 * height() + 0.5 * metrics.capHeight();
-  const auto text = [](const std::string& letter) { return QString::fromStdString(letter); };
-  drawText(painter, font, {margin, y}, text(letters.left));
-  drawText(painter, font, {width() - margin - metrics.horizontalAdvance(text(letters.right)), y},
-           text(letters.right));
-  drawText(painter, font,
-           {x - 0.5 * metrics.horizontalAdvance(text(letters.top)), topInset_ + margin + metrics.capHeight()},
-           text(letters.top));
-  drawText(painter, font, {x - 0.5 * metrics.horizontalAdvance(text(letters.bottom)), height() - margin},
-           text(letters.bottom));
-}
-
-QPointF ViewportOverlay::cubeMiddle() const {
-  return {width() - 48.0, topInset_ + 48.0};  // the legend stands in the lower corner
+  const QFont font = letterFont();
+  for (const auto& [letter, box] :
+       {std::pair(&letters.left, places.left), std::pair(&letters.right, places.right),
+        std::pair(&letters.top, places.top), std::pair(&letters.bottom, places.bottom)})
+    if (!box.isEmpty()) drawText(painter, font, box.bottomLeft(), QString::fromStdString(*letter));
 }
 
 std::vector<app::CubeFace> ViewportOverlay::cube() const {
@@ -199,7 +302,7 @@ std::vector<app::CubeFace> ViewportOverlay::cube() const {
 
 std::optional<scene::StandardView> ViewportOverlay::cubeViewAt(QPointF position) const {
   if (!visible_ || !problem_.isEmpty()) return std::nullopt;
-  const QPointF from = position - cubeMiddle();
+  const QPointF from = position - arrangement().cube.center();
   return app::faceAt(cube(), {from.x(), from.y()});
 }
 
@@ -216,12 +319,11 @@ void ViewportOverlay::setSlices(SlicesInPicture slices) {
   update();
 }
 
-void ViewportOverlay::paintCube(QPainter& painter) const {
+void ViewportOverlay::paintCube(QPainter& painter, QPointF centre) const {
   QFont font = this->font();
   font.setPixelSize(20);
   font.setWeight(QFont::DemiBold);
   const QFontMetricsF metrics(font);
-  const QPointF centre = cubeMiddle();
   const auto point = [](glm::dvec2 p) { return QPointF(p.x, p.y); };
   for (const app::CubeFace& face : cube()) {
     QPolygonF square;
@@ -242,32 +344,28 @@ void ViewportOverlay::paintCube(QPainter& painter) const {
   }
 }
 
-void ViewportOverlay::paintScale(QPainter& painter) const {
-  const bool perspective = frame_.projection == scene::Projection::perspective;
-  const double heightMm = 2.0 * frame_.halfHeight * (perspective ? frame_.distance : 1.0);
-  const double pixelMm = heightMm / std::max(1, height());
-  if (!(pixelMm > 0.0) || !std::isfinite(pixelMm)) return;
-  const double lengthMm = base::niceBelow(140.0 * pixelMm);
-  const double length = lengthMm / pixelMm;
-  // In perspective a length holds at one depth only: that of the centre of rotation.
-  const QString text =
-      perspective ? tr("%1 at the centre").arg(valueText(lengthMm, "mm")) : valueText(lengthMm, "mm");
+// In perspective a length holds at one depth only: that of the centre of rotation.
+QString ViewportOverlay::scaleText(double mm) const {
+  const QString length = valueText(mm, "mm");
+  return frame_.projection == scene::Projection::perspective ? tr("%1 at the centre").arg(length) : length;
+}
 
-  const double left = 18.5, bottom = height() - 20.5;
+void ViewportOverlay::paintScale(QPainter& painter, const Arrangement& places) const {
+  if (places.scale.isEmpty()) return;
+  const double left = places.scale.left() + textRim, bottom = places.scale.bottom() - textRim,
+               length = places.scalePixels;
   QPainterPath bar;
-  bar.moveTo(left, bottom - 6.0);
+  bar.moveTo(left, bottom - barTick);
   bar.lineTo(left, bottom);
   bar.lineTo(left + length, bottom);
-  bar.lineTo(left + length, bottom - 6.0);
+  bar.lineTo(left + length, bottom - barTick);
   painter.setBrush(Qt::NoBrush);
   const Inks inks = inksAt(bottom / std::max(1, height()));
   painter.setPen(QPen(inks.rim, 4.0, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
   painter.drawPath(bar);
   painter.setPen(QPen(inks.ink, 1.6, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
   painter.drawPath(bar);
-  QFont font = this->font();
-  font.setWeight(QFont::Medium);
-  drawText(painter, font, {left, bottom - 11.0}, text);
+  drawText(painter, scaleFont(), {left, bottom - barLift}, scaleText(places.scaleMm));
 }
 
 void ViewportOverlay::paintProblem(QPainter& painter) const {

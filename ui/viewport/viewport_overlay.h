@@ -2,6 +2,10 @@
 // Painted by the raster engine, so that letters and lines are crisp at any device pixel ratio.
 #pragma once
 
+#include <optional>
+#include <vector>
+
+#include <QRectF>
 #include <QWidget>
 
 #include "app/cuts/cut_handles.h"
@@ -23,7 +27,9 @@ class ViewportOverlay : public QWidget {
   // Why there is no picture, and what can be done; empty: there is one. Both are the widget's accessible
   // description.
   void setProblem(const QString& reason, const QString& advice = {});
-  void setTopInset(int pixels);       // letters, cube and note stand below
+  void setTopInset(int pixels);  // letters, cube and note stand below
+  // What stands in the picture already (legends, buttons): the overlay keeps clear of it.
+  void setTaken(std::vector<QRectF> boxes);
   void setNote(const QString& text);  // over a picture that is not all there; empty: none
   // Lamps that can be dragged, and which of them the pointer holds or is over.
   void setLamps(std::vector<app::LampHandle> lamps, const std::optional<app::LampGrip>& grip);
@@ -35,19 +41,30 @@ class ViewportOverlay : public QWidget {
   std::optional<scene::StandardView> cubeViewAt(QPointF position) const;
   void pointAtCube(std::optional<QPointF> position);  // lights the face up
   void setHint(const QString& text);                  // in place of a picture: what to do first
+  // Where things stand: clear of one another, of what is taken, and, the letters, of outlines of slices.
+  // Empty boxes: not there, or no room.
+  struct Arrangement {
+    QRectF cube, scale, note, toolHint, left, right, top, bottom;
+    double scaleMm = 0.0;  // length of the bar, and in pixels
+    double scalePixels = 0.0;
+    std::vector<QRectF> boxes() const;  // those that are there
+  };
+  Arrangement arrangement() const;
 
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  void paintLetters(QPainter& painter) const;
-  QPointF cubeMiddle() const;
+  QFont letterFont() const;
+  QFont scaleFont() const;
+  QString scaleText(double mm) const;
+  QStringList lines(const QString& text) const;  // as wide as the picture allows
+  void paintLetters(QPainter& painter, const Arrangement& places) const;
   std::vector<app::CubeFace> cube() const;
-  void paintCube(QPainter& painter) const;
-  void paintScale(QPainter& painter) const;
+  void paintCube(QPainter& painter, QPointF centre) const;
+  void paintScale(QPainter& painter, const Arrangement& places) const;
   void paintProblem(QPainter& painter) const;
-  void paintNote(QPainter& painter) const;
-  void paintToolHint(QPainter& painter) const;
+  void paintLines(QPainter& painter, const QStringList& lines, double top) const;
 
   struct Inks {
     QColor ink, rim;
@@ -62,6 +79,7 @@ class ViewportOverlay : public QWidget {
   scene::WorldAxes axes_ = scene::WorldAxes::zUp;
   QString problem_, advice_, note_, hint_, toolHint_;
   int topInset_ = 0;
+  std::vector<QRectF> taken_;
   std::vector<app::LampHandle> lamps_;
   std::vector<app::MarkShape> marks_;
   std::optional<app::LampGrip> grip_;

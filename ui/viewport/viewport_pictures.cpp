@@ -114,6 +114,13 @@ void Viewport::resizeEvent(QResizeEvent* event) {
   showLamps();
   showCuts();
   redraw();
+  Q_EMIT resized();
+}
+
+// Only across: of pictures that are wider than high the view is that of `isolux render`.
+glm::dvec2 Viewport::fittingRoom(glm::ivec2 pixels, double ratio) {
+  const double letter = std::min(std::max(34.0 * ratio, 0.06 * pixels.x), 0.3 * pixels.x);
+  return {(pixels.x - 2.0 * letter) / pixels.y, 1.0};
 }
 
 glm::ivec2 Viewport::pixelSize() const {
@@ -144,8 +151,11 @@ const QImage& Viewport::pixelsToShow() const {
   return image_;
 }
 
-void Viewport::setOver(Over what, const QImage& image, const QImage& of) {
-  laid_[static_cast<std::size_t>(what)] = {image.convertToFormat(QImage::Format_RGB32), of.cacheKey()};
+void Viewport::setOver(Over what, const QImage& image, const QImage& of,
+                       const std::optional<render::Tile>& legend) {
+  laid_[static_cast<std::size_t>(what)] = {image.convertToFormat(QImage::Format_RGB32), of.cacheKey(),
+                                           legend};
+  placeButtons();
   update();
 }
 
@@ -237,6 +247,7 @@ void Viewport::put(const app::DrawnPicture& picture) {
                .convertToFormat(QImage::Format_RGB32);
   laid_ = {};
   legend_ = picture.report.legend;
+  placeButtons();
   // A draft that comes after a change is shown all the same, so that the view moves.
   shownChanges_ = picture.order == orderNumber_ ? orderedChanges_ : 0;
   shownAtRest_ = picture.order == orderNumber_ && orderedAtRest_;
@@ -354,6 +365,7 @@ render::StillPicture Viewport::picture(const StillWish& wish) {
   request.linear = wish.linear;
   app::PictureOrder order = orderOf(request, true);
   if (!ofScreen) order.request.pixelRatio = wish.pixelRatio;
+  if (wish.camera) order.scene.camera = *wish.camera;
   order.scene.picture.transparent = scene_.picture.transparent;
   thread_.drawStill(std::move(order));
   const std::unique_ptr<app::PictureThread::Still> still = awaitStill(what);

@@ -29,6 +29,7 @@
 #include "ui/document/picture_wish.h"
 #include "ui/document/preferences.h"
 #include "ui/document/privacy.h"
+#include "ui/editors/elided_label.h"
 #include "ui/editors/environment_edit.h"
 #include "ui/editors/number_text.h"
 #include "ui/panels/isovalue_panel.h"
@@ -86,8 +87,8 @@ MainWindow::MainWindow(QWidget* parent)
       folders_(new FolderOpener(
           this, [this](const QString& folder, const QString& series) { openSeries(folder, series); })),
       recentPictures_(new RecentPictures(viewport_)),
-      pointedLabel_(new QLabel(this)),
-      coarseLabel_(new QLabel(this)),
+      pointedLabel_(new ElidedLabel(this)),
+      coarseLabel_(new ElidedLabel(this)),
       recordingLabel_(new QLabel(this)),
       pictureDot_(new PictureDot(this)) {
   setAcceptDrops(true);
@@ -144,6 +145,7 @@ void MainWindow::makePanels() {
   setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
   setDocumentMode(true);
 
+  static_cast<ElidedLabel*>(coarseLabel_)->keepFirstPart();
   setInk(coarseLabel_, Ink::warning);
   coarseLabel_->setContentsMargins(10, 0, 10, 0);
   setInk(recordingLabel_, Ink::error);
@@ -203,6 +205,9 @@ void MainWindow::connectDocument() {
   connect(document_, &Document::failed, this, showError);
   connect(viewport_, &Viewport::failed, this, showError);
 
+  connect(viewport_, &Viewport::resized, document_, [this] {
+    document_->setFittingRoom(Viewport::fittingRoom(viewport_->pixelSize(), viewport_->devicePixelRatioF()));
+  });
   connect(message_, &MessageBar::heightTaken, viewport_, &Viewport::setTopInset);
   connect(viewport_, &Viewport::noted, this,
           [this](const QString& text) { message_->show(MessageBar::Kind::note, text); });
@@ -253,6 +258,12 @@ void MainWindow::connectLight() {
   connect(viewport_, &Viewport::seen, light_, &BakedLight::setVisible);
   connect(light_, &BakedLight::lightChanged, viewport_, &Viewport::setLight);
   connect(light_, &BakedLight::stateChanged, lightStatus_, &LightStatus::setState);
+  connect(light_, &BakedLight::stateChanged, pictureDot_,
+          [this](const app::LightState& state, bool cancelled) {
+            using Phase = app::LightState::Phase;
+            const bool works = state.phase == Phase::preparing || state.phase == Phase::baking;
+            pictureDot_->setLight(unfinishedLightSentence(state, cancelled), works && !cancelled);
+          });
   connect(light_, &BakedLight::failed, this,
           [this](const QString& text) { message_->show(MessageBar::Kind::error, text); });
   connect(light_, &BakedLight::noted, this,
@@ -313,7 +324,7 @@ void MainWindow::showScene(const scene::Scene& scene, const scene::Scene& resolv
   light_->setScene(resolved);
   viewport_->setScene(scene, resolved);
   slices_->setScene(scene, resolved);
-  tellLinked(resolved);
+  tellLinked();
   for (const Docked& docked : panels_) docked.panel->setScene(scene, resolved);
   marks_->setScene(resolved);
   projection_->setChecked(scene.camera.projection == scene::Projection::orthographic);

@@ -169,7 +169,7 @@ class MainWindow : public QMainWindow {
   void showRecentPictures();  // where no volume is open
   void browseFolders();
   void takeCamera(const MainWindow& other);
-  void tellLinked(const scene::Scene& resolved);
+  void tellLinked();
   void setLinked(bool linked);
   void openRequested(const app::WindowRequest& request, const scene::Scene& scene);
 
@@ -191,6 +191,7 @@ class MainWindow : public QMainWindow {
   QImage previewOf(const PictureChoices& chosen) const;
   void takeChoices(const PictureChoices& chosen);
   scene::Scene pictureScene(const PictureWish& wish) const;
+  scene::Camera pictureCamera(QSize pixels, double ratio) const;  // of a picture of this size
   render::StillPicture finishedPicture(bool linear, const QString& what);
   void tracePicture();
   void toggleRecording();

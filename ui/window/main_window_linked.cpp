@@ -43,8 +43,7 @@ void MainWindow::useViewElsewhere() {
 void MainWindow::takeCamera(const MainWindow& other) {
   const VolumePointer &theirs = other.document_->volume(), &ours = document_->volume();
   if (!theirs || !ours || document_->loading()) return;
-  const scene::Camera camera =
-      app::linkedCamera(other.document_->resolvedScene().camera, theirs->facts, ours->facts);
+  const scene::Camera camera = app::linkedCamera(other.document_->camera(), theirs->facts, ours->facts);
   if (camera == document_->scene().camera) return;
   Edit edit{document_->scene(), tr("Take over the view"), "linked camera", true};
   edit.scene.camera = camera;
@@ -54,9 +53,10 @@ void MainWindow::takeCamera(const MainWindow& other) {
 }
 
 // After each change of the scene.
-void MainWindow::tellLinked(const scene::Scene& resolved) {
-  if (resolved.camera == toldCamera_) return;
-  toldCamera_ = resolved.camera;
+void MainWindow::tellLinked() {
+  const scene::Camera camera = document_->camera();
+  if (camera == toldCamera_) return;
+  toldCamera_ = camera;
   // A volume that was just opened does not turn the others by its first view.
   if (follows_ || awaitsFirstPicture_ || !link_->isChecked() || !document_->volume()) return;
   for (MainWindow* other : otherWindows(this))

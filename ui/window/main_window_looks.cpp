@@ -9,6 +9,7 @@
 #include "ui/accuracy/level_marks.h"
 #include "ui/accuracy/level_zero.h"
 #include "ui/document/baked_light.h"
+#include "ui/editors/elided_label.h"
 #include "ui/presets/looks_panel.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
@@ -29,25 +30,25 @@ void MainWindow::connectLooks() {
   for (const Docked& docked : panels_)
     if (docked.panel == accuracy)
       connect(docked.dock, &QDockWidget::visibilityChanged, accuracy, &AccuracyPanel::seenChanged);
-  connect(accuracy, &AccuracyPanel::overlayPainted, viewport_, [this](const QImage& image, const QImage& of) {
-    viewport_->setOver(Viewport::Over::errors, image, of);
-  });
-  connect(levelMarks_, &LevelMarks::painted, viewport_, [this](const QImage& image, const QImage& of) {
-    viewport_->setOver(Viewport::Over::structure, image, of);
-  });
+  const auto layOver = [this](Viewport::Over what) {
+    return [this, what](const QImage& image, const QImage& of, const std::optional<render::Tile>& legend) {
+      viewport_->setOver(what, image, of, legend);
+    };
+  };
+  connect(accuracy, &AccuracyPanel::overlayPainted, viewport_, layOver(Viewport::Over::errors));
+  connect(levelMarks_, &LevelMarks::painted, viewport_, layOver(Viewport::Over::structure));
   connect(levelMarks_, &LevelMarks::changed, this, &MainWindow::showLevel);
   connect(levelZero_, &LevelZero::painted, viewport_, [this](const QImage& image, const QImage& of) {
     viewport_->setOver(Viewport::Over::levelZero, image, of);
   });
   connect(levelZero_, &LevelZero::changed, this, &MainWindow::showLevel);
   connect(levelZero_, &LevelZero::opened, levelMarks_, &LevelMarks::lookAgain);
-  auto* const label = new QLabel(this);
+  auto* const label = new ElidedLabel(this);
   label->setObjectName("pictureAccuracy");
   label->setContentsMargins(10, 0, 0, 0);
-  label->setMinimumWidth(1);  // gives way, so that the window can be as narrow as without
   label->hide();
   setInk(label, Ink::quiet);
-  statusBar()->insertPermanentWidget(1, label);
+  statusBar()->insertPermanentWidget(1, label);  // the text under the pointer gives way first
   connect(accuracy, &AccuracyPanel::pictureKnown, label,
           [label](const QString& text, const QString& meaning) {
             label->setText(text);
@@ -79,7 +80,7 @@ void MainWindow::preview(const std::optional<scene::Scene>& scene) {
   const VolumePointer& volume = document_->volume();
   previewing_ = scene && volume;
   if (previewing_)
-    viewport_->setScene(*scene, scene::resolve(*scene, volume->facts));
+    viewport_->setScene(*scene, document_->resolved(*scene));
   else
     viewport_->setScene(document_->scene(), document_->resolvedScene());
   tellAccuracy();

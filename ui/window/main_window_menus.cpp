@@ -8,8 +8,8 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QShortcut>
-#include <QToolBar>
 #include <QToolButton>
+#include <QWidgetAction>
 
 #include "scene/looks.h"
 #include "scene/settings.h"
@@ -20,6 +20,7 @@
 #include "ui/editors/number_text.h"
 #include "ui/language/translated.h"
 #include "ui/viewport/viewport.h"
+#include "ui/window/fitting_tool_bar.h"
 #include "ui/window/icons.h"
 #include "ui/window/main_window.h"
 #include "ui/window/window_layout.h"
@@ -212,25 +213,17 @@ void MainWindow::makeHelpMenu() {
 }
 
 void MainWindow::makeToolBar() {
-  QToolBar* bar = addToolBar(tr("Tools"));
+  auto* bar = new FittingToolBar(tr("Tools"), this);
+  addToolBar(bar);
   bar->setObjectName("Tools");
   bar->setMovable(false);
   bar->setIconSize({20, 20});
-  bar->addActions({open_, openFolder_, save_, picture_});
-  bar->addSeparator();
-  bar->addActions({undo_, redo_});
-  bar->addSeparator();
-  bar->addActions({reset_, fit_, projection_});
-  bar->addSeparator();
-  for (QAction* action : views_) bar->addAction(action);
   auto* measure = new QToolButton(bar);
   measure->setIcon(icon("measure"));
   measure->setToolTip(tr("Pins and measurements: P, M, Shift+M"));
   measure->setAccessibleName(tr("Measure"));
   measure->setPopupMode(QToolButton::InstantPopup);
   measure->setMenu(measureMenu_);
-  bar->addWidget(measure);
-  bar->addSeparator();
   look_ = new QComboBox(bar);
   look_->setToolTip(tr("What the picture shows (L, Shift+L: next and previous)"));
   look_->setAccessibleName(tr("Look"));
@@ -241,13 +234,26 @@ void MainWindow::makeToolBar() {
   }
   look_->setMaxVisibleItems(look_->count());
   connect(look_, &QComboBox::currentIndexChanged, this, &MainWindow::chooseLook);
-  bar->addWidget(look_);
-  bar->addAction(presetsMenu_->menuAction());
+  const auto actionOf = [bar](QWidget* widget) {
+    auto* action = new QWidgetAction(bar);
+    action->setDefaultWidget(widget);
+    return action;
+  };
+  using enum FittingToolBar::Before;
+  constexpr int stays = FittingToolBar::stays;
+  bar->addGroup(stays, nothing, {open_});
+  bar->addGroup(3, nothing, {openFolder_});
+  bar->addGroup(stays, nothing, {save_, picture_});
+  bar->addGroup(5, separator, {undo_, redo_});
+  bar->addGroup(stays, separator, {reset_});
+  bar->addGroup(1, nothing, {fit_, projection_});
+  bar->addGroup(0, separator, {views_.begin(), views_.end()});  // the cube has them, too
+  bar->addGroup(4, nothing, {actionOf(measure)});
+  bar->addGroup(stays, separator, {actionOf(look_), presetsMenu_->menuAction()});
   if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(presetsMenu_->menuAction())))
     button->setPopupMode(QToolButton::InstantPopup);
-  bar->addAction(animate_);
-  bar->addSeparator();
-  bar->addAction(record_);
+  bar->addGroup(2, nothing, {animate_});
+  bar->addGroup(stays, separator, {record_});
 }
 
 }  // namespace isolux::ui

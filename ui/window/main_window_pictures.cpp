@@ -13,6 +13,7 @@
 #include "app/documents/session.h"
 #include "app/documents/session_accuracy.h"
 #include "app/files/image_io.h"
+#include "scene/framing.h"
 #include "scene/rules/relevance.h"
 #include "ui/accuracy/accuracy_panel.h"
 #include "ui/accuracy/level_zero.h"
@@ -98,14 +99,25 @@ scene::Scene MainWindow::pictureScene(const PictureWish& wish) const {
   scene::Scene shown = document_->shownScene();
   shown.picture.pixelRatio = wish.pixelRatio(sizeOf(viewport_->pixelSize()), viewport_->devicePixelRatioF());
   if (levelZero_->shows()) shown.source.level = 0;
+  // A view that fits by itself is written down as it is: what draws it again need not know of fitting.
+  const scene::Camera camera =
+      pictureCamera(wish.pixels(sizeOf(viewport_->pixelSize())), shown.picture.pixelRatio);
+  if (!(camera == document_->camera())) shown.camera = camera;
   return shown;
+}
+
+scene::Camera MainWindow::pictureCamera(QSize pixels, double ratio) const {
+  const VolumePointer& volume = document_->volume();
+  if (!volume) return document_->camera();
+  return scene::fittedTo(document_->camera(), volume->facts.boundsMinMm, volume->facts.boundsMaxMm,
+                         Viewport::fittingRoom({pixels.width(), pixels.height()}, ratio));
 }
 
 // Drawn as the kept wish says, with everything on it.
 render::StillPicture MainWindow::finishedPicture(bool linear, const QString& what) {
   const PictureWish wish = keptPictureWish();
   const QSize size = wish.pixels(sizeOf(viewport_->pixelSize()));
-  const scene::Scene resolved = document_->resolvedScene();
+  scene::Scene resolved = document_->resolvedScene();
   const glm::ivec2 pixels(size.width(), size.height());
   const double ratio = pictureScene(wish).picture.pixelRatio;
   render::StillPicture picture;
@@ -117,7 +129,8 @@ render::StillPicture MainWindow::finishedPicture(bool linear, const QString& wha
     request.linear = linear;
     picture = levelZero_->picture(request, document_->scene().picture.transparent, this, what);
   } else {
-    picture = viewport_->picture({pixels, ratio, linear, what});
+    resolved.camera = pictureCamera(size, ratio);
+    picture = viewport_->picture({pixels, ratio, resolved.camera, linear, what});
   }
   app::annotate(resolved, *document_->volume(), picture.report, picture.color);
   return picture;

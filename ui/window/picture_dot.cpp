@@ -34,12 +34,26 @@ void PictureDot::setDrawing(bool draws) {
   tell();
 }
 
+void PictureDot::setLight(const QString& unfinished, bool works) {
+  if (unfinished == light_ && works == lightWorks_) return;
+  light_ = unfinished;
+  lightWorks_ = works;
+  tell();
+}
+
 void PictureDot::tell() {
-  const QString state = isFinal() ? tr("The picture is final") : tr("A finer picture is on its way");
-  setToolTip(milliseconds_ < 0.0
-                 ? tr("There is no picture yet")
-                 : tr("%1; the last one took %2").arg(state, durationText(1e-3 * milliseconds_)));
-  setAccessibleName(milliseconds_ < 0.0 ? toolTip() : state);
+  QStringList lines;
+  if (!light_.isEmpty()) lines += light_;
+  if (milliseconds_ < 0.0) {
+    lines += tr("There is no picture yet");
+  } else if (isFinal()) {
+    lines += light_.isEmpty() ? tr("The picture is final") : tr("The picture is final but for its light");
+  } else {
+    lines += tr("A finer picture is on its way");
+  }
+  setAccessibleName(lines.join(". "));
+  if (milliseconds_ >= 0.0) lines += tr("The last one took %1").arg(durationText(1e-3 * milliseconds_));
+  setToolTip(lines.join('\n'));
   update();
 }
 

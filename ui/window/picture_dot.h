@@ -1,5 +1,6 @@
-// A dot that says whether the picture on screen is the final one: an open ring while it is worked on, full
-// when it is. How long it took is in its tooltip.
+// A dot that says whether the picture on screen is the final one: an open ring while it or its light is
+// worked on, full when it is. Its tooltip says what is being done, how far that is, and how long the picture
+// took.
 #pragma once
 
 #include <QWidget>
@@ -13,7 +14,9 @@ class PictureDot : public QWidget {
 
   void setDrawn(double milliseconds, bool complete);
   void setDrawing(bool draws);
-  bool isFinal() const { return final_ && !draws_; }
+  // Light that is on its way (unfinishedLightSentence(); empty: none), and whether it is computed now.
+  void setLight(const QString& unfinished, bool works);
+  bool isFinal() const { return final_ && !draws_ && !lightWorks_; }
   QSize sizeHint() const override;
 
  protected:
@@ -23,7 +26,8 @@ class PictureDot : public QWidget {
   void tell();
 
   double milliseconds_ = -1.0;  // below 0: there was no picture yet
-  bool final_ = false, draws_ = false;
+  bool final_ = false, draws_ = false, lightWorks_ = false;
+  QString light_;
 };
 
 }  // namespace isolux::ui

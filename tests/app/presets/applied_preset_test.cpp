@@ -35,6 +35,44 @@ TEST(AppliedPreset, IsToldFromTheSceneAlone) {
   EXPECT_GE(applied, 8);
 }
 
+// CT skin and MR skin differ in their isovalues and needs alone.
+TEST(AppliedPreset, IsNoneOfThoseThatDoNotApply) {
+  auto changed = *phantom("head", 24);
+  changed.volume.unit = "a.u.";
+  changed.facts.axes = scene::WorldAxes::anatomical;
+  const auto presets = app::builtInPresets();
+  int applied = 0;
+  for (std::size_t i = 0; i < presets.size(); ++i) {
+    if (!whyNot(presets[i], changed).empty()) continue;
+    ++applied;
+    const auto found = appliedPreset(withPreset({}, presets[i], changed), presets, changed);
+    ASSERT_TRUE(found) << presets[i].name;
+    EXPECT_EQ(presets[found->index].name, presets[i].name);
+    EXPECT_EQ(found->shift, 0.0) << presets[i].name;
+  }
+  EXPECT_GE(applied, 3);
+}
+
+TEST(AppliedPreset, OfPresetsWithOtherIsovaluesOnlyIsThatWhichNeedsTheLeastShift) {
+  const auto head = phantom("head", 24);
+  const std::vector<app::Preset> presets{
+      {"low", "Low", "", {}, {{"isosurface.value", 100.0}, {"look.mode", "tone"}}},
+      {"high", "High", "", {}, {{"isosurface.value", 400.0}, {"look.mode", "tone"}}}};
+  const auto shown = [&](double value, std::optional<std::size_t> last = {}) {
+    scene::Scene scene = withPreset({}, presets[0], *head);
+    scene.isosurface.value = value;
+    const auto found = appliedPreset(scene, presets, *head, last);
+    EXPECT_TRUE(found);
+    return found ? std::pair(presets[found->index].name, found->shift) : std::pair(std::string(), 0.0);
+  };
+  EXPECT_EQ(shown(100.0), std::pair(std::string("low"), 0.0));
+  EXPECT_EQ(shown(400.0), std::pair(std::string("high"), 0.0)) << "not the first, shifted by 300";
+  EXPECT_EQ(shown(400.0, 0), std::pair(std::string("high"), 0.0));
+  EXPECT_EQ(shown(110.0), std::pair(std::string("low"), 10.0));
+  EXPECT_EQ(shown(390.0), std::pair(std::string("high"), -10.0));
+  EXPECT_EQ(shown(390.0, 0), std::pair(std::string("low"), 290.0)) << "it is being shifted";
+}
+
 TEST(Thumbnails, ShowPresetsThenLooksAndSayWhatDoesNotApply) {
   const auto ball = phantom("ball", 16);
   const auto presets = app::builtInPresets();

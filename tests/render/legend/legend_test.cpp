@@ -150,6 +150,22 @@ TEST(LegendTest, ScalesWithThePictureAndFitsIt) {
     }
 }
 
+TEST(LegendTest, IsSmallerInASmallPictureAndAsBeforeInALargeOne) {
+  Legend wide = bar();
+  wide.quantity = "Error of depth by arithmetic";
+  wide.hatched = {"not certain"};
+  for (const glm::ivec2& picture : {glm::ivec2(427, 430), glm::ivec2(264, 480), glm::ivec2(460, 400)}) {
+    const LegendImage image = legendFor(wide, picture),
+                      before = drawLegend(wide, std::min(picture.y, 2 * picture.x));
+    EXPECT_LT(image.size.x, before.size.x);
+    EXPECT_LT(image.size.x * image.size.y, picture.x * picture.y / 4) << picture.x << ' ' << picture.y;
+  }
+  EXPECT_EQ(legendFor(wide, {1600, 1000}).size, drawLegend(wide, 1000).size);
+  for (const Legend& legend : {bar(), square()})
+    EXPECT_EQ(legendFor(legend, {640, 480}).size, drawLegend(legend, 480).size);
+  EXPECT_EQ(legendFor(wide, {120, 120}).size, glm::ivec2(0)) << "no room";
+}
+
 // WCAG 2.1 contrast of the text against the panel, over black and over white.
 TEST(LegendTest, ReadsOnDarkAndLight) {
   const LegendImage image = drawLegend(bar(), 512);

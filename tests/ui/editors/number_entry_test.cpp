@@ -1,6 +1,8 @@
 // Numbers typed into the window: what is shown, what is kept, what is said when one is refused.
 #include "tests/support/ui/window_fixture.h"
 
+#include <QAction>
+#include <QDialog>
 #include <QHelpEvent>
 #include <QLineEdit>
 #include <QTest>
@@ -48,6 +50,61 @@ TEST_F(NumberEntryTest, FourDigitsAreShownAndAllAreKept) {
   QTest::keyClicks(&box_, "-243.5");
   other_.setFocus();
   EXPECT_EQ(box_.value(), -243.5) << "typed is typed";
+}
+
+TEST_F(NumberEntryTest, UndoPutsBackWhatIsTypedAndElseIsTheWindows) {
+  QAction undo(&window_);
+  undo.setShortcut(QKeySequence::Undo);
+  window_.addAction(&undo);
+  int undone = 0;
+  QObject::connect(&undo, &QAction::triggered, [&] { ++undone; });
+  ui::IntegerSpinBox whole(&window_);
+  whole.setRange(0, 1000);
+  whole.setSuffix(" %");
+  whole.move(120, 0);
+  whole.show();
+  for (QAbstractSpinBox* box :
+       {static_cast<QAbstractSpinBox*>(&box_), static_cast<QAbstractSpinBox*>(&whole)}) {
+    undone = 0;
+    const auto type = [&](const QString& text) {
+      box->selectAll();
+      QTest::keyClicks(box, text);
+    };
+    box->setFocus();
+    type("12");
+    QTest::keyClick(box, Qt::Key_Return);
+    const QString twelve = box->text();
+    type("999");
+    QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(box->text(), twelve) << "999 was not entered";
+    EXPECT_EQ(undone, 0);
+    type("999");
+    QTest::keyClick(box, Qt::Key_Return);
+    const QString entered = box->text();
+    QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(undone, 1) << "at once, with the focus still in the field";
+    EXPECT_EQ(box->text(), entered) << "the window says what it is now";
+  }
+}
+
+TEST_F(NumberEntryTest, InADialogUndoBringsTheNumberBackThatWasEnteredBefore) {
+  QDialog dialog;
+  ui::NumberSpinBox box(&dialog);
+  dialog.show();
+  dialog.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&dialog, 120000));
+  box.setValue(12.0);
+  box.setFocus();
+  box.selectAll();
+  QTest::keyClicks(&box, "999");
+  QTest::keyClick(&box, Qt::Key_Enter);
+  box.selectAll();
+  QTest::keyClicks(&box, "7.5");
+  QTest::keyClick(&box, Qt::Key_Enter);
+  EXPECT_EQ(box.value(), 7.5);
+  QTest::keyClick(&box, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(box.value(), 999.0);
+  EXPECT_EQ(box.text(), "999");
 }
 
 TEST_F(NumberEntryTest, ANumberOutOfRangeIsRefusedInWordsAndTheOldOneStays) {

@@ -10,6 +10,7 @@
 #include "ui/panels/light_status.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/message_bar.h"
+#include "ui/window/picture_dot.h"
 
 namespace isolux::test {
 
@@ -49,6 +50,28 @@ TEST_F(LightWindowTest, NoLightIsStoredUnderALookThatReadsNone) {
   EXPECT_TRUE(waitUntil([&] { return !light()->changing(); }));
   EXPECT_EQ(light()->state().phase, Phase::off);
   EXPECT_TRUE(status()->isHidden());
+}
+
+// The ring at the lower right.
+TEST_F(LightWindowTest, TheDotSaysThatLightIsComputedAndHowFarItIs) {
+  const auto* const dot = window_->findChild<ui::PictureDot*>();
+  fullPicture(*window_);
+  EXPECT_TRUE(waitUntil([&] { return dot->toolTip().startsWith("The picture is final\n"); }))
+      << dot->toolTip().toStdString();
+  lightUp(endless);
+  ASSERT_TRUE(waitForPhase(Phase::baking));
+  ASSERT_TRUE(waitUntil([&] { return dot->toolTip().contains(" %"); })) << dot->toolTip().toStdString();
+  EXPECT_TRUE(dot->toolTip().startsWith("Light is being computed: 0 %")) << dot->toolTip().toStdString();
+  EXPECT_TRUE(dot->accessibleName().startsWith("Light is being computed"));
+  EXPECT_FALSE(dot->isFinal()) << "between two pictures, too";
+  status()->pauseButton()->click();
+  EXPECT_TRUE(waitUntil([&] { return dot->toolTip().startsWith("Computing light is paused at 0 %"); }));
+  fullPicture(*window_);
+  EXPECT_TRUE(waitUntil([&] { return dot->isFinal(); }));
+  EXPECT_TRUE(dot->accessibleName().endsWith("The picture is final but for its light"));
+  set("look.mode", "blinn_phong");
+  EXPECT_TRUE(waitUntil([&] { return dot->toolTip().startsWith("The picture is final\n"); }))
+      << dot->toolTip().toStdString();
 }
 
 TEST_F(LightWindowTest, LightComesAndThePictureIsLitByIt) {

@@ -1,6 +1,8 @@
 // Looks and presets as small pictures of the present scene.
 #include "ui/presets/looks_panel.h"
 
+#include <cmath>
+#include <fstream>
 #include <set>
 
 #include <QListWidget>
@@ -163,6 +165,35 @@ TEST_F(LooksPanelTest, TheShiftMovesTheValuesOfThePresetThatIsShown) {
   edit.scene.isosurface.albedo = {0.2, 0.5, 0.9};
   window_->document()->edit(edit);
   EXPECT_TRUE(waitUntil([this] { return !panel_->shiftSlider()->isEnabled(); }));
+}
+
+// MR skin is CT skin but for isovalue and needs.
+TEST_F(LooksPanelTest, APresetThatWasChosenIsNotShifted) {
+  // A head without a unit, as of an MR scanner.
+  const QString file = newFile("head.nrrd");
+  {
+    std::ofstream out(file.toStdString(), std::ios::binary);
+    out << "NRRD0004\ntype: uint8\nencoding: raw\ndimension: 3\nsizes: 24 24 24\n"
+        << "space: left-posterior-superior\nspace directions: (1,0,0) (0,1,0) (0,0,1)\n\n";
+    for (int z = 0; z < 24; ++z)
+      for (int y = 0; y < 24; ++y)
+        for (int x = 0; x < 24; ++x)
+          out.put(static_cast<char>(std::max(0.0, 240.0 - 20.0 * std::hypot(x - 11.5, y - 11.5, z - 11.5))));
+  }
+  open(file);
+  int chosen = 0;
+  for (int i = 0; i < panel_->presetList()->count(); ++i) {
+    QListWidgetItem* const item = panel_->presetList()->item(i);
+    if (!(item->flags() & Qt::ItemIsEnabled)) continue;
+    ++chosen;
+    SCOPED_TRACE(item->text().toStdString());
+    QTest::mouseClick(panel_->presetList()->viewport(), Qt::LeftButton, Qt::NoModifier, centreOfItem(item));
+    const QString tip = "Adds to the isovalues of " + item->text();
+    EXPECT_TRUE(waitUntil([&] { return panel_->shiftSlider()->toolTip() == tip; }, 5000))
+        << panel_->shiftSlider()->toolTip().toStdString();
+    EXPECT_EQ(panel_->shiftSlider()->value(), 0);
+  }
+  EXPECT_GE(chosen, 3);
 }
 
 // What is drawn here is dropped when the window draws.

@@ -6,15 +6,20 @@
 
 #include <QAction>
 #include <QDockWidget>
+#include <QLabel>
 #include <QMenu>
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
+#include <QStatusBar>
 #include <QTabBar>
 #include <QTest>
+#include <QToolBar>
 #include <QToolButton>
 
+#include "ui/editors/elided_label.h"
+#include "ui/panels/light_status.h"
 #include "ui/panels/volume_panel.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/message_bar.h"
@@ -189,6 +194,81 @@ TEST_F(WindowTest, ADragWhoseReleaseWentElsewhereEndsWithTheNextMove) {
   EXPECT_EQ(window_->document()->scene().camera, turned);
   move(centre + QPoint(90, 0), Qt::NoButton);
   EXPECT_EQ(window_->document()->scene().camera, turned);
+}
+
+// Buttons go whole, the view's letters first; recording stays.
+TEST_F(WindowTest, TheToolBarHasNoHalfButtons) {
+  auto* const bar = window_->findChild<QToolBar*>("Tools");
+  const auto shown = [&] {
+    QStringList names;
+    for (QAction* action : bar->actions())
+      if (const QWidget* widget = bar->widgetForAction(action);
+          widget && widget->isVisible() && !action->isSeparator()) {
+        names += action->text().isEmpty() ? widget->accessibleName() : action->text();
+        EXPECT_GE(widget->width(), widget->sizeHint().width()) << names.back().toStdString();
+        EXPECT_TRUE(bar->rect().contains(widget->geometry())) << names.back().toStdString();
+      }
+    return names;
+  };
+  const auto widths = [&](int width) {
+    window_->resize(width, 640);
+    EXPECT_TRUE(waitUntil([&] { return bar->width() == width; }));
+    QCoreApplication::sendPostedEvents();
+    QCoreApplication::processEvents();
+    return shown();
+  };
+  const QStringList all = widths(1280);
+  const auto has = [](const QStringList& names, const QString& text) {
+    return !names.filter(text).isEmpty();
+  };
+  EXPECT_TRUE(has(all, "Left") && has(all, "recording") && has(all, "Presets"));
+  for (const int width : {860, 800, 740, 700}) {
+    SCOPED_TRACE(width);
+    if (width < window_->minimumSizeHint().width()) continue;
+    const QStringList fewer = widths(width);
+    EXPECT_FALSE(has(fewer, "Left") && fewer.size() < all.size());
+    EXPECT_TRUE(has(fewer, "recording") && has(fewer, "Presets") && has(fewer, "Look"));
+  }
+  EXPECT_EQ(widths(1280), all);
+}
+
+// Of a text that has no room whole parts are left out.
+TEST_F(WindowTest, TheStatusBarCutsNoWordOrNumber) {
+  window_->resize(800, 640);
+  ASSERT_TRUE(load(*window_, "phantom:head:24"));
+  app::LightState state;
+  state.phase = app::LightState::Phase::baking;
+  state.counters.samplesWanted = 100;
+  state.counters.samplesDone = 50;
+  state.counters.raysPerSecond = 264000.0;
+  state.counters.secondsLeft = 18.0;
+  window_->lightStatus()->setState(state, false);
+  auto* const accuracy = window_->findChild<QLabel*>("pictureAccuracy");
+  accuracy->setText("Depth ± 1.4 mm by noise and sampling · by arithmetic ± 0.53 µm · normal ± 0.012°");
+  accuracy->show();
+  app::Pick pick{};
+  Q_EMIT window_->viewport()->pointed(pick);
+  ASSERT_TRUE(waitUntil([&] { return window_->lightStatus()->width() > 150; }, 5000))
+      << window_->lightStatus()->width() << ' ' << window_->lightStatus()->isVisible();
+  int labels = 0;
+  for (const QLabel* label : window_->statusBar()->findChildren<QLabel*>()) {
+    if (!label->isVisible() || label->text().isEmpty() || label->pixmap().width() > 0) continue;
+    ++labels;
+    const auto* const elided = qobject_cast<const ui::ElidedLabel*>(label);
+    if (!elided) {
+      EXPECT_GE(label->width(), label->sizeHint().width()) << label->text().toStdString();
+      continue;
+    }
+    QString text = elided->shownText();
+    EXPECT_LE(label->fontMetrics().horizontalAdvance(text), std::max(0, label->contentsRect().width()));
+    if (!text.endsWith("…")) continue;
+    text = text.chopped(1).trimmed();
+    EXPECT_TRUE(label->text().startsWith(text) && (text.isEmpty() || label->text()[text.size()] == ' '))
+        << text.toStdString();
+  }
+  EXPECT_GE(labels, 3);
+  for (const auto* label : window_->lightStatus()->findChildren<ui::ElidedLabel*>())
+    EXPECT_TRUE(label->shownText().startsWith("Light: 50 %")) << label->shownText().toStdString();
 }
 
 TEST_F(WindowTest, TheFirstSizeFitsTheScreen) {

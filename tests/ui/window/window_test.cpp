@@ -129,6 +129,26 @@ TEST_F(WindowTest, TheSpinBoxSetsTheExactIsovalue) {
   EXPECT_EQ(window_->isovaluePanel()->slider()->isovalue(), -123.25);
 }
 
+// Not when the focus leaves the field.
+TEST_F(WindowTest, UndoInTheIsovaluesFieldIsSeenAtOnce) {
+  ASSERT_TRUE(load(*window_, "phantom:head:32"));
+  ui::NumberSpinBox* box = window_->isovaluePanel()->spinBox();
+  const double before = window_->isovaluePanel()->slider()->isovalue();
+  box->setFocus();
+  const QString shown = box->text();
+  box->selectAll();
+  QTest::keyClicks(box, "999");
+  QTest::keyClick(box, Qt::Key_Return);
+  ASSERT_EQ(window_->document()->scene().isosurface.value, 999.0);
+  QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(box->hasFocus());
+  EXPECT_FALSE(window_->document()->scene().isosurface.value.has_value());
+  EXPECT_EQ(window_->isovaluePanel()->slider()->isovalue(), before);
+  EXPECT_EQ(box->text(), shown);
+  QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(window_->document()->scene().isosurface.value, 999.0);
+}
+
 TEST_F(WindowTest, SavedSessionShowsTheSamePictureInAFreshWindow) {
   ASSERT_TRUE(load(*window_, writeBall(36)));
   const QImage first = fullPicture(*window_);

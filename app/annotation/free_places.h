@@ -1,0 +1,44 @@
+// Where texts can stand on a picture, clear of one another, of other boxes and of lines.
+//
+// Pixels, y down.
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace isolux::app {
+
+struct TextBox {
+  glm::dvec2 low{0.0}, size{0.0};
+  glm::dvec2 high() const { return low + size; }
+  bool empty() const { return !(size.x > 0.0 && size.y > 0.0); }
+};
+bool meet(const TextBox& a, const TextBox& b, double gap);
+
+class FreePlaces {
+ public:
+  // Places lie within `picture`, and `gap` from all boxes that are taken, twice that from lines.
+  FreePlaces(const TextBox& picture, double gap) : picture_(picture), gap_(gap) {}
+
+  void take(const TextBox& box) { boxes_.push_back(box); }
+  void takeLine(glm::dvec2 from, glm::dvec2 to) { lines_.emplace_back(from, to); }
+  bool isFree(const TextBox& box) const { return clearOfBoxes(box) && clearOfLines(box); }
+  // `wanted`, else the nearest free place along that axis; where none is free, the nearest that is clear of
+  // boxes at least. Takes it. Nothing: there is no room.
+  std::optional<TextBox> place(const TextBox& wanted, int axis);
+
+ private:
+  bool clearOfBoxes(const TextBox& box) const;
+  bool clearOfLines(const TextBox& box) const;
+  bool holds(const TextBox& box) const;
+
+  TextBox picture_;
+  double gap_;
+  std::vector<TextBox> boxes_;
+  std::vector<std::pair<glm::dvec2, glm::dvec2>> lines_;
+};
+
+}  // namespace isolux::app

@@ -1,0 +1,118 @@
+// The view fits its window, whatever its size, as long as nobody has chosen another one.
+#include "tests/support/ui/window_fixture.h"
+
+#include <glm/geometric.hpp>
+
+#include "scene/camera.h"
+#include "ui/viewport/viewport.h"
+#include "ui/viewport/viewport_overlay.h"
+
+namespace isolux::test {
+namespace {
+
+class NarrowWindowTest : public WindowTest {
+ protected:
+  ui::Viewport* viewport() { return window_->viewport(); }
+  // The largest part of the picture's half width and height that a corner of the volume is at.
+  glm::dvec2 reach() {
+    const scene::VolumeFacts& facts = window_->document()->volume()->facts;
+    const scene::CameraFrame f = scene::frameOf(window_->document()->resolvedScene().camera);
+    const double aspect = static_cast<double>(viewport()->width()) / viewport()->height();
+    glm::dvec2 most(0.0);
+    for (int i = 0; i < 8; ++i) {
+      const glm::dvec3 corner(i & 1 ? facts.boundsMaxMm.x : facts.boundsMinMm.x,
+                              i & 2 ? facts.boundsMaxMm.y : facts.boundsMinMm.y,
+                              i & 4 ? facts.boundsMaxMm.z : facts.boundsMinMm.z);
+      const glm::dvec3 v = corner - f.eye;
+      const double scale = f.halfHeight * -glm::dot(v, f.back);
+      most.x = std::max(most.x, std::abs(glm::dot(v, f.right)) / (scale * aspect));
+      most.y = std::max(most.y, std::abs(glm::dot(v, f.up)) / scale);
+    }
+    return most;
+  }
+  void makeNarrow() {
+    window_->resize(800, 900);
+    ASSERT_TRUE(waitUntil([&] { return viewport()->width() < viewport()->height(); }));
+  }
+};
+
+TEST_F(NarrowWindowTest, TheViewFitsItAsLongAsNobodyHasTurnedIt) {
+  ASSERT_TRUE(load(*window_, "phantom:head:24"));
+  const scene::Scene before = window_->document()->scene();
+  const scene::Camera wide = window_->document()->resolvedScene().camera;
+  makeNarrow();
+  EXPECT_LT(reach().x, 0.95) << "clear of the letters, too";
+  EXPECT_LE(reach().y, 1.0);
+  EXPECT_EQ(window_->document()->scene(), before) << "nothing is edited";
+  for (const auto view : {scene::StandardView::left, scene::StandardView::superior}) {
+    viewport()->applyStandardView(view);
+    EXPECT_LT(reach().x, 0.95);
+  }
+  viewport()->resetView();
+  window_->resize(1200, 640);
+  ASSERT_TRUE(waitUntil([&] { return viewport()->width() > 1.3 * viewport()->height(); }));
+  EXPECT_EQ(window_->document()->resolvedScene().camera, wide);
+}
+
+TEST_F(NarrowWindowTest, TheLettersAtItsSidesStandBesideTheVolume) {
+  ASSERT_TRUE(load(*window_, "phantom:head:24"));
+  makeNarrow();
+  const ui::ViewportOverlay::Arrangement letters = viewport()->overlay()->arrangement();
+  const double half = 0.5 * viewport()->width();
+  EXPECT_GT(letters.left.right(), 0.0);
+  EXPECT_LT(letters.left.right(), half * (1.0 - reach().x));
+  EXPECT_GT(letters.right.left(), half * (1.0 + reach().x));
+}
+
+TEST_F(NarrowWindowTest, AViewThatIsChosenStaysAsItIs) {
+  ASSERT_TRUE(load(*window_, "phantom:head:24"));
+  fullPicture(*window_);
+  const QPoint centre = viewport()->rect().center();
+  drag(viewport(), centre, centre + QPoint(40, 10));
+  const scene::Camera chosen = window_->document()->resolvedScene().camera;
+  makeNarrow();
+  EXPECT_EQ(window_->document()->resolvedScene().camera, chosen);
+}
+
+// What is turned in a narrow window begins as it is seen there.
+TEST_F(NarrowWindowTest, TurningBeginsWithTheViewThatIsSeen) {
+  ASSERT_TRUE(load(*window_, "phantom:head:24"));
+  makeNarrow();
+  fullPicture(*window_);
+  const double distance = scene::frameOf(window_->document()->resolvedScene().camera).distance;
+  const QPoint centre = viewport()->rect().center();
+  drag(viewport(), centre, centre + QPoint(40, 10));
+  EXPECT_NEAR(scene::frameOf(window_->document()->resolvedScene().camera).distance, distance,
+              1e-6 * distance);
+}
+
+TEST_F(NarrowWindowTest, TheSavedPictureIsTheOneThatIsSeen) {
+  ASSERT_TRUE(load(*window_, "phantom:head:24"));
+  makeNarrow();
+  ui::Edit edit{window_->document()->scene(), "Words", {}, false};
+  edit.scene.picture.letters = edit.scene.picture.scaleBar = edit.scene.picture.isovalue =
+      edit.scene.picture.caveats = false;
+  window_->document()->edit(edit);
+  const QImage seen = fullPicture(*window_);
+  const QString file = newFile("narrow.png");
+  ASSERT_TRUE(window_->savePicture(file));
+  EXPECT_EQ(differingPixels(seen, QImage(file)), 0.0);
+  EXPECT_TRUE(window_->commandText().contains("camera.eye")) << window_->commandText().toStdString();
+}
+
+TEST_F(NarrowWindowTest, TheScaleBarMakesWayForALegendThatLiesOverThePicture) {
+  ASSERT_TRUE(load(*window_, "phantom:head:24"));
+  const QImage seen = fullPicture(*window_);
+  const ui::ViewportOverlay& overlay = *viewport()->overlay();
+  const QRectF before = overlay.arrangement().scale;
+  const QRectF legend(8.0, seen.height() - 168.0, 150.0, 160.0);
+  viewport()->setOver(ui::Viewport::Over::errors, seen, seen, render::Tile{{8, 8}, {150, 160}});
+  ASSERT_EQ(viewport()->devicePixelRatioF(), 1.0);
+  EXPECT_TRUE(before.intersects(legend));
+  EXPECT_FALSE(overlay.arrangement().scale.intersects(legend));
+  viewport()->setOver(ui::Viewport::Over::errors, {}, seen);
+  EXPECT_EQ(overlay.arrangement().scale, before);
+}
+
+}  // namespace
+}  // namespace isolux::test
