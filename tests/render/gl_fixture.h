@@ -36,6 +36,8 @@ class RenderGlTest : public ::testing::Test {
     for (const std::string& error : render::glErrors()) ADD_FAILURE() << "OpenGL: " << error;
   }
 
+  static bool onCard() { return !context_->description().software; }
+
   // `scene` changed by assignments; those of the machine go to the renderer, which has the defaults else.
   scene::Scene assigned(const std::vector<std::string>& assignments, scene::Scene scene = {}) {
     scene::Machine machine = machine_;

@@ -94,11 +94,13 @@ TEST_P(DerivativesGlTest, AgreeWithDoublePrecision) {
             static_cast<int>(field), fetch == scene::Fetch::fast ? "fast" : "exact", count, worstGradient,
             worstHessian, worstKappa);
         ASSERT_GT(count, 500);
-        // The fast scheme is as good as the driver's filter: 8 bits of fraction are allowed by the standard.
+        // The fast scheme is as good as the driver's filter: 8 bits of fraction are allowed by the standard,
+        // and cards have no more.
         const bool filtered = fetch == scene::Fetch::fast && field != scene::Field::trilinear;
-        EXPECT_LT(worstGradient, filtered ? 2e-2 : 2e-4);
+        const double fraction = onCard() ? 2.0 : 1.0;
+        EXPECT_LT(worstGradient, filtered ? 2e-2 * fraction : 2e-4);
         EXPECT_LT(worstHessian, filtered ? 8e-2 : 1e-3);
-        EXPECT_LT(worstKappa, filtered ? 8e-2 : 1e-3);
+        EXPECT_LT(worstKappa, filtered ? 8e-2 * fraction : 1e-3);
         EXPECT_LT(worstDirection, filtered ? 0.1 : 1e-3);
       }
 }
