@@ -172,6 +172,8 @@ class Maker {
     return grid_.index(voxel.x, voxel.y, voxel.z);
   }
 
+  static bool isVoxel(const glm::dvec3& point) { return glm::distance(point, glm::round(point)) <= kNear; }
+
   // Points at the same place become one, triangles without three corners go. Where that joins sheets at a
   // voxel whose value is the isovalue, the mesh of it stays apart: its points are moved a little toward their
   // edges' outer ends.
@@ -190,10 +192,34 @@ class Maker {
         atVoxels_.erase(voxel);
         any = true;
       }
-      if (!any) return;
+      if (!any) {
+        if (dropFolded()) mergeEqualPoints(mesh_, capping_, progress);
+        return;
+      }
       mesh_ = apart;
       capping_ = capping;
     }
+  }
+
+  // Two triangles on the same three voxels, the one turned over: a piece without volume, which goes. False:
+  // there was none.
+  bool dropFolded() {
+    std::map<std::array<int, 3>, std::size_t> first;
+    std::vector<char> folded(mesh_.triangles.size(), 0);
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+      const Triangle& triangle = mesh_.triangles[t];
+      std::array<int, 3> corners{triangle[0], triangle[1], triangle[2]};
+      if (!std::all_of(corners.begin(), corners.end(),
+                       [&](int c) { return isVoxel(mesh_.points[static_cast<std::size_t>(c)]); }))
+        continue;
+      std::sort(corners.begin(), corners.end());
+      const auto [place, isNew] = first.emplace(corners, t);
+      if (isNew) continue;
+      folded[t] = folded[place->second] = 1;
+      first.erase(place);
+    }
+    std::size_t t = 0;
+    return std::erase_if(mesh_.triangles, [&](const Triangle&) { return folded[t++] != 0; }) > 0;
   }
 
   // Of atVoxels_, those at which several sheets meet.
@@ -202,7 +228,7 @@ class Maker {
     for (const Triangle& t : mesh_.triangles)
       for (int i = 0; i < 3; ++i) {
         const glm::dvec3& point = mesh_.corner(t, i);
-        if (glm::distance(point, glm::round(point)) > kNear || !atVoxels_.contains(voxelAt(point))) continue;
+        if (!isVoxel(point) || !atVoxels_.contains(voxelAt(point))) continue;
         fans[voxelAt(point)].emplace_back(t[(i + 1) % 3], t[(i + 2) % 3]);
       }
     std::vector<std::size_t> joined;

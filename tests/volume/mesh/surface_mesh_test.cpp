@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -251,6 +252,12 @@ TEST(SurfaceMesh, AtAnIsovalueThatVoxelsHaveItIsAManifold) {
                    block = std::pow(n - 1.0, 3.0);
       EXPECT_EQ(found.openEdges, 0u) << isovalue;
       EXPECT_EQ(oddEdges(found.mesh), 0u) << isovalue;
+      std::set<std::array<int, 3>> faces;
+      for (const volume::Triangle& t : found.mesh.triangles) {
+        std::array<int, 3> corners{t[0], t[1], t[2]};
+        std::sort(corners.begin(), corners.end());
+        EXPECT_TRUE(faces.insert(corners).second) << isovalue << ": a face twice";
+      }
       EXPECT_NEAR(enclosed(found.mesh), inside == scene::Inside::above ? ball : block - ball, 0.05 * ball)
           << isovalue;
     }
