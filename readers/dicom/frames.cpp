@@ -84,15 +84,6 @@ volume::ImageTags tagsOf(const FrameElements& elements) {
   return tags;
 }
 
-void setPosition(const std::vector<double>& position, const std::vector<double>& orientation,
-                 DicomFrame& frame) {
-  if (position.empty() || orientation.empty()) return;
-  frame.positionMm = {position[0], position[1], position[2]};
-  frame.rowDirection = {orientation[0], orientation[1], orientation[2]};
-  frame.columnDirection = {orientation[3], orientation[4], orientation[5]};
-  frame.hasPosition = true;
-}
-
 // Slope, intercept and unit of values: of the rescale, else of the real world values.
 void setScaling(const FrameElements& elements, DicomFile& file, DicomFrame& frame) {
   const auto slope = elements.number(DC::RescaleSlope), intercept = elements.number(DC::RescaleIntercept);
@@ -258,6 +249,15 @@ void readNuclearFrames(vtkDICOMMetaData* meta, DicomFile& file) {
 }
 
 }  // namespace
+
+void setPosition(const std::vector<double>& position, const std::vector<double>& orientation,
+                 DicomFrame& frame) {
+  if (position.empty() || orientation.empty()) return;
+  frame.positionMm = {position[0], position[1], position[2]};
+  frame.rowDirection = {orientation[0], orientation[1], orientation[2]};
+  frame.columnDirection = {orientation[3], orientation[4], orientation[5]};
+  frame.hasPosition = true;
+}
 
 void readFrames(vtkDICOMMetaData* meta, int count, DicomFile& file) {
   for (int index = 0; index < count; ++index) file.frames.push_back(frameOf(meta, index, file));

@@ -17,6 +17,7 @@
 #include "base/error.h"
 #include "readers/dicom/dicom.h"
 #include "readers/dicom/elements.h"
+#include "readers/dicom/frames.h"
 #include "volume/read/input/text.h"
 
 namespace isolux::readers {
@@ -166,12 +167,10 @@ void splitUnitedMosaic(vtkDICOMMetaData* meta, DicomFile& file) {
   cutIntoTiles({across, down}, slices, file.frames.front(), file);
   for (int k = 0; k < slices; ++k) {
     DicomFrame& frame = file.frames[static_cast<std::size_t>(k)];
-    const vtkDICOMValue& position = item[k].Get(DC::ImagePositionPatient);
-    if (position.GetNumberOfValues() != 3)
+    setPosition(numbersIn(item[k].Get(DC::ImagePositionPatient), 3),
+                numbersIn(meta->Get(DC::ImageOrientationPatient), 6), frame);
+    if (!frame.hasPosition)
       base::throwInput(file.path.string(), "ImagePositionPatient", "is missing for a tile of its mosaic");
-    for (int axis = 0; axis < 3; ++axis)
-      frame.positionMm[axis] = position.GetDouble(static_cast<std::size_t>(axis));
-    frame.hasPosition = true;
   }
 }
 
