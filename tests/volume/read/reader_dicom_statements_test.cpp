@@ -547,7 +547,7 @@ Slice unitedMosaic() {
   for (int k = 0; k < 5; ++k)
     places.push_back(element(0x20, 0x32, "DS", "1\\2\\" + std::to_string(10 + 4 * k)));
   s.more = {element(8, 8, "CS", "ORIGINAL\\PRIMARY\\M\\VFRAME"),
-            element(0x20, 0x37, "DS", "1\\0\\0\\0\\1\\0"), element(0x65, 0x10, "LO", "Image Private Header"),
+            element(0x20, 0x37, "DS", "-1\\0\\0\\0\\-1\\0"), element(0x65, 0x10, "LO", "Image Private Header"),
             element(0x65, 0x1050, "DS", "5"), sequence(0x65, 0x1051, places)};
   return s;
 }
@@ -556,7 +556,7 @@ TEST(DicomFrames, AMosaicOfUnitedImagingIsItsSlices) {
   const auto v = readFile(writeOne(unitedMosaic()));
   EXPECT_EQ(v.grid->dims(), glm::ivec3(1, 2, 5));
   expectNear(worldOf(v, 0, 0, 0), {1, 2, 10});
-  expectNear(worldOf(v, 0, 1, 4), {1, 2.75, 26});
+  expectNear(worldOf(v, 0, 1, 4), {1, 1.25, 26});
   EXPECT_EQ(valuesOf(v), (std::vector<double>{0, 3, 1, 4, 2, 5, 6, 9, 7, 10}));
   EXPECT_EQ(v.axes, scene::WorldAxes::anatomical);
   Slice s = unitedMosaic();
