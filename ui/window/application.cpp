@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include <dlfcn.h>
+#include <malloc.h>
 
 #include <QCoreApplication>
 #include <QDir>
@@ -80,6 +81,10 @@ std::optional<std::string> displayProblem() {
 }
 
 void prepareApplication() {
+#ifdef __GLIBC__
+  // A heap for all threads: what volumes leave in a heap of each thread grows with every one that is opened.
+  mallopt(M_ARENA_MAX, 1);
+#endif
   QCoreApplication::setOrganizationName("Isolux");
   QCoreApplication::setApplicationName("isolux");
   QGuiApplication::setDesktopFileName("isolux");  // by which a desktop knows whose window it is
