@@ -56,6 +56,7 @@ void MainWindow::greet() {
   // The card of a load takes its place meanwhile.
   connect(document_, &Document::loadStarted, card, &QWidget::hide);
   connect(document_, &Document::loadEnded, card, present);
+  connect(viewport_, &Viewport::resized, card, present, Qt::QueuedConnection);
   // The window may get its size only now, and docks with it.
   QMetaObject::invokeMethod(card, present, Qt::QueuedConnection);
 }
