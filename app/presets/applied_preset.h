@@ -13,8 +13,8 @@ struct AppliedPreset {
   std::size_t index = 0;  // of the presets given
   double shift = 0.0;     // data units: withPreset()
 };
-// Of presets that apply to the volume. Presets may differ in nothing but their isovalues: one that is not
-// shifted goes first, then `last`, the one that was told before, then that of the smallest shift.
+// Only presets that apply to the volume count. They may differ in nothing but their isovalues: one that is
+// not shifted goes first, then `last`, the one that was told before, then that of the smallest shift.
 // None: settings that presets are made of have been changed since, or no preset was applied.
 std::optional<AppliedPreset> appliedPreset(const scene::Scene& scene, std::span<const Preset> presets,
                                            const volume::PreparedVolume& volume,

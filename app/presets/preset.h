@@ -56,8 +56,9 @@ std::vector<std::string> needReasons();
 std::string whyNot(const Preset& preset, const volume::PreparedVolume& volume, bool isovalueGiven = false);
 
 // The scene with the preset's settings, the others that presets are made of at their defaults; camera, cuts,
-// marks and source stay, and so does a background that no preset of the program has made. shift: added to the isovalues of the preset, data units; of a preset that leaves the
-// isovalue automatic, to the suggested one. The same for the same volume, always. Does not ask whyNot().
+// marks and source stay, and so does a background that no preset of the program has made. shift: added to the
+// isovalues of the preset, data units; of a preset that leaves the isovalue automatic, to the suggested one.
+// The same for the same volume, always. Does not ask whyNot().
 scene::Scene withPreset(const scene::Scene& scene, const Preset& preset, const volume::PreparedVolume& volume,
                         double shift = 0.0);
 

@@ -1,9 +1,8 @@
 // DICOM series: a folder of files (with its subfolders), or the series a single file belongs to.
 //
-// Decoded by the vtk-dicom library (decode.h). Headers are read file
-// by file with its parser; grouping, sorting by position and geometry are ours (slice_stack.h), because a
-// regular grid must be proven, not assumed. Sizes are compared with each file before anything is decoded.
-// vtk-dicom's messages are caught.
+// Decoded by the vtk-dicom library (decode.h). Headers are read file by file with its parser; grouping,
+// sorting by position and geometry are ours (slice_stack.h), because a regular grid must be proven, not
+// assumed. Sizes are compared with each file before anything is decoded. vtk-dicom's messages are caught.
 //
 // Rescale: kept as slope and intercept when all slices of a time step agree, else applied, in float32, as are
 // modality LUTs. Slices of another size, type, orientation, unit or patient than the majority of the series

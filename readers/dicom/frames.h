@@ -10,7 +10,7 @@ namespace isolux::readers {
 struct DicomFile;
 struct DicomFrame;
 
-// Where both are stated (3 and 6 numbers), that is where the frame lies.
+// Sets where the frame lies, if both are stated (3 and 6 numbers).
 void setPosition(const std::vector<double>& position, const std::vector<double>& orientation,
                  DicomFrame& frame);
 

@@ -40,10 +40,10 @@ class Document : public QObject {
   // shownScene() with automatic settings filled in from the volume, as far as they are known.
   scene::Scene resolvedScene() const { return resolved(shownScene()); }
   scene::Scene resolved(const scene::Scene& scene) const;
-  // Of the window's picture, as scene::fittedTo() has it: a view that nobody has turned, moved or zoomed
-  // shows all of the volume in there.
+  // Says how much room the window's picture has, as scene::fittedTo() has it: a view that nobody has turned,
+  // moved or zoomed shows all of the volume in there.
   void setFittingRoom(glm::dvec2 room);
-  // Of resolvedScene(), as it is whatever room there is.
+  // The resolved scene's, before it is fitted to that room.
   scene::Camera camera() const;
   void announce();  // says both again: more of what is automatic is known
   const VolumePointer& volume() const { return volume_; }

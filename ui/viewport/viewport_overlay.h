@@ -28,7 +28,7 @@ class ViewportOverlay : public QWidget {
   // description.
   void setProblem(const QString& reason, const QString& advice = {});
   void setTopInset(int pixels);  // letters, cube and note stand below
-  // What stands in the picture already (legends, buttons): the overlay keeps clear of it.
+  // Keeps the overlay clear of what stands in the picture already (legends, buttons).
   void setTaken(std::vector<QRectF> boxes);
   void setNote(const QString& text);  // over a picture that is not all there; empty: none
   // Lamps that can be dragged, and which of them the pointer holds or is over.
@@ -41,7 +41,7 @@ class ViewportOverlay : public QWidget {
   std::optional<scene::StandardView> cubeViewAt(QPointF position) const;
   void pointAtCube(std::optional<QPointF> position);  // lights the face up
   void setHint(const QString& text);                  // in place of a picture: what to do first
-  // Where things stand: clear of one another, of what is taken, and, the letters, of outlines of slices.
+  // Says where things stand: clear of one another, of what is taken, and, the letters, of outlines of slices.
   // Empty boxes: not there, or no room.
   struct Arrangement {
     QRectF cube, scale, note, toolHint, left, right, top, bottom;
