@@ -26,8 +26,8 @@ class FreePlaces {
   void take(const TextBox& box) { boxes_.push_back(box); }
   void takeLine(glm::dvec2 from, glm::dvec2 to) { lines_.emplace_back(from, to); }
   bool isFree(const TextBox& box) const { return clearOfBoxes(box) && clearOfLines(box); }
-  // Takes `wanted`, else the nearest free place along that axis; where none is free, the nearest that is clear of
-  // boxes at least. Nothing: there is no room.
+  // Takes `wanted`, else the nearest free place along that axis; where none is free, the nearest that is
+  // clear of boxes at least. Nothing: there is no room.
   std::optional<TextBox> place(const TextBox& wanted, int axis);
 
  private:

@@ -40,10 +40,10 @@ struct SliceWords {
   Ruler ruler;
 };
 
-// Arranges all that stands in a picture of this size, as large as it allows: what is too wide is broken between
-// words, and a letter that would touch a text stands beside it on its edge. Pictures with a side below 160
-// pixels have the letters alone, those below 48 nothing. `pixelRatio`: how many pixels are one of a screen at
-// 100 %; texts are no smaller than they are there.
+// Arranges all that stands in a picture of this size, as large as it allows: what is too wide is broken
+// between words, and a letter that would touch a text stands beside it on its edge. Pictures with a side
+// below 160 pixels have the letters alone, those below 48 nothing. `pixelRatio`: how many pixels are one of a
+// screen at 100 %; texts are no smaller than they are there.
 struct WrittenText {
   std::string text;
   TextBox box;  // down to the baseline

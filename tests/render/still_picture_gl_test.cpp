@@ -110,7 +110,7 @@ TEST_F(StillPictureGlTest, TheLargestPictureIsDrawn) {
       ASSERT_EQ(still.color.rgba[static_cast<std::size_t>(y * 16384 * 4 + 32000 + x)],
                 middle.rgba[static_cast<std::size_t>(y * 1600 + x)]);
   request.tile.reset();
-  if (onCard()) return;  // whose textures may be as large
+  if (onCard()) return;                                          // whose textures may be as large
   EXPECT_THROW(renderer_->render(scene, request), base::Error);  // in one frame
 }
 

@@ -547,8 +547,9 @@ Slice unitedMosaic() {
   for (int k = 0; k < 5; ++k)
     places.push_back(element(0x20, 0x32, "DS", "1\\2\\" + std::to_string(10 + 4 * k)));
   s.more = {element(8, 8, "CS", "ORIGINAL\\PRIMARY\\M\\VFRAME"),
-            element(0x20, 0x37, "DS", "-1\\0\\0\\0\\-1\\0"), element(0x65, 0x10, "LO", "Image Private Header"),
-            element(0x65, 0x1050, "DS", "5"), sequence(0x65, 0x1051, places)};
+            element(0x20, 0x37, "DS", "-1\\0\\0\\0\\-1\\0"),
+            element(0x65, 0x10, "LO", "Image Private Header"), element(0x65, 0x1050, "DS", "5"),
+            sequence(0x65, 0x1051, places)};
   return s;
 }
 

@@ -15,8 +15,8 @@ namespace isolux::volume {
 
 // Tells by the first bytes of a file or stream: gzip, zstd or bzip2. Zlib's streams have no mark.
 bool isPacked(std::string_view head);
-// Gives what deflate (zlib, gzip), zstd (a block of 128 KiB in 4 bytes) or bzip2 (one of 46 MB in 40) packs at
-// the very best: no stream with this beginning can hold a larger claim.
+// Gives what deflate (zlib, gzip), zstd (a block of 128 KiB in 4 bytes) or bzip2 (one of 46 MB in 40) packs
+// at the very best: no stream with this beginning can hold a larger claim.
 constexpr std::uint64_t kBestDeflateRatio = 1032;
 std::uint64_t bestRatio(std::string_view head);
 
