@@ -180,7 +180,7 @@ def ome(tool, folder):
         for channel, time in itertools.product(range(channels), range(times)):
             compare(tool, f"OME-Zarr {axes} channel {channel} time {time}", path, part(values, channel, time), channel, time,
                     spacing=[0.8e-3, 0.5e-3, depth], origin=[16e-3, 8e-3, 8e-3 if "z" in axes else 0.0], name="wave",
-                    format="OME-Zarr 0.4", components=channels, time_steps=times, levels=2)
+                    type="uint16", format="OME-Zarr 0.4", components=channels, time_steps=times, levels=2)
         compare(tool, f"OME-Zarr {axes} level 1", path / "1", part(half, 0, 0),
                 spacing=[1.6e-3, 1e-3, 2 * depth if "z" in axes else 1.0], levels=1)
         if channels > 1:
@@ -333,7 +333,8 @@ def hdf5(tool, folder):
             file.create_dataset("whole", data=values[:, :, :20])
         compare(tool, f"HDF5 {dtype} chunked", f"{path}:/a/chunked", values, format="HDF5")
         compare(tool, f"HDF5 {dtype} contiguous", f"{path}:/whole", values[:, :, :20])
-        compare(tool, f"HDF5 {dtype} largest", path, values)
+        compare(tool, f"HDF5 {dtype} largest", path, values, warns=["2 datasets; /a/chunked is shown"],
+                type={"|b1": "int8", "<f2": "float32"}.get(dtype, numpy.dtype(dtype).name))
     for number, words in enumerate([{}, {"compression": "gzip"}, {"compression": "gzip", "shuffle": True},
                                     {"fletcher32": True}, {"compression": "gzip", "shuffle": True, "fletcher32": True},
                                     {"shuffle": True}]):
@@ -368,6 +369,12 @@ def hdf5(tool, folder):
     plain[2:] = numpy.arange(32).reshape(2, 4, 4)
     compare(tool, "HDF5 filter mask", f"{path}:/mixed", plain)
     compare(tool, "HDF5 lzf", f"{path}:/lzf", values[0, :, :, :, 0])
+    values = field((4, 5, 6), "<i2")
+    with h5py.File(folder / "scaled.h5", "w") as file:
+        made = file.create_dataset("v", data=values)
+        attributes(made, scale_factor=0.5, add_offset=3.0, _FillValue=values[1, 2, 3], element_size_um=[2.0, 1.0])
+    compare(tool, "HDF5 scaled", folder / "scaled.h5", numpy.where(values == values[1, 2, 3], numpy.nan, values * 0.5 + 3),
+            spacing=[1, 1, 1], warns=["element_size_um has 2 numbers"])
     with h5py.File(folder / "bzip2.h5", "w") as file:
         made = h5py.h5p.create(h5py.h5p.DATASET_CREATE)
         made.set_chunk((2, 4, 4))
@@ -487,7 +494,11 @@ def cf(tool, folder):
     compare(tool, "uneven positions", folder / "uneven.nc", raw, spacing=[250, 500, 4000], warns=["unevenly spaced"])
     with h5py.File(folder / "both.h5", "w") as file:
         net_cdf(file, raw, element_size_um=[3.0, 2.0, 1.0])
-    compare(tool, "sizes against positions", folder / "both.h5", raw, spacing=[1e-3, 2e-3, 3e-3], warns=["contradicts"])
+    compare(tool, "sizes against positions", folder / "both.h5", raw, spacing=[1e-3, 2e-3, 3e-3], origin=where["origin"],
+            warns=["contradicts"])
+    with h5py.File(folder / "empty.nc", "w") as file:
+        net_cdf(file, raw, valid_range=numpy.array([5, -5], "i2"))
+    compare(tool, "empty valid range", folder / "empty.nc", raw, warns=["the valid range is empty"])
 
 
 def minc(tool, folder):
@@ -518,6 +529,14 @@ def minc(tool, folder):
         file["minc-2.0/image/0/image-min"][...] = 1.0
         file["minc-2.0/image/0/image-max"][...] = 5.0
     compare(tool, "MINC range", folder / "m1.mnc", numpy.where((raw >= 10) & (raw <= 50), 1 + (raw - 10.0) / 10, numpy.nan))
+    with h5py.File(folder / "m2.mnc", "r+") as file:
+        small = file.create_dataset("minc-2.0/image/1/image", data=raw[::2, ::2, ::2])
+        attributes(small, dimorder=b"zspace,yspace,xspace", valid_range=numpy.array([0.0, 250.0]))
+    compare(tool, "MINC resolutions", folder / "m2.mnc", raw, warns=["2 datasets; /minc-2.0/image/0/image is shown"])
+    with h5py.File(folder / "m2.mnc", "r+") as file:
+        file["minc-2.0/image/0/image-min"] = numpy.zeros(3)
+        file["minc-2.0/image/0/image-max"] = numpy.ones(3)
+    refused(tool, "MINC scaling", folder / "m2.mnc", "image-min, image-max and valid_range do not fit the image")
 
 
 def vtk_hdf(tool, folder):
@@ -534,7 +553,19 @@ def vtk_hdf(tool, folder):
             group["PointData"].attrs["Scalars"] = b"b"
         return folder / name
     matrix = [[0, -1, 0, 10], [0.5, 0, 0, 21], [0, 0, 2, 30]]
-    compare(tool, "VTKHDF", write("image.vtkhdf"), values, matrix=matrix)
+    compare(tool, "VTKHDF", write("image.vtkhdf"), values, matrix=matrix, type="float32")
+    series = field((2, 4, 5, 6, 3), "<i2")
+    with h5py.File(write("series.vtkhdf"), "r+") as file:
+        del file["VTKHDF/PointData/b"]
+        file["VTKHDF/PointData/b"] = series[0]
+    compare(tool, "VTKHDF components", folder / "series.vtkhdf", series[0, ..., 1], 1, matrix=matrix, components=3, type="int16")
+    with h5py.File(folder / "series.vtkhdf", "r+") as file:
+        del file["VTKHDF/PointData/b"]
+        file["VTKHDF/PointData/b"] = series
+        steps = file.create_group("VTKHDF/Steps")
+        steps.attrs["NSteps"] = 2
+        steps["Values"] = numpy.array([0.0, 0.5])
+    compare(tool, "VTKHDF steps", folder / "series.vtkhdf", series[1, ..., 2], 2, 1, matrix=matrix, components=3, time_steps=2)
     matrix = [[0, -1, 0, 9.5], [0.5, 0, 0, 21.25], [0, 0, 2, 31]]
     compare(tool, "VTKHDF cells", f"{folder}/image.vtkhdf:/VTKHDF/CellData/c", values[1:, 1:, 1:], matrix=matrix, warns=["cells"])
     refused(tool, "VTKHDF grid", write("grid.vtkhdf", Type=b"UnstructuredGrid"), "/VTKHDF", "UnstructuredGrid", "ImageData")
@@ -563,9 +594,17 @@ def imaris(tool, folder):
                         group.attrs["ImageSize" + letter] = letters(size)
     where = {"spacing": [0.2e-3, 0.2e-3, 2e-3], "origin": [1.1e-3, 2.1e-3, -3e-3]}
     for t, c in volumes:
-        compare(tool, f"Imaris {t} {c}", folder / "a.ims", volumes[t, c], c, t, components=3, time_steps=2, warns=["dye0, dye1"], **where)
+        compare(tool, f"Imaris {t} {c}", folder / "a.ims", volumes[t, c], c, t, components=3, time_steps=2, type="uint16", warns=["dye0, dye1"], **where)
     name = "/DataSet/ResolutionLevel 0/TimePoint 1/Channel 2/Data"
     compare(tool, "Imaris channel by name", f"{folder}/a.ims:{name}", volumes[1, 2], components=1, **where)
+    with h5py.File(folder / "a.ims", "r+") as file:
+        attributes(file["DataSetInfo/Image"], ExtMin2=letters("4"), ExtMax2=letters("-4"))
+    compare(tool, "Imaris turned round", folder / "a.ims", volumes[0, 0],
+            matrix=[[0.2e-3, 0, 0, 1.1e-3], [0, 0.2e-3, 0, 2.1e-3], [0, 0, -2e-3, 3e-3]])
+    with h5py.File(folder / "a.ims", "r+") as file:
+        del file[name]
+        file[name] = numpy.zeros((8, 8, 4), "u2")
+    refused(tool, "Imaris sizes", folder / "a.ims", "TimePoint 1/Channel 2", "another size or type than the first channel")
 
 
 def nexus(tool, folder):
@@ -584,10 +623,35 @@ def nexus(tool, folder):
         group["data_scaling_factor"] = 0.5
         group["data_offset"] = 3.0
         file["far"] = h5py.ExternalLink("other.h5", "/there")
-    compare(tool, "NeXus", folder / "scan.nxs", values * 0.5 + 3, spacing=[1e-4] * 3, origin=[0.5e-4, 0, 0], unit="counts", quiet=True)
+    compare(tool, "NeXus", folder / "scan.nxs", values * 0.5 + 3, spacing=[1e-4] * 3, origin=[0.5e-4, 0, 0], unit="counts", quiet=True,
+            type="int32")
     compare(tool, "NeXus soft link", f"{folder}/scan.nxs:/entry/data/data", values * 0.5 + 3)
     compare(tool, "NeXus itself", f"{folder}/scan.nxs:/entry/instrument/detector/data", values)
     refused(tool, "external link", f"{folder}/scan.nxs:/far", "/far", "other.h5:/there")
+    with h5py.File(folder / "scan.nxs", "r+") as file:
+        file["entry/instrument/detector/data"].attrs["_FillValue"] = values[1, 2, 3]
+        file["entry/data/y"][...] = 0.4 - 0.1 * numpy.arange(5)
+        file["entry/data/rotation"][...] = -0.1 * numpy.arange(4)
+        del file["entry/data/x"]
+        attributes(file.create_dataset("entry/data/x", data=numpy.arange(9.0)), units=b"um")
+    compare(tool, "NeXus turned round", folder / "scan.nxs",
+            numpy.where(values == values[1, 2, 3], numpy.nan, values * 0.5 + 3),
+            matrix=[[1, 0, 0, 0], [0, -1e-4, 0, 4e-4], [0, 0, -1e-4, 0]],
+            warns=['the axis "x" has 9 positions for 6 entries'])
+    series = field((3, 4, 5, 6), "<f4")
+    with h5py.File(folder / "series.nxs", "w") as file:
+        file.attrs["default"] = "data"
+        group = file.create_group("data")
+        attributes(group, NX_class=b"NXdata", signal="data", axes=["x", "y", "z", "time"])
+        group["data"] = series.T
+        for name, n in zip(("x", "y", "z"), (6, 5, 4)):
+            attributes(group.create_dataset(name, data=0.1 * numpy.arange(n)), units=b"um")
+    compare(tool, "NeXus time by name", folder / "series.nxs", series[2], 0, 2, spacing=[1e-4] * 3, time_steps=3)
+    with h5py.File(folder / "series.nxs", "r+") as file:
+        del file["data/data"]
+        file["data/data"] = series
+        del file["data"].attrs["axes"]
+    compare(tool, "NeXus time by place", folder / "series.nxs", series[2], 0, 2, spacing=[1, 1, 1], time_steps=3)
     with h5py.File(folder / "master.h5", "w") as file:
         file["entry/data/data_000001"] = h5py.ExternalLink("x_data_000001.h5", "/entry/data/data")
         file["n"] = 3

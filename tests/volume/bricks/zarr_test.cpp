@@ -294,6 +294,17 @@ TEST(Zarr, AKeyThatStandsTwiceIsSaid) {
   EXPECT_THAT(whole(files).warnings, testing::Contains(HasSubstr(R"("unit" stands twice)")));
 }
 
+TEST(Zarr, OfTransformationsScaleAndTranslationAreRead) {
+  const Volume volume = whole(image("[3, -2, 1]", R"({"type": "scale", "scale": [6, -4, 2]})"));
+  test::expectNear(test::worldOf(volume, 0, 1, 0), {0, -2, 0});
+  for (const char* other : {"affine", "rotation"}) {
+    Files files = image("[3, 2, 1]", R"({"type": "scale", "scale": [6, 4, 2]})");
+    files[".zattrs"] = replaced(files[".zattrs"], R"({"type": "scale", "scale": [3, 2, 1]})",
+                                std::string(R"({"type": ")") + other + R"("})");
+    EXPECT_THAT(refusal(files), HasSubstr(std::string("the transformation \"") + other + "\" is not read"));
+  }
+}
+
 TEST(Zarr, AnImageWithoutAScaleSaysSo) {
   Files files = image("[3, 2, 1]", R"({"type": "scale", "scale": [6, 4, 2]})");
   files[".zattrs"] = replaced(files[".zattrs"], R"({"type": "scale", "scale": [3, 2, 1]})", "");

@@ -181,6 +181,7 @@ TEST_F(BrokenFiles, Vtk) {
        {"a million", legacy("1000000 1 1", "POINT_DATA 1000000\n"), "at most 65535"},
        {"count disagrees", legacy("2 2 2", "POINT_DATA 9\n" + scalars + eight), "9 values for 8 points"},
        {"type", legacy("2 2 2", "POINT_DATA 8\nSCALARS a string\nLOOKUP_TABLE default\n"), "string"},
+       {"bits", legacy("2 2 2", "POINT_DATA 8\nSCALARS a bit\nLOOKUP_TABLE default\n1"), "\"bit\""},
        {"no array", legacy("2 2 2", "POINT_DATA 8\n"), "truncated"},
        {"ends early", "# vtk DataFile Version 3.0\nt\nBINARY\n", "truncated"},
        {"no encoding", "# vtk DataFile Version 3.0\nt\nMAYBE\n", "ASCII"}});

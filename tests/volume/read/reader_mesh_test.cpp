@@ -1,4 +1,5 @@
 // Mesh files: every format gives the same volume; broken ones give one line.
+#include <cmath>
 #include <random>
 
 #include "tests/volume/mesh/mesh_shapes.h"
@@ -41,6 +42,7 @@ TEST(ReaderMesh, EveryFormatGivesTheSameVolume) {
     const auto v = test::readFile(folder / format.name, coarse(24));
     EXPECT_THAT(v.format, testing::HasSubstr("mesh"));
     EXPECT_EQ(v.fileType, volume::VoxelType::float32);
+    EXPECT_EQ(v.unit, "mm");
     EXPECT_THAT(v.warnings, testing::ElementsAre(testing::HasSubstr("1 unit = 1 mm")));
     const std::vector<double> values = test::valuesOf(v);
     if (wanted.empty()) wanted = values;
@@ -67,6 +69,19 @@ TEST(ReaderMesh, PolygonsNegativeIndicesAndContinuedLines) {
   const auto v = test::readFile(path, coarse(24));
   EXPECT_THAT(v.warnings, testing::SizeIs(1));
   EXPECT_NEAR(v.grid->maximum(), 2.0, 0.3);
+}
+
+TEST(ReaderMesh, HolesAreSaidAndPlacesAreThoseOfTheFile) {
+  const auto path = test::temporaryFolder() / "ball.ply";
+  TriangleMesh ball = test::icosphere(5.0, 2, {100, -20, 30});
+  ball.triangles.pop_back();
+  test::writeFile(path, test::asPlyText(ball));
+  const auto v = test::readFile(path, coarse(24));
+  EXPECT_TRUE(test::warns(v, "holes"));
+  const glm::dvec3 voxel(v.grid->geometry().voxelFromWorld() * glm::dvec4(100, -20, 30, 1));
+  EXPECT_GT(v.grid->value(static_cast<int>(std::lround(voxel.x)), static_cast<int>(std::lround(voxel.y)),
+                          static_cast<int>(std::lround(voxel.z))),
+            4.0);
 }
 
 TEST(ReaderMesh, PolyDataStripsAndEncodings) {

@@ -29,9 +29,12 @@ TEST(VtkLegacy, TextAndBinary) {
   expectNear(worldOf(text, 1, 1, 1), {10.5, 21, 32});
   // Binary data are big endian; other arrays may follow.
   writeFile(path, legacy("BINARY", "POINT_DATA 8\nSCALARS density short\nLOOKUP_TABLE default\n") +
-                      bytesOf(ramp<std::int16_t>(8), true) + "\nMETADATA\n");
+                      bytesOf(ramp<std::int16_t>(8), true) +
+                      "\nMETADATA\nSCALARS other short\nLOOKUP_TABLE default\n" +
+                      bytesOf(ramp<std::int16_t>(8, 9), true));
   const auto binary = readFile(path);
   EXPECT_EQ(valuesOf(binary), zeroToSeven);
+  EXPECT_EQ(binary.fileType, volume::VoxelType::int16);
   EXPECT_THAT(binary.warnings, testing::IsEmpty());
 }
 
@@ -43,6 +46,10 @@ TEST(VtkLegacy, OtherAttributes) {
   EXPECT_EQ(valuesOf(readFile(path, options))[7], 22.0);
   writeFile(path, legacy("ASCII", "POINT_DATA 8\nFIELD data 1\nrho 1 8 int\n0 1 2 3 4 5 6 7\n"));
   EXPECT_EQ(valuesOf(readFile(path)), zeroToSeven);
+  writeFile(path, legacy("ASCII",
+                         "POINT_DATA 8\nSCALARS a short\nLOOKUP_TABLE heat\n0 1 2 3 4 5 6 7\n"
+                         "LOOKUP_TABLE heat 2\n0 0 0 1\n1 1 1 1\n"));
+  EXPECT_EQ(valuesOf(readFile(path)), zeroToSeven) << "colours are not applied";
   writeFile(path, legacy("ASCII", "POINT_DATA 8\nCOLOR_SCALARS c 1\n0 0.5 1 0 0 0 0 0.25\n"));
   EXPECT_EQ(valuesOf(readFile(path)), (std::vector<double>{0, 0.5, 1, 0, 0, 0, 0, 0.25}));
   writeFile(path, legacy("ASCII", "CELL_DATA 1\nSCALARS c unsigned_char\nLOOKUP_TABLE default\n9\n"));
@@ -118,6 +125,7 @@ TEST(Vti, TextWithDirection) {
                       "<DataArray type=\"Int16\" Name=\"a\" format=\"ascii\">0 1 2 3 4 5 6 7</DataArray>"));
   const auto v = readFile(path);
   EXPECT_EQ(valuesOf(v), zeroToSeven);
+  EXPECT_EQ(v.fileType, volume::VoxelType::int16);
   EXPECT_EQ(v.format, "VTK XML");
   expectNear(worldOf(v, 0, 0, 0), {10, 20, 30});
   expectNear(worldOf(v, 1, 0, 0), {10, 20.5, 30});
@@ -208,6 +216,18 @@ TEST(Vti, Base64AndSeveralArrays) {
   const auto v = readFile(path);
   EXPECT_EQ(valuesOf(v), zeroToSeven);
   EXPECT_TRUE(test::warns(v, "several arrays"));
+}
+
+TEST(Vti, ComponentsAreChosen) {
+  const auto path = test::temporaryFolder() / "v.vti";
+  writeFile(path, vti("",
+                      "<DataArray type=\"UInt8\" Name=\"a\" NumberOfComponents=\"2\" format=\"ascii\">"
+                      "9 0 9 1 9 2 9 3 9 4 9 5 9 6 9 7</DataArray>"));
+  volume::ReadOptions options;
+  options.component = 1;
+  const auto v = readFile(path, options);
+  EXPECT_EQ(v.components, 2);
+  EXPECT_EQ(valuesOf(v), zeroToSeven);
 }
 
 TEST(Vti, NothingReachesStderr) {
