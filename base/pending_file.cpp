@@ -10,6 +10,7 @@
 #include <mutex>
 #include <set>
 #include <system_error>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -29,10 +30,13 @@ namespace {
 
 constexpr std::size_t kLongestNamePart = 200;  // of the 255 bytes that file systems allow
 constexpr std::chrono::milliseconds kLongestWaitOnTheWayOut{20};
+// Whoever looks whether a lock is abandoned holds it for a moment, too.
+constexpr int kMostTriesToLock = 20;
+constexpr std::chrono::milliseconds kBetweenTriesToLock{5};
 
 struct Pending {
   std::timed_mutex mutex;
-  std::vector<fs::path> paths;     // of files that are not committed
+  std::vector<fs::path> paths;     // of files that are not committed, and of locks
   std::set<fs::path> tidyFolders;  // that were looked through for files of dead processes
 };
 
@@ -285,6 +289,60 @@ void PendingFile::commit() {
   if (folder < 0) return;  // the file stands; only its name may be lost in a power cut
   ::fsync(folder);
   ::close(folder);
+}
+
+OutputLock::OutputLock(const fs::path& target) {
+  const fs::path written = writtenPath(target);
+  if (isStream(written)) return;
+  // The end of a long name: parts of one bake differ there.
+  const std::string name = written.filename().string();
+  const std::string end = name.substr(name.size() - std::min(name.size(), kLongestNamePart));
+  path_ = folderOf(written) / ("." + end + ".0-0.part");
+  for (int tries = 0; !tryLock(); ++tries) {
+    if (tries == kMostTriesToLock)
+      throwInput(target.string(), "",
+                 "another isolux is at work on this file; wait until it ends, or choose another name");
+    std::this_thread::sleep_for(kBetweenTriesToLock);
+  }
+}
+
+// False: another one holds it, or has just removed its file.
+bool OutputLock::tryLock() {
+  const std::lock_guard guard(pending().mutex);
+  int file = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+  if (file < 0) file = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);  // another user's
+  if (file < 0) return true;  // who writes there will say why that is not possible
+  if (::flock(file, LOCK_EX | LOCK_NB) != 0) {
+    const bool held = errno == EWOULDBLOCK || errno == EINTR;
+    if (!held) ::unlink(path_.c_str());  // no locks here: so be it
+    ::close(file);
+    return !held;
+  }
+  struct stat locked {
+  }, named{};
+  if (::fstat(file, &locked) != 0 || ::stat(path_.c_str(), &named) != 0 || locked.st_ino != named.st_ino ||
+      locked.st_dev != named.st_dev) {
+    ::close(file);
+    return false;
+  }
+  lock_ = file;
+  announcePending(path_);
+  pending().paths.push_back(path_);
+  return true;
+}
+
+OutputLock::OutputLock(OutputLock&& other) noexcept
+    : path_(std::move(other.path_)), lock_(std::exchange(other.lock_, -1)) {}
+
+OutputLock::~OutputLock() {
+  if (lock_ < 0) return;
+  {
+    const std::lock_guard guard(pending().mutex);
+    std::erase(pending().paths, path_);
+    ::unlink(path_.c_str());
+    withdrawPending(path_);
+  }
+  ::close(lock_);
 }
 
 void removePendingFiles() noexcept {

@@ -10,6 +10,9 @@
 // /dev/fd/N) are not replaced: the part lies in the folder for temporary files, and commit() writes it into
 // them. commit() returns after the system has put file and name on the disk.
 //
+// A command that works for long takes an OutputLock first: ".NAME.0-0.part", locked in the same way, keeps
+// others from the same work.
+//
 // Errors: base::Error{input} naming the target and the system's reason. Any thread may use files of its own.
 #pragma once
 
@@ -50,8 +53,25 @@ class PendingFile {
   bool synced_ = false, committed_ = false;
 };
 
-// Removes every PendingFile that is not committed: for the way out after an interrupt. The process must end
-// at once, or their writers fail.
+// Keeps a second command from working for the same file, as long as it lives. Nothing is held of a stream,
+// nor where the file system knows no locks.
+class OutputLock {
+ public:
+  // Throws where another process, or another OutputLock of this one, works for the target.
+  explicit OutputLock(const std::filesystem::path& target);
+  ~OutputLock();
+  OutputLock(OutputLock&& other) noexcept;
+  OutputLock& operator=(OutputLock&&) = delete;
+
+ private:
+  bool tryLock();
+
+  std::filesystem::path path_;
+  int lock_ = -1;  // descriptor that holds the lock
+};
+
+// Removes every PendingFile that is not committed, and what locks others out: for the way out after an
+// interrupt. The process must end at once, or their writers fail.
 void removePendingFiles() noexcept;
 
 // A PendingFile with a stream whose every failure is an Error: a full disk, a limit of size, at any byte.

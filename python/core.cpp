@@ -16,6 +16,7 @@
 #include "app/commands/render_report.h"
 #include "app/documents/picture_scene.h"
 #include "app/documents/session.h"
+#include "app/files/files.h"
 #include "app/jobs/field_job.h"
 #include "app/jobs/rest_scene.h"
 #include "app/light/light_picture.h"
@@ -388,6 +389,7 @@ Baked Core::bake(const app::SceneOptions& options, const std::string& file, bool
                       "there is nothing to bake: " + scene::giChoiceOf(scene).reason);
         app::OutputGuard guard = app::outputGuard(path_, options, scene);
         app::checkOutput(guard, out.string(), "bake");
+        const app::OutputLock lock(out);
         std::error_code missing;
         const bool exists = fs::exists(out, missing);
         if (exists && !overwrite && !gi::looksLikeBakeFile(out))

@@ -90,6 +90,7 @@ std::string resume(LightController& controller, const fs::path& out, const BakeO
 struct PreparedBake {
   scene::Scene scene;  // resolved
   std::shared_ptr<const volume::PreparedVolume> volume;
+  std::optional<OutputLock> lock;  // of the file that is baked
 };
 
 fs::path indexOfPieces(const BakeOptions& options) {
@@ -131,6 +132,7 @@ PreparedBake prepareBake(const BakeOptions& options, const fs::path& out, base::
   checkOutput(guard, out.string(), "--out");
   if (options.pieces > 0) checkOutput(guard, indexOfPieces(options).string(), "--pieces");
   checkOutput(guard, options.stats, "--stats");
+  bake.lock.emplace(out);
   std::error_code missing;
   if (!options.overwrite && fs::exists(out, missing) && !gi::looksLikeBakeFile(out))
     refuseForeign(out, "stored light");

@@ -1,6 +1,7 @@
 // isolux merge PART... --out FILE.vti: parts of a bake as the bake.
 #include "app/commands/command.h"
 #include "app/commands/progress_bar.h"
+#include "app/files/files.h"
 #include "base/error.h"
 #include "gi/file/bake_file.h"
 #include "gi/file/bake_merge.h"
@@ -24,6 +25,7 @@ void runMerge(const MergeOptions& options, base::Progress& progress) {
   OutputGuard guard;
   for (const std::string& part : options.parts) guard.reads(part, "a part of the bake");
   checkOutput(guard, options.out, "--out");
+  const OutputLock lock(options.out);
   std::error_code missing;
   if (!options.overwrite && fs::exists(out, missing) && !gi::looksLikeBakeFile(out))
     base::throwInput(options.out, "", "holds something other than stored light; --overwrite replaces it");

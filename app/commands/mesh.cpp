@@ -5,6 +5,7 @@
 
 #include "app/commands/command.h"
 #include "app/commands/progress_bar.h"
+#include "app/files/files.h"
 #include "app/mesh/mesh_export.h"
 #include "base/error.h"
 #include "scene/rules/automatic.h"
@@ -49,6 +50,7 @@ void runMesh(const MeshOptions& options, base::Progress& progress) {
   refuseCuts(scene, "isolux mesh");
   OutputGuard guard = outputGuard(options.path, *options.scene, scene);
   checkOutput(guard, options.out, "--out");
+  const OutputLock lock(options.out);
   const auto prepared = loadWithProgressBar(scene.source, progress);
   scene = scene::resolve(std::move(scene), prepared->facts);
   volume::SurfaceMesh found;

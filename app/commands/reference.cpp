@@ -90,6 +90,7 @@ void runReference(const ReferenceOptions& options, base::Progress& progress) {
   OutputGuard guard = outputGuard(options.path, *options.scene, scene);  // before anything slow starts
   checkOutput(guard, options.out, "--out");
   checkOutput(guard, options.stats, "--stats");
+  const OutputLock lock(out);
   const auto prepared = loadWithProgressBar(scene.source, progress);
   const scene::Scene given = sceneOf(options.path, *options.scene, *prepared);
   scene = resolvedSceneOf(options.path, *options.scene, *prepared, reference.size, progress);

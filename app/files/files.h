@@ -14,6 +14,7 @@
 
 namespace isolux::app {
 
+using base::OutputLock;
 using base::PendingFile;
 using base::removePendingFiles;
 

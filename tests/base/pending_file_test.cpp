@@ -135,6 +135,53 @@ TEST_F(PendingFileTest, WhatALivingProcessWritesIsLeftAlone) {
   EXPECT_TRUE(fs::exists(living.path()));
 }
 
+TEST_F(PendingFileTest, ALockKeepsOthersFromTheSameFileOnly) {
+  const fs::path file = folder_ / "a.txt";
+  const auto refused = [](const fs::path& target) {
+    try {
+      const OutputLock lock(target);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::input);
+      EXPECT_THAT(error.what(), HasSubstr("another isolux is at work on this file"));
+      return true;
+    }
+    return false;
+  };
+  fs::create_symlink("a.txt", folder_ / "link");
+  {
+    OutputLock lock(file);
+    EXPECT_TRUE(refused(file));
+    EXPECT_TRUE(refused(folder_ / "link"));
+    EXPECT_FALSE(refused(folder_ / "b.txt"));
+    write(file, "written meanwhile");
+    EXPECT_TRUE(refused(file)) << "of the name, not of the file that it had";
+    const OutputLock moved(std::move(lock));
+    EXPECT_TRUE(refused(file));
+  }
+  EXPECT_FALSE(refused(file));
+  EXPECT_FALSE(refused("/dev/null"));
+  EXPECT_THAT(files(), ElementsAre("a.txt", "link"));
+}
+
+TEST_F(PendingFileTest, TheLockOfAKilledProcessHoldsNobody) {
+  const auto leave = [&] {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      new OutputLock(folder_ / "a.txt");
+      ::_exit(::kill(::getpid(), SIGKILL));
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    ASSERT_EQ(files().size(), 1u);
+  };
+  leave();
+  { const OutputLock again(folder_ / "a.txt"); }
+  EXPECT_THAT(files(), IsEmpty());
+  leave();
+  write(folder_ / "b.txt", "the next write removes it");
+  EXPECT_THAT(files(), ElementsAre("b.txt"));
+}
+
 TEST_F(PendingFileTest, AFileThatDoesNotFitIsAnErrorAtAnyByte) {
   const auto ignored = std::signal(SIGXFSZ, SIG_IGN);
   rlimit before{};

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base/pending_file.h"
 #include "tests/app/commands/run_isolux.h"
 #include "tests/support/test_data.h"
 
@@ -61,6 +62,25 @@ TEST_F(BakeParts, MorePathsGoOnFromTheFileOfThePart) {
   ASSERT_EQ(bake("twice.vti", {"--part", "1/2"}).exitCode, 0);
   ASSERT_EQ(bake("twice.vti", {"--part", "1/2"}, "gi.samples=16").exitCode, 0);
   EXPECT_TRUE(bytesOf("once.part-1-of-2.vti") == bytesOf("twice.part-1-of-2.vti"));
+}
+
+TEST_F(BakeParts, WhatAnotherOneBakesIsRefused) {
+  {
+    const base::OutputLock held(folder_ / "light.vti");
+    const std::vector<std::vector<std::string>> commands{
+        {"bake", "phantom:gyroid:40", "--out", "light.vti"},
+        {"merge", "light.part-1-of-2.vti", "--out", "light.vti"}};
+    for (const auto& command : commands) {
+      const RunResult refused = runIsolux(command, {.folder = folder_});
+      EXPECT_EQ(refused.exitCode, 3);
+      EXPECT_TRUE(refused.isOneErrorLine()) << refused.err;
+      EXPECT_THAT(refused.err, HasSubstr("light.vti: another isolux is at work on this file"));
+    }
+    EXPECT_EQ(bake("light.vti", {"--part", "1/2"}).exitCode, 0) << "another file";
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "light.vti"));
+  }
+  EXPECT_EQ(bake("light.vti").exitCode, 0);
+  EXPECT_THAT(filesIn(folder_), testing::UnorderedElementsAre("light.vti", "light.part-1-of-2.vti"));
 }
 
 TEST_F(BakeParts, PiecesReplaceStoredLightOnly) {
