@@ -9,9 +9,10 @@ namespace isolux::app {
 namespace {
 
 // The worst first.
-constexpr std::array<std::string_view, 12> kGraveWords{
-    "cannot be read", "unreadable", "are missing", "count as missing", "interpolated", "resampled",
-    "boundary edge",  "one side",   "gantry tilt", "assumed",          "not certain",  "beside the line"};
+constexpr std::array<std::string_view, 13> kGraveWords{
+    "cannot be read", "checksum",    "unreadable",     "are missing", "count as missing",
+    "interpolated",   "resampled",   "boundary edge",  "one side",    "gantry tilt",
+    "assumed",        "not certain", "beside the line"};
 
 std::size_t rankOf(const std::string& note) {
   const auto found = std::find_if(kGraveWords.begin(), kGraveWords.end(), [&](std::string_view word) {

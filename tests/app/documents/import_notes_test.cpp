@@ -26,6 +26,7 @@ TEST(ImportNotes, EachGraveOneIsKnown) {
         "3 of 8 voxels are NaN or infinite and count as missing", "ElementSpacing is missing; 1 mm assumed",
         "no usable orientation (sform, qform); left and right are not certain", "12 boundary edges in 1 loop",
         "the surface has only one side: what is inside is a guess",
+        "the compressed data are cut off: all voxels are there, the checksum at the end is missing",
         "a slice lies 2 mm beside the line of the others",
         "the field \"endian\" is missing; little endian assumed"})
     EXPECT_EQ(importNotes(std::vector<std::string>{note}).grave, 1u) << note;

@@ -44,6 +44,13 @@ TEST(MetaImage, ExternalDataBigEndianCompressed) {
                 "= v.zraw\r\n");
   EXPECT_THAT(valuesOf(readFile(folder / "v.mhd")),
               testing::ElementsAre(0.5, 0.75, 1, 1.25, 1.5, 1.75, 2, 2.25));
+  writeFile(folder / "cut.mha",
+            "NDims = 3\nDimSize = 2 2 2\nElementSpacing = 1 1 1\nElementType = MET_UCHAR\nCompressedData = "
+            "True\nElementDataFile = LOCAL\n" +
+                test::zlibbed(bytesOf(ramp<std::uint8_t>(8))).substr(0, 12));
+  const auto cut = readFile(folder / "cut.mha");
+  EXPECT_EQ(valuesOf(cut), zeroToSeven);
+  EXPECT_TRUE(test::warns(cut, "the checksum at the end is missing"));
 }
 
 TEST(MetaImage, HeaderSizes) {

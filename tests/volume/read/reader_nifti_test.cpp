@@ -234,6 +234,58 @@ TEST(Nifti, PackedDataThatGoOnAreCheckedToTheirEnd) {
   expectError(path, "damaged");
 }
 
+// Files are read in parts of 64 KiB: of one of these the checksum begins a part, when all voxels are there.
+TEST(Nifti, ACutChecksumIsSaidAndAWrongOneRefused) {
+  NiftiFile file;
+  file.dims = {48, 48, 48};
+  std::uint32_t state = 1;
+  for (int i = 0; i < 48 * 48 * 48; ++i) {
+    state = state * 1664525u + 1013904223u;
+    file.voxels += static_cast<char>(state >> 24);
+  }
+  const auto folder = test::temporaryFolder();
+  const auto frame = [](const std::string& bytes) {
+    std::string packed(ZSTD_compressBound(bytes.size()) + 4, '\0');
+    ZSTD_CCtx* const context = ZSTD_createCCtx();
+    ZSTD_CCtx_setParameter(context, ZSTD_c_checksumFlag, 1);
+    packed.resize(ZSTD_compress2(context, packed.data(), packed.size(), bytes.data(), bytes.size()));
+    ZSTD_freeCCtx(context);
+    return packed;
+  };
+  std::string aligned = test::gzipped(file.bytes());
+  aligned[3] = 8;  // a name follows
+  aligned.insert(10, std::string((65536 - (aligned.size() - 8 + 1) % 65536) % 65536, 'n') + '\0');
+  ASSERT_EQ((aligned.size() - 8) % 65536, 0u);
+  struct Packed {
+    const char* name;
+    std::string bytes;
+    std::size_t trailer;
+  };
+  for (const Packed& packed :
+       {Packed{"v.nii.gz", test::gzipped(file.bytes()), 8}, Packed{"aligned.nii.gz", aligned, 8},
+        Packed{"v.nii.bz2", test::bzip2(file.bytes()), 9}, Packed{"v.nii.zst", frame(file.bytes()), 4}}) {
+    SCOPED_TRACE(packed.name);
+    const auto path = folder / packed.name;
+    writeFile(path, packed.bytes);
+    const auto whole = readFile(path);
+    EXPECT_FALSE(test::warns(whole, "checksum"));
+    for (std::size_t cut = 1; cut <= packed.trailer; ++cut) {
+      writeFile(path, packed.bytes.substr(0, packed.bytes.size() - cut));
+      const auto read = readFile(path);
+      EXPECT_TRUE(test::warns(read, "the checksum at the end is missing")) << cut;
+      EXPECT_EQ(read.grid->hash(), whole.grid->hash());
+    }
+    std::string wrong = packed.bytes;
+    wrong[wrong.size() - packed.trailer + 3] ^= 1;
+    writeFile(path, wrong);
+    expectError(path, "damaged");
+    for (const char* rubbish : {"rubbish", "\x1f rubbish", "BZh"}) {
+      writeFile(path, packed.bytes + rubbish);
+      EXPECT_FALSE(test::warns(readFile(path), "checksum")) << rubbish;
+    }
+  }
+}
+
 TEST(Nifti, BigEndianGzipAndPairs) {
   NiftiFile file;
   file.big = true;

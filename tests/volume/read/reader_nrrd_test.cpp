@@ -83,6 +83,17 @@ TEST(Nrrd, EncodingsAndSkips) {
     writeFile(folder / "bzip2.nrrd", fields + "encoding: bzip2\n\n" + packed.substr(0, cut));
     expectError(folder / "bzip2.nrrd", "");
   }
+  for (const bool first : {true, false}) {
+    const auto share = [&](std::size_t from, bool cut) {
+      const std::string bytes = test::gzipped(raw.substr(from, 8));
+      return cut ? bytes.substr(0, bytes.size() - 3) : bytes;
+    };
+    writeFile(folder / "a.gz", share(0, first));
+    writeFile(folder / "b.gz", share(8, !first));
+    writeFile(folder / "list.nhdr", fields + "encoding: gzip\ndata file: LIST\na.gz\nb.gz\n");
+    check("list.nhdr");
+    EXPECT_TRUE(test::warns(readFile(folder / "list.nhdr"), "the checksum at the end is missing")) << first;
+  }
   std::string damaged = packed;
   damaged[12] ^= 1;
   writeFile(folder / "bzip2.nrrd", fields + "encoding: bzip2\n\n" + damaged);

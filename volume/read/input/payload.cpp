@@ -142,13 +142,22 @@ class PayloadStream {
 
   // After everything was read: do data follow that the header does not know of?
   bool hasMore() {
-    return left_ == 0 && !header_.payload.fromEnd && !header_.payload.moreMayFollow && stream_->hasMore();
+    if (left_ == 0 && !header_.payload.fromEnd && !header_.payload.moreMayFollow) lookBehind();
+    return more_;
   }
+  // Of packed data that were read: is the checksum at their end missing?
+  bool isCut() const { return cut_; }
 
  private:
+  void lookBehind() {
+    more_ = stream_->hasMore() || more_;
+    cut_ = stream_->isCut() || cut_;
+  }
+
   void open(std::uint64_t file) {
     progress_.throwIfStopped();
     const Payload& payload = header_.payload;
+    if (stream_ && left_ == 0 && payload.encoding == Encoding::zlib) lookBehind();
     file_ = file;
     if (!payload.files.empty()) opened_ = beside_(payload.files[file]);
     bytes_ = payload.files.empty() ? &own_ : opened_.get();
@@ -186,6 +195,7 @@ class PayloadStream {
   const Bytes* bytes_ = nullptr;
   std::unique_ptr<VoxelStream> stream_;
   std::uint64_t file_ = 0, shareBytes_ = 0, begin_ = 0, left_ = 0;
+  bool more_ = false, cut_ = false;
 };
 
 // Passes one volume of the payload, chunk by chunk of whole voxels, to f(values: span<T>).
@@ -311,6 +321,10 @@ FileVoxels decodePayload(const ImageHeader& header, const Bytes& own, const Open
   });
   if (dataFollow)
     warnings.push_back("the file holds more data than the header announces; the rest is ignored");
+  if (stream.isCut())
+    warnings.push_back(
+        "the compressed data are cut off: all voxels are there, the checksum at the end is missing; take a "
+        "complete copy");
   return voxels;
 }
 

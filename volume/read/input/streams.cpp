@@ -69,9 +69,15 @@ class PackedStream : public VoxelStream {
   // To the end: where the stream is damaged, it is there that its sum says so.
   bool hasMore() override {
     std::byte one;
+    const bool open = !ended_;
+    const std::uint64_t ends = ends_;
     try {
-      if (readSome({&one, 1}) == 0) return false;
+      if (readSome({&one, 1}) == 0) {
+        cut_ = open && ends_ == ends;
+        return false;
+      }
     } catch (const base::Error&) {
+      if (open && ends_ == ends) throw;
       return false;  // rubbish after the data
     }
     std::vector<std::byte> rest(std::size_t{1} << 20);
@@ -79,6 +85,8 @@ class PackedStream : public VoxelStream {
     }
     return true;
   }
+
+  bool isCut() const override { return cut_; }
 
   // As many bytes as there are, up to out.size().
   virtual std::size_t readSome(std::span<std::byte> out) = 0;
@@ -97,10 +105,17 @@ class PackedStream : public VoxelStream {
                std::string("the compressed data are damaged: ") + why);
   }
 
+  void end() {
+    ended_ = true;
+    ++ends_;
+  }
+
   const Bytes& bytes_;
+  bool ended_ = false;  // the last byte that was used is the last of a gzip member, a zstd frame, ...
 
  private:
-  std::uint64_t at_, end_, produced_ = 0;
+  std::uint64_t at_, end_, produced_ = 0, ends_ = 0;
+  bool cut_ = false;
   std::vector<std::byte> input_ = std::vector<std::byte>(std::size_t{1} << 16);
 };
 
@@ -132,7 +147,7 @@ class InflateStream final : public PackedStream {
       }
       const int result = inflate(&z_, Z_NO_FLUSH);
       if (result == Z_STREAM_END)
-        ended_ = true;
+        end();
       else if (result != Z_OK && result != Z_BUF_ERROR)
         fail(z_.avail_in, z_.msg ? z_.msg : "zlib error");
     }
@@ -141,7 +156,6 @@ class InflateStream final : public PackedStream {
 
  private:
   z_stream z_{};
-  bool ended_ = false;
 };
 
 class ZstdStream final : public PackedStream {
@@ -161,7 +175,12 @@ class ZstdStream final : public PackedStream {
       const std::size_t before = to.pos, used = from_.pos;
       const std::size_t result = ZSTD_decompressStream(zstd_.get(), &to, &from_);
       if (ZSTD_isError(result)) fail(from_.size - from_.pos, ZSTD_getErrorName(result));
-      if (to.pos == before && from_.pos == used && from_.size == 0) break;  // the file ends
+      const bool moved = to.pos != before || from_.pos != used;
+      if (result == 0 && moved)
+        end();
+      else if (moved)
+        ended_ = false;
+      if (!moved && from_.size == 0) break;  // the file ends
     }
     return to.pos;
   }
@@ -201,8 +220,9 @@ class Bzip2Stream final : public PackedStream {
         begin();
       }
       const int result = BZ2_bzDecompress(&bz_);
-      ended_ = result == BZ_STREAM_END;
-      if (!ended_ && result != BZ_OK)
+      if (result == BZ_STREAM_END)
+        end();
+      else if (result != BZ_OK)
         fail(bz_.avail_in, result == BZ_DATA_ERROR_MAGIC ? "no bzip2 stream" : "a block's sum is wrong");
     }
     return out.size() - bz_.avail_out;
@@ -214,7 +234,6 @@ class Bzip2Stream final : public PackedStream {
     ended_ = false;
   }
   bz_stream bz_{};
-  bool ended_ = false;
 };
 
 std::unique_ptr<PackedStream> packedStream(const Bytes& bytes, std::uint64_t offset, std::uint64_t length) {

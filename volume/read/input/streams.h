@@ -27,6 +27,8 @@ class VoxelStream {
   virtual void read(std::span<std::byte> out) = 0;
   // True when data follow the part that was read. Throws Error{input} where packed ones are damaged.
   virtual bool hasMore() = 0;
+  // After hasMore(): true where packed data end before their own end, so that their checksum is missing.
+  virtual bool isCut() const { return false; }
 };
 
 // Bytes from `offset` to the end of the file.
