@@ -258,9 +258,7 @@ std::shared_ptr<Picture> Core::draw(const PictureWish& wish, base::Progress& pro
   if (machine != own.machine) own.renderer->setMachine(own.machine = machine);
   picture->size = wish.size ? *wish.size : app::pictureSize(std::nullopt, path_, wish.scene);
   const double aspect = static_cast<double>(picture->size.x) / picture->size.y;
-  if (wish.scene.camera.any())
-    scene.camera = app::wishedCamera(wish.scene.camera, scene::resolve(scene, prepared_->facts), *prepared_,
-                                     aspect, progress);
+  scene.camera = app::wishedCamera(wish.scene.camera, scene, *prepared_, aspect, progress);
   const scene::Scene given = scene;
   const scene::Derivatives& asked = given.derivatives;
   scene = scene::resolve(std::move(scene), prepared_->facts);

@@ -6,6 +6,8 @@
 namespace isolux::scene {
 
 enum class Csg { none, unite, intersection, difference };  // of the volume and a second one
+enum class Frames { surface, volume };                     // what an automatic camera shows whole
+enum class Suggestion { object, contrast };                // border that an automatic isovalue is at
 enum class Inside { above, below };                        // inside is f >= isovalue, or f <= isovalue
 constexpr Inside otherSide(Inside inside) {
   return inside == Inside::above ? Inside::below : Inside::above;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -17,17 +18,16 @@ struct Opening {
   double across, up;
 };
 
-Opening openingOf(const Camera& camera, double aspect) {
+Opening openingOf(const Camera& camera, glm::dvec2 room) {
   const double fov = std::clamp(std::isfinite(camera.fov) ? camera.fov : 30.0, 1e-3, 179.0);
-  const double up = std::tan(glm::radians(fov) / 2.0) / framingMargin;
-  return {up * (std::isfinite(aspect) && aspect > 0.0 ? aspect : 1.0), up};
+  const double unit = std::tan(glm::radians(fov) / 2.0) / framingMargin;
+  const auto orOne = [](double v) { return std::isfinite(v) && v > 0.0 ? v : 1.0; };
+  return {unit * orOne(room.x), unit * orOne(room.y)};
 }
 
-}  // namespace
-
-FramingDirections framingDirections(const Camera& camera, double aspect) {
+FramingDirections directionsFor(const Camera& camera, glm::dvec2 room) {
   const CameraFrame frame = frameOf(camera);
-  const Opening opening = openingOf(camera, aspect);
+  const Opening opening = openingOf(camera, room);
   // Outward normals of the picture's four sides; those of parallel rays do not lean.
   const bool leans = frame.projection == Projection::perspective;
   const glm::dvec3 across = leans ? frame.back * opening.across : glm::dvec3(0.0);
@@ -35,13 +35,13 @@ FramingDirections framingDirections(const Camera& camera, double aspect) {
   return {frame.right + across, across - frame.right, frame.up + up, up - frame.up, frame.back, -frame.back};
 }
 
-Camera framing(const Camera& camera, double aspect,
-               const std::array<double, framingDirectionCount>& farthest) {
+Camera framedFor(const Camera& camera, glm::dvec2 room,
+                 const std::array<double, framingDirectionCount>& farthest) {
   if (!std::all_of(farthest.begin(), farthest.end(), [](double v) { return std::isfinite(v); }))
     return camera;
   const auto [right, left, top, bottom, front, behind] = farthest;
   const CameraFrame frame = frameOf(camera);
-  const Opening opening = openingOf(camera, aspect);
+  const Opening opening = openingOf(camera, room);
   const double middle = (front - behind) / 2.0;  // along back
   const glm::dvec3 target =
       frame.right * ((right - left) / 2.0) + frame.up * ((top - bottom) / 2.0) + frame.back * middle;
@@ -53,10 +53,31 @@ Camera framing(const Camera& camera, double aspect,
   return lookingAt(camera, frame, target, distance);
 }
 
+}  // namespace
+
+FramingDirections framingDirections(const Camera& camera, double aspect) {
+  return directionsFor(camera, {aspect, 1.0});
+}
+
+Camera framing(const Camera& camera, double aspect,
+               const std::array<double, framingDirectionCount>& farthest) {
+  return framedFor(camera, {aspect, 1.0}, farthest);
+}
+
+Camera framing(const Camera& camera, glm::dvec2 room, std::span<const glm::dvec3> pointsMm) {
+  const FramingDirections directions = directionsFor(camera, room);
+  std::array<double, framingDirectionCount> farthest{};
+  farthest.fill(-std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < directions.size(); ++i)
+    for (const glm::dvec3& point : pointsMm)
+      farthest[i] = std::max(farthest[i], glm::dot(directions[i], point));
+  return framedFor(camera, room, farthest);
+}
+
 Camera framingBall(const Camera& camera, double aspect, glm::dvec3 centreMm, double radiusMm) {
   if (!std::isfinite(radiusMm) || !std::isfinite(glm::dot(centreMm, centreMm))) return camera;
   const CameraFrame frame = frameOf(camera);
-  const Opening opening = openingOf(camera, aspect);
+  const Opening opening = openingOf(camera, {aspect, 1.0});
   const double tangent = std::min(opening.across, opening.up);
   const double distance = frame.projection == Projection::perspective
                               ? radiusMm * std::sqrt(1.0 + 1.0 / (tangent * tangent))

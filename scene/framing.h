@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include <glm/vec3.hpp>
 
@@ -25,6 +26,10 @@ FramingDirections framingDirections(const Camera& camera, double aspect);
 // a point of the set. Numbers that are not finite: the camera as it is.
 Camera framing(const Camera& camera, double aspect,
                const std::array<double, framingDirectionCount>& farthest);
+
+// The same of points, which lie within `room`: how far they may reach across and up from the middle of the
+// picture, in halves of its height; {aspect, 1}: all of it.
+Camera framing(const Camera& camera, glm::dvec2 room, std::span<const glm::dvec3> pointsMm);
 
 // Same direction and up, aimed at the centre of a ball that fits the picture with that margin, however the
 // camera is turned about it.

@@ -28,4 +28,8 @@ double noiseCorrelation(double blur, int distance) {
   return product / square;
 }
 
+double meanBlur(const glm::dvec3& blur) {
+  return std::cbrt(blur.x * blur.y * blur.z);
+}
+
 }  // namespace isolux::scene

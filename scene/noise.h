@@ -26,4 +26,7 @@ struct NoiseModel {
 // Correlation of two voxels `distance` voxels apart along an axis with this blur: of the sampled Gaussian.
 double noiseCorrelation(double blur, int distance);
 
+// Geometric mean of a blur along the three axes, voxels.
+double meanBlur(const glm::dvec3& blur);
+
 }  // namespace isolux::scene

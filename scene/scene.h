@@ -41,6 +41,7 @@ struct Source {
 struct Isosurface {
   std::string name;             // for lists; changes no picture
   std::optional<double> value;  // data units
+  Suggestion suggestion = Suggestion::object;
   Inside inside = Inside::above;
   glm::dvec3 albedo{0.70, 0.62, 0.50};
   AlbedoSource albedoSource = AlbedoSource::color;  // of all isosurfaces
@@ -287,6 +288,7 @@ struct Camera {
   std::optional<glm::dvec3> eye;     // mm
   std::optional<glm::dvec3> target;  // mm
   std::optional<glm::dvec3> up;      // any length, not along the view direction
+  Frames frames = Frames::surface;
   double fov = 30.0;  // vertical, degrees; the orthographic height is that of the target's distance
   Projection projection = Projection::perspective;
   bool operator==(const Camera&) const = default;

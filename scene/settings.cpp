@@ -47,7 +47,10 @@ std::vector<Setting> makeSettings() {
   add(entry<Scene>("isosurface.name", ISOLUX_MEMBER(isosurface.name), noRange, "",
                    "What the surface is called in lists and at its line on the histogram."));
   add(entry<Scene>("isosurface.value", ISOLUX_MEMBER(isosurface.value), {-1e38, 1e38}, "data units",
-                   "The isovalue; auto takes the one suggested by the histogram."));
+                   "The isovalue; auto is by isosurface.suggestion."));
+  add(choiceEntry<Scene>("isosurface.suggestion", ISOLUX_MEMBER(isosurface.suggestion),
+                         "What an automatic isovalue is: the border of the whole object to what surrounds it "
+                         "(skin in a scan of a head), or the clearest border within it (often bone)."));
   add(choiceEntry<Scene>("isosurface.inside", ISOLUX_MEMBER(isosurface.inside),
                          "Which side of the isovalue is solid; the normal points away from it."));
   add(entry<Scene>("isosurface.albedo", ISOLUX_MEMBER(isosurface.albedo), unitRange, "linear RGB",
@@ -432,13 +435,17 @@ std::vector<Setting> makeSettings() {
                    "On average: those that vary more get more. A texel's bits are rounded up to 32."));
 
   add(entry<Scene>("camera.eye", ISOLUX_MEMBER(camera.eye), positionRange, "mm",
-                   "Where the viewer is; auto looks from the front, slightly above, at the whole volume."));
+                   "Where the viewer is; auto is by camera.frames."));
   add(entry<Scene>("camera.target", ISOLUX_MEMBER(camera.target), positionRange, "mm",
-                   "The point looked at and turned about; auto is the centre of the volume."));
+                   "The point looked at and turned about; auto is the centre of what is framed."));
   add(directionEntry<Scene>(
       "camera.up", ISOLUX_MEMBER(camera.up), "",
       "The direction that points up in the picture; auto is superior (y for meshes), or anterior "
       "(the front) when looking along it."));
+  add(choiceEntry<Scene>("camera.frames", ISOLUX_MEMBER(camera.frames),
+                         "What fills the picture of an automatic camera: the surface, a patient's from the "
+                         "front, anything else's "
+                         "from where most of it is seen; or the volume, from the front."));
   add(entry<Scene>(
       "camera.fov", ISOLUX_MEMBER(camera.fov), {1, 160}, "degrees",
       "Vertical field of view; an orthographic picture is as high as this at the target's distance."));

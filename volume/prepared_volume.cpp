@@ -21,8 +21,10 @@
 #include "volume/mesh/csg.h"
 #include "volume/parallel_steps.h"
 #include "volume/read/input/payload.h"
+#include "volume/statistics/first_view.h"
 #include "volume/statistics/label_map.h"
 #include "volume/statistics/plausibility.h"
+#include "volume/statistics/surface_outline.h"
 #include "volume/statistics/typical_step.h"
 
 namespace isolux::volume {
@@ -114,6 +116,15 @@ void setBounds(PreparedVolume& prepared, base::Progress& progress) {
     facts.boundsMinMm[axis] -= 0.5 * least;
     facts.boundsMaxMm[axis] += 0.5 * least;
   }
+}
+
+void setFirstView(PreparedVolume& prepared, base::Progress& progress) {
+  const scene::Scene first = scene::resolve({}, prepared.facts);
+  SurfaceOutline outline = surfaceOutline(prepared, first, true, progress);
+  const auto [toEye, up] = firstView(outline.samples, prepared.facts.axes);
+  prepared.facts.toEye = toEye;
+  prepared.facts.up = up;
+  prepared.facts.outlineMm = std::move(outline.pointsMm);
 }
 
 // What reads the rest of a file that cannot be read to its end.
@@ -212,24 +223,45 @@ std::shared_ptr<PreparedVolume> withBlocks(Volume volume, std::shared_ptr<const 
   return prepared;
 }
 
+// What is noise of the background is no object: an isovalue lies so many of its deviations away, as far as
+// the border within the object.
+double awayFromNoise(const PreparedVolume& prepared, double isovalue, double contrast,
+                     base::Progress& progress) {
+  constexpr double deviations = 3.5;
+  const Histogram& histogram = prepared.histogram;
+  const auto most = std::max_element(histogram.counts.begin(), histogram.counts.end());
+  const double background =
+      histogram.binCentre(static_cast<std::size_t>(std::distance(histogram.counts.begin(), most)));
+  const double away = deviations * prepared.derivativeChoices->noise(progress).at(isovalue);
+  if (isovalue > background) return std::max(isovalue, std::min(background + away, contrast));
+  return std::min(isovalue, std::max(background - away, contrast));
+}
+
 void setFacts(const std::shared_ptr<PreparedVolume>& prepared, Histogram histogram, double typicalStep,
               base::Progress& progress) {
   prepared->histogram = std::move(histogram);
   noteImplausible(prepared->volume, prepared->histogram);
-  const std::optional<double>& known = prepared->volume.isovalue;
-  prepared->facts.suggestedIsovalue =
-      known ? *known : suggestIsovalue(prepared->grid(), prepared->histogram, prepared->volume.unit);
-  prepared->facts.suggestedIsovalues =
+  scene::VolumeFacts& facts = prepared->facts;
+  const std::string& unit = prepared->volume.unit;
+  if (const std::optional<double>& known = prepared->volume.isovalue) {
+    facts.suggestedIsovalue = facts.contrastIsovalue = *known;
+  } else {
+    facts.contrastIsovalue = contrastIsovalue(prepared->grid(), prepared->histogram, unit);
+    facts.suggestedIsovalue =
+        awayFromNoise(*prepared, suggestIsovalue(prepared->grid(), prepared->histogram, unit),
+                      facts.contrastIsovalue, progress);
+  }
+  facts.suggestedIsovalues =
       prepared->volume.labels > 0
-          ? std::vector<double>{prepared->facts.suggestedIsovalue}
-          : suggestIsovalues(prepared->grid(), prepared->histogram, prepared->volume.unit,
-                             prepared->facts.suggestedIsovalue);
-  prepared->facts.axes = prepared->volume.axes;
-  prepared->facts.spacingMm = prepared->grid().geometry().spacingMm();
-  prepared->facts.minimum = prepared->grid().minimum();
-  prepared->facts.maximum = prepared->grid().maximum();
-  prepared->facts.typicalStep = typicalStep;
+          ? std::vector<double>{facts.suggestedIsovalue}
+          : suggestIsovalues(prepared->grid(), prepared->histogram, unit, facts.suggestedIsovalue);
+  facts.axes = prepared->volume.axes;
+  facts.spacingMm = prepared->grid().geometry().spacingMm();
+  facts.minimum = prepared->grid().minimum();
+  facts.maximum = prepared->grid().maximum();
+  facts.typicalStep = typicalStep;
   setBounds(*prepared, progress);
+  setFirstView(*prepared, progress);
 }
 
 std::shared_ptr<PreparedVolume> prepare(Volume volume, base::Progress& progress) {

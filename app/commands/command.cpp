@@ -317,11 +317,10 @@ scene::Scene sceneOf(const std::string& path, const SceneOptions& options,
 scene::Scene resolvedSceneOf(const std::string& path, const SceneOptions& options,
                              const volume::PreparedVolume& volume, glm::ivec2 size,
                              base::Progress& progress) {
-  scene::Scene scene = scene::resolve(sceneOf(path, options, volume), volume.facts);
-  if (options.camera.any())
-    scene.camera = wishedCamera(options.camera, scene, volume,
-                                static_cast<double>(size.x) / static_cast<double>(size.y), progress);
-  return scene;
+  scene::Scene scene = sceneOf(path, options, volume);
+  scene.camera = wishedCamera(options.camera, scene, volume,
+                              static_cast<double>(size.x) / static_cast<double>(size.y), progress);
+  return scene::resolve(std::move(scene), volume.facts);
 }
 
 scene::Machine machineOf(const SceneOptions& options) {

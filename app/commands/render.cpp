@@ -247,12 +247,12 @@ class RenderRun {
   scene::Scene startingScene(const std::string& path) {
     scene::Scene scene = sceneOf(path, *options_.scene, *prepared_);
     if (plan_.sweep) plan_.sweep->apply(scene, 0);
-    const scene::Scene first = scene::resolve(scene, prepared_->facts);
     const CameraWish& wish = options_.scene->camera;
     if (options_.turntable > 0)
-      scene.camera = turntableStart(wish, !scene.camera.eye, first, *prepared_, aspect(), progress_);
-    else if (wish.any())
-      scene.camera = wishedCamera(wish, first, *prepared_, aspect(), progress_);
+      scene.camera = turntableStart(wish, !scene.camera.eye, scene::resolve(scene, prepared_->facts),
+                                    *prepared_, aspect(), progress_);
+    else
+      scene.camera = wishedCamera(wish, scene, *prepared_, aspect(), progress_);
     return scene;
   }
 

@@ -67,10 +67,16 @@ json upgradeFrom5(json session, const std::string&) {
   return session;
 }
 
+// Version 6 knew one automatic isovalue and camera.
+json upgradeFrom6(json session, const std::string&) {
+  session["scene"] = firstPictureAsBefore(session.value("scene", json::object()));
+  return session;
+}
+
 // upgrades[i] turns version i+1 into version i+2.
 using Upgrade = json (*)(json session, const std::string& file);
 constexpr std::array<Upgrade, sessionVersion - 1> upgrades{upgradeFrom1, upgradeFrom2, upgradeFrom3,
-                                                           upgradeFrom4, upgradeFrom5};
+                                                           upgradeFrom4, upgradeFrom5, upgradeFrom6};
 
 int versionOf(const json& session, const std::string& file) {
   const auto found = session.find(versionKey);

@@ -177,6 +177,11 @@ json derivativesAsBefore(json stored) {
   return stored;
 }
 
+json firstPictureAsBefore(json stored) {
+  addMissing(stored, {{"camera", {{"frames", "volume"}}}, {"isosurface", {{"suggestion", "contrast"}}}});
+  return stored;
+}
+
 void checkKeys(const json& stored, std::initializer_list<std::string_view> known, const std::string& file,
                const std::string& place) {
   if (!stored.is_object()) base::throwInput(file, place, "a JSON object was expected");

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "scene/framing.h"
 #include "scene/named_camera.h"
+#include "volume/statistics/surface_outline.h"
 #include "volume/statistics/surface_reach.h"
 
 namespace isolux::app {
@@ -25,6 +26,14 @@ scene::Camera framedSurface(const scene::Scene& resolved, const volume::Prepared
   return scene::framing(camera, aspect, farthest);
 }
 
+// What an automatic camera frames, for a picture that is not square.
+scene::Camera framedOutline(const scene::Scene& resolved, const volume::PreparedVolume& volume, double aspect,
+                            base::Progress& progress) {
+  const auto outline = volume::surfaceOutline(volume, resolved, false, progress);
+  return outline.pointsMm.empty() ? resolved.camera
+                                  : scene::framing(resolved.camera, {aspect, 1.0}, outline.pointsMm);
+}
+
 // By name and turned: everything but how near.
 scene::Camera directedCamera(const CameraWish& wish, const scene::Scene& resolved,
                              const scene::VolumeFacts& facts) {
@@ -37,14 +46,19 @@ scene::Camera directedCamera(const CameraWish& wish, const scene::Scene& resolve
 
 }  // namespace
 
-scene::Camera wishedCamera(const CameraWish& wish, const scene::Scene& resolved,
+scene::Camera wishedCamera(const CameraWish& wish, const scene::Scene& scene,
                            const volume::PreparedVolume& volume, double aspect, base::Progress& progress) {
+  const bool automatic = !scene.camera.eye && !scene.camera.target;
+  if (!automatic && !wish.any()) return scene.camera;
   const scene::VolumeFacts& facts = volume.facts;
-  scene::Scene directed = resolved;
-  directed.camera = directedCamera(wish, resolved, facts);
+  scene::Scene directed = scene::resolve(scene, facts);
+  directed.camera = directedCamera(wish, directed, facts);
   if (wish.fit == Framing::volume)
     directed.camera = scene::fitted(directed.camera, facts.boundsMinMm, facts.boundsMaxMm);
-  if (wish.fit == Framing::surface) directed.camera = framedSurface(directed, volume, aspect, progress);
+  else if (wish.fit == Framing::surface)
+    directed.camera = framedSurface(directed, volume, aspect, progress);
+  else if (automatic && directed.camera.frames == scene::Frames::surface)
+    directed.camera = framedOutline(directed, volume, aspect, progress);
   return wish.zoom == 1.0 ? directed.camera : scene::zoomed(directed.camera, wish.zoom);
 }
 

@@ -25,10 +25,11 @@ struct CameraWish {
   }
 };
 
-// The view, turned, then framed, then zoomed. aspect: width by height of the picture. A view by name frames
-// the volume's box, unless the wish says otherwise; a surface that is not there leaves the camera where it
-// is. Throws base::Error: usage for a view of no such name; interrupted, memory.
-scene::Camera wishedCamera(const CameraWish& wish, const scene::Scene& resolved,
+// The view, turned, then framed, then zoomed. aspect: width by height of the picture. Where the wish does not
+// say what is framed, a camera that was automatic frames what its camera.frames says, and a view by name of
+// another the volume's box; a surface that is not there leaves the camera where it is. Throws base::Error:
+// usage for a view of no such name; interrupted, memory.
+scene::Camera wishedCamera(const CameraWish& wish, const scene::Scene& scene,
                            const volume::PreparedVolume& volume, double aspect, base::Progress& progress);
 
 // The camera that a turntable starts from: its target stands still and what is framed stays in the picture

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "scene/camera.h"
+#include "scene/framing.h"
 #include "scene/rules/needs.h"
 
 namespace isolux::scene {
@@ -79,11 +80,33 @@ void resolveFurther(Scene& scene, const VolumeFacts& facts) {
   }
 }
 
+bool framesOutline(const Camera& camera, const VolumeFacts& facts) {
+  return camera.frames == Frames::surface && !facts.outlineMm.empty();
+}
+
 }  // namespace
 
+Camera framed(const Camera& camera, const VolumeFacts& facts) {
+  return framesOutline(camera, facts) ? framing(camera, glm::dvec2(1.0), facts.outlineMm)
+                                      : fitted(camera, facts.boundsMinMm, facts.boundsMaxMm);
+}
+
+Camera fittedTo(const Camera& camera, const VolumeFacts& facts, glm::dvec2 room) {
+  if (!framesOutline(camera, facts)) return fittedTo(camera, facts.boundsMinMm, facts.boundsMaxMm, room);
+  if (!(room.x > 0.0 && room.y > 0.0) || !camera.eye || !camera.target) return camera;
+  const Camera square = framed(camera, facts);
+  const double roundings = 1e-9 * glm::distance(*square.eye, *square.target);
+  const bool chosen = !(glm::distance(*camera.eye, *square.eye) <= roundings &&
+                        glm::distance(*camera.target, *square.target) <= roundings);
+  return chosen ? camera : framing(camera, room, facts.outlineMm);
+}
+
 Scene resolve(Scene scene, const VolumeFacts& facts) {
-  if (!scene.isosurface.value)
-    scene.isosurface.value = std::isfinite(facts.suggestedIsovalue) ? facts.suggestedIsovalue : 0.0;
+  if (!scene.isosurface.value) {
+    const bool ofObject = scene.isosurface.suggestion == Suggestion::object;
+    const double value = ofObject ? facts.suggestedIsovalue : facts.contrastIsovalue;
+    scene.isosurface.value = std::isfinite(value) ? value : 0.0;
+  }
   if (!scene.source.csgValue) scene.source.csgValue = facts.csgIsovalue;
 
   resolveFurther(scene, facts);
@@ -102,15 +125,16 @@ Scene resolve(Scene scene, const VolumeFacts& facts) {
   Camera& camera = scene.camera;
   if (camera.eye && camera.target && camera.up) return scene;
 
-  // The camera that fits the box: around its centre, along the chosen or else the default direction.
-  const glm::dvec3 up = upOf(facts.axes), front = frontOf(facts.axes);
+  // Along the chosen or else the default direction.
+  const bool ofOutline = framesOutline(camera, facts);
+  const glm::dvec3 up = ofOutline && !camera.eye ? facts.up : upOf(facts.axes), front = frontOf(facts.axes);
   Camera wanted = camera;
   if (!camera.eye) {
     wanted.target = glm::dvec3(0.0);
-    wanted.eye = std::cos(elevation) * front + std::sin(elevation) * up;
+    wanted.eye = ofOutline ? facts.toEye : std::cos(elevation) * front + std::sin(elevation) * up;
     if (!camera.up) wanted.up = up;
   }
-  const Camera fit = fitted(wanted, facts.boundsMinMm, facts.boundsMaxMm);
+  const Camera fit = framed(wanted, facts);
 
   if (!camera.eye && camera.target)
     camera.eye = *fit.eye + (*camera.target - *fit.target);  // the same view, of another point

@@ -24,6 +24,11 @@ struct VolumeFacts {
   double typicalStep = 0.0;
   WorldAxes axes = WorldAxes::zUp;
   glm::dvec3 spacingMm{1.0};
+  double contrastIsovalue = 0.0;  // data units, volume::contrastIsovalue()
+  // Points that the isosurface of suggestedIsovalue lies within the hull of, world mm: what a first picture
+  // frames, seen from toEye (unit) with `up` at its top. Empty: not known, and the box is framed.
+  std::vector<glm::dvec3> outlineMm{};
+  glm::dvec3 toEye{0.0}, up{0.0};
 };
 
 // Every optional of the result has a value, but those that depend on the surface itself (ranges of colour
@@ -32,9 +37,17 @@ struct VolumeFacts {
 // of the bake's own business (gi.environment_share), and the isovalue
 // of a second volume that is not there. Further isosurfaces take the suggestion that is next outside
 // the first, else next inside, and where all are taken a quarter of the way each to the innermost value. An
-// explicit setting is never changed. An automatic camera looks from the front (frontOf(): a patient faces the
-// viewer, patient left at the right) and slightly above, and the whole box fits the picture of any aspect
-// ratio >= 1. Lamps stand by the same directions.
+// explicit setting is never changed. An automatic camera frames what camera.frames says for pictures of any
+// aspect ratio >= 1: the outline, or the box from the front (frontOf(): a patient faces the viewer, patient
+// left at the right) and slightly above. Lamps stand by the front.
 Scene resolve(Scene scene, const VolumeFacts& facts);
+
+// Same direction and up, framing what camera.frames says as resolve() does.
+Camera framed(const Camera& camera, const VolumeFacts& facts);
+
+// A resolved camera that framed() has made, made for this room instead: how far what is seen may reach across
+// and up from the middle of the picture, in halves of its height. Any other camera as it is: somebody has
+// chosen what it shows.
+Camera fittedTo(const Camera& camera, const VolumeFacts& facts, glm::dvec2 room);
 
 }  // namespace isolux::scene

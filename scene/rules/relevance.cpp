@@ -111,6 +111,8 @@ constexpr Rule rules[] = {
     {"source.mesh_voxels", isMesh, "the source is not a triangle mesh"},
     {"source.csg_path source.csg_value", isCombined, "no second volume is combined with the first"},
 
+    {"isosurface.suggestion", [](const Scene& s) { return !s.isosurface.value; }, "the isovalue is given"},
+    {"camera.frames", [](const Scene& s) { return !s.camera.eye; }, "the camera is given"},
     {"isosurface.inside",
      [](const Scene& s) { return needsGradient(s) || choosesPieces(s) || showsCutFaces(s); },
      "depth is the same from either side"},

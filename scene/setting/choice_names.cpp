@@ -17,6 +17,19 @@ std::span<const Named<Csg>> choicesOf() {
 }
 
 template <>
+std::span<const Named<Frames>> choicesOf() {
+  static constexpr Named<Frames> names[] = {{Frames::surface, "surface"}, {Frames::volume, "volume"}};
+  return names;
+}
+
+template <>
+std::span<const Named<Suggestion>> choicesOf() {
+  static constexpr Named<Suggestion> names[] = {{Suggestion::object, "object"},
+                                                {Suggestion::contrast, "contrast"}};
+  return names;
+}
+
+template <>
 std::span<const Named<Inside>> choicesOf() {
   static constexpr Named<Inside> names[] = {{Inside::above, "above"}, {Inside::below, "below"}};
   return names;

@@ -75,8 +75,9 @@ TEST(Settings, CoversEveryMemberOfScene) {
                colorVolume, look, flow, light, lamps, gi, camera, picture] = scene;
   [[maybe_unused]] const auto& [path, raw, series, component, timeStep, volumeLevel, aroundDamage, meshVoxels,
                                 csg, csgPath, csgValue] = source;
-  [[maybe_unused]] const auto& [name, value, inside, albedo, albedoSource, albedoMap, albedoLow, albedoHigh,
-                                opacity, facing, layers, clipped, ghost, ghostOpacity] = isosurface;
+  [[maybe_unused]] const auto& [name, value, suggestion, inside, albedo, albedoSource, albedoMap, albedoLow,
+                                albedoHigh, opacity, facing, layers, clipped, ghost, ghostOpacity] =
+      isosurface;
   [[maybe_unused]] const auto& [shown, name2, value2, albedo2, opacity2, facing2, clipped2] =
       extraIsosurfaces[0];
   [[maybe_unused]] const auto& [method, hitField, rate, nearFactor, nearThreshold, refinements] = hit;
@@ -103,11 +104,11 @@ TEST(Settings, CoversEveryMemberOfScene) {
   [[maybe_unused]] const auto& [giMode, extent, band, texels, samples, sequence, bounces, rouletteDepth,
                                 environmentShare, latticeScale, interpolation, precision, shOrder, shWindow,
                                 components, componentBits] = gi;
-  [[maybe_unused]] const auto& [eye, target, up, fov, projection] = camera;
+  [[maybe_unused]] const auto& [eye, target, up, frames, fov, projection] = camera;
   [[maybe_unused]] const auto& [supersampling, restHits, pictureExposure, metering, letters, scaleBar,
                                 isovalue, caveats, transparent, pixelRatio] = picture;
   EXPECT_EQ(settings().size(),
-            11u + 14 + 3 * 7 + 4 + 4 + 10 + 1 + 6 + 5 + 2 + 13 + 34 + 7 + 5 + 9 + 3 * 8 + 16 + 5 + 10);
+            11u + 15 + 3 * 7 + 4 + 4 + 10 + 1 + 6 + 5 + 2 + 13 + 34 + 7 + 5 + 9 + 3 * 8 + 16 + 6 + 10);
 }
 
 TEST(Settings, PatternsCoverPathsGroupsAndItemsOfLists) {

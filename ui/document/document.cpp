@@ -110,8 +110,7 @@ scene::Scene Document::resolved(const scene::Scene& scene) const {
   scene::Scene resolved = scene::resolve(scene, volume_ ? volume_->facts : scene::VolumeFacts{});
   if (!volume_) return resolved;
   volume_->derivativeChoices->completeIfChosen(resolved);
-  resolved.camera =
-      scene::fittedTo(resolved.camera, volume_->facts.boundsMinMm, volume_->facts.boundsMaxMm, fittingRoom_);
+  resolved.camera = scene::fittedTo(resolved.camera, volume_->facts, fittingRoom_);
   return resolved;
 }
 

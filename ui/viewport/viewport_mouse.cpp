@@ -33,14 +33,15 @@ void Viewport::sendCamera(const scene::Camera& camera, const QString& name, cons
 void Viewport::applyStandardView(scene::StandardView view) {
   if (!volume_) return;
   const scene::VolumeFacts& facts = volume_->facts;
-  turnTo(scene::standardView(resolved_.camera, view, facts.axes, facts.boundsMinMm, facts.boundsMaxMm),
+  const scene::Camera camera =
+      scene::standardView(resolved_.camera, view, facts.axes, facts.boundsMinMm, facts.boundsMaxMm);
+  turnTo(scene::framed(camera, facts),
          tr("%1 view").arg(translated(texts::views, scene::standardViewName(view, facts.axes))));
 }
 
 void Viewport::fitView() {
   if (!volume_) return;
-  turnTo(scene::fitted(resolved_.camera, volume_->facts.boundsMinMm, volume_->facts.boundsMaxMm),
-         tr("Fit view"));
+  turnTo(scene::framed(resolved_.camera, volume_->facts), tr("Fit view"));
 }
 
 void Viewport::resetView() {

@@ -109,7 +109,7 @@ scene::Scene MainWindow::pictureScene(const PictureWish& wish) const {
 scene::Camera MainWindow::pictureCamera(QSize pixels, double ratio) const {
   const VolumePointer& volume = document_->volume();
   if (!volume) return document_->camera();
-  return scene::fittedTo(document_->camera(), volume->facts.boundsMinMm, volume->facts.boundsMaxMm,
+  return scene::fittedTo(document_->camera(), volume->facts,
                          Viewport::fittingRoom({pixels.width(), pixels.height()}, ratio));
 }
 

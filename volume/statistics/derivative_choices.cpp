@@ -18,7 +18,9 @@ constexpr std::size_t kFewest = 30;   // below, nothing is known
 // What noise may do at scale 0 before a scale is looked for.
 constexpr double kCleanCurvature = 0.02;                         // of the root mean square
 constexpr double kCleanNormal = 0.5 * std::numbers::pi / 180.0;  // radians
-constexpr double kRough = 1.2;                                   // times the noise of voxels
+// Geometric mean over the axes, voxels: noise that is alike over more cannot be told from detail.
+constexpr double kLikeDetail = 0.8;
+constexpr double kRough = 1.2;  // times the noise of voxels
 constexpr std::size_t kMostKept = 8;
 
 // Away from the border, where samples are repeated.
@@ -104,7 +106,8 @@ std::string scaleReason(const DerivativeChoice& choice) {
          " of the curvature, larger scales lose more shape";
 }
 
-std::string normalReason(const DerivativeChoice& choice) {
+std::string normalReason(const DerivativeChoice& choice, bool likeDetail) {
+  if (likeDetail) return "what smoothing would take away is alike from voxel to voxel, as detail is";
   const auto degrees = [](double radians) {
     return base::shortText(radians * 180.0 / std::numbers::pi, 2) + " degrees";
   };
@@ -132,7 +135,18 @@ std::string noiseReason(double estimated, double believed) {
   return "differences between neighbouring voxels";
 }
 
-DerivativeChoice choiceOf(const ScaleLadder& ladder, const Search& search, const Grid& grid, double noise) {
+// Pictures lose no detail: not a voxel's, and none that noise only may be.
+std::size_t normalStep(const ScaleLadder& ladder, const Search& search, const GridGeometry& geometry,
+                       bool likeDetail) {
+  const glm::dvec3 spacing = geometry.spacingMm();
+  const double most = 1.001 * std::min({spacing.x, spacing.y, spacing.z});
+  std::size_t step = likeDetail ? 0 : search.normal.step;
+  while (ladder.scaleMm(step) > most) --step;
+  return step;
+}
+
+DerivativeChoice choiceOf(const ScaleLadder& ladder, const Search& search, const Grid& grid, double noise,
+                          bool likeDetail) {
   DerivativeChoice choice;
   choice.noise = search.noise;
   choice.noiseReason = noiseReason(noise, search.noise);
@@ -145,17 +159,18 @@ DerivativeChoice choiceOf(const ScaleLadder& ladder, const Search& search, const
   }
   const double least = search.cleanCurvature ? 0.0 : leastScale(grid.geometry());
   choice.scaleMm = std::max(least, ladder.scaleMm(search.curvature.step));
-  choice.normalScaleMm = ladder.scaleMm(search.normal.step);
+  const std::size_t normal = normalStep(ladder, search, grid.geometry(), likeDetail);
+  choice.normalScaleMm = ladder.scaleMm(normal);
   const auto rms = [&](const ScaleStep& step) { return choice.noise * std::sqrt(step.noise); };
   choice.curvatureNoise[0] = rms(search.measures.curvature[0]);
   choice.curvatureNoise[1] = rms(search.measures.curvature[search.curvature.step]);
   choice.normalNoise[0] = rms(search.measures.normal[0]);
-  choice.normalNoise[1] = rms(search.measures.normal[search.normal.step]);
+  choice.normalNoise[1] = rms(search.measures.normal[normal]);
   choice.curvature = std::sqrt(search.measures.meanSquareCurvature[search.curvature.step]);
   choice.scaleReason = choice.scaleMm > ladder.scaleMm(search.curvature.step)
                            ? "four fifths of the distance between slices, which would show as terraces"
                            : scaleReason(choice);
-  choice.normalReason = normalReason(choice);
+  choice.normalReason = normalReason(choice, likeDetail && search.normal.step > 0);
   return choice;
 }
 
@@ -207,7 +222,8 @@ DerivativeChoice DerivativeChoices::choose(const DerivativeQuestion& question,
     choice.scaleReason = choice.normalReason = "the trilinear field has no scale";
   } else {
     ScaleLadder ladder(*grid_, pointsWithin(*grid_, *blocks_, question.isovalue), model.correlation);
-    choice = choiceOf(ladder, searchScales(ladder, question, noise, progress), *grid_, noise);
+    choice = choiceOf(ladder, searchScales(ladder, question, noise, progress), *grid_, noise,
+                      scene::meanBlur(model.correlation) >= kLikeDetail);
   }
   const std::lock_guard lock(mutex_);
   if (kept_.size() >= kMostKept) kept_.erase(kept_.begin());

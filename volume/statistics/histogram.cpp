@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
+#include <utility>
 
 #include <tbb/combinable.h>
 
@@ -20,6 +21,7 @@ constexpr double kSkinHu = -300.0, kBoneHu = 300.0, kLeastApartHu = 200.0;
 constexpr double kLeastPart = 0.01;   // of what is not background: below it is no object's
 constexpr double kTwoClasses = 0.75;  // between them, of the whole variance
 constexpr double kLeastApart = 0.05;  // of suggestions, of the range of values
+constexpr double kOutward = 0.6;      // from the threshold of two classes to the outer one of three
 
 using Counts = std::vector<std::uint64_t>;
 
@@ -164,6 +166,37 @@ OtsuSplit otsuSplit(const Histogram& histogram, const Counts& counts) {
   return {bestFirst + (std::max(bestLast, bestFirst) - bestFirst) / 2, whole > 0.0 ? best / whole : 0.0};
 }
 
+// The same for three classes: the last bins of the lower and of the middle one.
+std::pair<std::size_t, std::size_t> otsuSplits(const Histogram& histogram) {
+  const std::size_t size = histogram.counts.size();
+  std::vector<double> part(size), sum(size);  // of all up to a bin
+  double count = 0.0, values = 0.0;
+  for (std::size_t i = 0; i < size; ++i) {
+    part[i] = count += static_cast<double>(histogram.counts[i]);
+    sum[i] = values += static_cast<double>(histogram.counts[i]) * histogram.binCentre(i);
+  }
+  const auto square = [](double of, double over) { return over > 0.0 ? of * of / over : 0.0; };
+  std::pair<std::size_t, std::size_t> best{0, 0};
+  double most = -1.0;
+  for (std::size_t i = 0; i + 2 < size; ++i) {
+    if (histogram.counts[i] == 0) continue;  // the same split as the bin before
+    for (std::size_t k = i + 1; k + 1 < size; ++k) {
+      const double variance = square(sum[i], part[i]) + square(sum[k] - sum[i], part[k] - part[i]) +
+                              square(values - sum[k], count - part[k]);
+      if (variance <= most) continue;
+      most = variance;
+      best = {i, k};
+    }
+  }
+  // Empty bins between classes: all splits there are equal.
+  const auto middle = [&](std::size_t bin) {
+    std::size_t last = bin;
+    while (last + 2 < size && histogram.counts[last + 1] == 0) ++last;
+    return bin + (last - bin) / 2;
+  };
+  return {middle(best.first), middle(best.second)};
+}
+
 double upperEdge(const Histogram& histogram, std::size_t bin) {
   const double bins = static_cast<double>(histogram.counts.size());
   return between(histogram.minimum, histogram.maximum, static_cast<double>(bin + 1) / bins);
@@ -280,6 +313,21 @@ Histogram makeHistogram(const Grid& grid, int bins, base::Progress& progress) {
 double suggestIsovalue(const Grid& grid, const Histogram& histogram, const std::string& unit) {
   const double low = grid.minimum(), high = grid.maximum();
   if (!(low < high)) return low;
+  if (areHounsfield(grid, unit) && low < kSkinHu && kSkinHu < high) return kSkinHu;
+  const BinRange background = backgroundOf(histogram.counts);
+  const double two = upperEdge(histogram, otsuSplit(histogram, histogram.counts).last);
+  double edge = two;
+  if (background.first <= background.last) {
+    const auto [lower, upper] = otsuSplits(histogram);
+    const bool dark = histogram.binCentre(background.first) < two;
+    edge = std::lerp(two, upperEdge(histogram, dark ? lower : upper), kOutward);
+  }
+  return low < edge && edge < high ? edge : between(low, high, 0.5);
+}
+
+double contrastIsovalue(const Grid& grid, const Histogram& histogram, const std::string& unit) {
+  const double low = grid.minimum(), high = grid.maximum();
+  if (!(low < high)) return low;
   if (unit == "HU" && low < kSkinHu && kSkinHu < high) return kSkinHu;
 
   Counts counts = histogram.counts;
@@ -291,8 +339,7 @@ double suggestIsovalue(const Grid& grid, const Histogram& histogram, const std::
   }
   if (left < 2) counts = histogram.counts;  // nothing but background: split that
   const double edge = upperEdge(histogram, otsuSplit(histogram, counts).last);
-  if (low < edge && edge < high) return edge;
-  return between(low, high, 0.5);
+  return low < edge && edge < high ? edge : between(low, high, 0.5);
 }
 
 std::vector<double> suggestIsovalues(const Grid& grid, const Histogram& histogram, const std::string& unit,
@@ -302,8 +349,11 @@ std::vector<double> suggestIsovalues(const Grid& grid, const Histogram& histogra
   if (!(low < high) || !std::isfinite(high - low)) return result;
   const bool hounsfield = areHounsfield(grid, unit);
   const double least = hounsfield ? kLeastApartHu : kLeastApart * (high - low);
-  const std::vector<double> others =
-      hounsfield ? std::vector<double>{kSkinHu, kBoneHu} : classBorders(histogram, first);
+  std::vector<double> others = {kSkinHu, kBoneHu};
+  if (!hounsfield) {
+    others = classBorders(histogram, first);
+    others.insert(others.begin(), contrastIsovalue(grid, histogram, unit));
+  }
   for (const double value : others) {
     const bool apart = std::all_of(result.begin(), result.end(),
                                    [&](double other) { return std::abs(value - other) >= least; });

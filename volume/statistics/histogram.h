@@ -19,14 +19,21 @@ struct Histogram {
 Histogram makeHistogram(const Grid& grid, int bins = 512);
 Histogram makeHistogram(const Grid& grid, int bins, base::Progress& progress);
 
-// A first isovalue that shows an object, not noise or the border: for CT in HU the skin (-300 HU) when
-// the range holds it, else Otsu's threshold of the histogram without its background peak. Always strictly
-// inside (minimum, maximum) when these differ.
+// The first isovalue that one would look at: the border of the whole object. For CT (in HU, or int16 with the
+// values of one) the skin (-300) when the range holds it. Else, where one value is much more frequent than
+// others (the background), Otsu's threshold and, nearer to the background, the nearer threshold of three
+// classes (Otsu 1979): 0.6 of the way from the one to the other, because what is weak at the border (leaves,
+// skin in MR, a simulation's wisps) belongs to the object. Without background Otsu's threshold. Always
+// strictly inside (minimum, maximum) when these differ.
 double suggestIsovalue(const Grid& grid, const Histogram& histogram, const std::string& unit);
 
+// The clearest border within the object: Otsu's threshold of the histogram without its background peak. For
+// data said to be in HU the skin, as above.
+double contrastIsovalue(const Grid& grid, const Histogram& histogram, const std::string& unit);
+
 // Isovalues that each show something of its own, ascending; `first`, suggestIsovalue() or what is known
-// better, is among them. For CT (in HU, or int16 with the values of one) also skin (-300) and bone (300);
-// else also the border of the object to its background, and, of what lies on either side of `first`, Otsu's
+// better, is among them. For CT also skin (-300) and bone (300); else also contrastIsovalue(), the border of
+// the object to its background, and, of what lies on either side of `first`, Otsu's
 // threshold where that part has two classes (the variance between them is three quarters of all or more,
 // which an even spread has).
 std::vector<double> suggestIsovalues(const Grid& grid, const Histogram& histogram, const std::string& unit,

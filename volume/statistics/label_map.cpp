@@ -15,6 +15,8 @@ namespace {
 constexpr std::size_t kMostValues = 2048;    // atlases have some hundreds
 constexpr double kMostUnequal = 0.4;         // of neighbours within objects; thin vessels come near it
 constexpr double kLeastJumps = 0.2;          // of unequal neighbours
+constexpr std::size_t kFrequent = 200;       // voxels: a label of so many fills more than its border
+constexpr double kLeastBodies = 0.5;         // of frequent values
 constexpr std::ptrdiff_t kEnough = 1 << 20;  // voxels that neighbours are compared of
 
 using ValueCounts = std::map<double, std::size_t>;  // of values
@@ -98,8 +100,16 @@ std::optional<LabelMap> labelMapOf(const Grid& grid, const base::Progress& progr
   const auto part = [](std::size_t of, std::size_t all) {
     return all == 0 ? 0.0 : static_cast<double>(of) / static_cast<double>(all);
   };
+  std::size_t frequent = 0,
+              filled = 0;  // of a scan's values few fill anything: air, a table, what is clipped
+  for (const auto& [value, count] : counts)
+    if (value != background && count >= kFrequent) {
+      ++frequent;
+      filled += bodies.contains(value) ? 1 : 0;
+    }
   if (bodies.size() < 2 || part(found.unequal, found.pairs) > kMostUnequal ||
-      part(found.jumps, found.unequal) < kLeastJumps)
+      part(found.jumps, found.unequal) < kLeastJumps ||
+      (frequent > 0 && part(filled, frequent) < kLeastBodies))
     return std::nullopt;
   if (stride > 1) {  // rare labels lie between the rows
     counts.clear();

@@ -14,8 +14,9 @@ struct LabelMap {
 };
 // Values are taken for labels where they are few whole numbers, where neighbours within the objects are
 // mostly equal, where unequal ones jump (a smooth field in steps goes from each value to the next), and where
-// at least two of them fill more than surfaces (of a mask that was averaged only one does). Nothing for masks
-// of two values, which have one isosurface either way. A whole grid. Throws Error{interrupted}.
+// at least two of them, and half of the frequent ones, fill more than surfaces (of a mask that was averaged
+// only one does, of a scan without noise only air and what is clipped). Nothing for masks of two values,
+// which have one isosurface either way. A whole grid. Throws Error{interrupted}.
 std::optional<LabelMap> labelMapOf(const Grid& grid, const base::Progress& progress);
 
 }  // namespace isolux::volume

@@ -19,6 +19,8 @@ constexpr double kFlat = 0.1;                              // part of a range's 
 constexpr double kFlatOfNoise = 0.195;                     // chi^2 of 3 degrees / 3 at that quantile
 constexpr double deviationsPerMedian = 1.4826;             // of the absolute value of a normal variable
 constexpr std::size_t kSpacings = kNoiseSpacings;
+// Voxels, along all axes: what is alike over more is the structure of a simulation that changes quickly.
+constexpr double kMostBlur = 1.15;
 
 // Mean square of a fourth difference of unit gain for noise of deviation 1 with this blur, voxels.
 double gainOf(double blur, std::size_t spacing) {
@@ -293,6 +295,8 @@ scene::NoiseModel estimateNoise(const Grid& grid, base::Progress& progress) {
   const std::vector<ValueRange> ranges = believable(rangesOf(all, places, least, progress));
   if (const std::vector<ValueRange> noisy = smoothest(ranges); !noisy.empty())
     model.correlation = fitBlurs(squaresAlongAxes(noisy, rounding));
+  if (scene::meanBlur(model.correlation) > kMostBlur)
+    return {{grid.minimum()}, {least * slope}, glm::dvec3(0.0)};
   const Gauge gauge(model.correlation);
   std::vector<double> counts;
   for (const ValueRange& range : ranges) {

@@ -16,8 +16,9 @@ namespace isolux::volume {
 
 // Places depend only on the dims. What the volume has set to its most frequent value, its least or its most
 // (constant air, clipped values) does not count. Deviations are at least what storing the values has cost: a
-// step / sqrt(12) for integers, the rounding of the largest value for floats; without values for a grid that
-// has none. Throws Error{interrupted}.
+// step / sqrt(12) for integers, the rounding of the largest value for floats, and no more than that where
+// neighbours are alike as in a smooth field; without values for a grid that has none. Throws
+// Error{interrupted}.
 scene::NoiseModel estimateNoise(const Grid& grid, base::Progress& progress);
 scene::NoiseModel estimateNoise(const Grid& grid);
 

@@ -11,57 +11,11 @@
 
 #include "volume/clip/surface_cut.h"
 #include "volume/parallel_steps.h"
+#include "volume/statistics/surface_crossings.h"
 
 namespace isolux::volume {
 
 namespace {
-
-struct ReachedSurface {
-  double isovalue;
-  std::shared_ptr<const HiddenVoxels> hidden;  // null: nothing
-};
-
-std::vector<ReachedSurface> shownSurfaces(const PreparedVolume& volume, const scene::Scene& resolved,
-                                          base::Progress& progress) {
-  std::vector<double> values;
-  if (resolved.isosurface.opacity > 0.0) values.push_back(resolved.isosurface.value.value());
-  for (const scene::ExtraIsosurface& extra : resolved.extraIsosurfaces)
-    if (extra.shown && extra.opacity > 0.0) values.push_back(extra.value.value());
-  std::vector<ReachedSurface> surfaces;
-  surfaces.reserve(values.size());
-  for (const double value : values)
-    surfaces.push_back(
-        {value, volume.pieces->hidden(resolved.pieces, value, resolved.isosurface.inside, progress)});
-  return surfaces;
-}
-
-// Calls each(voxel coordinates) for the crossings on the edges of a block's cells; some come more than once.
-template <class T, class Each>
-void eachCrossing(const std::vector<T>& stored, const Grid& grid, const ReachedSurface& surface,
-                  scene::Inside inside, glm::ivec3 low, glm::ivec3 high, const Each& each) {
-  const double isovalue = grid.storedOfValue(surface.isovalue);
-  const bool insideIsPositive = (inside == scene::Inside::above) == (grid.slope() > 0.0);
-  const auto at = [&](glm::ivec3 v) {
-    return static_cast<double>(stored[grid.index(v.x, v.y, v.z)]) - isovalue;
-  };
-  for (int z = low.z; z <= high.z; ++z)
-    for (int y = low.y; y <= high.y; ++y)
-      for (int x = low.x; x <= high.x; ++x) {
-        const glm::ivec3 begin(x, y, z);
-        const double f = at(begin);
-        for (int axis = 0; axis < 3; ++axis) {
-          glm::ivec3 end = begin;
-          if (++end[axis] > high[axis]) continue;
-          const double g = at(end);
-          if ((f >= 0.0) == (g >= 0.0) || std::isnan(f) || std::isnan(g)) continue;
-          const glm::ivec3 within = (f >= 0.0) == insideIsPositive ? begin : end;
-          if (surface.hidden && surface.hidden->at(within)) continue;
-          glm::dvec3 point(begin);
-          point[axis] += f / (f - g);
-          each(point);
-        }
-      }
-}
 
 // Folds all crossings into one value: fold(part, point) within a block, join(all, part) between them.
 template <class Value, class Fold, class Join>
@@ -74,7 +28,7 @@ bool foldCrossings(const PreparedVolume& volume, const scene::Scene& resolved, V
   const Value nothing = all;
   std::mutex mutex;
   bool any = false;
-  for (const ReachedSurface& surface : shownSurfaces(volume, resolved, progress)) {
+  for (const ShownSurface& surface : shownSurfaces(volume, resolved, progress)) {
     std::vector<std::uint8_t> active;
     blocks.activeBlocks(static_cast<float>(grid.storedOfValue(surface.isovalue)), active);
     parallelSteps(blocks.count(), progress, {}, [&](std::size_t index) {
@@ -92,7 +46,8 @@ bool foldCrossings(const PreparedVolume& volume, const scene::Scene& resolved, V
       };
       std::visit(
           [&](const auto& stored) {
-            eachCrossing(stored, grid, surface, resolved.isosurface.inside, low, high, each);
+            eachCrossing(stored, grid, surface, resolved.isosurface.inside, low, high,
+                         [&](glm::ivec3, glm::dvec3 point) { each(point); });
           },
           grid.voxels());
       if (!found) return;

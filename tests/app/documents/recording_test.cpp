@@ -84,8 +84,13 @@ TEST(Recording, OfBeforeScalesKeepsItsDerivatives) {
     EXPECT_EQ(start.picture.restHits, scene::StillField::same);
   }
   std::ofstream(file) << "{\"isolux_recording\": 3}\n";
+  const Scene third = loadRecording(file).start;
+  EXPECT_EQ(third.derivatives.scale, std::nullopt);
+  EXPECT_EQ(third.camera.frames, scene::Frames::volume) << "its automatic camera stays where it was";
+  EXPECT_EQ(third.isosurface.suggestion, scene::Suggestion::contrast);
+  std::ofstream(file) << "{\"isolux_recording\": 4}\n";
   EXPECT_TRUE(loadRecording(file).start == Scene{});
-  EXPECT_THAT(refusal("{\"isolux_recording\": 4}\n"), HasSubstr("versions 1 to 3"));
+  EXPECT_THAT(refusal("{\"isolux_recording\": 5}\n"), HasSubstr("versions 1 to 4"));
 }
 
 TEST(Recording, AnAnimatedFlowMovesOn) {

@@ -23,9 +23,17 @@ using scene::Scene;
 using testing::AllOf;
 using testing::HasSubstr;
 
-// What a session of before there were derivatives at a scale leaves unsaid.
-Scene derivedAsBefore() {
+// What a session of before automatic cameras framed the surface leaves unsaid.
+Scene firstSeenAsBefore() {
   Scene scene;
+  scene.camera.frames = scene::Frames::volume;
+  scene.isosurface.suggestion = scene::Suggestion::contrast;
+  return scene;
+}
+
+// And of before there were derivatives at a scale.
+Scene derivedAsBefore() {
+  Scene scene = firstSeenAsBefore();
   scene.derivatives.scale = scene.derivatives.normalScale = 0.0;
   scene.picture.restHits = scene::StillField::same;
   scene.look.contours = 0.0;
@@ -205,10 +213,12 @@ TEST(Session, RefusesBadVersion1WithThePath) {
 }
 
 TEST(Session, MissingKeysTakeDefaults) {
-  EXPECT_TRUE(parseSession(R"({"isolux_session": 6})", "", {"/"}) == Scene{});
-  EXPECT_TRUE(parseSession(R"({"isolux_session": 5})", "", {"/"}) == Scene{});
-  EXPECT_TRUE(parseSession(R"({"isolux_session": 5, "accuracy": {"pixels": 7}})", "", {"/"}) == Scene{});
-  EXPECT_TRUE(parseSession(R"({"isolux_session": 5, "scene": {}})", "", {"/"}) == Scene{});
+  EXPECT_TRUE(parseSession(R"({"isolux_session": 7})", "", {"/"}) == Scene{});
+  EXPECT_TRUE(parseSession(R"({"isolux_session": 7, "scene": {}})", "", {"/"}) == Scene{});
+  EXPECT_TRUE(parseSession(R"({"isolux_session": 6})", "", {"/"}) == firstSeenAsBefore());
+  EXPECT_TRUE(parseSession(R"({"isolux_session": 5, "accuracy": {"pixels": 7}})", "", {"/"}) ==
+              firstSeenAsBefore());
+  EXPECT_TRUE(parseSession(R"({"isolux_session": 5, "scene": {}})", "", {"/"}) == firstSeenAsBefore());
   EXPECT_TRUE(parseSession(R"({"isolux_session": 2, "scene": {}})", "", {"/"}) == litAsBefore());
 }
 

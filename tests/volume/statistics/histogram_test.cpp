@@ -8,7 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "base/random.h"
+#include "tests/support/test_data.h"
 #include "volume/phantom/phantom.h"
+#include "volume/read/reader.h"
 
 namespace isolux::volume {
 namespace {
@@ -133,6 +135,64 @@ TEST(SuggestIsovalue, SeparatesTheObjectsFromTheBackgroundOrEachOther) {
   EXPECT_LT(iso, 190.0);
   const Grid binary = lineOf(std::vector<std::uint8_t>{0, 0, 0, 0, 0, 1, 1});
   EXPECT_EQ(suggestIsovalue(binary, makeHistogram(binary), ""), 0.5);
+}
+
+// What is weak at the border belongs to the object: its least class is not left out, nor is half of it, where
+// more of it is strong.
+TEST(SuggestIsovalue, IsTheBorderOfTheWholeObject) {
+  std::vector<std::uint8_t> leaves, scalp, negative;
+  for (std::uint64_t i = 0; i < 100000; ++i) {
+    const double noise = 3.0 * base::normalNoise(5, i);
+    leaves.push_back(static_cast<std::uint8_t>(std::max(0.0, (i < 90000   ? 4.0
+                                                              : i < 94000 ? 60.0
+                                                              : i < 96000 ? 110.0
+                                                                          : 200.0) +
+                                                                 noise)));
+    scalp.push_back(static_cast<std::uint8_t>(std::max(0.0, (i < 70000   ? 4.0
+                                                             : i < 76000 ? 70.0
+                                                                         : 140.0) +
+                                                                3.0 * noise)));
+    negative.push_back(static_cast<std::uint8_t>(255 - leaves.back()));
+  }
+  const auto suggested = [](std::vector<std::uint8_t> voxels) {
+    const Grid grid = lineOf(std::move(voxels));
+    return suggestIsovalue(grid, makeHistogram(grid), "");
+  };
+  const double ofLeaves = suggested(leaves);
+  EXPECT_GT(ofLeaves, 20.0);
+  EXPECT_LT(ofLeaves, 55.0);
+  EXPECT_NEAR(suggested(negative), 255.0 - ofLeaves, 1.5) << "a bright background";
+  const double ofScalp = suggested(scalp);
+  EXPECT_GT(ofScalp, 20.0);
+  EXPECT_LT(ofScalp, 62.0);
+}
+
+// Of the test data, what experts show first.
+TEST(SuggestIsovalue, IsWhatExpertsTake) {
+  ISOLUX_NEEDS_DATA();
+  struct Known {
+    const char* file;
+    double least, most;
+  };
+  const Known all[] = {{"tooth.mhd", 540, 700},
+                       {"mri_head_t1.nii.gz", 34, 48},
+                       {"mri_colin27.nii.gz", 34, 48},
+                       {"bonsai.nii.gz", 30, 50},
+                       {"engine_crop.mhd", 60, 100},
+                       {"viscous_fingers_060.mhd", 14, 26},
+                       {"viscous_fingers_030.mhd", 14, 26},
+                       {"heptane.nii.gz", 35, 65},
+                       {"fuel.nii.gz", 30, 60},
+                       {"ct_cranium.mhd", -300, -300},
+                       {"ct_head_skin_bone.nii.gz", 0.15, 0.21},
+                       {"teapot.mhd", 25, 62}};
+  for (const Known& one : all) {
+    base::Progress progress;
+    const Volume volume = readVolume(test::dataFolder() / "volumes" / one.file, {}, progress);
+    const double value = suggestIsovalue(*volume.grid, makeHistogram(*volume.grid), volume.unit);
+    EXPECT_GE(value, one.least) << one.file;
+    EXPECT_LE(value, one.most) << one.file;
+  }
 }
 
 // Classes of values with some spread, as many voxels of each as given.

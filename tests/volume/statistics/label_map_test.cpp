@@ -70,11 +70,23 @@ TEST(LabelMaps, ScansAndSmoothFieldsAreNone) {
     for (int i = 0; i < 8; ++i) sum += inBlock(p + 0.5 * glm::dvec3(i & 1, i / 2 & 1, i / 4)) ? 22.0 : 0.0;
     return sum;
   }))) << "a mask that was averaged";
+  EXPECT_FALSE(found(gridOf([](glm::dvec3 p) {  // steep, so that its borders jump
+    if (ballDistance(p) < 14.0) return std::clamp(std::floor(12.0 * (14.0 - ballDistance(p))), 0.0, 90.0);
+    return p.z < 6 ? 4.0 : p.x < 6 ? 2.0 : 0.0;
+  }))) << "a scan without noise of constant things";
   std::uint64_t counter = 0;
   EXPECT_FALSE(found(gridOf([&](glm::dvec3 p) {
     return 20.0 * organs(p) + 8.0 * base::uniformNoise(7, counter++);
   }))) << "noise";
   EXPECT_FALSE(found(gridOf<float>([](glm::dvec3 p) { return 0.25 * organs(p); }))) << "no whole numbers";
+}
+
+TEST(LabelMaps, OfTheTestDataNoneIsOne) {
+  ISOLUX_NEEDS_DATA();
+  base::Progress progress;
+  for (const char* name :
+       {"teapot.mhd", "hydrogen_atom.mhd", "engine.nii.gz", "bonsai.nii.gz", "heptane.nii.gz"})
+    EXPECT_FALSE(found(*readVolume(test::dataFolder() / "volumes" / name, {}, progress).grid)) << name;
 }
 
 // No isovalue between labels, no noise, and the file is said to be what it is.
