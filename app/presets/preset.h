@@ -29,8 +29,8 @@ struct Preset {
   std::string meaning;  // one sentence: what it shows
   std::vector<PresetNeed> needs;
   // Setting path to its value, or, of settings in data units, to where that lies in the volume: {"hu": 300},
-  // {"quantile": 0.99} of its voxels, or {"between": 0.3} of the way from the suggested isovalue to the
-  // largest value, {"between": -0.3} to the least.
+  // {"quantile": 0.99} of its voxels, or {"between": 0.3} of the way from the clearest border
+  // (volume::contrastIsovalue) to the largest value, {"between": -0.3} to the least.
   nlohmann::ordered_json settings = nlohmann::ordered_json::object();
   std::filesystem::path file{};  // empty: comes with the program
 };

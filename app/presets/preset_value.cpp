@@ -57,7 +57,7 @@ double valueInVolume(const nlohmann::ordered_json& value, const volume::Prepared
   if (key == "quantile") return histogramQuantile(volume.histogram, number);
   if (key == "between") {
     const double end = number < 0.0 ? volume.facts.minimum : volume.facts.maximum;
-    return std::lerp(volume.facts.suggestedIsovalue, end, std::abs(number));
+    return std::lerp(volume.facts.contrastIsovalue, end, std::abs(number));
   }
   return number;
 }

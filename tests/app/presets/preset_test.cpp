@@ -81,10 +81,10 @@ TEST(Preset, ValuesLieWhereTheirRulesSay) {
   EXPECT_NEAR(at(R"({"quantile": 0.5})"), 0.0, 2.5) << "a bin is 4 wide";
   EXPECT_NEAR(at(R"({"quantile": 0.9})"), -1024 + 0.9 * 2048, 2.5);
   EXPECT_NEAR(at(R"({"quantile": 1})"), 1023.0, 4.0);
-  const double suggested = volume->facts.suggestedIsovalue;
-  EXPECT_DOUBLE_EQ(at(R"({"between": 0})"), suggested);
-  EXPECT_DOUBLE_EQ(at(R"({"between": 0.25})"), suggested + 0.25 * (1023 - suggested));
-  EXPECT_DOUBLE_EQ(at(R"({"between": -0.25})"), suggested - 0.25 * (suggested + 1024));
+  const double clearest = volume->facts.contrastIsovalue;
+  EXPECT_DOUBLE_EQ(at(R"({"between": 0})"), clearest);
+  EXPECT_DOUBLE_EQ(at(R"({"between": 0.25})"), clearest + 0.25 * (1023 - clearest));
+  EXPECT_DOUBLE_EQ(at(R"({"between": -0.25})"), clearest - 0.25 * (clearest + 1024));
 }
 
 TEST(Preset, SetsWhatItSaysResetsTheLookAndLeavesTheRest) {

@@ -1,7 +1,13 @@
 // Where further isosurfaces lie that nobody has placed.
 #include "scene/rules/automatic.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "scene/camera.h"
 
 namespace isolux::scene {
 namespace {
@@ -58,6 +64,51 @@ TEST(Automatic, FurtherSurfacesShareNoSuggestion) {
   resolved = resolve(scene, facts);
   EXPECT_EQ(resolved.extraIsosurfaces[1].value, 20.0);
   EXPECT_EQ(resolved.extraIsosurfaces[2].value, 61.0);
+}
+
+// A ball's outline beside the middle of the box.
+VolumeFacts factsWithOutline() {
+  VolumeFacts facts = factsOf({50.0}, 50.0, 0.0, 250.0);
+  facts.contrastIsovalue = 120.0;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double sign : {-1.0, 1.0}) {
+      glm::dvec3 point(20.0);
+      point[axis] += sign * 10.0;
+      facts.outlineMm.push_back(point);
+    }
+  facts.toEye = glm::normalize(glm::dvec3(1, -1, 1));
+  facts.up = {0, 0, 1};
+  return facts;
+}
+
+TEST(Automatic, ACameraFramesTheOutlineFromItsSide) {
+  const VolumeFacts facts = factsWithOutline();
+  const Camera camera = resolve(Scene{}, facts).camera;
+  EXPECT_LT(glm::distance(*camera.target, glm::dvec3(20.0)), 1.0);
+  EXPECT_GT(glm::dot(glm::normalize(*camera.eye - *camera.target), facts.toEye), 1.0 - 1e-9);
+  const double tangent = std::tan(glm::radians(0.5 * camera.fov));
+  EXPECT_LT(glm::distance(*camera.eye, *camera.target) * tangent, 13.0) << "10 mm fill half of the height";
+  EXPECT_EQ(framed(camera, facts), camera);
+  const Camera wide = fittedTo(camera, facts, {0.5, 1.0});
+  EXPECT_GT(glm::distance(*wide.eye, *wide.target), 1.5 * glm::distance(*camera.eye, *camera.target));
+  Scene chosen;
+  chosen.camera = zoomed(camera, 1.5);
+  EXPECT_EQ(fittedTo(chosen.camera, facts, {0.5, 1.0}), chosen.camera) << "somebody has chosen it";
+}
+
+TEST(Automatic, OfSessionsOfBeforeIsAsItWas) {
+  VolumeFacts facts = factsWithOutline();
+  Scene before;
+  before.camera.frames = Frames::volume;
+  before.isosurface.suggestion = Suggestion::contrast;
+  const Scene resolved = resolve(before, facts);
+  EXPECT_EQ(resolved.isosurface.value, 120.0);
+  EXPECT_EQ(resolve(Scene{}, facts).isosurface.value, 50.0);
+  EXPECT_EQ(*resolved.camera.target, glm::dvec3(50.0)) << "the middle of the box";
+  facts.outlineMm.clear();
+  Camera front = resolve(Scene{}, facts).camera;
+  front.frames = Frames::volume;
+  EXPECT_EQ(front, resolved.camera) << "as where no outline is known";
 }
 
 }  // namespace
