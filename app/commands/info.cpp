@@ -68,6 +68,7 @@ ordered_json infoJson(const PreparedVolume& prepared, const InfoMeasures& measur
   json["missing"] = grid.missingCount();
   json["labels"] = v.labels;
   json["suggested_isovalue"] = isovalue;
+  json["contrast_isovalue"] = prepared.facts.contrastIsovalue;
   const scene::NoiseModel& noise = measured.noise;
   json["noise"] = {{"values", noise.values},
                    {"deviations", noise.deviations},
@@ -150,6 +151,14 @@ std::string histogramBar(const volume::Histogram& histogram) {
   return bar;
 }
 
+std::string suggestionText(const PreparedVolume& prepared, const std::string& unit) {
+  const auto [first, clearest] = std::pair(prepared.facts.suggestedIsovalue, prepared.facts.contrastIsovalue);
+  const std::string text = base::shortText(first) + unit + " (suggested";
+  if (first == clearest) return text + ")";
+  return text + ": the border of the whole object; the clearest border within it is at " +
+         base::shortText(clearest) + unit + ")";
+}
+
 void printText(const PreparedVolume& prepared, const InfoMeasures& measured, std::ostream& out) {
   const volume::Volume& v = prepared.volume;
   const volume::Grid& grid = prepared.grid();
@@ -181,7 +190,7 @@ void printText(const PreparedVolume& prepared, const InfoMeasures& measured, std
   row("missing", std::to_string(grid.missingCount()) + " voxels");
   row("histogram", histogramBar(prepared.histogram));
   row("peaks", peaksText(prepared.histogram));
-  row("isovalue", base::shortText(isovalue) + unit + " (suggested)");
+  row("isovalue", suggestionText(prepared, unit));
   row("noise", noiseText(measured.noise, isovalue, unit));
   row("curvature at", scaleText(measured.choice.scaleMm, measured.choice.scaleReason));
   row("normals at", scaleText(measured.choice.normalScaleMm, measured.choice.normalReason));

@@ -15,6 +15,8 @@ namespace isolux::app {
 
 namespace {
 
+constexpr double kBetweenLetters = 0.88;  // of the picture's width and height
+
 scene::Camera framedSurface(const scene::Scene& resolved, const volume::PreparedVolume& volume, double aspect,
                             base::Progress& progress) {
   const scene::Camera& camera = resolved.camera;
@@ -30,8 +32,10 @@ scene::Camera framedSurface(const scene::Scene& resolved, const volume::Prepared
 scene::Camera framedOutline(const scene::Scene& resolved, const volume::PreparedVolume& volume, double aspect,
                             base::Progress& progress) {
   const auto outline = volume::surfaceOutline(volume, resolved, false, progress);
-  return outline.pointsMm.empty() ? resolved.camera
-                                  : scene::framing(resolved.camera, {aspect, 1.0}, outline.pointsMm);
+  const double part = resolved.picture.letters ? kBetweenLetters : 1.0;
+  return outline.pointsMm.empty()
+             ? resolved.camera
+             : scene::framing(resolved.camera, part * glm::dvec2(aspect, 1.0), outline.pointsMm);
 }
 
 // By name and turned: everything but how near.

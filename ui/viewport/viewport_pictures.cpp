@@ -117,10 +117,10 @@ void Viewport::resizeEvent(QResizeEvent* event) {
   Q_EMIT resized();
 }
 
-// Only across: of pictures that are wider than high the view is that of `isolux render`.
 glm::dvec2 Viewport::fittingRoom(glm::ivec2 pixels, double ratio) {
   const double letter = std::min(std::max(34.0 * ratio, 0.06 * pixels.x), 0.3 * pixels.x);
-  return {(pixels.x - 2.0 * letter) / pixels.y, 1.0};
+  const double line = std::min(26.0 * ratio, 0.1 * pixels.y);
+  return {(pixels.x - 2.0 * letter) / pixels.y, 1.0 - 2.0 * line / pixels.y};
 }
 
 glm::ivec2 Viewport::pixelSize() const {
