@@ -22,7 +22,7 @@ constexpr double kFlatFacing = 0.95;                     // cosine
 constexpr double kLeastFlat = 0.03, kMuchFlatter = 2.5;  // share of the samples; times the habitual side's
 constexpr std::size_t kFewestSamples = 500;              // samples that tell anything
 constexpr std::size_t kPixels = 64;                      // of the picture that visible area is measured in
-constexpr double kPlain = 0.5;        // what a pixel without relief shows, in parts of a sharp edge's
+constexpr double kPlain = 0.1;        // what a pixel without relief shows, in parts of an edge's
 constexpr double kMostSlanted = 4.0;  // area of a pixel that is seen at a grazing angle
 
 double radiansOf(double degrees) {

@@ -84,11 +84,12 @@ VolumeFacts factsWithOutline() {
 TEST(Automatic, ACameraFramesTheOutlineFromItsSide) {
   const VolumeFacts facts = factsWithOutline();
   const Camera camera = resolve(Scene{}, facts).camera;
-  EXPECT_LT(glm::distance(*camera.target, glm::dvec3(20.0)), 1.0);
+  EXPECT_LT(glm::distance(*camera.target, glm::dvec3(20.0)), 2.0);
   EXPECT_GT(glm::dot(glm::normalize(*camera.eye - *camera.target), facts.toEye), 1.0 - 1e-9);
   const double tangent = std::tan(glm::radians(0.5 * camera.fov));
   EXPECT_LT(glm::distance(*camera.eye, *camera.target) * tangent, 13.0) << "10 mm fill half of the height";
-  EXPECT_EQ(framed(camera, facts), camera);
+  const Camera again = framed(camera, facts);
+  EXPECT_LT(glm::distance(*again.eye, *camera.eye) + glm::distance(*again.target, *camera.target), 1e-9);
   const Camera wide = fittedTo(camera, facts, {0.5, 1.0});
   EXPECT_GT(glm::distance(*wide.eye, *wide.target), 1.5 * glm::distance(*camera.eye, *camera.target));
   Scene chosen;
