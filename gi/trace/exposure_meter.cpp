@@ -89,6 +89,7 @@ scene::Scene meteredScene(const scene::Scene& resolved) {
     scene.gi.mode = scene::GiMode::irradiance;
   scene.gi.bounces = std::min(resolved.gi.bounces, kMostBouncesMetered);
   scene.gi.rouletteDepth = resolved.gi.rouletteDepth;
+  scene.camera.frames = scene::Frames::volume;  // from the front, whatever is framed
   return scene;
 }
 
