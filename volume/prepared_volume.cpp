@@ -215,8 +215,8 @@ std::shared_ptr<PreparedVolume> withBlocks(Volume volume, std::shared_ptr<const 
   prepared->volume = std::move(volume);
   prepared->blocks = std::move(blocks);
   prepared->cubicFields = std::make_shared<CubicFields>(prepared->volume.grid);
-  prepared->derivativeChoices =
-      std::make_shared<DerivativeChoices>(prepared->volume.grid, prepared->blocks, prepared->volume.noise);
+  prepared->derivativeChoices = std::make_shared<DerivativeChoices>(
+      prepared->volume.grid, prepared->blocks, prepared->volume.noise, prepared->volume.isMesh);
   prepared->stillHits = std::make_shared<StillHits>(prepared->volume.grid, prepared->blocks);
   prepared->pieces = std::make_shared<PieceSets>(prepared->volume.grid, prepared->blocks);
   prepared->secondVolumes = std::make_shared<SecondVolumes>(prepared->volume.grid);

@@ -63,6 +63,7 @@ struct Volume {
   std::string damage;                 // what could not be read, a line; "": all could (Source::aroundDamage)
   std::optional<double> isovalue;     // the one to show first, where the source knows it
   std::optional<double> noise;        // of a voxel, data units, where the source knows it
+  bool isMesh = false;                // a distance field: what is rough about it is the mesh's own
   int labels = 0;                     // of a label map (volume/statistics/label_map.h); 0: it is none
   std::vector<std::string> seriesChoices;  // DICOM: "UID<TAB>description, N slices"
   std::vector<std::string> warnings;  // one line each: converted, resampled, missing voxels, ignored fields

@@ -223,7 +223,7 @@ DerivativeChoice DerivativeChoices::choose(const DerivativeQuestion& question,
   } else {
     ScaleLadder ladder(*grid_, pointsWithin(*grid_, *blocks_, question.isovalue), model.correlation);
     choice = choiceOf(ladder, searchScales(ladder, question, noise, progress), *grid_, noise,
-                      scene::meanBlur(model.correlation) >= kLikeDetail);
+                      isMesh_ || scene::meanBlur(model.correlation) >= kLikeDetail);
   }
   const std::lock_guard lock(mutex_);
   if (kept_.size() >= kMostKept) kept_.erase(kept_.begin());

@@ -40,9 +40,11 @@ struct DerivativeQuestion {
 class DerivativeChoices {
  public:
   // knownNoise: of a voxel, where somebody knows it; of data without any all is said at once: scale 0.
+  // isMesh: of a distance field, whose roughness counts as noise for curvature (facets, and voxels between
+  // them, have none), but is what normals show.
   DerivativeChoices(std::shared_ptr<const Grid> grid, std::shared_ptr<const MinMaxBlocks> blocks,
-                    std::optional<double> knownNoise = {})
-      : grid_(std::move(grid)), blocks_(std::move(blocks)), knownNoise_(knownNoise) {}
+                    std::optional<double> knownNoise = {}, bool isMesh = false)
+      : grid_(std::move(grid)), blocks_(std::move(blocks)), knownNoise_(knownNoise), isMesh_(isMesh) {}
 
   // Of the whole volume. Throws Error{interrupted}, as all that take a Progress.
   scene::NoiseModel noise(base::Progress& progress) const;
@@ -63,6 +65,7 @@ class DerivativeChoices {
   std::shared_ptr<const Grid> grid_;
   std::shared_ptr<const MinMaxBlocks> blocks_;
   std::optional<double> knownNoise_;
+  bool isMesh_;
   mutable std::mutex mutex_;  // held for moments
   mutable std::optional<scene::NoiseModel> noise_;
   mutable std::vector<Kept> kept_;  // the latest last

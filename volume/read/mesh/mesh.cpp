@@ -107,7 +107,7 @@ Volume distanceVolume(TriangleMesh mesh, const std::string& format, const std::s
   volume.unit = "mm";
   volume.axes = scene::WorldAxes::yUp;
   volume.isovalue = 0.0;
-  volume.noise = 0.0;  // what is rough about it is the mesh
+  volume.isMesh = true;
   volume.warnings.emplace_back("a mesh: turned into its signed distance, positive inside; 1 unit = 1 mm");
   const GridGeometry geometry = geometryFor(mesh, options);
   checkBudget(geometry.voxelCount() * sizeof(float), "the distance field",
