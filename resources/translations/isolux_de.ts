@@ -4971,6 +4971,14 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <source>the surface has no opacity</source>
         <translation>die Fläche hat keine Deckkraft</translation>
     </message>
+    <message>
+        <source>the camera is given</source>
+        <translation>die Kamera ist gegeben</translation>
+    </message>
+    <message>
+        <source>the isovalue is given</source>
+        <translation>der Isowert ist gegeben</translation>
+    </message>
 </context>
 <context>
     <name>sentences</name>
@@ -5638,10 +5646,6 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Der Isowert der Oberfläche des zweiten Volumens, in dessen Einheiten; auto nimmt den vorgeschlagenen.</translation>
     </message>
     <message>
-        <source>The isovalue; auto takes the one suggested by the histogram.</source>
-        <translation>Der Isowert; auto nimmt den, den das Histogramm vorschlägt.</translation>
-    </message>
-    <message>
         <source>The isovalues of interest, low and high; auto is a twentieth of the volume&apos;s range about the isovalue.</source>
         <translation>Die wichtigen Isowerte, von und bis; auto ist ein Zwanzigstel des Wertebereichs um den Isowert.</translation>
     </message>
@@ -5664,10 +5668,6 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <message>
         <source>The part of the directions that is drawn from the environment instead of the surface; auto is 0.75 under a light probe, 0.5 with more than one bounce.</source>
         <translation>Der Anteil der Richtungen, der nach der Umgebung statt nach der Oberfläche gewählt wird; auto ist 0.75 unter einem Umgebungsbild, 0.5 bei mehr als einer Reflexion.</translation>
-    </message>
-    <message>
-        <source>The point looked at and turned about; auto is the centre of the volume.</source>
-        <translation>Der Punkt, auf den geblickt und um den gedreht wird; auto ist die Mitte des Volumens.</translation>
     </message>
     <message>
         <source>The radiance of a sky of one colour, where there is no light probe; auto is none.</source>
@@ -5838,10 +5838,6 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Wo sich die drei Schichten treffen; auto ist die Mitte des Volumens.</translation>
     </message>
     <message>
-        <source>Where the viewer is; auto looks from the front, slightly above, at the whole volume.</source>
-        <translation>Wo der Betrachter ist; auto blickt von vorn, leicht von oben, auf das ganze Volumen.</translation>
-    </message>
-    <message>
         <source>Whether distant things look smaller.</source>
         <translation>Ob Fernes kleiner aussieht.</translation>
     </message>
@@ -5960,6 +5956,26 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <message>
         <source>A line on the finished picture for each thing that it leaves out or that nobody measured: pieces that are hidden, missing slices that are interpolated. Without any, nothing is written.</source>
         <translation>Eine Zeile auf dem fertigen Bild für alles, was es weglässt oder was niemand gemessen hat: verborgene Teile, fehlende Schichten, die interpoliert sind. Ohne solches steht nichts da.</translation>
+    </message>
+    <message>
+        <source>The isovalue; auto is by isosurface.suggestion.</source>
+        <translation>Der Isowert; auto richtet sich nach isosurface.suggestion.</translation>
+    </message>
+    <message>
+        <source>The point looked at and turned about; auto is the centre of what is framed.</source>
+        <translation>Der Punkt, auf den geblickt und um den gedreht wird; auto ist die Mitte dessen, was das Bild füllt.</translation>
+    </message>
+    <message>
+        <source>What an automatic isovalue is: the border of the whole object to what surrounds it (skin in a scan of a head), or the clearest border within it (often bone).</source>
+        <translation>Was ein automatischer Isowert ist: die Grenze des ganzen Objekts zu dem, was es umgibt (Haut in einer Aufnahme eines Kopfes), oder die deutlichste Grenze darin (oft Knochen).</translation>
+    </message>
+    <message>
+        <source>What fills the picture of an automatic camera: the surface, a patient&apos;s from the front, anything else&apos;s from where most of it is seen; or the volume, from the front.</source>
+        <translation>Was das Bild einer automatischen Kamera füllt: die Oberfläche, die eines Patienten von vorn, jede andere von dort, wo am meisten von ihr zu sehen ist; oder das Volumen, von vorn.</translation>
+    </message>
+    <message>
+        <source>Where the viewer is; auto is by camera.frames.</source>
+        <translation>Wo der Betrachter ist; auto richtet sich nach camera.frames.</translation>
     </message>
 </context>
 <context>
@@ -8077,6 +8093,26 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <message>
         <source>caveats</source>
         <translation>Vorbehalte</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Ausschnitt</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>Suggestion</source>
+        <translation>Vorschlag</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>Ausschnitt</translation>
+    </message>
+    <message>
+        <source>suggestion</source>
+        <translation>Vorschlag</translation>
     </message>
 </context>
 </TS>

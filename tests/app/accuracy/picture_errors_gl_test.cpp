@@ -68,7 +68,7 @@ class PictureErrorsGlTest : public test::ExecutorsGlTest {
   Judged judge(const std::shared_ptr<const volume::PreparedVolume>& volume, Scene scene,
                glm::ivec2 size = {256, 256}) {
     base::Progress progress;
-    scene = scene::resolve(scene, volume->facts);
+    scene = scene::resolve(pinned(std::move(scene)), volume->facts);
     completeFields(scene, *volume, true, progress);
     const Drawn drawn = draw(volume, scene, size);
     const PictureErrors bounds = pictureErrors(*volume, scene, drawn.hits, progress);

@@ -23,13 +23,15 @@ class FileVoxelsGl : public testing::Test {
     const RunResult made = isolux({"phantom", name, "--size", size, "--out", file});
     ASSERT_EQ(made.exitCode, 0) << made.err;
   }
-  // By shaders, of bricks in the smallest cache.
+  // By shaders, of bricks in the smallest cache. An automatic camera frames the volume, as it can frame the
+  // surface of voxels in memory only.
   RunResult render(const std::string& file, const std::string& out, const std::string& voxels,
                    const std::vector<std::string>& more = {}) {
     std::vector<std::string> all{"render", file, "--out", out, "--size", "200x160"};
     for (const char* set : {"picture.executor=gpu", "memory.layout=bricks", "memory.gpu_budget_mb=16",
                             "memory.ram_budget_mb=16", "derivatives.scale=0", "derivatives.normal_scale=0",
-                            "derivatives.noise=0", "picture.rest_hits=same"})
+                            "derivatives.noise=0", "picture.rest_hits=same", "camera.frames=volume",
+                            "isosurface.suggestion=contrast"})
       all.insert(all.end(), {"--set", set});
     all.insert(all.end(), {"--set", "memory.voxels=" + voxels});
     all.insert(all.end(), more.begin(), more.end());

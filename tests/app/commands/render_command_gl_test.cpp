@@ -71,8 +71,8 @@ TEST(RenderCommandGl, APictureCarriesWhatWasChosenAndNoMore) {
 
 TEST(RenderCommandGl, AovsAreNamedFloatChannelsWithNanWhereNothingIsHit) {
   const fs::path folder = test::temporaryFolder();
-  succeed({"render", "phantom:ball:32", "--size", "41x41", "--aov", "position,depth,value_error,hit", "--out",
-           "a.exr"},
+  succeed({"render", "phantom:ball:32", "--size", "41x41", "--aov", "position,depth,value_error,hit", "--set",
+           "camera.frames=volume", "--out", "a.exr"},
           folder);
   const auto input = OIIO::ImageInput::open((folder / "a.exr").string());
   ASSERT_TRUE(input);

@@ -108,6 +108,8 @@ std::span<const PictureScene> pictureScenes() {
 
 scene::Scene sceneOf(const PictureScene& scene) {
   scene::Scene result;
+  result.camera.frames = scene::Frames::volume;
+  result.isosurface.suggestion = scene::Suggestion::contrast;
   for (const std::string& setting : scene.settings) scene::applyAssignment(result, setting);
   return result;
 }

@@ -170,7 +170,7 @@ class EverySettingGlTest : public RenderGlTest, public ::testing::WithParamInter
     scene::Scene scene;
     for (const char* assignment : assignments) scene::applyAssignment(scene, assignment);
     scene::setting("look.mode").set(scene, GetParam());
-    scene = scene::resolve(scene, volume_->facts);
+    scene = scene::resolve(pinned(std::move(scene)), volume_->facts);
     together_ = scene;
     const Hashes images = drawnFresh(scene).images;
     ASSERT_EQ(draw(*renderer_, scene).images, images);

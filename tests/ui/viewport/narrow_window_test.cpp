@@ -13,17 +13,23 @@ namespace {
 class NarrowWindowTest : public WindowTest {
  protected:
   ui::Viewport* viewport() { return window_->viewport(); }
-  // The largest part of the picture's half width and height that a corner of the volume is at.
-  glm::dvec2 reach() {
+  std::vector<glm::dvec3> framed() {
     const scene::VolumeFacts& facts = window_->document()->volume()->facts;
+    if (window_->document()->scene().camera.frames == scene::Frames::surface) return facts.outlineMm;
+    std::vector<glm::dvec3> corners;
+    for (int i = 0; i < 8; ++i)
+      corners.emplace_back(i & 1 ? facts.boundsMaxMm.x : facts.boundsMinMm.x,
+                           i & 2 ? facts.boundsMaxMm.y : facts.boundsMinMm.y,
+                           i & 4 ? facts.boundsMaxMm.z : facts.boundsMinMm.z);
+    return corners;
+  }
+  // The largest part of the picture's half width and height that something framed is at.
+  glm::dvec2 reach() {
     const scene::CameraFrame f = scene::frameOf(window_->document()->resolvedScene().camera);
     const double aspect = static_cast<double>(viewport()->width()) / viewport()->height();
     glm::dvec2 most(0.0);
-    for (int i = 0; i < 8; ++i) {
-      const glm::dvec3 corner(i & 1 ? facts.boundsMaxMm.x : facts.boundsMinMm.x,
-                              i & 2 ? facts.boundsMaxMm.y : facts.boundsMinMm.y,
-                              i & 4 ? facts.boundsMaxMm.z : facts.boundsMinMm.z);
-      const glm::dvec3 v = corner - f.eye;
+    for (const glm::dvec3& point : framed()) {
+      const glm::dvec3 v = point - f.eye;
       const double scale = f.halfHeight * -glm::dot(v, f.back);
       most.x = std::max(most.x, std::abs(glm::dot(v, f.right)) / (scale * aspect));
       most.y = std::max(most.y, std::abs(glm::dot(v, f.up)) / scale);
@@ -34,10 +40,37 @@ class NarrowWindowTest : public WindowTest {
     window_->resize(800, 900);
     ASSERT_TRUE(waitUntil([&] { return viewport()->width() < viewport()->height(); }));
   }
+  void makeWide() {
+    window_->resize(1200, 640);
+    ASSERT_TRUE(waitUntil([&] { return viewport()->width() > 1.3 * viewport()->height(); }));
+  }
 };
 
 TEST_F(NarrowWindowTest, TheViewFitsItAsLongAsNobodyHasTurnedIt) {
   ASSERT_TRUE(load(*window_, "phantom:head:24"));
+  const scene::Scene before = window_->document()->scene();
+  ASSERT_GT(framed().size(), 8u);
+  makeNarrow();
+  EXPECT_EQ(window_->document()->scene(), before) << "nothing is edited";
+  for (const auto view : {scene::StandardView::left, scene::StandardView::superior}) {
+    EXPECT_LT(reach().x, 0.95) << "clear of the letters, too";
+    EXPECT_LE(reach().y, 1.0);
+    viewport()->applyStandardView(view);
+  }
+  EXPECT_LT(reach().x, 0.95);
+  viewport()->resetView();
+  const scene::Camera narrow = window_->document()->resolvedScene().camera;
+  makeWide();
+  EXPECT_NE(window_->document()->resolvedScene().camera, narrow);
+  EXPECT_LT(reach().x, 0.95);
+  EXPECT_LE(reach().y, 1.0);
+}
+
+TEST_F(NarrowWindowTest, AViewOfTheVolumeIsInEveryWideWindowTheSame) {
+  ASSERT_TRUE(load(*window_, "phantom:head:24"));
+  ui::Edit edit{window_->document()->scene(), "Frames", {}, false};
+  edit.scene.camera.frames = scene::Frames::volume;
+  window_->document()->edit(edit);
   const scene::Scene before = window_->document()->scene();
   const scene::Camera wide = window_->document()->resolvedScene().camera;
   makeNarrow();
@@ -49,8 +82,7 @@ TEST_F(NarrowWindowTest, TheViewFitsItAsLongAsNobodyHasTurnedIt) {
     EXPECT_LT(reach().x, 0.95);
   }
   viewport()->resetView();
-  window_->resize(1200, 640);
-  ASSERT_TRUE(waitUntil([&] { return viewport()->width() > 1.3 * viewport()->height(); }));
+  makeWide();
   EXPECT_EQ(window_->document()->resolvedScene().camera, wide);
 }
 
