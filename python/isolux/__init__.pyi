@@ -24,7 +24,8 @@ SettingsDict = TypedDict("SettingsDict", {
     "source.csg_path": str | os.PathLike[str],  # The second volume, as source.path. A phantom without SIZE is made on the first volume's grid.
     "source.csg_value": float | Literal["auto"] | None,  # The isovalue of the second volume's surface, in its own units; auto takes the suggested one.
     "isosurface.name": str | os.PathLike[str],  # What the surface is called in lists and at its line on the histogram.
-    "isosurface.value": float | Literal["auto"] | None,  # The isovalue; auto takes the one suggested by the histogram.
+    "isosurface.value": float | Literal["auto"] | None,  # The isovalue; auto is by isosurface.suggestion.
+    "isosurface.suggestion": Literal["object", "contrast"],  # What an automatic isovalue is: the border of the whole object to what surrounds it (skin in a scan of a head), or the clearest border within it (often bone).
     "isosurface.inside": Literal["above", "below"],  # Which side of the isovalue is solid; the normal points away from it.
     "isosurface.albedo": Sequence[Any] | str,  # The diffuse reflectance of the surface.
     "isosurface.albedo_source": Literal["color", "map"],  # Whether isosurfaces have the reflectances given, or those of a colour map over the isovalue.
@@ -198,9 +199,10 @@ SettingsDict = TypedDict("SettingsDict", {
     "gi.sh_window": float,  # Damps high bands of the environment against ringing.
     "gi.components": int,  # Stored transfer is compressed to at most this many principal components.
     "gi.component_bits": int,  # On average: those that vary more get more. A texel's bits are rounded up to 32.
-    "camera.eye": Sequence[Any] | str | Literal["auto"] | None,  # Where the viewer is; auto looks from the front, slightly above, at the whole volume.
-    "camera.target": Sequence[Any] | str | Literal["auto"] | None,  # The point looked at and turned about; auto is the centre of the volume.
+    "camera.eye": Sequence[Any] | str | Literal["auto"] | None,  # Where the viewer is; auto is by camera.frames.
+    "camera.target": Sequence[Any] | str | Literal["auto"] | None,  # The point looked at and turned about; auto is the centre of what is framed.
     "camera.up": Sequence[Any] | str | Literal["auto"] | None,  # The direction that points up in the picture; auto is superior (y for meshes), or anterior (the front) when looking along it.
+    "camera.frames": Literal["surface", "volume"],  # What fills the picture of an automatic camera: the surface, a patient's from the front, anything else's from where most of it is seen; or the volume, from the front.
     "camera.fov": float,  # Vertical field of view; an orthographic picture is as high as this at the target's distance.
     "camera.projection": Literal["perspective", "orthographic"],  # Whether distant things look smaller.
     "picture.supersampling": int,  # Anti-aliasing of a picture at rest.

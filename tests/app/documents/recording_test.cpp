@@ -140,7 +140,7 @@ TEST(Recording, EveryStepIsOnDiskAtOnce) {
 
 TEST(Recording, AcceptsBlankLinesAndNoNameAndADefaultScene) {
   const fs::path file = test::temporaryFolder() / "r.jsonl";
-  std::ofstream(file) << "{\"isolux_recording\": 3}\n\n{\"time\": 0, \"set\": {}}\r\n   \n";
+  std::ofstream(file) << "{\"isolux_recording\": 4}\n\n{\"time\": 0, \"set\": {}}\r\n   \n";
   const Recording recording = loadRecording(file);
   EXPECT_TRUE(recording.start == Scene{});
   EXPECT_EQ(recording.steps.size(), 1u);
@@ -151,7 +151,7 @@ TEST(Recording, BadLinesAreNamed) {
   EXPECT_THAT(refusal(""), HasSubstr("line 1"));
   EXPECT_THAT(refusal("{}\n"), AllOf(HasSubstr("line 1"), HasSubstr("not a recording")));
   EXPECT_THAT(refusal("nonsense\n"), AllOf(HasSubstr("line 1"), HasSubstr("JSON")));
-  EXPECT_THAT(refusal("{\"isolux_recording\": 4}\n"), HasSubstr("versions 1 to 3"));
+  EXPECT_THAT(refusal("{\"isolux_recording\": 5}\n"), HasSubstr("versions 1 to 4"));
   EXPECT_THAT(refusal("{\"isolux_recording\": 1, \"scene\": {\"camera\": {\"fow\": 1}}}\n"),
               AllOf(HasSubstr("line 1"), HasSubstr("camera.fow")));
   EXPECT_THAT(refusal("{\"isolux_recording\": 1, \"extra\": 1}\n"), HasSubstr("extra"));

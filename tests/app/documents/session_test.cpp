@@ -107,7 +107,7 @@ TEST(Session, RoundTripsThroughAFile) {
 
 TEST(Session, IsVersionedJson) {
   const json stored = json::parse(sessionText(someScene(), "/data"));
-  EXPECT_EQ(stored["isolux_session"], 6);
+  EXPECT_EQ(stored["isolux_session"], 7);
   EXPECT_TRUE(stored["program"].is_string());
   EXPECT_EQ(stored["scene"]["look"]["mode"], "normal");
 }
@@ -248,8 +248,8 @@ TEST(Session, EqualKeysAreRefused) {
 }
 
 TEST(Session, FutureVersionsSaySo) {
-  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 7, "scene": {"new": 1}})"),
-              AllOf(HasSubstr("version 6"), HasSubstr("newer Isolux")));
+  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 8, "scene": {"new": 1}})"),
+              AllOf(HasSubstr("version 7"), HasSubstr("newer Isolux")));
   EXPECT_THAT(sessionRefusal(R"({"isolux_session": 18446744073709551615})"), HasSubstr("newer Isolux"));
 }
 
