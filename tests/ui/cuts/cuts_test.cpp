@@ -33,7 +33,10 @@ class CutsTest : public WindowTest {
   void SetUp() override {
     WindowTest::SetUp();
     ASSERT_TRUE(load(*window_, "phantom:ball:48"));
-    edit([](scene::Scene& scene) { scene.camera.projection = scene::Projection::orthographic; });
+    edit([](scene::Scene& scene) {
+      scene.camera.projection = scene::Projection::orthographic;
+      scene.camera.frames = scene::Frames::volume;  // from the front
+    });
   }
   void TearDown() override {
     QSettings().remove("cuts/handles");
