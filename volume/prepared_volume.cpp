@@ -65,6 +65,11 @@ BlockBox boxOfBlocks(const MinMaxBlocks& blocks, const IsWanted& isWanted, base:
   return all;
 }
 
+double mostFrequent(const Histogram& histogram) {
+  const auto most = std::max_element(histogram.counts.begin(), histogram.counts.end());
+  return histogram.binCentre(static_cast<std::size_t>(std::distance(histogram.counts.begin(), most)));
+}
+
 // Where the user will look: the world box of the blocks with structure in them, i.e. a surface of the
 // suggested isovalue, or of the one half-way from the most frequent value (the background) to it, or a tenth
 // of the whole range of values. So dragging the isovalue from bone down to skin stays in the picture, while
@@ -79,9 +84,7 @@ void setBounds(PreparedVolume& prepared, base::Progress& progress) {
 
   glm::ivec3 low(0), high = grid.dims() - 1;
   if (!histogram.counts.empty()) {
-    const auto most = std::max_element(histogram.counts.begin(), histogram.counts.end());
-    const double background =
-        histogram.binCentre(static_cast<std::size_t>(std::distance(histogram.counts.begin(), most)));
+    const double background = mostFrequent(histogram);
     const auto upper = static_cast<float>(grid.storedOfValue(facts.suggestedIsovalue));
     const auto lower = static_cast<float>(grid.storedOfValue(0.5 * (background + facts.suggestedIsovalue)));
     const auto contrast =
@@ -228,10 +231,7 @@ std::shared_ptr<PreparedVolume> withBlocks(Volume volume, std::shared_ptr<const 
 double awayFromNoise(const PreparedVolume& prepared, double isovalue, double contrast,
                      base::Progress& progress) {
   constexpr double deviations = 3.5;
-  const Histogram& histogram = prepared.histogram;
-  const auto most = std::max_element(histogram.counts.begin(), histogram.counts.end());
-  const double background =
-      histogram.binCentre(static_cast<std::size_t>(std::distance(histogram.counts.begin(), most)));
+  const double background = mostFrequent(prepared.histogram);
   const double away = deviations * prepared.derivativeChoices->noise(progress).at(isovalue);
   if (isovalue > background) return std::max(isovalue, std::min(background + away, contrast));
   return std::min(isovalue, std::max(background - away, contrast));

@@ -57,7 +57,8 @@ nlohmann::json lightAsBefore(nlohmann::json stored);
 // of them, and the colours of tone as they were.
 nlohmann::json derivativesAsBefore(nlohmann::json stored);
 
-// Of before automatic cameras framed the surface and automatic isovalues were those of the whole object.
+// Keeps what a stored scene meant before automatic cameras framed the surface and automatic isovalues were
+// those of the whole object.
 nlohmann::json firstPictureAsBefore(nlohmann::json stored);
 
 // `stored` must be an object with no other keys than the `known` ones; `place` as above.

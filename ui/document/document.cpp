@@ -12,7 +12,7 @@
 #include "app/files/files.h"
 #include "app/files/image_io.h"
 #include "app/files/output_guard.h"
-#include "scene/framing.h"
+#include "scene/rules/automatic.h"
 #include "scene/scene_diff.h"
 #include "ui/document/privacy.h"
 

@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/interaction/turning.h"
+#include "scene/rules/automatic.h"
 #include "scene/rules/environment.h"
 #include "ui/editors/environment_edit.h"
 #include "ui/language/translated.h"

@@ -13,7 +13,7 @@
 #include "app/documents/session.h"
 #include "app/documents/session_accuracy.h"
 #include "app/files/image_io.h"
-#include "scene/framing.h"
+#include "scene/rules/automatic.h"
 #include "scene/rules/relevance.h"
 #include "ui/accuracy/accuracy_panel.h"
 #include "ui/accuracy/level_zero.h"

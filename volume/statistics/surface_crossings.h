@@ -1,5 +1,5 @@
-// Where the isosurfaces that a scene shows cross the edges of the grid: points of the trilinear surface that
-// cost a comparison each.
+// Finds where the isosurfaces that a scene shows cross the edges of the grid: points of the trilinear surface
+// that cost a comparison each.
 #pragma once
 
 #include <cmath>

@@ -21,7 +21,7 @@ struct SurfaceOutline {
   std::vector<SurfacePoint> samples;  // some ten thousand, evenly over it; only where asked for
 };
 
-// Of what surfaceReach() measures, without specks: groups of blocks that are less than a hundredth of all.
+// Measures what surfaceReach() does, without specks: groups of blocks that are less than a hundredth of all.
 // Empty where no surface is shown, or voxels stay in their file. The same for the same volume, always.
 // `resolved`: scene::resolve of this volume. Throws Error: interrupted; memory, of pieces.
 SurfaceOutline surfaceOutline(const PreparedVolume& volume, const scene::Scene& resolved, bool withSamples,
