@@ -106,8 +106,9 @@ std::string scaleReason(const DerivativeChoice& choice) {
          " of the curvature, larger scales lose more shape";
 }
 
-std::string normalReason(const DerivativeChoice& choice, bool likeDetail) {
-  if (likeDetail) return "what smoothing would take away is alike from voxel to voxel, as detail is";
+// kept: why nothing may be taken away; empty: it may.
+std::string normalReason(const DerivativeChoice& choice, const std::string& kept) {
+  if (!kept.empty()) return kept;
   const auto degrees = [](double radians) {
     return base::shortText(radians * 180.0 / std::numbers::pi, 2) + " degrees";
   };
@@ -137,16 +138,16 @@ std::string noiseReason(double estimated, double believed) {
 
 // Pictures lose no detail: not a voxel's, and none that noise only may be.
 std::size_t normalStep(const ScaleLadder& ladder, const Search& search, const GridGeometry& geometry,
-                       bool likeDetail) {
+                       bool keepsAll) {
   const glm::dvec3 spacing = geometry.spacingMm();
   const double most = 1.001 * std::min({spacing.x, spacing.y, spacing.z});
-  std::size_t step = likeDetail ? 0 : search.normal.step;
+  std::size_t step = keepsAll ? 0 : search.normal.step;
   while (ladder.scaleMm(step) > most) --step;
   return step;
 }
 
 DerivativeChoice choiceOf(const ScaleLadder& ladder, const Search& search, const Grid& grid, double noise,
-                          bool likeDetail) {
+                          const std::string& kept) {
   DerivativeChoice choice;
   choice.noise = search.noise;
   choice.noiseReason = noiseReason(noise, search.noise);
@@ -159,7 +160,7 @@ DerivativeChoice choiceOf(const ScaleLadder& ladder, const Search& search, const
   }
   const double least = search.cleanCurvature ? 0.0 : leastScale(grid.geometry());
   choice.scaleMm = std::max(least, ladder.scaleMm(search.curvature.step));
-  const std::size_t normal = normalStep(ladder, search, grid.geometry(), likeDetail);
+  const std::size_t normal = normalStep(ladder, search, grid.geometry(), !kept.empty());
   choice.normalScaleMm = ladder.scaleMm(normal);
   const auto rms = [&](const ScaleStep& step) { return choice.noise * std::sqrt(step.noise); };
   choice.curvatureNoise[0] = rms(search.measures.curvature[0]);
@@ -170,7 +171,7 @@ DerivativeChoice choiceOf(const ScaleLadder& ladder, const Search& search, const
   choice.scaleReason = choice.scaleMm > ladder.scaleMm(search.curvature.step)
                            ? "four fifths of the distance between slices, which would show as terraces"
                            : scaleReason(choice);
-  choice.normalReason = normalReason(choice, likeDetail && search.normal.step > 0);
+  choice.normalReason = normalReason(choice, search.normal.step > 0 ? kept : "");
   return choice;
 }
 
@@ -221,9 +222,12 @@ DerivativeChoice DerivativeChoices::choose(const DerivativeQuestion& question,
     choice.noiseReason = "differences between neighbouring voxels";
     choice.scaleReason = choice.normalReason = "the trilinear field has no scale";
   } else {
+    std::string kept;
+    if (scene::meanBlur(model.correlation) >= kLikeDetail)
+      kept = "what smoothing would take away is alike from voxel to voxel, as detail is";
+    if (isMesh_) kept = "what is rough about a mesh is its own";
     ScaleLadder ladder(*grid_, pointsWithin(*grid_, *blocks_, question.isovalue), model.correlation);
-    choice = choiceOf(ladder, searchScales(ladder, question, noise, progress), *grid_, noise,
-                      isMesh_ || scene::meanBlur(model.correlation) >= kLikeDetail);
+    choice = choiceOf(ladder, searchScales(ladder, question, noise, progress), *grid_, noise, kept);
   }
   const std::lock_guard lock(mutex_);
   if (kept_.size() >= kMostKept) kept_.erase(kept_.begin());
