@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/number_text.h"
+#include "volume/statistics/interpolated_slices.h"
 #include "volume/statistics/noise_estimate.h"
 #include "volume/statistics/scale_ladder.h"
 #include "volume/statistics/visible_points.h"
@@ -13,21 +14,28 @@ namespace isolux::volume {
 
 namespace {
 
-constexpr std::size_t kPoints = 600;  // at which scales are measured
-constexpr std::size_t kFewest = 30;   // below, nothing is known
+constexpr std::size_t kPoints = 600;       // at which scales are measured
+constexpr std::size_t kManyPoints = 6000;  // at which terraces are looked for
+constexpr std::size_t kFewest = 30;        // below, nothing is known
 // What noise may do at scale 0 before a scale is looked for.
 constexpr double kCleanCurvature = 0.02;                         // of the root mean square
 constexpr double kCleanNormal = 0.5 * std::numbers::pi / 180.0;  // radians
 // Geometric mean over the axes, voxels: noise that is alike over more cannot be told from detail.
 constexpr double kLikeDetail = 0.8;
 constexpr double kRough = 1.2;  // times the noise of voxels
+// Of what is seen, without confidence, before 0 is refused; and what a scale may then add to the error.
+constexpr double kMostUnknown = 0.2, kHardlyMore = 1.15;
+// Terraces of interpolated slices: the power that shows them (by chance once in e^12), and the scale that
+// leaves exp(-2 pi^2 0.6^2) = 0.001 of them, in parts of the distance.
+constexpr double kShownTerraces = 12.0, kTerraces = 0.6;
 constexpr std::size_t kMostKept = 8;
 
 // Away from the border, where samples are repeated.
-std::vector<glm::dvec3> pointsWithin(const Grid& grid, const MinMaxBlocks& blocks, double isovalue) {
+std::vector<glm::dvec3> pointsWithin(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
+                                     std::size_t wanted) {
   constexpr double margin = 2.0;
   std::vector<glm::dvec3> points;
-  for (const VisiblePoint& point : visiblePoints(grid, blocks, isovalue, kPoints)) {
+  for (const VisiblePoint& point : visiblePoints(grid, blocks, isovalue, wanted)) {
     const glm::dvec3 far = glm::dvec3(grid.dims() - 1) - point.voxel;
     const glm::dvec3 near = glm::min(point.voxel, far);
     if (std::min({near.x, near.y, near.z}) >= margin) points.push_back(point.voxel);
@@ -96,12 +104,31 @@ std::string percentText(double part) {
   return base::shortText(100.0 * part, 2) + " %";
 }
 
-std::string scaleReason(const DerivativeChoice& choice) {
+// Where noise hides much of what is seen at scale 0: the scale that is best for the half that bends evenly,
+// of those that are hardly worse for the whole. RMS errors are ruled by edges, pictures by what lies between.
+std::size_t stepOfEvenHalf(const ScaleLadder& ladder, const ScaleErrors& whole) {
+  const ScaleErrors half = scaleErrors(ladder.evenMeasures().curvature, whole.noiseVariance);
+  const auto sum = [](const ScaleErrors& e, std::size_t i) { return e.noise[i] + e.lost[i]; };
+  std::size_t step = 0;
+  for (std::size_t i = 1; i < whole.noise.size(); ++i)
+    if (sum(whole, i) <= kHardlyMore * kHardlyMore * sum(whole, 0) && sum(half, i) < sum(half, step))
+      step = i;
+  return step;
+}
+
+// unknown: the share of what is seen that noise hides at scale 0. refused: which is why there is a scale.
+std::string scaleReason(const DerivativeChoice& choice, double unknown, bool refused) {
   const double* const noise = choice.curvatureNoise;
   const auto part = [&](double of) {
     return percentText(choice.curvature > 0.0 ? of / choice.curvature : 0.0);
   };
-  if (choice.scaleMm == 0.0) return "noise is " + part(noise[0]) + " of the curvature, any scale loses more";
+  const std::string hidden = "hides it on " + percentText(unknown) + " of what is seen";
+  if (choice.scaleMm == 0.0)
+    return "noise is " + part(noise[0]) + " of the curvature" +
+           (unknown > kMostUnknown ? " and " + hidden : "") + ", any scale loses more";
+  if (refused)
+    return "noise is " + part(noise[0]) + " of the curvature and " + hidden +
+           ", smooth parts have less error at this scale and edges hardly more";
   return "noise falls from " + part(noise[0]) + " to " + part(noise[1]) +
          " of the curvature, larger scales lose more shape";
 }
@@ -118,13 +145,36 @@ std::string normalReason(const DerivativeChoice& choice, const std::string& kept
   return "noise turns normals by " + degrees(noise[1]) + " instead of " + degrees(noise[0]);
 }
 
+struct LeastScale {
+  double mm = 0.0;
+  std::string reason;
+};
+
 // Where voxels are much longer one way, slices show as terraces: at half of that length they still do, at
 // this part of it they do not. 0 where voxels are alike, more or less.
-double leastScale(const GridGeometry& geometry) {
+LeastScale scaleOfThickSlices(const GridGeometry& geometry) {
   constexpr double alike = 1.5, part = 0.8;
   const glm::dvec3 spacing = geometry.spacingMm();
   const double most = std::max({spacing.x, spacing.y, spacing.z});
-  return most > alike * std::min({spacing.x, spacing.y, spacing.z}) ? part * most : 0.0;
+  if (most <= alike * std::min({spacing.x, spacing.y, spacing.z})) return {};
+  return {part * most, "four fifths of the distance between slices, which would show as terraces"};
+}
+
+LeastScale scaleOfInterpolatedSlices(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
+                                     const glm::dvec3& noiseBlur, base::Progress& progress) {
+  LeastScale least;
+  const glm::dvec3 slices = interpolatedSlices(grid, progress);
+  if (slices == glm::dvec3(0.0)) return least;
+  ScaleLadder ladder(grid, pointsWithin(grid, blocks, isovalue, kManyPoints), noiseBlur);
+  for (int i = 0; i < 3; ++i) ladder.addScale(progress);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double mm = slices[axis] * grid.geometry().spacingMm()[axis];
+    if (kTerraces * mm <= least.mm || ladder.repetition(axis, slices[axis]) < kShownTerraces) continue;
+    least = {kTerraces * mm, "six tenths of the " + base::shortText(mm, 3) +
+                                 " mm between the slices that the volume was interpolated from, which would "
+                                 "show as terraces"};
+  }
+  return least;
 }
 
 std::string noiseReason(double estimated, double believed) {
@@ -147,7 +197,7 @@ std::size_t normalStep(const ScaleLadder& ladder, const Search& search, const Gr
 }
 
 DerivativeChoice choiceOf(const ScaleLadder& ladder, const Search& search, const Grid& grid, double noise,
-                          const std::string& kept) {
+                          LeastScale least, const std::string& kept) {
   DerivativeChoice choice;
   choice.noise = search.noise;
   choice.noiseReason = noiseReason(noise, search.noise);
@@ -158,19 +208,23 @@ DerivativeChoice choiceOf(const ScaleLadder& ladder, const Search& search, const
                                         : "too little of the surface can be seen to measure it";
     return choice;
   }
-  const double least = search.cleanCurvature ? 0.0 : leastScale(grid.geometry());
-  choice.scaleMm = std::max(least, ladder.scaleMm(search.curvature.step));
+  const double unknown = search.cleanCurvature ? 0.0 : ladder.unknownShare(search.noise);
+  const bool refused = search.curvature.step == 0 && unknown > kMostUnknown;
+  const std::size_t chosen =
+      refused ? stepOfEvenHalf(ladder, search.curvature.errors) : search.curvature.step;
+  if (LeastScale thick = scaleOfThickSlices(grid.geometry()); !search.cleanCurvature && thick.mm > least.mm)
+    least = std::move(thick);
+  choice.scaleMm = std::max(least.mm, ladder.scaleMm(chosen));
   const std::size_t normal = normalStep(ladder, search, grid.geometry(), !kept.empty());
   choice.normalScaleMm = ladder.scaleMm(normal);
   const auto rms = [&](const ScaleStep& step) { return choice.noise * std::sqrt(step.noise); };
   choice.curvatureNoise[0] = rms(search.measures.curvature[0]);
-  choice.curvatureNoise[1] = rms(search.measures.curvature[search.curvature.step]);
+  choice.curvatureNoise[1] = rms(search.measures.curvature[chosen]);
   choice.normalNoise[0] = rms(search.measures.normal[0]);
   choice.normalNoise[1] = rms(search.measures.normal[normal]);
-  choice.curvature = std::sqrt(search.measures.meanSquareCurvature[search.curvature.step]);
-  choice.scaleReason = choice.scaleMm > ladder.scaleMm(search.curvature.step)
-                           ? "four fifths of the distance between slices, which would show as terraces"
-                           : scaleReason(choice);
+  choice.curvature = std::sqrt(search.measures.meanSquareCurvature[chosen]);
+  choice.scaleReason =
+      least.mm > ladder.scaleMm(chosen) ? least.reason : scaleReason(choice, unknown, refused);
   choice.normalReason = normalReason(choice, search.normal.step > 0 ? kept : "");
   return choice;
 }
@@ -226,8 +280,12 @@ DerivativeChoice DerivativeChoices::choose(const DerivativeQuestion& question,
     if (scene::meanBlur(model.correlation) >= kLikeDetail)
       kept = "what smoothing would take away is alike from voxel to voxel, as detail is";
     if (isMesh_) kept = "what is rough about a mesh is its own";
-    ScaleLadder ladder(*grid_, pointsWithin(*grid_, *blocks_, question.isovalue), model.correlation);
-    choice = choiceOf(ladder, searchScales(ladder, question, noise, progress), *grid_, noise, kept);
+    ScaleLadder ladder(*grid_, pointsWithin(*grid_, *blocks_, question.isovalue, kPoints), model.correlation);
+    const Search search = searchScales(ladder, question, noise, progress);
+    LeastScale least;
+    if (question.noise != 0.0 && !isMesh_ && search.measures.points >= kFewest)
+      least = scaleOfInterpolatedSlices(*grid_, *blocks_, question.isovalue, model.correlation, progress);
+    choice = choiceOf(ladder, search, *grid_, noise, std::move(least), kept);
   }
   const std::lock_guard lock(mutex_);
   if (kept_.size() >= kMostKept) kept_.erase(kept_.begin());

@@ -9,7 +9,9 @@
 #include <glm/matrix.hpp>
 
 #include "base/quantiles.h"
+#include "volume/field/curvature.h"
 #include "volume/field/fill_missing.h"
+#include "volume/statistics/interpolated_slices.h"
 
 namespace isolux::volume {
 
@@ -20,7 +22,10 @@ constexpr double kFirstVoxels = 0.7071068;  // 1 / sqrt 3 is what the spline smo
 constexpr int kScales = 6;                  // above 0
 // Squares of all elements of a tangential tensor: two pure derivatives and twice a mixed one.
 constexpr double kTensorNoise = 8.0 / 3.0;
-constexpr std::size_t kWeightStep = 2;  // whose slopes weight points
+constexpr std::size_t kVoxelStep = 2, kTwoVoxelsStep = 4;
+constexpr std::size_t kWeightStep = kVoxelStep;  // whose slopes weight points
+constexpr double kUnknown = 0.5;                 // a confidence below
+constexpr double kOnSlice = 0.97;                // cosine: surfaces along slices cross none
 
 double squareSum(const glm::dmat3& m) {
   return glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]);
@@ -80,19 +85,73 @@ std::vector<char> ScaleLadder::clearPoints() const {
 }
 
 ScaleLadder::Measures ScaleLadder::measures() const {
+  return measuresOf(clearPoints());
+}
+
+ScaleLadder::Measures ScaleLadder::evenMeasures() const {
+  std::vector<char> chosen = clearPoints();
+  std::vector<double> changes(points_.size()), clear;
+  for (std::size_t k = 0; k < points_.size(); ++k) {
+    if (!chosen[k]) continue;
+    changes[k] = squareSum(steps_[kTwoVoxelsStep].points[k].shape - steps_[kVoxelStep].points[k].shape);
+    clear.push_back(changes[k]);
+  }
+  if (!clear.empty()) {
+    const double middle = base::quantile(clear, 0.5);
+    for (std::size_t k = 0; k < points_.size(); ++k) chosen[k] = chosen[k] && changes[k] <= middle;
+  }
+  return measuresOf(chosen);
+}
+
+double ScaleLadder::unknownShare(double noise) const {
+  const CurvatureScale scale = curvatureScale(grid_.geometry(), scene::Field::cubic, noise, noiseBlur_);
+  std::size_t count = 0, unknown = 0;
+  for (const AtPoint& at : steps_[0].points) {
+    if (at.slope == 0.0) continue;
+    ++count;
+    const double sum = at.shape[0][0] + at.shape[1][1] + at.shape[2][2];
+    const double difference = std::sqrt(std::max(0.0, 2.0 * squareSum(at.shape) - sum * sum));
+    const PrincipalCurvature curvature{
+        .kappa1 = 0.5 * (sum + difference), .kappa2 = 0.5 * (sum - difference), .normal = at.normal};
+    if (!(curvatureConfidence(curvature, at.slope * at.normal, scale) >= kUnknown)) ++unknown;
+  }
+  return count > 0 ? static_cast<double>(unknown) / static_cast<double>(count) : 0.0;
+}
+
+double ScaleLadder::repetition(int axis, double period) const {
+  const std::vector<char> clear = clearPoints();
+  const glm::dvec3 across =
+      glm::normalize(glm::transpose(glm::dmat3(grid_.geometry().voxelFromWorld()))[axis]);
+  std::vector<double> bends, sizes, positions;
+  for (std::size_t k = 0; k < points_.size(); ++k) {
+    const AtPoint& smooth = steps_[kVoxelStep].points[k];
+    const double cosine = glm::dot(smooth.normal, across);
+    if (!clear[k] || std::abs(cosine) > kOnSlice) continue;
+    const glm::dvec3 up = glm::normalize(across - cosine * smooth.normal);
+    const double bend = glm::dot(up, (steps_[0].points[k].shape - smooth.shape) * up);
+    bends.push_back(cosine < 0.0 ? -bend : bend);
+    sizes.push_back(std::abs(bend));
+    positions.push_back(points_[k][axis]);
+  }
+  if (bends.empty()) return 0.0;
+  const double most = 2.0 * base::median(sizes);
+  for (double& bend : bends) bend = std::clamp(bend, -most, most);
+  return powerAt(bends, positions, 1.0 / period);
+}
+
+ScaleLadder::Measures ScaleLadder::measuresOf(const std::vector<char>& chosen) const {
   Measures sums;
   const std::size_t count = steps_.size();
   sums.curvature.resize(count);
   sums.normal.resize(count);
   sums.meanSquareCurvature.resize(count);
   if (count == 0) return sums;
-  const std::vector<char> clear = clearPoints();
   const std::vector<AtPoint>& weighting = steps_[std::min(kWeightStep, count - 1)].points;
   double weights = 0.0;
   for (std::size_t k = 0; k < points_.size(); ++k)
-    if (clear[k]) weights += weighting[k].slope * weighting[k].slope;
+    if (chosen[k]) weights += weighting[k].slope * weighting[k].slope;
   for (std::size_t k = 0; k < points_.size(); ++k) {
-    if (!clear[k]) continue;
+    if (!chosen[k]) continue;
     ++sums.points;
     const double weight = weighting[k].slope * weighting[k].slope / weights;
     for (std::size_t i = 0; i < count; ++i) {

@@ -39,6 +39,16 @@ class ScaleLadder {
     std::size_t points = 0;
   };
   Measures measures() const;
+  // The same of the half of these points whose curvature changes least from 1 to 2 voxels. Requires five
+  // scales.
+  Measures evenMeasures() const;
+
+  // The share of all points whose curvature at scale 0 has a confidence below one half (curvature.h), at this
+  // noise of a voxel.
+  double unknownShare(double noise) const;
+  // How much of what scale 0 bends more than a voxel's does, across slices, repeats every `period` voxels
+  // along an axis: power at that frequency (interpolated_slices.h). Requires three scales.
+  double repetition(int axis, double period) const;
 
  private:
   struct AtPoint {
@@ -52,6 +62,7 @@ class ScaleLadder {
     PointNoise noise, noiseWithNext;  // variances; covariances with the next scale's
   };
   std::vector<char> clearPoints() const;
+  Measures measuresOf(const std::vector<char>& chosen) const;
   void fill(base::Progress& progress);
 
   const Grid& grid_;

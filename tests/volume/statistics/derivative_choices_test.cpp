@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include "base/random.h"
 #include "tests/support/analytic_fields.h"
@@ -72,6 +73,47 @@ TEST(DerivativeChoices, ThickSlicesAskForHalfOfTheirDistance) {
   const GridGeometry geometry = test::anisotropicGeometry(64);
   const Grid grid = test::withNoise(test::phantomGrid("torus", geometry), 0.1, glm::dvec3(0.0), 1);
   EXPECT_GE(chosen(grid, {0.0}).scaleMm, 1.25);
+}
+
+// A head whose slices are those of a scanner 2.5 voxels apart, interpolated linearly. The noise asks for no
+// scale, nor does it where each slice was measured.
+TEST(DerivativeChoices, InterpolatedSlicesAskForSixTenthsOfTheirDistance) {
+  constexpr double distance = 2.5;
+  const Grid head = test::phantomGrid("head", 128);
+  const Grid slices = test::gridOfVoxels(head.geometry(), [&](glm::dvec3 p) {
+    const auto valueAt = [&](double slice) {
+      const double z = std::min(slice * distance, 126.0), part = z - std::floor(z);
+      const glm::ivec3 at(p.x, p.y, z);
+      return std::lerp(head.value(at.x, at.y, at.z), head.value(at.x, at.y, at.z + 1), part);
+    };
+    const double slice = p.z / distance, before = std::floor(slice);
+    return std::lerp(valueAt(before), valueAt(before + 1.0), slice - before);
+  });
+  for (const double isovalue : {300.0, 500.0}) {
+    const auto choose = [&](const Grid& grid) {
+      return chosen(test::withNoise(grid, 5.0, glm::dvec3(0.0), 3), {isovalue});
+    };
+    const DerivativeChoice terraces = choose(slices), smooth = choose(head);
+    EXPECT_NEAR(terraces.scaleMm, 0.6 * distance * head.geometry().spacingMm().z, 0.02)
+        << terraces.scaleReason;
+    EXPECT_NE(terraces.scaleReason.find("interpolated"), std::string::npos) << terraces.scaleReason;
+    EXPECT_EQ(smooth.scaleMm, 0.0) << smooth.scaleReason;
+    EXPECT_EQ(terraces.normalScaleMm, 0.0) << terraces.normalReason;
+  }
+}
+
+// A head whose noise hides much of it at scale 0, though its edges are clear: the truth (the head without
+// noise) says that the scale has less error, in all and in the median.
+TEST(DerivativeChoices, MuchWithoutConfidenceRefusesZeroWhereAScaleHasLessError) {
+  const Grid head = test::phantomGrid("head", 128);
+  const DerivativeChoice skin = chosen(test::withNoise(head, 10.0, glm::dvec3(0.0), 1), {-300.0});
+  EXPECT_NEAR(skin.scaleMm, std::sqrt(0.5) * head.geometry().spacingMm().x, 1e-3) << skin.scaleReason;
+  EXPECT_NE(skin.scaleReason.find("of what is seen"), std::string::npos) << skin.scaleReason;
+  // Bone has detail everywhere: a scale loses more of it than it gains, and that is said.
+  const DerivativeChoice bone = chosen(test::withNoise(head, 10.0, glm::dvec3(0.0), 1), {300.0});
+  EXPECT_EQ(bone.scaleMm, 0.0);
+  EXPECT_NE(bone.scaleReason.find("of what is seen, any scale loses more"), std::string::npos)
+      << bone.scaleReason;
 }
 
 TEST(DerivativeChoices, CompleteOnlyWhatIsEmpty) {
