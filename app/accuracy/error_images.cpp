@@ -18,6 +18,10 @@ const std::vector<float>& boundsOf(ErrorImage image, const PictureErrors& errors
       return errors.light;
     case ErrorImage::noise:
       return errors.depthNoiseMm;
+    case ErrorImage::normalNoise:
+      return errors.normalNoiseDegrees;
+    case ErrorImage::kappaNoise:
+      return errors.curvatureNoise;
     case ErrorImage::kappa:
       break;
   }
@@ -25,11 +29,11 @@ const std::vector<float>& boundsOf(ErrorImage image, const PictureErrors& errors
 }
 
 const std::vector<ErrorImageInfo>& errorImages() {
-  static const std::vector<ErrorImageInfo> images{{ErrorImage::depth, "error_depth"},
-                                                  {ErrorImage::normal, "error_normal"},
-                                                  {ErrorImage::kappa, "error_kappa"},
-                                                  {ErrorImage::light, "error_light"},
-                                                  {ErrorImage::noise, "error_noise"}};
+  static const std::vector<ErrorImageInfo> images{
+      {ErrorImage::depth, "error_depth"},           {ErrorImage::normal, "error_normal"},
+      {ErrorImage::kappa, "error_kappa"},           {ErrorImage::light, "error_light"},
+      {ErrorImage::noise, "error_noise"},           {ErrorImage::normalNoise, "error_normal_noise"},
+      {ErrorImage::kappaNoise, "error_kappa_noise"}};
   return images;
 }
 

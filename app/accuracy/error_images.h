@@ -10,7 +10,8 @@
 
 namespace isolux::app {
 
-enum class ErrorImage { depth, normal, kappa, light, noise };
+// noise: of depth, by noise and sampling; depth, normal and kappa: by arithmetic.
+enum class ErrorImage { depth, normal, kappa, light, noise, normalNoise, kappaNoise };
 struct ErrorImageInfo {
   ErrorImage image;
   const char* name;  // as on the command line

@@ -28,6 +28,8 @@ struct Overlaid {
 const std::vector<Overlaid>& overlays() {
   static const std::vector<Overlaid> list{
       {"noise", "Error of depth by noise and sampling", "mm", ErrorImage::noise},
+      {"normal_noise", "Error of normals by noise", "degrees", ErrorImage::normalNoise},
+      {"kappa_noise", "Error of κ₁ and κ₂ by noise", "1/mm", ErrorImage::kappaNoise},
       {"depth", "Error of depth by arithmetic", "mm", ErrorImage::depth},
       {"normal", "Error of normals by arithmetic", "degrees", ErrorImage::normal},
       {"kappa", "Error of κ₁ and κ₂ by arithmetic", "1/mm", ErrorImage::kappa},

@@ -19,8 +19,9 @@ struct OverlayWish {
   std::optional<ErrorImage> colors;  // none: the picture keeps its own
   std::vector<Limit> limits;         // of --error
 };
-// "noise", "depth", "normal", "kappa", "light" or "limits"; "": nothing is asked for. Throws Error{usage}
-// naming those that are known, and where limits are asked for and there are none that pixels can exceed.
+// "noise", "normal_noise", "kappa_noise", "depth", "normal", "kappa", "light" or "limits"; "": nothing is
+// asked for. Throws Error{usage} naming those that are known, and where limits are asked for and there are
+// none that pixels can exceed.
 OverlayWish parseOverlay(const std::string& text, std::vector<Limit> limits);
 std::string overlayNames();
 

@@ -155,7 +155,7 @@ class Volume:
         camera        (eye, target, up, fov): world mm, vertical field of view in degrees; or a dictionary of some of them
         aovs          deferred images by name: "position", "depth", "normal", "gradient", "hessian", "kappa",
                       "irradiance", "hit", ..., and "error_depth", "error_normal", "error_kappa", "error_light",
-                      "error_noise"
+                      "error_noise", "error_normal_noise", "error_kappa_noise"
         settings      {path: value}: any of settings(); they win over the arguments before
         environment   "studio", "window", "overcast", "sunset", or a light probe's file
         image         False: only what aovs asks for

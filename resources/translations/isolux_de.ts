@@ -1798,6 +1798,14 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>Tiefe, durch Rauschen und Abtastung</translation>
     </message>
     <message>
+        <source>Normals, by noise</source>
+        <translation>Normalen, durch Rauschen</translation>
+    </message>
+    <message>
+        <source>Curvature, by noise</source>
+        <translation>Krümmung, durch Rauschen</translation>
+    </message>
+    <message>
         <source>Depth, by arithmetic</source>
         <translation>Tiefe, durch Rechnung</translation>
     </message>

@@ -24,6 +24,8 @@ ErrorOverlayBox::ErrorOverlayBox(QWidget* parent)
     : QWidget(parent), errors_(new QComboBox(this)), note_(new QLabel(this)) {
   errors_->addItem(tr("None"));
   errors_->addItem(tr("Depth, by noise and sampling"), static_cast<int>(app::ErrorImage::noise));
+  errors_->addItem(tr("Normals, by noise"), static_cast<int>(app::ErrorImage::normalNoise));
+  errors_->addItem(tr("Curvature, by noise"), static_cast<int>(app::ErrorImage::kappaNoise));
   errors_->addItem(tr("Depth, by arithmetic"), static_cast<int>(app::ErrorImage::depth));
   errors_->addItem(tr("Normals, by arithmetic"), static_cast<int>(app::ErrorImage::normal));
   errors_->addItem(tr("Curvature, by arithmetic"), static_cast<int>(app::ErrorImage::kappa));

@@ -24,7 +24,8 @@ PictureErrors band() {
   PictureErrors errors;
   errors.size = kSize;
   for (std::vector<float>* const image :
-       {&errors.depthMm, &errors.normalDegrees, &errors.curvature, &errors.relativeCurvature, &errors.light})
+       {&errors.depthMm, &errors.normalDegrees, &errors.curvature, &errors.relativeCurvature, &errors.light,
+        &errors.normalNoiseDegrees, &errors.curvatureNoise})
     image->assign(count, kNoSurface);
   errors.certain.assign(count, 1);
   errors.meanIrradiance = 2.0;
@@ -130,6 +131,25 @@ TEST(ErrorOverlay, ColoursFollowTheLogarithm) {
   const auto light = [&](int x) { return colorAt(image, x, 120)[0] + colorAt(image, x, 120)[1]; };
   for (int x = 60; x < 260; x += 20) EXPECT_LT(light(x - 20 + 5), light(x + 5)) << x;
   EXPECT_EQ(colorAt(image, 20, 120), colorAt(grey(), 20, 120));
+}
+
+// Noise turns normals by 3 degrees and bends the surface by 0.2 / mm where arithmetic does nearly nothing:
+// each overlay has the numbers of its own kind.
+TEST(ErrorOverlay, NoiseAndArithmeticAreKindsOfTheirOwn) {
+  PictureErrors errors = band();
+  for (std::size_t i = 0; i < errors.depthMm.size(); ++i)
+    if (!std::isnan(errors.depthMm[i])) {
+      errors.normalNoiseDegrees[i] = 3.0f;
+      errors.curvatureNoise[i] = 0.2f;
+    }
+  EXPECT_EQ(&boundsOf(ErrorImage::normalNoise, errors), &errors.normalNoiseDegrees);
+  EXPECT_EQ(&boundsOf(ErrorImage::kappaNoise, errors), &errors.curvatureNoise);
+  for (const char* overlay : {"normal_noise", "kappa_noise"}) {
+    render::ColorImage image = grey();
+    ASSERT_TRUE(paint(errors, overlay, "normal=0.001deg,curvature=1%", image).has_value());
+    EXPECT_EQ(colorAt(image, 60, 120), colorAt(image, 240, 120)) << overlay;  // even, and not hatched
+    EXPECT_NE(colorAt(image, 60, 120), colorAt(grey(), 60, 120)) << overlay;
+  }
 }
 
 TEST(ErrorOverlay, WhatCannotBeAskedForIsSaid) {
