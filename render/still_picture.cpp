@@ -23,7 +23,7 @@ constexpr int kTileRays = 2048;
 int marginOf(const scene::Scene& scene, const FrameRequest& request) {
   if (!request.color) return 0;
   double margin = 2.0;
-  margin += reachOfLines(scene, request.pixelRatio, request.size.y);
+  margin += reachOfLines(scene, request.size.y * request.supersampling) / request.supersampling;
   if (scene::showsFlow(scene))
     margin += std::max(0.5 * scene.flow.length, scene.flow.grain) * request.pixelRatio + 2.0;
   return static_cast<int>(std::ceil(margin));

@@ -11,8 +11,14 @@ namespace {
 
 constexpr float kUnknown[4] = {3e38f, 3e38f, 0.0f, 0.0f};
 constexpr float kNoLine[4] = {0.0f, 0.0f, 1000.0f, 0.0f};
-// How far a line is followed each way, pixels, and what differences are taken over beside it.
-constexpr double kMostPixels = 48.0, kDifferences = 16.0;
+// Rays that a line is followed each way at most, and that differences are taken over: parts of the picture's
+// height, so that lines are the same at all its sizes, as far as tiles can have margins of it.
+double mostRays(int height) {
+  return std::min(height / 8.0, 512.0);
+}
+double mostDifference(int height) {
+  return std::clamp(height / 24.0, 1.0, 256.0);
+}
 
 // The images of the line fields, in their order.
 struct LineKind {
@@ -43,13 +49,18 @@ std::string definesOfLines(const scene::Scene& scene) {
   return defines;
 }
 
-// Differences of curvature are taken over most of a voxel, and over the scale that it is taken at: what
-// varies faster is not the surface's doing.
-float detailOf(const FrameState& frame) {
+int heightInRays(const FrameState& frame) {
+  return frame.request.size.y * frame.request.supersampling;
+}
+
+// Voxels, or the scale that curvature is taken at, mm: what varies faster is not the surface's doing.
+float detailOf(const FrameState& frame, double voxels) {
   const glm::dvec3 spacing = frame.volume->grid().geometry().spacingMm();
   const double voxel = std::min({spacing.x, spacing.y, spacing.z});
-  return static_cast<float>(std::max(0.75 * voxel, scene::derivativesScale(*frame.scene)));
+  return static_cast<float>(std::max(voxels * voxel, 0.5 * scene::derivativesScale(*frame.scene)));
 }
+// Differences are taken over most of a voxel; gaps of lines are closed that are a little longer than two.
+constexpr double kDifferences = 0.75, kGap = 2.5;
 
 // Points with the gradients that curvature is of, whose tangent planes its directions lie in: not those of
 // shading.
@@ -63,7 +74,8 @@ void setNeighbours(FrameState& frame, Program& p, int unit) {
   setPoints(frame, p, unit);
   p.setTexture("uKappa", unit + 3, frame.image(image::curvature, 0));
   p.setTexture("uDirection", unit + 4, frame.image(image::curvature, 1));
-  p.set("uDetail", detailOf(frame));
+  p.set("uDetail", detailOf(frame, kDifferences));
+  p.set("uMostDifference", static_cast<float>(mostDifference(heightInRays(frame))));
 }
 
 glm::dvec2 thresholdsOf(const FrameState& frame) {
@@ -82,9 +94,10 @@ void dependOnRanges(Declaring& d) {
 
 }  // namespace
 
-double reachOfLines(const scene::Scene& scene, double pixelRatio, int pictureHeight) {
+double reachOfLines(const scene::Scene& scene, int heightInRays) {
   if (!scene::drawsLines(scene)) return 0.0;
-  return (kMostPixels + kDifferences) * pixelRatio + pictureHeight / 90.0;
+  return mostRays(heightInRays) + std::max(1.5 * mostDifference(heightInRays), mostRays(heightInRays)) +
+         heightInRays / 90.0;
 }
 
 void ExtremaPass::declare(Declaring& d) const {
@@ -127,6 +140,7 @@ void LineFieldPass::run(FrameState& frame) {
   setNeighbours(frame, p, 0);
   if (frame.scene->look.ridges > 0.0) p.setTexture("uExtrema", 5, frame.image(image::extrema));
   p.set("uRidgeThresholds", glm::vec2(thresholdsOf(frame)));
+  p.set("uMostRays", static_cast<float>(mostRays(heightInRays(frame))));
   p.set("uContourWidth", static_cast<float>(frame.scene->look.contourWidth * frame.raysPerWidth()));
   p.set("uCurvatureScale", static_cast<float>(curvatureScale(frame.statistics, frame.flatCurvature())));
   frame.drawHits(target, p);
@@ -162,7 +176,9 @@ void LinesPass::run(FrameState& frame) {
   const double pixel = frame.raysPerWidth();
   const bool inMm = look.ridgeWidthUnit == scene::LengthUnit::mm;
   p.set("uPixel", static_cast<float>(pixel));
-  p.set("uMostRays", static_cast<float>(kMostPixels * pixel));
+  p.set("uMostRays", static_cast<float>(mostRays(heightInRays(frame))));
+  p.set("uDetail", detailOf(frame, kDifferences));
+  p.set("uGap", detailOf(frame, kGap));
   p.set("uRidgeRays", static_cast<float>(inMm ? 0.0 : look.ridgeWidth * pixel));
   p.set("uRidgeMm", static_cast<float>(inMm ? look.ridgeWidth : 0.0));
   p.set("uRidgeLengths", glm::vec2(ridgeLengths(*frame.scene, thresholdsOf(frame))));

@@ -31,6 +31,6 @@ class LinesPass : public Pass {
 };
 
 // Pixels around one that decide what is drawn of its lines.
-double reachOfLines(const scene::Scene& scene, double pixelRatio, int pictureHeight);
+double reachOfLines(const scene::Scene& scene, int heightInRays);
 
 }  // namespace isolux::render

@@ -15,7 +15,8 @@ struct Difference {
   vec2 kappa;
 };
 
-bool differenceAlong(ivec2 pixel, ivec2 step_, Point p, float reach, out Difference d) {
+bool differenceAlong(ivec2 pixel, ivec2 step_, Point p, out Difference d) {
+  float reach = float(max(step_.x, step_.y));
   Point before, behind;
   if (!neighbourAt(pixel - step_, p, reach, before) || !neighbourAt(pixel + step_, p, reach, behind)) return false;
   d.position = behind.position - before.position;
@@ -29,11 +30,13 @@ void main() {
   vec4 surface = texelFetch(uSurface, pixel, 0);
   if (surface.w < 0.0 || texelFetch(uKappa, pixel, 0).w <= 0.0) return;
   Point p = pointAt(pixel, surface);
-  int reach = differenceReach(p);
+  int reach = differenceReach(p, 1.0);
   Difference x, y;
-  if (!differenceAlong(pixel, ivec2(reach, 0), p, float(reach), x) ||
-      !differenceAlong(pixel, ivec2(0, reach), p, float(reach), y))
-    return;
+  // Next to an edge in depth half of it must do.
+  if (!differenceAlong(pixel, ivec2(reach, 0), p, x) || !differenceAlong(pixel, ivec2(0, reach), p, y)) {
+    reach = (reach + 1) / 2;
+    if (!differenceAlong(pixel, ivec2(reach, 0), p, x) || !differenceAlong(pixel, ivec2(0, reach), p, y)) return;
+  }
   // A direction as parts of the two differences, by least squares.
   float xx = dot(x.position, x.position), xy = dot(x.position, y.position), yy = dot(y.position, y.position);
   float determinant = xx * yy - xy * xy;

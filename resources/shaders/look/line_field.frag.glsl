@@ -17,6 +17,7 @@ vec4 lineAlong(vec2 gradient, float value, float strength) {
 #ifdef RIDGES
 uniform sampler2D uExtrema;
 uniform vec2 uRidgeThresholds;  // of ridges and of valleys, 1/mm
+uniform float uMostRays;        // looked at to the sides
 layout(location = AT_RIDGES) out vec4 oRidges;
 layout(location = AT_VALLEYS) out vec4 oValleys;
 
@@ -43,10 +44,19 @@ bool extremumAt(ivec2 pixel, Point p, float reach, vec3 direction, bool valley, 
   return true;
 }
 
+// Along one axis of the picture; next to an edge in depth from one side alone.
+bool slopeAlong(ivec2 pixel, ivec2 step_, Point p, vec3 direction, bool valley, float here, out float slope) {
+  float reach = float(max(step_.x, step_.y)), before, behind;
+  bool hasBefore = extremumAt(pixel - step_, p, reach, direction, valley, before);
+  bool hasBehind = extremumAt(pixel + step_, p, reach, direction, valley, behind);
+  slope = ((hasBehind ? behind : here) - (hasBefore ? before : here)) / (hasBefore && hasBehind ? 2.0 * reach : reach);
+  return hasBefore || hasBehind;
+}
+
 // By how much less curved the surface is at both sides, over what it turns in about a radian: an edge of one curvature all
 // along, or noise on it, is no ridge. Sides that are not seen say nothing.
 float prominence(ivec2 pixel, Point p, float curvature, vec2 across, bool valley) {
-  float rays = clamp(0.8 / (curvature * p.footprint), 2.0, 32.0), least = 1.0;
+  float rays = clamp(0.8 / (curvature * p.footprint), 2.0, max(uMostRays, 2.0)), least = 1.0;
   for (int side = -1; side <= 1; side += 2) {
     ivec2 at = pixel + ivec2(round(float(side) * rays * across));
     Point q;
@@ -67,18 +77,16 @@ vec4 ridgeLine(ivec2 pixel, Point p, bool valley) {
   vec2 guess = onScreen(cross(p.outward, direction), pixel);
   if (!(length(guess) > 1e-3) || !(length(across) > 1e-3)) return none;
   none.xy = normalize(guess);
-  int reach = max(differenceReach(p) / 2, 1);
-  float here, left, right, down, up, distance_ = float(reach);
+  int reach = differenceReach(p, 0.5);
+  float here, distance_ = float(reach);
+  vec2 gradient;
   if (!extremumAt(pixel, p, 1.0, direction, valley, here) ||
-      !extremumAt(pixel - ivec2(reach, 0), p, distance_, direction, valley, left) ||
-      !extremumAt(pixel + ivec2(reach, 0), p, distance_, direction, valley, right) ||
-      !extremumAt(pixel - ivec2(0, reach), p, distance_, direction, valley, down) ||
-      !extremumAt(pixel + ivec2(0, reach), p, distance_, direction, valley, up))
+      !slopeAlong(pixel, ivec2(reach, 0), p, direction, valley, here, gradient.x) ||
+      !slopeAlong(pixel, ivec2(0, reach), p, direction, valley, here, gradient.y))
     return none;
-  vec2 gradient = vec2(right - left, up - down) / (2.0 * distance_);
   if (!(dot(gradient, across) < 0.0)) return none;  // least curved here, not most
   vec4 line = lineAlong(gradient, here, min(part, 2.0) * distinct);
-  if (abs(line.z) < 12.0) line.w *= prominence(pixel, p, curvature, normalize(across), valley);
+  if (abs(line.z) < 12.0 + distance_) line.w *= prominence(pixel, p, curvature, normalize(across), valley);
   return line;
 }
 #endif
@@ -144,7 +152,7 @@ vec4 suggestiveContour(ivec2 pixel, Point p) {
   vec2 toward = vec2(dot(toViewer, uRightWorld), dot(toViewer, uUpWorld));
   if (fade <= 0.0 || !(length(toward) > 1e-3)) return none;
   float left, right, down, up, near, behind;
-  int step_ = max(differenceReach(p) / 2, 1);
+  int step_ = differenceReach(p, 0.5);
   float distance_ = float(step_);
   if (!radialCurvatureAt(pixel - ivec2(step_, 0), p, distance_, left) ||
       !radialCurvatureAt(pixel + ivec2(step_, 0), p, distance_, right) ||
@@ -152,7 +160,7 @@ vec4 suggestiveContour(ivec2 pixel, Point p) {
       !radialCurvatureAt(pixel + ivec2(0, step_), p, distance_, up))
     return none;
   vec4 line = lineAlong(vec2(right - left, up - down) / (2.0 * distance_), kr, fade);
-  if (abs(line.z) > uContourWidth + 4.0) return none;
+  if (abs(line.z) > uContourWidth + 4.0 + distance_) return none;
   // A feature is hollow behind the line and bulges before it, as far off as is seen as one: zeros of noise are not.
   float reach = float(uPictureSize.y) / 90.0;
   ivec2 offset = ivec2(round(reach * normalize(toward)));

@@ -5,8 +5,9 @@
 #include "common.glsl"
 #include "surface.glsl"
 
-uniform float uMostRays;  // followed each way
-uniform float uPixel;     // rays
+uniform float uMostRays;       // followed each way
+uniform float uDetail, uGap;   // mm: see neighbours.glsl; a gap that is closed
+uniform float uPixel;          // rays
 #ifdef RIDGES
 uniform sampler2D uRidgeField, uValleyField;
 uniform vec2 uRidgeLengths;   // of ridges and valleys, mm
@@ -21,6 +22,8 @@ uniform sampler2D uContourField;
 uniform float uContourWidth;  // rays
 layout(location = 0) out vec4 oLines;
 
+const float shortest = 0.03;  // of the picture's width: what is shorter and joins no other line reads as a crack
+
 // Of 1 ray's width it is a ray that fades; narrower lines are fainter.
 float coverage(float distance_, float width) {
   float half_ = 0.5 * max(width, 1.0);
@@ -32,7 +35,7 @@ struct Wanted {
   float length;    // mm
   float strength;  // on the average
   float weakest;   // that is still followed
-  float gap;       // rays
+  float gap;       // mm
 };
 
 struct Followed {
@@ -42,13 +45,18 @@ struct Followed {
 };
 
 vec2 acrossOf(vec4 line) { return vec2(line.y, -line.x); }
+// From `at` to what the pixel there says of a line.
+float distanceFrom(vec4 line, vec2 at) { return dot(fract(at) - 0.5, acrossOf(line)) + line.z; }
 
 // One way from `at`, of which `along` is the tangent; `onLine`: a line runs there.
 Followed follow(sampler2D field, Point p, vec2 at, vec2 along, bool onLine, Wanted wanted) {
   Followed f = Followed(0.0, 0.0, 0.0, onLine ? at : vec2(-1.0));
   vec2 size = vec2(textureSize(field, 0));
-  float rays = clamp(1.2 * wanted.length / p.footprint, 8.0 * uPixel, uMostRays);
-  float step_ = max(1.0, rays / 48.0), gap = 0.0, steady = 1.0;
+  // At least what a few voxels are.
+  float rays = clamp(max(1.2 * wanted.length, 6.0 * uDetail) / p.footprint, 8.0, max(uMostRays, 8.0));
+  float step_ = max(max(0.125 * uDetail / p.footprint, 1.0), rays / 64.0), gap = 0.0, steady = 1.0;
+  float widest = wanted.gap / p.footprint, detail = uDetail / p.footprint;
+  vec2 corner = at, before = along;
   vec3 position = p.position;
   for (float walked = step_; walked <= rays; walked += step_) {
     at += step_ * along;
@@ -58,24 +66,33 @@ Followed follow(sampler2D field, Point p, vec2 at, vec2 along, bool onLine, Want
     }
     vec4 line = texelFetch(field, ivec2(at), 0);
     float turn = dot(line.xy, along);
-    bool here = line.w >= wanted.weakest && abs(line.z) < step_ + 1.0 && abs(turn) > 0.7;
+    bool here = line.w >= wanted.weakest && abs(line.z) < max(step_ + 1.0, 0.5 * detail) && abs(turn) > 0.7;
     if (here) {
       vec4 surface = texelFetch(uSurface, ivec2(at), 0);
       vec3 next = uWorldFromVoxel * surface.xyz;
       float moved = distance(next, position);
       if (moved > 8.0 * (step_ + gap) * p.footprint) return f;  // an edge in depth
-      at -= line.z * acrossOf(line);
+      at -= distanceFrom(line, at) * acrossOf(line);
       along = turn > 0.0 ? line.xy : -line.xy;
-      if (f.met.x < 0.0) f.met = at;
+      if (f.met.x < 0.0) {
+        f.met = corner = at;
+        before = along;
+      }
       position = next;
-      steady *= turn * turn;  // curves lose little; what noise makes turns soon
+      vec2 chord = at - corner;
+      if (length(chord) >= detail) {  // curves lose little; what noise makes turns soon
+        chord = normalize(chord);
+        steady *= max(dot(chord, before), 0.0) * dot(chord, before);
+        before = chord;
+        corner = at;
+      }
       f.length += steady * moved;
       f.gained += (step_ + gap) * line.w;
       f.rays += step_ + gap;
       gap = 0.0;
     } else {
       gap += step_;
-      if (gap > wanted.gap) return f;
+      if (gap > widest) return f;
     }
   }
   return f;
@@ -86,14 +103,14 @@ Followed follow(sampler2D field, Point p, vec2 at, vec2 along, bool onLine, Want
 vec4 nearestLine(sampler2D field, vec2 here, vec4 own, float width) {
   vec4 nearest = own.w > 0.0 ? own : vec4(own.xy, 1000.0, 0.0);
   vec2 size = vec2(textureSize(field, 0));
-  int reach = int(min(0.5 * width + 1.5, 16.0));
-  for (int i = -reach; i <= reach; ++i) {
-    vec2 at = here + float(i) * acrossOf(own);
+  float reach = 0.5 * width + 1.5, step_ = max(1.0, reach / 16.0);
+  for (float i = -reach; i <= reach; i += step_) {
+    vec2 at = here + i * acrossOf(own);
     if (any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, size))) continue;
     vec4 line = texelFetch(field, ivec2(at), 0);
-    if (line.w <= 0.0 || abs(line.z) > 0.75 || abs(dot(line.xy, own.xy)) < 0.6) continue;
+    if (line.w <= 0.0 || abs(line.z) > 0.75 * step_ || abs(dot(line.xy, own.xy)) < 0.6) continue;
     float distance_ = dot(here - floor(at) - 0.5, acrossOf(line)) + line.z;
-    if (abs(distance_) < abs(nearest.z) || abs(nearest.z) > float(abs(i))) nearest = vec4(line.xy, distance_, line.w);
+    if (abs(distance_) < abs(nearest.z) || abs(nearest.z) > abs(i)) nearest = vec4(line.xy, distance_, line.w);
   }
   return nearest;
 }
@@ -160,16 +177,17 @@ void main() {
   oLines = vec4(0.0);
   if (surface.w < 0.0) return;
   Point p = pointAt(pixel, surface);
+  float most = 1.6 * uMostRays * p.footprint;  // a line as long as is looked at is long enough
+  float seen = shortest * float(uPictureSize.x) * p.footprint;
 #ifdef RIDGES
   float width = uRidgeMm > 0.0 ? uRidgeMm / p.footprint : uRidgeRays;
-  float most = 1.6 * uMostRays * p.footprint;  // a line as long as is looked at is long enough
-  Wanted wanted = Wanted(width, min(uRidgeLengths.x, most), 1.0, 0.4, 5.0 * uPixel);
+  Wanted wanted = Wanted(width, min(max(uRidgeLengths.x, seen), most), 1.0, 0.4, uGap);
   oLines.x = drawn(uRidgeField, pixel, p, wanted);
-  wanted.length = min(uRidgeLengths.y, most);
+  wanted.length = min(max(uRidgeLengths.y, seen), most);
   oLines.y = drawn(uValleyField, pixel, p, wanted);
 #endif
 #ifdef SUGGESTIVE
-  oLines.z = drawn(uSuggestiveField, pixel, p, Wanted(uContourWidth, 12.0 * uPixel * p.footprint, 0.25, 0.05, 0.0));
+  oLines.z = drawn(uSuggestiveField, pixel, p, Wanted(uContourWidth, min(seen, most), 0.25, 0.05, 0.0));
 #endif
 #ifdef CONTOURS
   oLines.w = outline(uContourField, pixel, p);

@@ -2,6 +2,7 @@
 uniform sampler2D uKappa;      // kappa1 >= kappa2 (1/mm), confidence, its part from the gradient
 uniform sampler2D uDirection;  // of kappa1, world
 uniform float uDetail;         // mm: what varies faster is the voxels' doing
+uniform float uMostDifference;  // rays
 
 // The surface point under a pixel nearby. False where the surface does not go on there: an edge in depth, the other
 // side. `reach`: rays between the pixels.
@@ -14,8 +15,10 @@ bool neighbourAt(ivec2 pixel, Point p, float reach, out Point q) {
   return q.side == p.side && abs(dot(q.position - p.position, p.normal)) <= 4.0 * reach * p.footprint;
 }
 
-// Rays over which differences are taken: about a voxel, as far as it is seen as one.
-int differenceReach(Point p) { return clamp(int(uDetail / p.footprint + 0.5), 1, 8); }
+// Rays over which differences are taken: `part` of uDetail.
+int differenceReach(Point p, float part) {
+  return int(max(min(part * uDetail / p.footprint, uMostDifference) + 0.5, 1.0));
+}
 
 // A direction as it moves over the picture, not normalised; its depth shifts it in perspective.
 vec2 onScreen(vec3 direction, ivec2 pixel) {
