@@ -17,7 +17,7 @@ namespace {
 // Up to so many rays are one frame; more are drawn in tiles of kTileRays per axis, margins included.
 constexpr std::int64_t kMostRays = std::int64_t{4096} * 4096;
 constexpr int kLongestFrame = 8192;  // rays on an axis, within what every driver of GL 4.5 takes
-constexpr int kTileRays = 2048;
+constexpr int kTileRays = 2048, kLargeTileRays = 4096;  // large: where margins would fill half of a tile
 
 // Pixels around a tile that its own pixels read.
 int marginOf(const scene::Scene& scene, const FrameRequest& request) {
@@ -42,7 +42,9 @@ Tiling tilingOf(const scene::Scene& scene, const FrameRequest& request) {
   const glm::ivec2 rays = request.size * request.supersampling;
   if (std::int64_t{rays.x} * rays.y <= kMostRays && std::max(rays.x, rays.y) <= kLongestFrame) return {};
   const int margin = marginOf(scene, request);
-  return {std::max(kTileRays / request.supersampling - 2 * margin, 64), margin};
+  const int tile =
+      (4 * margin * request.supersampling > kTileRays ? kLargeTileRays : kTileRays) / request.supersampling;
+  return {std::max(tile - 2 * margin, 64), margin};
 }
 
 Part partOf(const FrameRequest& tile, const Tiling& tiling, glm::ivec2 whole) {

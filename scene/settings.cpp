@@ -293,9 +293,10 @@ std::vector<Setting> makeSettings() {
                    "Width of ridge and valley lines, in the unit of look.ridge_width_unit."));
   add(choiceEntry<Scene>("look.ridge_width_unit", ISOLUX_MEMBER(look.ridgeWidthUnit),
                          "Whether ridge and valley lines are as wide in the picture or on the surface."));
-  add(entry<Scene>("look.ridge_length", ISOLUX_MEMBER(look.ridgeLength), {0, 1e9}, "mm",
-                   "Ridges and valleys that are shorter are left out; auto is the radius of the least "
-                   "curvature that is drawn."));
+  add(entry<Scene>(
+      "look.ridge_length", ISOLUX_MEMBER(look.ridgeLength), {0, 1e9}, "mm",
+      "Ridges and valleys that are shorter, or shorter than 3 % of the picture's width, fade out; "
+      "auto is the radius of the least curvature that is drawn."));
   add(entry<Scene>("look.ridge_color", ISOLUX_MEMBER(look.ridgeColor), unitRange, "linear RGB",
                    "Colour of ridges."));
   add(entry<Scene>("look.valley_color", ISOLUX_MEMBER(look.valleyColor), unitRange, "linear RGB",

@@ -129,7 +129,7 @@ SettingsDict = TypedDict("SettingsDict", {
     "look.ridge_threshold": float | Literal["auto"] | None,  # Curvature from which on a ridge or valley is drawn; auto from the surface's own values.
     "look.ridge_width": float,  # Width of ridge and valley lines, in the unit of look.ridge_width_unit.
     "look.ridge_width_unit": Literal["pixels", "mm"],  # Whether ridge and valley lines are as wide in the picture or on the surface.
-    "look.ridge_length": float | Literal["auto"] | None,  # Ridges and valleys that are shorter are left out; auto is the radius of the least curvature that is drawn.
+    "look.ridge_length": float | Literal["auto"] | None,  # Ridges and valleys that are shorter, or shorter than 3 % of the picture's width, fade out; auto is the radius of the least curvature that is drawn.
     "look.ridge_color": Sequence[Any] | str,  # Colour of ridges.
     "look.valley_color": Sequence[Any] | str,  # Colour of valleys.
     "look.contours": float | Literal["auto"] | None,  # Strength of the silhouette lines; auto is 0.5 under tone shading, else none.

@@ -14,7 +14,7 @@ constexpr float kNoLine[4] = {0.0f, 0.0f, 1000.0f, 0.0f};
 // Rays that a line is followed each way at most, and that differences are taken over: parts of the picture's
 // height, so that lines are the same at all its sizes, as far as tiles can have margins of it.
 double mostRays(int height) {
-  return std::min(height / 8.0, 512.0);
+  return std::min(height / 8.0, 384.0);
 }
 double mostDifference(int height) {
   return std::clamp(height / 24.0, 1.0, 256.0);

@@ -5550,8 +5550,8 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Regula-falsi-Schritte nach einem abgetasteten Treffer; nur bei Verfahren Abgetastet.</translation>
     </message>
     <message>
-        <source>Ridges and valleys that are shorter are left out; auto is the radius of the least curvature that is drawn.</source>
-        <translation>Kürzere Grate und Täler werden ausgelassen; auto ist der Radius der geringsten gezeichneten Krümmung.</translation>
+        <source>Ridges and valleys that are shorter, or shorter than 3 % of the picture&apos;s width, fade out; auto is the radius of the least curvature that is drawn.</source>
+        <translation>Grate und Täler, die kürzer sind oder kürzer als 3 % der Bildbreite, blenden aus; auto ist der Radius der geringsten gezeichneten Krümmung.</translation>
     </message>
     <message>
         <source>Samples closer to the isovalue than this are near; auto is what the volume&apos;s values change by from one sample to the next; method sampled only.</source>

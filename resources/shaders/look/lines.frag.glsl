@@ -42,6 +42,7 @@ struct Followed {
   float length, gained;  // mm, less what turned; strengths times rays
   float rays;
   vec2 met;  // where the line begins, rays from the corner; x < 0: nowhere
+  vec2 along;  // its tangent there, in the sense of the walk
 };
 
 vec2 acrossOf(vec4 line) { return vec2(line.y, -line.x); }
@@ -50,7 +51,7 @@ float distanceFrom(vec4 line, vec2 at) { return dot(fract(at) - 0.5, acrossOf(li
 
 // One way from `at`, of which `along` is the tangent; `onLine`: a line runs there.
 Followed follow(sampler2D field, Point p, vec2 at, vec2 along, bool onLine, Wanted wanted) {
-  Followed f = Followed(0.0, 0.0, 0.0, onLine ? at : vec2(-1.0));
+  Followed f = Followed(0.0, 0.0, 0.0, onLine ? at : vec2(-1.0), along);
   vec2 size = vec2(textureSize(field, 0));
   // At least what a few voxels are.
   float rays = clamp(max(1.2 * wanted.length, 6.0 * uDetail) / p.footprint, 8.0, max(uMostRays, 8.0));
@@ -76,7 +77,7 @@ Followed follow(sampler2D field, Point p, vec2 at, vec2 along, bool onLine, Want
       along = turn > 0.0 ? line.xy : -line.xy;
       if (f.met.x < 0.0) {
         f.met = corner = at;
-        before = along;
+        f.along = before = along;
       }
       position = next;
       vec2 chord = at - corner;
@@ -120,6 +121,13 @@ float distanceToSegment(vec2 at, vec2 from, vec2 to) {
   return distance(at, from + clamp(dot(at - from, all_) / max(dot(all_, all_), 1e-12), 0.0, 1.0) * all_);
 }
 
+// Of the straight line that closes a gap: both ends must point at each other.
+float gapCoverage(vec2 here, Followed there, Followed back, float width) {
+  vec2 across = safeNormalize(vec3(there.met - back.met, 0.0), vec3(0.0)).xy;
+  if (min(dot(across, there.along), -dot(across, back.along)) < 0.9) return 0.0;
+  return coverage(distanceToSegment(here, there.met, back.met), width);
+}
+
 float drawn(sampler2D field, ivec2 pixel, Point p, Wanted wanted) {
   vec4 line = texelFetch(field, pixel, 0);
   if (line.xy == vec2(0.0)) return 0.0;
@@ -134,7 +142,7 @@ float drawn(sampler2D field, ivec2 pixel, Point p, Wanted wanted) {
   if (there.met.x < 0.0) return 0.0;
   Followed back = follow(field, p, at, -line.xy, onLine, wanted);
   if (back.met.x < 0.0) return 0.0;
-  if (!onLine) covered = coverage(distanceToSegment(here, there.met, back.met), wanted.width);
+  if (!onLine) covered = gapCoverage(here, there, back, wanted.width);
   if (covered <= 0.0) return 0.0;
   float rays = there.rays + back.rays, strength = (there.gained + back.gained) / max(rays, 1e-6);
   float long_ = smoothstep(0.7, 1.1, (there.length + back.length) / max(wanted.length, 1e-30));

@@ -45,8 +45,9 @@ TEST_P(OldPictureGlTest, OpensToItself) {
   expectKept(GetParam(), app::readPng(file), openedBy(GetParam(), {"--executor", "cpu"}), kOtherOrder);
 }
 
+// Not "lines": 0.1.0 followed them over pixels, so that they changed with the size of the picture.
 INSTANTIATE_TEST_SUITE_P(Pictures, OldPictureGlTest,
-                         testing::Values("cubic", "curvature", "cuts", "flow", "layers", "light", "lines"),
+                         testing::Values("cubic", "curvature", "cuts", "flow", "layers", "light"),
                          [](const auto& one) { return std::string(one.param); });
 
 class SameProgramGlTest : public testing::TestWithParam<const char*> {};

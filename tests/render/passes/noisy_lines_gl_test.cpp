@@ -1,11 +1,9 @@
 // Ridges and valleys of a noisy head against those of the same head without noise.
-#include <algorithm>
 #include <vector>
-
-#include <glm/geometric.hpp>
 
 #include "base/progress.h"
 #include "tests/render/gl_fixture.h"
+#include "tests/render/passes/line_points.h"
 #include "volume/phantom/phantom.h"
 
 namespace isolux::test {
@@ -14,16 +12,6 @@ namespace {
 struct LinePoints {
   std::vector<glm::dvec3> ridges, valleys;  // surface points that lines cover by half, mm
 };
-
-// Of the points of `of`, the share that has one of `near` within `reach` mm.
-double shareNear(const std::vector<glm::dvec3>& of, const std::vector<glm::dvec3>& near, double reach) {
-  if (of.empty()) return 1.0;
-  const auto isNear = [&](const glm::dvec3& p) {
-    return std::any_of(near.begin(), near.end(),
-                       [&](const glm::dvec3& q) { return glm::distance(p, q) <= reach; });
-  };
-  return static_cast<double>(std::count_if(of.begin(), of.end(), isNear)) / static_cast<double>(of.size());
-}
 
 class NoisyLinesGlTest : public RenderGlTest {
  protected:
