@@ -152,7 +152,7 @@ ordered_json measured(const volume::PreparedVolume& prepared, const scene::Scene
                                          {}};
   const auto pieces = prepared.pieces->at(question.isovalue, question.inside, progress);
   std::vector<bool> shown;
-  if (volume::hidesPieces(scene.pieces)) shown = volume::shownPieces(*pieces, scene.pieces);
+  if (volume::hidesPieces(scene.pieces)) shown = prepared.pieces->shown(*pieces, scene.pieces, progress);
   const volume::PieceMeasures measures = measurePieces(*pieces, *prepared.blocks, question, shown, progress);
   if (measures.whole.cells == 0)
     throw Error(ErrorKind::usage, "", "isovalue " + base::shortText(question.isovalue),

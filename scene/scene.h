@@ -76,6 +76,10 @@ struct Pieces {
   double smallest = 0.0;           // mm^3
   std::vector<glm::dvec3> hidden;  // these are not shown
   std::vector<glm::dvec3> only;    // where there are any, only these are shown
+  // Data units: only pieces of which half lies in the body above this are shown (volume/pieces/body.h), and
+  // there at least so deep, as a fraction of the body's greatest depth.
+  std::optional<double> within{};
+  double depth = 0.0;
   bool operator==(const Pieces&) const = default;
 };
 

@@ -108,6 +108,15 @@ std::vector<Setting> makeSettings() {
                    "World points; pieces that hold one of them are not shown."));
   add(entry<Scene>("pieces.only", ISOLUX_MEMBER(pieces.only), positionRange, "mm",
                    "World points; where there are any, only pieces that hold one of them are shown."));
+  add(entry<Scene>(
+      "pieces.within", ISOLUX_MEMBER(pieces.within), {-1e38, 1e38}, "data units",
+      "Only pieces of which at least half lies in the body above this value are shown, the skin's "
+      "for example: a headrest and a table are not. What is thinner than 10 mm is no body; auto shows "
+      "pieces wherever they lie."));
+  add(entry<Scene>(
+      "pieces.depth", ISOLUX_MEMBER(pieces.depth), unitRange, "",
+      "How deep in that body half of a piece must lie, as a fraction of the body's greatest depth: "
+      "a brain does, its scalp does not."));
 
   add(entry<Scene>(
       "clip.planes", ISOLUX_MEMBER(clip.planes), positionRange, "mm",

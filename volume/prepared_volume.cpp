@@ -26,6 +26,7 @@
 #include "volume/statistics/plausibility.h"
 #include "volume/statistics/surface_outline.h"
 #include "volume/statistics/typical_step.h"
+#include "volume/statistics/white_matter.h"
 
 namespace isolux::volume {
 
@@ -237,6 +238,11 @@ double awayFromNoise(const PreparedVolume& prepared, double isovalue, double con
   return std::min(isovalue, std::max(background - away, contrast));
 }
 
+// As presets of MR have it: {"between": -0.4}.
+double skinOfMr(const scene::VolumeFacts& facts) {
+  return std::lerp(facts.contrastIsovalue, facts.minimum, 0.4);
+}
+
 void setFacts(const std::shared_ptr<PreparedVolume>& prepared, Histogram histogram, double typicalStep,
               base::Progress& progress) {
   prepared->histogram = std::move(histogram);
@@ -260,6 +266,8 @@ void setFacts(const std::shared_ptr<PreparedVolume>& prepared, Histogram histogr
   facts.minimum = prepared->grid().minimum();
   facts.maximum = prepared->grid().maximum();
   facts.typicalStep = typicalStep;
+  if (facts.axes == scene::WorldAxes::anatomical && unit != "HU" && prepared->grid().isWhole())
+    facts.whiteMatter = whiteMatterOf(prepared->grid(), skinOfMr(facts), progress);
   setBounds(*prepared, progress);
   setFirstView(*prepared, progress);
 }

@@ -13,7 +13,6 @@
 #include "scene/rules/needs.h"
 #include "volume/pieces/hidden_pieces.h"
 #include "volume/pieces/piece_sets.h"
-#include "volume/pieces/shown_pieces.h"
 #include "volume/read/length_doubt.h"
 
 namespace isolux::app {
@@ -240,10 +239,11 @@ std::vector<std::string> Caveats::lines() const {
 Caveats caveatsOf(const scene::Scene& resolved, const volume::PreparedVolume& volume) {
   Caveats caveats{.invented = volume::inventedData(volume.volume.warnings)};
   if (!volume.volume.damage.empty()) caveats.invented.insert(caveats.invented.begin(), "parts missing");
+  base::Progress unwatched;  // the body, where there is one, is known
   for (const volume::HiddenOfSurface& surface : volume::knownHidden(resolved, *volume.pieces)) {
     const auto pieces = volume.pieces->find(surface.isovalue, surface.inside);
     if (!pieces) continue;
-    const std::vector<bool> shown = volume::shownPieces(*pieces, resolved.pieces);
+    const std::vector<bool> shown = volume.pieces->shown(*pieces, resolved.pieces, unwatched);
     caveats.pieces += shown.size();
     caveats.hidden += static_cast<std::size_t>(std::count(shown.begin(), shown.end(), false));
   }

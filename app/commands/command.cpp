@@ -303,11 +303,10 @@ scene::Scene sceneOf(const std::string& path, const SceneOptions& options,
     const Preset preset = findPreset(options.preset);
     const std::string reason = whyNot(preset, volume, assigns(options, "isosurface.value"));
     if (!reason.empty())
-      throw Error(ErrorKind::usage, volume.volume.name, "preset " + preset.name,
-                  "does not apply: " + reason +
-                      (reason.find("not Hounsfield") == std::string::npos
-                           ? ""
-                           : "; with --isovalue it shows that value instead"));
+      throw Error(
+          ErrorKind::usage, volume.volume.name, "preset " + preset.name,
+          "does not apply: " + reason +
+              (whyNot(preset, volume, true).empty() ? "; with --isovalue it shows that value instead" : ""));
     scene = withPreset(scene, preset, volume, options.shift);
   }
   applyAssignments(scene, options);

@@ -91,7 +91,7 @@ SizedSurface sizedSurface(const MeasureOptions& options, const scene::Scene& sce
   }
   const auto pieces = prepared.pieces->at(of.isovalue, of.inside, progress);
   std::vector<bool> shown;
-  if (volume::hidesPieces(scene.pieces)) shown = volume::shownPieces(*pieces, scene.pieces);
+  if (volume::hidesPieces(scene.pieces)) shown = prepared.pieces->shown(*pieces, scene.pieces, progress);
   if (question.box) {
     question.keeps = [&](glm::ivec3 cell) { return holdsShown(*pieces, shown, cell); };
     sized.whole = measureSurface(prepared.grid(), *prepared.blocks, question, progress);
@@ -123,7 +123,7 @@ ordered_json curvatureOf(const MeasureOptions& options, scene::Scene scene, cons
     part.shown[id] = true;
     title += ", piece " + std::to_string(id);
   } else if (volume::hidesPieces(scene.pieces)) {
-    part.shown = volume::shownPieces(*pieces, scene.pieces);
+    part.shown = prepared.pieces->shown(*pieces, scene.pieces, progress);
   }
   const volume::CurvatureDistribution curvature =
       curvatureDistribution(prepared, scene, *pieces, part, progress);

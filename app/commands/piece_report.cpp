@@ -14,7 +14,6 @@
 #include "base/number_text.h"
 #include "volume/measure/voxel_noise.h"
 #include "volume/pieces/piece_seeds.h"
-#include "volume/pieces/shown_pieces.h"
 
 namespace isolux::app {
 
@@ -72,7 +71,7 @@ ordered_json piecesJson(const volume::PreparedVolume& prepared, const scene::Sce
       isovalue, scene.isosurface.inside, std::nullopt, volume::voxelNoise(prepared, scene, progress), {}};
   const volume::PieceMeasures measures = measurePieces(*pieces, *prepared.blocks, question, {}, progress);
   const std::vector<glm::ivec3> seeds = pieceSeeds(*pieces, progress);
-  const std::vector<bool> shown = shownPieces(*pieces, scene.pieces);
+  const std::vector<bool> shown = prepared.pieces->shown(*pieces, scene.pieces, progress);
   ordered_json list = ordered_json::array();
   for (std::size_t id = 0; id < measures.pieces.size(); ++id) {
     ordered_json piece = pieceJson(id, measures.pieces[id]);

@@ -24,19 +24,28 @@ struct NeedInfo {
   const char* name;
   const char* reason;  // why a volume without it is refused
 };
-constexpr std::array<NeedInfo, 5> kNeeds{
+constexpr std::array<NeedInfo, 6> kNeeds{
     NeedInfo{PresetNeed::hounsfield, "hounsfield", "its values are not Hounsfield units"},
     {PresetNeed::not_hounsfield, "not_hounsfield", "its values are Hounsfield units: this is a CT"},
     {PresetNeed::patient, "patient", "its file does not state where a patient lies"},
     {PresetNeed::no_patient, "no_patient", "its file states where a patient lies: this is a scan of one"},
-    {PresetNeed::distance, "distance", "its values are not distances in mm"}};
+    {PresetNeed::distance, "distance", "its values are not distances in mm"},
+    {PresetNeed::white_matter, "white_matter", "no white matter of a T1 scan is found in it"}};
 
 constexpr std::array<const char*, 12> kOfVolume{
     "source.",     "camera.eye", "camera.target",     "camera.up",      "pieces.hidden", "pieces.only",
     "clip.planes", "clip.box",   "clip.box_rotation", "slice.position", "marks.",        "color."};
-constexpr std::array<const char*, 9> kReset{"isosurface.",  "isosurface2.",    "isosurface3.",
-                                            "isosurface4.", "look.",           "flow.",
-                                            "pieces.keep",  "pieces.smallest", "light.environment.builtin"};
+constexpr std::array<const char*, 11> kReset{"isosurface.",
+                                             "isosurface2.",
+                                             "isosurface3.",
+                                             "isosurface4.",
+                                             "look.",
+                                             "flow.",
+                                             "pieces.keep",
+                                             "pieces.depth",
+                                             "pieces.smallest",
+                                             "pieces.within",
+                                             "light.environment.builtin"};
 
 bool coveredByOne(std::span<const char* const> patterns, const std::string& path) {
   return std::any_of(patterns.begin(), patterns.end(),
@@ -162,6 +171,7 @@ std::string whyNot(const Preset& preset, const volume::PreparedVolume& volume, b
                      : need == PresetNeed::not_hounsfield ? !isHounsfield(volume)
                      : need == PresetNeed::patient        ? patient
                      : need == PresetNeed::no_patient     ? !patient
+                     : need == PresetNeed::white_matter   ? isovalueGiven || volume.facts.whiteMatter
                                                           : volume.volume.unit == "mm";
     if (met) continue;
     for (const NeedInfo& info : kNeeds)

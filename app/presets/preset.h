@@ -20,7 +20,8 @@ enum class PresetNeed {
   not_hounsfield,  // they are not
   patient,         // the file states where the patient lies
   no_patient,      // it does not
-  distance         // values are a signed distance, mm
+  distance,        // values are a signed distance, mm
+  white_matter     // a T1 scan of a brain, bare or in its head (volume::whiteMatterOf)
 };
 
 struct Preset {
@@ -30,7 +31,9 @@ struct Preset {
   std::vector<PresetNeed> needs;
   // Setting path to its value, or, of settings in data units, to where that lies in the volume: {"hu": 300},
   // {"quantile": 0.99} of its voxels, or {"between": 0.3} of the way from the clearest border
-  // (volume::contrastIsovalue) to the largest value, {"between": -0.3} to the least.
+  // (volume::contrastIsovalue) to the largest value, {"between": -0.3} to the least; {"white_matter": 0.5}
+  // from the border between grey and white matter to the mean of the white (where none is found the border
+  // itself of "between").
   nlohmann::ordered_json settings = nlohmann::ordered_json::object();
   std::filesystem::path file{};  // empty: comes with the program
 };
@@ -52,7 +55,7 @@ bool resetByPreset(const std::string& path);
 // All that whyNot() can answer, for who translates.
 std::vector<std::string> needReasons();
 // Why the preset says nothing of this volume, a clause; empty: it applies. Needs of Hounsfield units do not
-// count where `isovalueGiven`: somebody says the isovalue himself.
+// count, nor that of white matter, where `isovalueGiven`: somebody says the isovalue himself.
 std::string whyNot(const Preset& preset, const volume::PreparedVolume& volume, bool isovalueGiven = false);
 
 // The scene with the preset's settings, the others that presets are made of at their defaults; camera, cuts,

@@ -12,6 +12,9 @@ namespace isolux::app {
 
 namespace {
 
+constexpr const char* kForms =
+    "must be a number, or one of {\"hu\": v}, {\"quantile\": q}, {\"between\": p}, {\"white_matter\": p}";
+
 double histogramQuantile(const volume::Histogram& histogram, double part) {
   const std::uint64_t total =
       std::accumulate(histogram.counts.begin(), histogram.counts.end(), std::uint64_t{0});
@@ -40,15 +43,14 @@ void checkValueOfVolume(const scene::Setting& setting, const nlohmann::ordered_j
   };
   if (setting.unit != "data units" || setting.type != scene::SettingType::number)
     refuse("is not in data units and takes a plain value");
-  if (value.size() != 1 || !value.begin().value().is_number())
-    refuse("must be a number, or one of {\"hu\": v}, {\"quantile\": q}, {\"between\": p}");
+  if (value.size() != 1 || !value.begin().value().is_number()) refuse(kForms);
   const std::string& key = value.begin().key();
   const double number = value.begin().value().get<double>();
   if (key == "hu") return;
-  if (key != "quantile" && key != "between")
-    refuse("must be a number, or one of {\"hu\": v}, {\"quantile\": q}, {\"between\": p}");
+  if (key != "quantile" && key != "between" && key != "white_matter") refuse(kForms);
   const double least = key == "between" ? -1.0 : 0.0;
-  if (!(number >= least && number <= 1.0)) refuse("quantile lies from 0 to 1, between from -1 to 1");
+  if (!(number >= least && number <= 1.0))
+    refuse("quantile and white_matter lie from 0 to 1, between from -1 to 1");
 }
 
 double valueInVolume(const nlohmann::ordered_json& value, const volume::PreparedVolume& volume) {
@@ -58,6 +60,10 @@ double valueInVolume(const nlohmann::ordered_json& value, const volume::Prepared
   if (key == "between") {
     const double end = number < 0.0 ? volume.facts.minimum : volume.facts.maximum;
     return std::lerp(volume.facts.contrastIsovalue, end, std::abs(number));
+  }
+  if (key == "white_matter") {
+    const std::optional<scene::WhiteMatter>& tissue = volume.facts.whiteMatter;
+    return tissue ? std::lerp(tissue->border, tissue->mean, number) : volume.facts.contrastIsovalue;
   }
   return number;
 }

@@ -3288,6 +3288,10 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
         <translation>Größte behalten</translation>
     </message>
     <message>
+        <source>In the body above</source>
+        <translation>Im Körper über</translation>
+    </message>
+    <message>
         <source>Not below</source>
         <translation>Nicht unter</translation>
     </message>
@@ -4641,10 +4645,6 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Gefärbte Strukturen eines Mikroskopstapels, grün auf schwarz.</translation>
     </message>
     <message>
-        <source>The largest bright structure of a T1 scan: white matter, where the scalp does not touch it or was removed.</source>
-        <translation>Die größte helle Struktur einer T1-Aufnahme: weiße Substanz, wo die Kopfhaut sie nicht berührt oder entfernt wurde.</translation>
-    </message>
-    <message>
         <source>The outer skin in a CT, with the room&apos;s air left out.</source>
         <translation>Die äußere Haut in einem CT, ohne die Luft des Raums.</translation>
     </message>
@@ -4659,6 +4659,10 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <message>
         <source>The surface of a mesh or distance field: where the distance is 0, coloured by mean curvature.</source>
         <translation>Die Fläche eines Netzes oder Abstandsfelds: wo der Abstand 0 ist, gefärbt nach mittlerer Krümmung.</translation>
+    </message>
+    <message>
+        <source>The white matter of a T1 scan, of a brain alone or in its head.</source>
+        <translation>Die weiße Substanz einer T1-Aufnahme, eines Gehirns allein oder in seinem Kopf.</translation>
     </message>
     <message>
         <source>Vessels filled with contrast agent in a CT, with the bone that is as dense.</source>
@@ -4687,6 +4691,10 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <message>
         <source>its values are not distances in mm</source>
         <translation>seine Werte sind keine Abstände in mm</translation>
+    </message>
+    <message>
+        <source>no white matter of a T1 scan is found in it</source>
+        <translation>darin findet sich keine weiße Substanz einer T1-Aufnahme</translation>
     </message>
     <message>
         <source>Bone through skin that is transparent where it faces the viewer and dense where it is seen from the side.</source>
@@ -4774,6 +4782,10 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <message>
         <source>no isolines are drawn</source>
         <translation>es werden keine Isolinien gezeichnet</translation>
+    </message>
+    <message>
+        <source>pieces are shown wherever they lie</source>
+        <translation>Teile werden gezeigt, wo immer sie liegen</translation>
     </message>
     <message>
         <source>no isosurface is shown</source>
@@ -5486,6 +5498,10 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Wie eine Datei ohne Kopf zu lesen ist: „BxHxT TYP [little|big] [spacing x,y,z] [header BYTES]“.</translation>
     </message>
     <message>
+        <source>How deep in that body half of a piece must lie, as a fraction of the body&apos;s greatest depth: a brain does, its scalp does not.</source>
+        <translation>Wie tief in diesem Körper die Hälfte eines Teils liegen muss, als Anteil seiner größten Tiefe: ein Gehirn tut es, seine Kopfhaut nicht.</translation>
+    </message>
+    <message>
         <source>How to read it, as source.raw.</source>
         <translation>Wie es zu lesen ist, wie source.raw.</translation>
     </message>
@@ -5540,6 +5556,10 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <message>
         <source>Pictures in motion shrink until they are quick enough; the full picture follows at rest.</source>
         <translation>Bilder bei Bewegung werden kleiner, bis sie schnell genug sind; in Ruhe folgt das volle Bild.</translation>
+    </message>
+    <message>
+        <source>Only pieces of which at least half lies in the body above this value are shown, the skin&apos;s for example: a headrest and a table are not. What is thinner than 10 mm is no body; auto shows pieces wherever they lie.</source>
+        <translation>Nur Teile, die mindestens zur Hälfte im Körper über diesem Wert liegen, etwa dem der Haut, werden gezeigt: Kopfstütze und Liege nicht. Was dünner als 10 mm ist, ist kein Körper; auto zeigt Teile, wo immer sie liegen.</translation>
     </message>
     <message>
         <source>Pieces that enclose less than this are not shown.</source>
@@ -8121,6 +8141,22 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <message>
         <source>suggestion</source>
         <translation>Vorschlag</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Within</source>
+        <translation>Innerhalb</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>within</source>
+        <translation>Innerhalb</translation>
     </message>
 </context>
 </TS>

@@ -132,6 +132,8 @@ constexpr Rule rules[] = {
      "there are no ghosts"},
 
     {"pieces.", showsSurface, "no isosurface is shown"},
+    {"pieces.depth", [](const Scene& s) { return s.pieces.within.has_value(); },
+     "pieces are shown wherever they lie"},
     {"isosurface.clipped isosurface#.clipped clip.cap",
      [](const Scene& s) { return !s.clip.planes.empty() || !s.clip.box.empty(); }, "nothing is cut away"},
     {"clip.box_rotation", [](const Scene& s) { return !s.clip.box.empty(); }, "no box cuts anything"},

@@ -82,7 +82,7 @@ TEST(Settings, CoversEveryMemberOfScene) {
       extraIsosurfaces[0];
   [[maybe_unused]] const auto& [method, hitField, rate, nearFactor, nearThreshold, refinements] = hit;
   [[maybe_unused]] const auto& [field, fetch, noise, scale, normalScale] = derivatives;
-  [[maybe_unused]] const auto& [keep, smallest, hidden, only] = pieces;
+  [[maybe_unused]] const auto& [keep, smallest, hidden, only, within, depth] = pieces;
   [[maybe_unused]] const auto& [planes, box, boxRotation, cap] = clip;
   [[maybe_unused]] const auto& [level, width, sliceMap, sliceField, slab, slabMode, convention, sliceContours,
                                 noiseBand, slicePosition] = slice;

@@ -56,7 +56,8 @@ PiecesPanel::PiecesPanel(QWidget* parent)
       list_(new QTreeWidget(this)),
       controls_(makeButtons()),
       keep_(new SettingEditor(scene::setting("pieces.keep"), this)),
-      smallest_(new SettingEditor(scene::setting("pieces.smallest"), this)) {
+      smallest_(new SettingEditor(scene::setting("pieces.smallest"), this)),
+      within_(new SettingEditor(scene::setting("pieces.within"), this)) {
   heading_->setWordWrap(true);
   more_->setWordWrap(true);
   setInk(more_, Ink::quiet);
@@ -65,7 +66,8 @@ PiecesPanel::PiecesPanel(QWidget* parent)
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   form->addRow(tr("Keep the largest"), keep_);
   form->addRow(tr("Not below"), smallest_);
-  for (SettingEditor* editor : {keep_, smallest_}) {
+  form->addRow(tr("In the body above"), within_);
+  for (SettingEditor* editor : {keep_, smallest_, within_}) {
     connect(editor, &SettingEditor::edited, this, &PiecesPanel::edited);
     connect(editor, &SettingEditor::failed, this, &PiecesPanel::failed);
   }
@@ -153,6 +155,7 @@ void PiecesPanel::setScene(const scene::Scene& scene, const scene::Scene& resolv
   resolved_ = resolved;
   keep_->setScene(scene, resolved);
   smallest_->setScene(scene, resolved);
+  within_->setScene(scene, resolved);
   if (otherChoice) showRows();
   findSoon();
 }
@@ -230,7 +233,8 @@ void PiecesPanel::showRows() {
   const QSignalBlocker block(list_);
   more_->hide();
   if (!found_.pieces) return list_->clear();
-  const std::vector<bool> shown = volume::shownPieces(*found_.pieces, scene_.pieces);
+  base::Progress unwatched;
+  const std::vector<bool> shown = volume_->pieces->shown(*found_.pieces, scene_.pieces, unwatched);
   const std::size_t rows = std::min(shown.size(), mostRows);
   // A change of the choice comes from a row: its items stay.
   if (static_cast<std::size_t>(list_->topLevelItemCount()) != rows) {
@@ -307,7 +311,8 @@ void PiecesPanel::showState() {
     heading_->setText(tr("No voxel is inside at %1: move the isovalue.").arg(where));
     return;
   }
-  const std::vector<bool> shown = volume::shownPieces(*found_.pieces, scene_.pieces);
+  base::Progress unwatched;
+  const std::vector<bool> shown = volume_->pieces->shown(*found_.pieces, scene_.pieces, unwatched);
   const auto hidden = std::count(shown.begin(), shown.end(), false);
   QString text = count == 1 ? tr("One piece at %1").arg(where) : tr("%1 pieces at %2").arg(count).arg(where);
   if (hidden > 0) text += tr(", %1 hidden").arg(hidden);

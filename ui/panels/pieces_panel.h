@@ -72,7 +72,7 @@ class PiecesPanel : public Panel {
   QTreeWidget* list_;
   QPushButton *hide_, *only_, *centre_, *all_;  // of controls_
   QWidget* controls_;
-  SettingEditor *keep_, *smallest_;
+  SettingEditor *keep_, *smallest_, *within_;
 };
 
 }  // namespace isolux::ui

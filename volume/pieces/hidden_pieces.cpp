@@ -48,7 +48,7 @@ std::vector<HiddenOfSurface> knownHidden(const scene::Scene& resolved, const Pie
 }
 
 bool hiddenIsReady(const scene::Scene& resolved, const PieceSets& pieces) {
-  return !hidesPieces(resolved.pieces) || pieces.any();
+  return !hidesPieces(resolved.pieces) || (pieces.any() && pieces.knowsBody(resolved.pieces));
 }
 
 HiddenPieces hiddenAt(std::span<const HiddenOfSurface> surfaces, double isovalue) {

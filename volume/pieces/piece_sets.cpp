@@ -50,6 +50,31 @@ bool PieceSets::forgetOldest() const {
   return true;
 }
 
+std::shared_ptr<const Body> PieceSets::body(double isovalue, base::Progress& progress) const {
+  {
+    const std::lock_guard lock(mutex_);
+    for (const auto& body : bodies_)
+      if (body->isovalue() == isovalue) return body;
+  }
+  auto body = std::make_shared<const Body>(*grid_, isovalue, progress);
+  const std::lock_guard lock(mutex_);
+  keep(bodies_, std::shared_ptr<const Body>(body), kMostBodies);
+  return body;
+}
+
+bool PieceSets::knowsBody(const scene::Pieces& choice) const {
+  if (!choice.within) return true;
+  const std::lock_guard lock(mutex_);
+  return std::any_of(bodies_.begin(), bodies_.end(),
+                     [&](const auto& body) { return body->isovalue() == *choice.within; });
+}
+
+std::vector<bool> PieceSets::shown(const Pieces& pieces, const scene::Pieces& choice,
+                                   base::Progress& progress) const {
+  const auto within = choice.within ? body(*choice.within, progress) : nullptr;
+  return shownPieces(pieces, choice, within.get());
+}
+
 std::optional<std::shared_ptr<const HiddenVoxels>> PieceSets::findHidden(const scene::Pieces& choice,
                                                                          double isovalue,
                                                                          scene::Inside inside) const {
@@ -65,7 +90,7 @@ std::shared_ptr<const HiddenVoxels> PieceSets::hidden(const scene::Pieces& choic
   if (const auto found = findHidden(choice, isovalue, inside)) return *found;
   const auto pieces = at(isovalue, inside, progress);
   auto voxels = std::make_shared<const HiddenVoxels>(
-      hiddenVoxels(*pieces, shownPieces(*pieces, choice), hidesStrays(choice)));
+      hiddenVoxels(*pieces, shown(*pieces, choice, progress), hidesStrays(choice)));
   if (!voxels->any() && !voxels->hidesStrays()) voxels = nullptr;
   const std::lock_guard lock(mutex_);
   keep(hidden_, {choice, isovalue, inside, voxels}, kMostKept);

@@ -11,6 +11,7 @@
 
 #include "base/progress.h"
 #include "scene/scene.h"
+#include "volume/pieces/body.h"
 #include "volume/pieces/hidden_voxels.h"
 #include "volume/pieces/pieces.h"
 #include "volume/skip/min_max_blocks.h"
@@ -28,6 +29,13 @@ class PieceSets {
   // Throws Error: interrupted, memory.
   std::shared_ptr<const Pieces> at(double isovalue, scene::Inside inside, base::Progress& progress) const;
 
+  // The body above an isovalue (scene::Pieces::within). Throws Error: interrupted, memory.
+  std::shared_ptr<const Body> body(double isovalue, base::Progress& progress) const;
+  // Whether all that a choice needs beside the pieces is known.
+  bool knowsBody(const scene::Pieces& choice) const;
+  // shownPieces() of these pieces. Throws as body() does.
+  std::vector<bool> shown(const Pieces& pieces, const scene::Pieces& choice, base::Progress& progress) const;
+
   // What a scene's choice of pieces hides of one of its isosurfaces; null where the choice hides nothing of
   // it. Throws as at() does.
   std::shared_ptr<const HiddenVoxels> hidden(const scene::Pieces& choice, double isovalue,
@@ -40,7 +48,7 @@ class PieceSets {
   bool forgetOldest() const;  // false: no pieces are kept
 
   // Four isosurfaces, before and after a change.
-  static constexpr std::size_t kMostKept = 8;
+  static constexpr std::size_t kMostKept = 8, kMostBodies = 2;
   struct Hidden {
     scene::Pieces choice;
     double isovalue;
@@ -52,6 +60,7 @@ class PieceSets {
   mutable std::mutex mutex_;                                   // held for moments
   mutable std::vector<std::shared_ptr<const Pieces>> pieces_;  // the latest last
   mutable std::vector<Hidden> hidden_;
+  mutable std::vector<std::shared_ptr<const Body>> bodies_;
 };
 
 }  // namespace isolux::volume

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <stdexcept>
 
 #include "volume/parallel_loops.h"
 
@@ -61,20 +62,24 @@ class RowOfHidden {
 }  // namespace
 
 bool hidesStrays(const scene::Pieces& choice) {
-  return choice.keep > 0 || choice.smallest > 0.0 || !choice.only.empty();
+  return choice.keep > 0 || choice.smallest > 0.0 || !choice.only.empty() || choice.within;
 }
 
 bool hidesPieces(const scene::Pieces& choice) {
   return hidesStrays(choice) || !choice.hidden.empty();
 }
 
-std::vector<bool> shownPieces(const Pieces& pieces, const scene::Pieces& choice) {
+std::vector<bool> shownPieces(const Pieces& pieces, const scene::Pieces& choice, const Body* body) {
+  if (choice.within && !body) throw std::logic_error("pieces within a body that nobody has made");
+  const std::vector<std::uint64_t> voxelsWithin =
+      choice.within ? voxelsInBody(pieces, *body, choice.depth) : std::vector<std::uint64_t>{};
   const std::vector<bool> hidden = piecesAt(pieces, choice.hidden), only = piecesAt(pieces, choice.only);
   std::vector<bool> shown(pieces.list().size());
   for (std::size_t i = 0; i < shown.size(); ++i)
     shown[i] = (choice.keep == 0 || i < static_cast<std::size_t>(choice.keep)) &&
                pieces.list()[i].volumeMm3 >= choice.smallest && !hidden[i] &&
-               (choice.only.empty() || only[i]);
+               (choice.only.empty() || only[i]) &&
+               (!choice.within || 2 * voxelsWithin[i] >= pieces.list()[i].voxels);
   return shown;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "volume/pieces/body.h"
 #include "volume/pieces/hidden_voxels.h"
 #include "volume/pieces/pieces.h"
 
@@ -14,8 +15,9 @@ namespace isolux::volume {
 bool hidesPieces(const scene::Pieces& choice);
 
 // Of each piece whether it is shown. All conditions hold at once; pieces.keep counts among all pieces, not
-// among those that the others leave. A point outside of all pieces names none.
-std::vector<bool> shownPieces(const Pieces& pieces, const scene::Pieces& choice);
+// among those that the others leave. A point outside of all pieces names none. `body`: the one above
+// choice.within, where that is given (PieceSets::shown() has it).
+std::vector<bool> shownPieces(const Pieces& pieces, const scene::Pieces& choice, const Body* body = nullptr);
 
 // Whether the choice names what is shown, so that what belongs to no piece is hidden; else it names what is
 // hidden.

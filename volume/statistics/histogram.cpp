@@ -310,6 +310,23 @@ Histogram makeHistogram(const Grid& grid, int bins, base::Progress& progress) {
       grid.voxels());
 }
 
+ValueClasses threeClasses(const Histogram& histogram) {
+  ValueClasses result;
+  const double total = countOf(histogram.counts);
+  if (total <= 0.0) return result;
+  const auto [lower, upper] = otsuSplits(histogram);
+  for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
+    const std::size_t of = i <= lower ? 0 : i <= upper ? 1 : 2;
+    const double part = static_cast<double>(histogram.counts[i]) / total;
+    result.parts[of] += part;
+    result.means[of] += part * histogram.binCentre(i);
+  }
+  for (std::size_t of = 0; of < 3; ++of)
+    if (result.parts[of] > 0.0) result.means[of] /= result.parts[of];
+  result.borders = {upperEdge(histogram, lower), upperEdge(histogram, upper)};
+  return result;
+}
+
 double suggestIsovalue(const Grid& grid, const Histogram& histogram, const std::string& unit) {
   const double low = grid.minimum(), high = grid.maximum();
   if (!(low < high)) return low;

@@ -1,6 +1,7 @@
 // Distribution of the values of a volume, for the isovalue slider and `isolux info`.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -18,6 +19,14 @@ struct Histogram {
 // `progress` it throws Error{interrupted} once a stop was requested.
 Histogram makeHistogram(const Grid& grid, int bins = 512);
 Histogram makeHistogram(const Grid& grid, int bins, base::Progress& progress);
+
+// The classes of Otsu's two thresholds (1979), the lowest first: what part of all counts each has, its mean,
+// and the borders between them, data units. No counts: no parts.
+struct ValueClasses {
+  std::array<double, 3> parts{}, means{};
+  std::array<double, 2> borders{};
+};
+ValueClasses threeClasses(const Histogram& histogram);
 
 // The first isovalue that one would look at: the border of the whole object. For CT (in HU, or int16 with the
 // values of one) the skin (-300) when the range holds it. Else, where one value is much more frequent than

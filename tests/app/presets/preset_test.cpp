@@ -65,7 +65,10 @@ TEST(Preset, AppliesOrSaysWhyNot) {
   EXPECT_EQ(whyNot(bone, *unknown, true), "") << "the isovalue is said";
   EXPECT_NE(whyNot(brain, *ct), "");
   EXPECT_EQ(whyNot(brain, *unknown), "its file does not state where a patient lies");
-  EXPECT_EQ(whyNot(brain, *ramp("counts", scene::WorldAxes::anatomical)), "");
+  const auto patient = ramp("counts", scene::WorldAxes::anatomical);
+  EXPECT_EQ(whyNot(findPreset("mr_skin"), *patient), "");
+  EXPECT_EQ(whyNot(brain, *patient), "no white matter of a T1 scan is found in it");
+  EXPECT_EQ(whyNot(brain, *patient, true), "") << "the isovalue is said";
   EXPECT_NE(whyNot(findPreset("distance"), *ct), "");
   EXPECT_EQ(whyNot(findPreset("distance"), *ramp("mm")), "");
   // Nobody says the unit, but only a CT has such values.
@@ -85,6 +88,10 @@ TEST(Preset, ValuesLieWhereTheirRulesSay) {
   EXPECT_DOUBLE_EQ(at(R"({"between": 0})"), clearest);
   EXPECT_DOUBLE_EQ(at(R"({"between": 0.25})"), clearest + 0.25 * (1023 - clearest));
   EXPECT_DOUBLE_EQ(at(R"({"between": -0.25})"), clearest - 0.25 * (clearest + 1024));
+  EXPECT_DOUBLE_EQ(at(R"({"white_matter": 0.5})"), clearest) << "there is none";
+  auto brain = std::make_shared<volume::PreparedVolume>(*volume);
+  brain->facts.whiteMatter = scene::WhiteMatter{100.0, 120.0};
+  EXPECT_DOUBLE_EQ(valueInVolume({{"white_matter", 0.25}}, *brain), 105.0);
 }
 
 TEST(Preset, SetsWhatItSaysResetsTheLookAndLeavesTheRest) {

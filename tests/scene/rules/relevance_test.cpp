@@ -160,7 +160,7 @@ TEST(Relevance, PiecesNeedASurface) {
   scene::Scene scene;
   EXPECT_TRUE(acts("pieces.keep", scene));
   scene.isosurface.opacity = 0.0;
-  for (const char* path : {"pieces.keep", "pieces.smallest", "pieces.hidden", "pieces.only"})
+  for (const char* path : {"pieces.keep", "pieces.smallest", "pieces.hidden", "pieces.only", "pieces.within"})
     EXPECT_FALSE(acts(path, scene)) << path;
   scene.extraIsosurfaces[0].shown = true;
   EXPECT_TRUE(acts("pieces.keep", scene));
@@ -172,6 +172,9 @@ TEST(Relevance, PiecesNeedASurface) {
   EXPECT_FALSE(acts("isosurface.inside", scene));
   scene.pieces.keep = 1;
   EXPECT_TRUE(acts("isosurface.inside", scene));
+  EXPECT_FALSE(acts("pieces.depth", scene));
+  scene.pieces.within = 0.0;
+  EXPECT_TRUE(acts("pieces.depth", scene));
 }
 
 }  // namespace isolux::test
