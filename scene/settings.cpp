@@ -111,7 +111,7 @@ std::vector<Setting> makeSettings() {
   add(entry<Scene>(
       "pieces.within", ISOLUX_MEMBER(pieces.within), {-1e38, 1e38}, "data units",
       "Only pieces of which at least half lies in the body above this value are shown, the skin's "
-      "for example: a headrest and a table are not. What is thinner than 10 mm is no body; auto shows "
+      "for example: a headrest and a table are not. What is thinner than 8 mm is no body; auto shows "
       "pieces wherever they lie."));
   add(entry<Scene>(
       "pieces.depth", ISOLUX_MEMBER(pieces.depth), unitRange, "",

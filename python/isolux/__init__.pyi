@@ -63,6 +63,8 @@ SettingsDict = TypedDict("SettingsDict", {
     "pieces.smallest": float,  # Pieces that enclose less than this are not shown.
     "pieces.hidden": Sequence[Any] | str,  # World points; pieces that hold one of them are not shown.
     "pieces.only": Sequence[Any] | str,  # World points; where there are any, only pieces that hold one of them are shown.
+    "pieces.within": float | Literal["auto"] | None,  # Only pieces of which at least half lies in the body above this value are shown, the skin's for example: a headrest and a table are not. What is thinner than 8 mm is no body; auto shows pieces wherever they lie.
+    "pieces.depth": float,  # How deep in that body half of a piece must lie, as a fraction of the body's greatest depth: a brain does, its scalp does not.
     "clip.planes": Sequence[Any] | str,  # Up to six planes "px,py,pz nx,ny,nz; ...", a point and a normal each: what lies on the side that the normal points to is cut away.
     "clip.box": Sequence[Any] | str,  # Two opposite corners "x,y,z; x,y,z" of a box outside which everything is cut away; none cuts nothing.
     "clip.box_rotation": Sequence[Any] | str,  # How the box is turned about its centre.

@@ -5558,8 +5558,8 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Bilder bei Bewegung werden kleiner, bis sie schnell genug sind; in Ruhe folgt das volle Bild.</translation>
     </message>
     <message>
-        <source>Only pieces of which at least half lies in the body above this value are shown, the skin&apos;s for example: a headrest and a table are not. What is thinner than 10 mm is no body; auto shows pieces wherever they lie.</source>
-        <translation>Nur Teile, die mindestens zur Hälfte im Körper über diesem Wert liegen, etwa dem der Haut, werden gezeigt: Kopfstütze und Liege nicht. Was dünner als 10 mm ist, ist kein Körper; auto zeigt Teile, wo immer sie liegen.</translation>
+        <source>Only pieces of which at least half lies in the body above this value are shown, the skin&apos;s for example: a headrest and a table are not. What is thinner than 8 mm is no body; auto shows pieces wherever they lie.</source>
+        <translation>Nur Teile, die mindestens zur Hälfte im Körper über diesem Wert liegen, etwa dem der Haut, werden gezeigt: Kopfstütze und Liege nicht. Was dünner als 8 mm ist, ist kein Körper; auto zeigt Teile, wo immer sie liegen.</translation>
     </message>
     <message>
         <source>Pieces that enclose less than this are not shown.</source>

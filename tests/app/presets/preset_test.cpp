@@ -65,7 +65,11 @@ TEST(Preset, AppliesOrSaysWhyNot) {
   EXPECT_EQ(whyNot(bone, *unknown, true), "") << "the isovalue is said";
   EXPECT_NE(whyNot(brain, *ct), "");
   EXPECT_EQ(whyNot(brain, *unknown), "its file does not state where a patient lies");
-  const auto patient = ramp("counts", scene::WorldAxes::anatomical);
+  const auto patient =
+      std::make_shared<volume::PreparedVolume>(*ramp("counts", scene::WorldAxes::anatomical));
+  patient->facts.whiteMatter = scene::WhiteMatter{100.0, 120.0};
+  EXPECT_EQ(whyNot(brain, *patient), "");
+  patient->facts.whiteMatter.reset();
   EXPECT_EQ(whyNot(findPreset("mr_skin"), *patient), "");
   EXPECT_EQ(whyNot(brain, *patient), "no white matter of a T1 scan is found in it");
   EXPECT_EQ(whyNot(brain, *patient, true), "") << "the isovalue is said";

@@ -84,8 +84,8 @@ std::vector<Part> headOnItsRest() {
           {[](glm::dvec3 p) { return std::abs(p.z - 84) < 8 && std::abs(p.x - 90) < 6 && p.y > 108; }, kAir},
           ball(kHead, 35, kBoneValue),
           ball(kHead, 50, kSkinValue),
-          box({142, 40, 30}, {147, 120, 140}, kBoneValue),  // plastic
-          box({138, 40, 30}, {149, 120, 140}, kSkinValue),  // in its cover, on the skin
+          box({142, 40, 30}, {146, 120, 140}, kBoneValue),      // plastic
+          box({139.6, 40, 30}, {147.4, 120, 140}, kSkinValue),  // in its cover, on the skin
           box({20, 8, 0}, {160, 12, 160}, kBoneValue)};
 }
 
@@ -130,18 +130,19 @@ TEST(Body, DepthTellsWhatIsBelowTheSurface) {
 // Against a search among all voxels: nodes are voxels here, and the body is thick.
 TEST(Body, DepthIsTheDistanceToWhatIsOutside) {
   const glm::dvec3 spacing(1.0, 1.25, 2.0);
-  const GridGeometry geometry = GridGeometry::make({40, 36, 20}, spacing);
+  const glm::ivec3 dims(20, 18, 12);
+  const GridGeometry geometry = GridGeometry::make(dims, spacing);
   const auto solid = [](glm::dvec3 p) {
-    return glm::length((p - glm::dvec3(18, 20, 19)) / glm::dvec3(15, 14, 13)) <= 1.0;
+    return glm::length((p - glm::dvec3(9.5, 11, 12)) / glm::dvec3(8, 9, 10)) <= 1.0;
   };
   const Grid grid = test::gridOfWorld(geometry, [&](glm::dvec3 p) { return solid(p) ? 1.0 : 0.0; });
   base::Progress progress;
   const Body body(grid, 0.5, progress);
   std::vector<double> expected;
   const auto everyVoxel = [&](const auto& visit) {
-    for (int z = 0; z < 20; ++z)
-      for (int y = 0; y < 36; ++y)
-        for (int x = 0; x < 40; ++x) visit(glm::ivec3(x, y, z));
+    for (int z = 0; z < dims.z; ++z)
+      for (int y = 0; y < dims.y; ++y)
+        for (int x = 0; x < dims.x; ++x) visit(glm::ivec3(x, y, z));
   };
   const auto at = [&](glm::ivec3 v) { return glm::dvec3(v) * spacing; };
   everyVoxel([&](glm::ivec3 v) {

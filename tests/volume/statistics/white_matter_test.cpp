@@ -1,5 +1,7 @@
 #include "volume/statistics/white_matter.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "tests/support/volumes.h"
@@ -7,13 +9,13 @@
 namespace isolux::volume {
 namespace {
 
-// A ball of white matter under 12 mm of grey matter, 3 mm of fluid, and, of a head, skull and fat.
+// Folds of white and grey matter about a ventricle, under 3 mm of fluid, and, of a head, skull and fat.
 Grid brain(bool inHead, double grey, double white, double noise) {
   const GridGeometry geometry = GridGeometry::make({90, 90, 90}, {2.0, 2.0, 2.0});
   const Grid clean = test::gridOfWorld(geometry, [&](glm::dvec3 p) {
     const double r = glm::length(p - 89.0);
-    if (r < 52.0) return white;
-    if (r < 64.0) return grey;
+    if (r < 28.0) return 60.0;
+    if (r < 64.0) return std::cos(0.25 * p.x) * std::cos(0.25 * p.y) > 0.1 ? white : grey;
     if (r < 67.0) return 30.0;
     if (!inHead) return 0.0;
     if (r < 74.0) return 8.0;
