@@ -108,7 +108,7 @@ TEST(Settings, CoversEveryMemberOfScene) {
   [[maybe_unused]] const auto& [supersampling, restHits, pictureExposure, metering, letters, scaleBar,
                                 isovalue, caveats, transparent, pixelRatio] = picture;
   EXPECT_EQ(settings().size(),
-            11u + 15 + 3 * 7 + 4 + 4 + 10 + 1 + 6 + 5 + 2 + 13 + 34 + 7 + 5 + 9 + 3 * 8 + 16 + 6 + 10);
+            11u + 15 + 3 * 7 + 6 + 4 + 10 + 1 + 6 + 5 + 2 + 13 + 34 + 7 + 5 + 9 + 3 * 8 + 16 + 6 + 10);
 }
 
 TEST(Settings, PatternsCoverPathsGroupsAndItemsOfLists) {
@@ -297,6 +297,7 @@ TEST(Settings, AutomaticOnlyWhereAllowed) {
                                               "edge.search",
                                               "color.low",
                                               "color.high",
+                                              "pieces.within",
                                               "slice.level",
                                               "slice.width",
                                               "slice.position",
