@@ -15,6 +15,7 @@
 #include "scene/rules/automatic.h"
 #include "scene/scene_diff.h"
 #include "ui/document/privacy.h"
+#include "volume/statistics/surface_outline.h"
 
 namespace isolux::ui {
 
@@ -84,6 +85,21 @@ void makeAutomatic(scene::Scene& scene) {
   scene.slice.width.reset();
   scene.marks.clear();
 }
+
+// What decides which surface is shown, all else at its defaults.
+scene::Scene surfacesOf(const scene::Scene& scene) {
+  scene::Scene surfaces;
+  surfaces.isosurface.value = scene.isosurface.value;
+  surfaces.isosurface.inside = scene.isosurface.inside;
+  surfaces.isosurface.suggestion = scene.isosurface.suggestion;
+  surfaces.pieces = scene.pieces;
+  for (std::size_t i = 0; i < scene.extraIsosurfaces.size(); ++i) {
+    if (!scene.extraIsosurfaces[i].shown) continue;
+    surfaces.extraIsosurfaces[i].shown = true;
+    surfaces.extraIsosurfaces[i].value = scene.extraIsosurfaces[i].value;
+  }
+  return surfaces;
+}
 }  // namespace
 
 Document::Document(QObject* parent)
@@ -107,10 +123,10 @@ scene::Scene Document::shownScene() const {
 }
 
 scene::Scene Document::resolved(const scene::Scene& scene) const {
-  scene::Scene resolved = scene::resolve(scene, volume_ ? volume_->facts : scene::VolumeFacts{});
+  scene::Scene resolved = scene::resolve(scene, facts_);
   if (!volume_) return resolved;
   volume_->derivativeChoices->completeIfChosen(resolved);
-  resolved.camera = scene::fittedTo(resolved.camera, volume_->facts, fittingRoom_);
+  resolved.camera = scene::fittedTo(resolved.camera, facts_, fittingRoom_);
   return resolved;
 }
 
@@ -121,7 +137,19 @@ void Document::setFittingRoom(glm::dvec2 room) {
 }
 
 scene::Camera Document::camera() const {
-  return scene::resolve(scene(), volume_ ? volume_->facts : scene::VolumeFacts{}).camera;
+  return scene::resolve(scene(), facts_).camera;
+}
+
+void Document::frameShown() {
+  if (!volume_) return;
+  base::Progress unwatched;
+  try {
+    std::vector<glm::dvec3> outline =
+        volume::surfaceOutline(*volume_, resolved(scene()), false, unwatched).pointsMm;
+    if (!outline.empty()) facts_.outlineMm = std::move(outline);
+  } catch (const base::Error&) {
+    // No memory to look for pieces: views stay as they are.
+  }
 }
 
 QString Document::name() const {
@@ -284,6 +312,8 @@ void Document::finishLoading() {
     history_.edit(next, (coarser ? tr("Coarser level") : tr("Open around damage")).toStdString());
   }
   volume_ = volume;
+  facts_ = volume_->facts;
+  if (!(surfacesOf(scene()) == scene::Scene{})) frameShown();
   ahead_.moved(shownSource, loadedSource_, *volume);
   Q_EMIT volumeChanged(volume_);
   if (after_ == After::keepScene) {
@@ -361,7 +391,9 @@ void Document::announce() {
   Q_EMIT stateChanged();
 }
 
-void Document::commit(const scene::Scene& before, const QString& name) {
+void Document::commit(const scene::Scene& before, const QString& name, bool dragged) {
+  const bool automatic = !scene().camera.eye && !dragged;
+  if (automatic && (before.camera.eye || !(surfacesOf(before) == surfacesOf(scene())))) frameShown();
   if (recorder_) {
     const volume::Patient hidden = hiddenInSaved(volume_);
     const scene::SceneDiff diff =
@@ -407,7 +439,7 @@ void Document::edit(const Edit& edit) {
   } else {
     pauseTimer_.stop();
   }
-  commit(before, edit.name);
+  commit(before, edit.name, !edit.mergeKey.isEmpty());
 }
 
 void Document::endGesture() {

@@ -22,6 +22,7 @@
 #include "app/jobs/load_job.h"
 #include "app/jobs/step_ahead.h"
 #include "scene/flow_clock.h"
+#include "scene/rules/automatic.h"
 #include "ui/document/edit.h"
 
 namespace isolux::ui {
@@ -45,7 +46,11 @@ class Document : public QObject {
   void setFittingRoom(glm::dvec2 room);
   // The resolved scene's, before it is fitted to that room.
   scene::Camera camera() const;
-  void announce();  // says both again: more of what is automatic is known
+  // What automatic settings depend on. Automatic views frame the surface that was shown when it was last
+  // exchanged in one go (loaded, by a preset, shown or hidden): they stay while its isovalue is dragged.
+  const scene::VolumeFacts& facts() const { return facts_; }
+  void frameShown();  // from now on the surface that is shown now
+  void announce();    // says both again: more of what is automatic is known
   const VolumePointer& volume() const { return volume_; }
   const app::History& history() const { return history_; }
 
@@ -123,12 +128,14 @@ class Document : public QObject {
   void replaceDocument();
   void restoreDocument();
   void changeSource(const volume::PreparedVolume& volume);
-  void commit(const scene::Scene& before, const QString& name);
+  // dragged: one edit of many.
+  void commit(const scene::Scene& before, const QString& name, bool dragged = false);
   void reloadIfSourceChanged();
   void moveFlow();
 
   app::History history_;
   VolumePointer volume_;
+  scene::VolumeFacts facts_;
   scene::Source loadedSource_;
   scene::Scene savedScene_;
   QString sessionFile_;

@@ -16,6 +16,7 @@
 
 #include <array>
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -57,6 +58,9 @@ class Viewport : public QWidget {
 
   void setVolume(VolumePointer volume);
   void setScene(const scene::Scene& scene, const scene::Scene& resolved);
+  // Asked whenever a view is fitted: the facts of the volume, with what is to be framed.
+  using Facts = std::function<const scene::VolumeFacts&()>;
+  void setFacts(Facts facts) { facts_ = std::move(facts); }
   void setMachine(const scene::Machine& machine);
   void setHint(const QString& text);  // shown while there is no volume
   void setTopInset(int pixels);       // of the top that is covered: letters and cube stand below
@@ -235,6 +239,7 @@ class Viewport : public QWidget {
   std::optional<QString> problem_;
   QString glDescription_;
   VolumePointer volume_;
+  Facts facts_;
   scene::Scene scene_, resolved_;
   LightPointer light_;
   scene::Machine machine_;

@@ -33,7 +33,7 @@ void Viewport::sendCamera(const scene::Camera& camera, const QString& name, cons
 
 void Viewport::applyStandardView(scene::StandardView view) {
   if (!volume_) return;
-  const scene::VolumeFacts& facts = volume_->facts;
+  const scene::VolumeFacts& facts = facts_();
   const scene::Camera camera =
       scene::standardView(resolved_.camera, view, facts.axes, facts.boundsMinMm, facts.boundsMaxMm);
   turnTo(scene::framed(camera, facts),
@@ -42,7 +42,7 @@ void Viewport::applyStandardView(scene::StandardView view) {
 
 void Viewport::fitView() {
   if (!volume_) return;
-  turnTo(scene::framed(resolved_.camera, volume_->facts), tr("Fit view"));
+  turnTo(scene::framed(resolved_.camera, facts_()), tr("Fit view"));
 }
 
 void Viewport::resetView() {

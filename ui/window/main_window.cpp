@@ -208,6 +208,10 @@ void MainWindow::connectDocument() {
   connect(viewport_, &Viewport::resized, document_, [this] {
     document_->setFittingRoom(Viewport::fittingRoom(viewport_->pixelSize(), viewport_->devicePixelRatioF()));
   });
+  viewport_->setFacts([this]() -> const scene::VolumeFacts& {
+    document_->frameShown();
+    return document_->facts();
+  });
   connect(message_, &MessageBar::heightTaken, viewport_, &Viewport::setTopInset);
   connect(viewport_, &Viewport::noted, this,
           [this](const QString& text) { message_->show(MessageBar::Kind::note, text); });

@@ -107,9 +107,8 @@ scene::Scene MainWindow::pictureScene(const PictureWish& wish) const {
 }
 
 scene::Camera MainWindow::pictureCamera(QSize pixels, double ratio) const {
-  const VolumePointer& volume = document_->volume();
-  if (!volume) return document_->camera();
-  return scene::fittedTo(document_->camera(), volume->facts,
+  if (!document_->volume()) return document_->camera();
+  return scene::fittedTo(document_->camera(), document_->facts(),
                          Viewport::fittingRoom({pixels.width(), pixels.height()}, ratio));
 }
 

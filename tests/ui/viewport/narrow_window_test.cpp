@@ -14,7 +14,7 @@ class NarrowWindowTest : public WindowTest {
  protected:
   ui::Viewport* viewport() { return window_->viewport(); }
   std::vector<glm::dvec3> framed() {
-    const scene::VolumeFacts& facts = window_->document()->volume()->facts;
+    const scene::VolumeFacts& facts = window_->document()->facts();
     if (window_->document()->scene().camera.frames == scene::Frames::surface) return facts.outlineMm;
     std::vector<glm::dvec3> corners;
     for (int i = 0; i < 8; ++i)
@@ -64,6 +64,36 @@ TEST_F(NarrowWindowTest, TheViewFitsItAsLongAsNobodyHasTurnedIt) {
   EXPECT_NE(window_->document()->resolvedScene().camera, narrow);
   EXPECT_LT(reach().x, 0.95);
   EXPECT_LE(reach().y, 1.0);
+}
+
+TEST_F(NarrowWindowTest, ItFramesTheSurfaceThatIsExchangedInOneGo) {
+  ASSERT_TRUE(load(*window_, "phantom:head:32"));
+  ui::Document& document = *window_->document();
+  const auto show = [&](double isovalue, const QString& mergeKey) {
+    ui::Edit edit{document.scene(), "Show", mergeKey, false};
+    edit.scene.isosurface.value = isovalue;
+    document.edit(edit);
+    document.endGesture();
+  };
+  const scene::Camera skin = document.resolvedScene().camera;
+  show(0.0, "isovalue");
+  show(600.0, "isovalue");
+  EXPECT_EQ(document.resolvedScene().camera, skin) << "it stays while an isovalue is dragged";
+  show(500.0, {});
+  const scene::Camera bone = document.resolvedScene().camera;
+  EXPECT_LT(glm::distance(*bone.eye, *bone.target), 0.97 * glm::distance(*skin.eye, *skin.target));
+  EXPECT_LE(reach().y, 1.0);
+  for (int step = 0; step < 3; ++step) document.undo();
+  EXPECT_EQ(document.resolvedScene().camera, skin);
+
+  fullPicture(*window_);
+  const QPoint centre = viewport()->rect().center();
+  drag(viewport(), centre, centre + QPoint(40, 10));
+  const scene::Camera chosen = document.resolvedScene().camera;
+  show(500.0, {});
+  EXPECT_EQ(document.resolvedScene().camera, chosen) << "somebody has turned it";
+  viewport()->resetView();
+  EXPECT_EQ(document.resolvedScene().camera, bone);
 }
 
 TEST_F(NarrowWindowTest, AViewOfTheVolumeIsInEveryWideWindowTheSame) {
