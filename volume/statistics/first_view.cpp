@@ -33,9 +33,9 @@ struct Box {
   glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
   glm::dvec3 size() const { return high - low; }
 };
-Box boxOf(std::span<const SurfacePoint> samples) {
+Box boxOf(std::span<const OutlineSample> samples) {
   Box box;
-  for (const SurfacePoint& sample : samples) {
+  for (const OutlineSample& sample : samples) {
     box.low = glm::min(box.low, sample.positionMm);
     box.high = glm::max(box.high, sample.positionMm);
   }
@@ -43,17 +43,17 @@ Box boxOf(std::span<const SurfacePoint> samples) {
 }
 
 // Which part of the surface lies on the ground when `up` is up.
-double standingOn(std::span<const SurfacePoint> samples, glm::dvec3 up) {
+double standingOn(std::span<const OutlineSample> samples, glm::dvec3 up) {
   double lowest = std::numeric_limits<double>::infinity();
-  for (const SurfacePoint& sample : samples) lowest = std::min(lowest, glm::dot(up, sample.positionMm));
+  for (const OutlineSample& sample : samples) lowest = std::min(lowest, glm::dot(up, sample.positionMm));
   const double reach = lowest + kFlatDepth * glm::length(boxOf(samples).size());
-  const auto onGround = std::count_if(samples.begin(), samples.end(), [&](const SurfacePoint& sample) {
+  const auto onGround = std::count_if(samples.begin(), samples.end(), [&](const OutlineSample& sample) {
     return glm::dot(up, sample.positionMm) < reach && glm::dot(up, sample.normal) < -kFlatFacing;
   });
   return static_cast<double>(onGround) / static_cast<double>(samples.size());
 }
 
-glm::dvec3 upOfSurface(std::span<const SurfacePoint> samples, glm::dvec3 habit) {
+glm::dvec3 upOfSurface(std::span<const OutlineSample> samples, glm::dvec3 habit) {
   const double flat = std::max(kLeastFlat, kMuchFlatter * standingOn(samples, habit));
   glm::dvec3 best = habit;
   double most = flat;
@@ -71,7 +71,7 @@ glm::dvec3 upOfSurface(std::span<const SurfacePoint> samples, glm::dvec3 habit) 
 
 // Area of the surface that is seen from there, in pixels of a picture that holds all of it; where it turns
 // from a pixel to the next it shows more.
-double visibleShape(std::span<const SurfacePoint> samples, glm::dvec3 toEye, glm::dvec3 up) {
+double visibleShape(std::span<const OutlineSample> samples, glm::dvec3 toEye, glm::dvec3 up) {
   const glm::dvec3 right = glm::normalize(glm::cross(up, toEye)), top = glm::cross(toEye, right);
   const Box box = boxOf(samples);
   const glm::dvec3 centre = 0.5 * (box.low + box.high);
@@ -83,7 +83,7 @@ double visibleShape(std::span<const SurfacePoint> samples, glm::dvec3 toEye, glm
     bool covered() const { return std::isfinite(depth); }
   };
   std::vector<Pixel> pixels(kPixels * kPixels);
-  for (const SurfacePoint& sample : samples) {
+  for (const OutlineSample& sample : samples) {
     const glm::dvec3 d = (sample.positionMm - centre) / size;  // within half of 1
     const glm::ivec2 at = glm::clamp(
         glm::ivec2((glm::dvec2(glm::dot(right, d), glm::dot(top, d)) + 0.5) * static_cast<double>(kPixels)),
@@ -107,7 +107,7 @@ double visibleShape(std::span<const SurfacePoint> samples, glm::dvec3 toEye, glm
 
 }  // namespace
 
-FirstView firstView(std::span<const SurfacePoint> samples, scene::WorldAxes axes) {
+FirstView firstView(std::span<const OutlineSample> samples, scene::WorldAxes axes) {
   const glm::dvec3 habit = scene::upOf(axes), habitualFront = scene::frontOf(axes);
   const auto above = [](glm::dvec3 side, glm::dvec3 up, double degrees) {
     return std::cos(radiansOf(degrees)) * side + std::sin(radiansOf(degrees)) * up;

@@ -18,6 +18,6 @@ struct FirstView {
 // slab that lies: 55): of eight directions the one from which most of the surface and of its relief can be
 // seen. Up is the habit of its axes, but where another side is much flatter it stands on that. Of many
 // samples as surfaceOutline() makes them, or none; always the same of the same ones.
-FirstView firstView(std::span<const SurfacePoint> samples, scene::WorldAxes axes);
+FirstView firstView(std::span<const OutlineSample> samples, scene::WorldAxes axes);
 
 }  // namespace isolux::volume

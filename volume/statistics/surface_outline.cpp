@@ -132,7 +132,7 @@ class OutlineSearch {
     SurfaceOutline outline;
     for (const Extreme& extreme : all)
       if (std::isfinite(extreme.reach)) outline.pointsMm.push_back(extreme.point);
-    for (const std::vector<SurfacePoint>& part : samples_)
+    for (const std::vector<OutlineSample>& part : samples_)
       outline.samples.insert(outline.samples.end(), part.begin(), part.end());
     return outline;
   }
@@ -179,7 +179,7 @@ class OutlineSearch {
   glm::dmat3 worldOfGradient_;
   double radius_ = 0.0;  // of a block, mm
   tbb::combinable<Extremes> extremes_;
-  std::vector<std::vector<SurfacePoint>> samples_;  // of each block
+  std::vector<std::vector<OutlineSample>> samples_;  // of each block
 };
 
 }  // namespace

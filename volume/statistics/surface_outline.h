@@ -12,13 +12,13 @@
 
 namespace isolux::volume {
 
-struct SurfacePoint {
+struct OutlineSample {
   glm::dvec3 positionMm{0.0}, normal{0.0};  // world; the normal is unit, outward
 };
 
 struct SurfaceOutline {
-  std::vector<glm::dvec3> pointsMm;   // the surface lies within their hull, or out of it by 1 % of its size
-  std::vector<SurfacePoint> samples;  // some ten thousand, evenly over it; only where asked for
+  std::vector<glm::dvec3> pointsMm;    // the surface lies within their hull, or out of it by 1 % of its size
+  std::vector<OutlineSample> samples;  // some ten thousand, evenly over it; only where asked for
 };
 
 // Measures what surfaceReach() does, without specks: groups of blocks that are less than a hundredth of all.

@@ -13,9 +13,9 @@ namespace {
 using scene::WorldAxes;
 
 // Of a unit ball, each moved and turned as a shape wants it.
-std::vector<SurfacePoint> shaped(const std::function<SurfacePoint(glm::dvec3)>& shape) {
+std::vector<OutlineSample> shaped(const std::function<OutlineSample(glm::dvec3)>& shape) {
   constexpr int count = 40000;
-  std::vector<SurfacePoint> points;
+  std::vector<OutlineSample> points;
   for (int i = 0; i < count; ++i) {
     const double z = 1.0 - (2.0 * i + 1.0) / count, angle = i * std::numbers::pi * (3.0 - std::sqrt(5.0));
     const double across = std::sqrt(1.0 - z * z);
@@ -24,20 +24,20 @@ std::vector<SurfacePoint> shaped(const std::function<SurfacePoint(glm::dvec3)>& 
   return points;
 }
 
-SurfacePoint ball(glm::dvec3 p) {
+OutlineSample ball(glm::dvec3 p) {
   return {p, p};
 }
 
 // An ellipsoid with these half axes.
-std::vector<SurfacePoint> ellipsoid(glm::dvec3 half) {
-  return shaped([&](glm::dvec3 p) { return SurfacePoint{half * p, glm::normalize(p / half)}; });
+std::vector<OutlineSample> ellipsoid(glm::dvec3 half) {
+  return shaped([&](glm::dvec3 p) { return OutlineSample{half * p, glm::normalize(p / half)}; });
 }
 
 // A ball that stands on a cut toward `down`.
-std::vector<SurfacePoint> standing(glm::dvec3 down) {
+std::vector<OutlineSample> standing(glm::dvec3 down) {
   return shaped([&](glm::dvec3 p) {
     const double depth = glm::dot(p, down);
-    return depth < 0.6 ? ball(p) : SurfacePoint{p - (depth - 0.6) * down, down};
+    return depth < 0.6 ? ball(p) : OutlineSample{p - (depth - 0.6) * down, down};
   });
 }
 
@@ -46,7 +46,7 @@ double degreesAbove(const FirstView& view) {
 }
 
 TEST(FirstView, OfAPatientIsAPortrait) {
-  for (const auto& samples : {shaped(ball), standing({1, 0, 0}), std::vector<SurfacePoint>{}}) {
+  for (const auto& samples : {shaped(ball), standing({1, 0, 0}), std::vector<OutlineSample>{}}) {
     const FirstView view = firstView(samples, WorldAxes::anatomical);
     EXPECT_EQ(view.up, glm::dvec3(0, 0, 1));
     EXPECT_NEAR(degreesAbove(view), 7.0, 1e-9);
@@ -89,7 +89,7 @@ TEST(FirstView, IsFromTheSideWithRelief) {
     return shaped([&](glm::dvec3 p) {
       if (p.y * side < 0.2) return ball(p);
       const glm::dvec3 bump(std::sin(25.0 * p.x), 0.0, std::sin(25.0 * p.z));
-      return SurfacePoint{p, glm::normalize(p + 0.8 * bump)};
+      return OutlineSample{p, glm::normalize(p + 0.8 * bump)};
     });
   };
   EXPECT_LT(firstView(oneSided(-1.0), WorldAxes::zUp).toEye.y, 0.0);

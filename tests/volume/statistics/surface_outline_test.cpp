@@ -57,7 +57,7 @@ TEST(SurfaceOutline, ReachesAsFarAsTheSurface) {
     EXPECT_GE(farthest, (*reach)[i] - 0.02 * 40.0);
   }
   EXPECT_GT(outline.samples.size(), 1000u);
-  for (const SurfacePoint& sample : outline.samples) {
+  for (const OutlineSample& sample : outline.samples) {
     const glm::dvec3 out = glm::normalize(sample.positionMm - glm::dvec3(30, 34, 28));
     EXPECT_GT(glm::dot(out, sample.normal), 0.99);
   }
