@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 
 #include "base/error.h"
+#include "render/passes/effect_passes.h"
 #include "render/passes/line_passes.h"
 #include "scene/rules/needs.h"
 
@@ -27,6 +28,16 @@ int marginOf(const scene::Scene& scene, const FrameRequest& request) {
   if (scene::showsFlow(scene))
     margin += std::max(0.5 * scene.flow.length, scene.flow.grain) * request.pixelRatio + 2.0;
   return static_cast<int>(std::ceil(margin));
+}
+
+// The whole, in as many pixels as it has cells of occlusion.
+FrameRequest beforeTiles(FrameRequest request) {
+  request.size = occlusionCells(request);
+  request.supersampling = 1;
+  request.beforeTiles = true;
+  request.linear = false;
+  request.aovs.clear();
+  return request;
 }
 
 // The part of the tile's image that is new: what lies in the picture without its margin.
@@ -153,6 +164,7 @@ StillPicture drawStill(Renderer& renderer, const scene::Scene& resolved, const F
   const Tiling tiling = tilingOf(resolved, request);
   const std::vector<FrameRequest> tiles = tilesOf(resolved, request);
   Collector collector(request);
+  if (tiles.size() > 1 && scene::showsOcclusion(resolved)) renderer.render(resolved, beforeTiles(request));
   for (std::size_t i = 0; i < tiles.size(); ++i) {
     progress.throwIfStopped();
     if (tiles.size() > 1)

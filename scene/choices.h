@@ -55,6 +55,7 @@ enum class LengthUnit { pixels, mm };
 // Where the legend stands; automatic: the corner of the picture that shows least of the surface.
 enum class LegendCorner { automatic, lower_right, lower_left, upper_right, upper_left };
 enum class FlowDirection { maximum, minimum };  // of the curvature: along kappa1 or kappa2
+enum class LightSetup { three_point, key };
 enum class LightSpace { camera, world };
 enum class AlbedoSource { color, map };  // one colour per isosurface, or a colour map over the isovalue
 enum class LampKind { point, directional, sphere };

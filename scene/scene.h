@@ -179,15 +179,17 @@ struct Look {
   LookMode mode = LookMode::blinn_phong;
   Shading shading = Shading::lambert;  // under the modes that give a colour, not a shading
   double ambient = 0.12;
-  double ambientVariation = 0.0;  // ambient light from above is brighter than from below by this part
+  double ambientVariation = 0.8;  // ambient light from above is brighter than from below by this part
   double specular = 0.2;
   double shininess = 50.0;
   glm::dvec3 innerTint{1.0};  // times the surface's own colour where its inner side is seen
   glm::dvec3 toneCool{0.03, 0.08, 0.42};
   glm::dvec3 toneWarm{1.0, 0.66, 0.22};
   SolidTexture texture = SolidTexture::none;
-  std::optional<double> textureScale;  // mm
-  double shadow = 0.0;                 // of the light; 1 leaves only the ambient light
+  std::optional<double> textureScale;     // mm
+  double shadow = 0.0;                    // of the light; 1 leaves only the ambient light
+  double occlusion = 1.0;                 // how much what stands near keeps light away
+  std::optional<double> occlusionRadius;  // mm: what counts as near
   double fog = 0.0;
   std::optional<glm::dvec3> fogColor;  // automatic: the background
   ColorMap colormap = ColorMap::automatic;
@@ -243,12 +245,15 @@ struct Environment {
 
 // Of local looks; global illumination is lit by the environment and the lamps.
 struct Light {
+  LightSetup setup = LightSetup::three_point;  // key: without fill, rim and occlusion
   LightSpace space = LightSpace::camera;
   // Toward the light, in camera axes (right, up, toward the viewer) or world axes; need not have unit length.
-  glm::dvec3 direction{-0.5, 0.7, 0.9};
+  glm::dvec3 direction{-0.6, 0.9, 0.7};
   glm::dvec3 color{1.0};
   double intensity = 1.0;
-  double headlight = 0.0;  // brightness of a second light at the eye
+  double fill = 0.15;      // of a light from the other side of the viewer, in parts of the key light
+  double rim = 0.4;        // of two from behind, one on each side
+  double headlight = 0.0;  // brightness of a light at the eye
   Environment environment;
   bool operator==(const Light&) const = default;
 };

@@ -272,6 +272,11 @@ std::vector<Setting> makeSettings() {
                    "Size of the solid texture's features; auto is a tenth of the volume."));
   add(entry<Scene>("look.shadow", ISOLUX_MEMBER(look.shadow), unitRange, "",
                    "Strength of the light's hard shadow, found by a second exact ray from each point."));
+  add(entry<Scene>(
+      "look.occlusion", ISOLUX_MEMBER(look.occlusion), unitRange, "",
+      "How much what stands near keeps light away, as far as the picture shows it: darkens crevices."));
+  add(entry<Scene>("look.occlusion_radius", ISOLUX_MEMBER(look.occlusionRadius), {1e-12, 1e13}, "mm",
+                   "How far things count as near; auto is a fifth of the volume."));
   add(entry<Scene>("look.fog", ISOLUX_MEMBER(look.fog), unitRange, "",
                    "How much the far end of the volume fades."));
   add(entry<Scene>("look.fog_color", ISOLUX_MEMBER(look.fogColor), unitRange, "linear RGB",
@@ -336,6 +341,9 @@ std::vector<Setting> makeSettings() {
                    "How often the pattern passes in a second."));
   add(entry<Scene>("flow.time", ISOLUX_MEMBER(flow.time), {0, 1e6}, "s", "Where the animation stands."));
 
+  add(choiceEntry<Scene>("light.setup", ISOLUX_MEMBER(light.setup),
+                         "How the surface is lit: three_point by the light (the key light), a fill light and "
+                         "rim lights, each kept away by what stands near; key by the light alone."));
   add(choiceEntry<Scene>("light.space", ISOLUX_MEMBER(light.space),
                          "Whether the light moves with the viewer or stays with the volume."));
   add(directionEntry<Scene>(
@@ -345,8 +353,12 @@ std::vector<Setting> makeSettings() {
                    "Colour of the light."));
   add(entry<Scene>("light.intensity", ISOLUX_MEMBER(light.intensity), {0, 1e6}, "",
                    "Brightness of the light."));
+  add(entry<Scene>("light.fill", ISOLUX_MEMBER(light.fill), {0, 1e6}, "",
+                   "Brightness of a light from the viewer's other side, in parts of the light's own."));
+  add(entry<Scene>("light.rim", ISOLUX_MEMBER(light.rim), {0, 1e6}, "",
+                   "Brightness of two lights from behind, left and right, in parts of the light's own."));
   add(entry<Scene>("light.headlight", ISOLUX_MEMBER(light.headlight), {0, 1e6}, "",
-                   "Brightness of a second, white light at the eye."));
+                   "Brightness of a white light at the eye."));
 
   add(entry<Scene>(
       "light.environment.file", ISOLUX_MEMBER(light.environment.file), noRange, "",

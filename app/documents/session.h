@@ -13,7 +13,7 @@
 
 namespace isolux::app {
 
-constexpr int sessionVersion = 7;
+constexpr int sessionVersion = 8;
 
 std::string sessionText(const scene::Scene& scene, const std::filesystem::path& folder);
 // For a picture in `folder` that may be given away: names no other folder (app/documents/places.h), and not

@@ -182,6 +182,12 @@ json firstPictureAsBefore(json stored) {
   return stored;
 }
 
+json looksAsBefore(json stored) {
+  addMissing(stored, {{"light", {{"setup", "key"}, {"direction", {-0.5, 0.7, 0.9}}}},
+                      {"look", {{"ambient_variation", 0.0}}}});
+  return stored;
+}
+
 void checkKeys(const json& stored, std::initializer_list<std::string_view> known, const std::string& file,
                const std::string& place) {
   if (!stored.is_object()) base::throwInput(file, place, "a JSON object was expected");

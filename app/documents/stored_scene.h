@@ -61,6 +61,9 @@ nlohmann::json derivativesAsBefore(nlohmann::json stored);
 // those of the whole object.
 nlohmann::json firstPictureAsBefore(nlohmann::json stored);
 
+// Of before looks were lit by more than a key light.
+nlohmann::json looksAsBefore(nlohmann::json stored);
+
 // `stored` must be an object with no other keys than the `known` ones; `place` as above.
 void checkKeys(const nlohmann::json& stored, std::initializer_list<std::string_view> known,
                const std::string& file, const std::string& place);

@@ -118,6 +118,8 @@ SettingsDict = TypedDict("SettingsDict", {
     "look.texture": Literal["none", "marble", "wood", "checker"],  # A solid texture, carved from rather than wrapped around the surface; varies the albedo.
     "look.texture_scale": float | Literal["auto"] | None,  # Size of the solid texture's features; auto is a tenth of the volume.
     "look.shadow": float,  # Strength of the light's hard shadow, found by a second exact ray from each point.
+    "look.occlusion": float,  # How much what stands near keeps light away, as far as the picture shows it: darkens crevices.
+    "look.occlusion_radius": float | Literal["auto"] | None,  # How far things count as near; auto is a fifth of the volume.
     "look.fog": float,  # How much the far end of the volume fades.
     "look.fog_color": Sequence[Any] | str | Literal["auto"] | None,  # What distant things fade to; auto is the background.
     "look.colormap": Literal["auto", "viridis", "cividis", "inferno", "gray", "coolwarm", "blue_orange", "purple_green", "spectral"],  # Colours of a measure; auto takes a diverging map for what has a sign, else viridis.
@@ -147,11 +149,14 @@ SettingsDict = TypedDict("SettingsDict", {
     "flow.animate": bool,  # Lets the streaks move, in the window.
     "flow.speed": float,  # How often the pattern passes in a second.
     "flow.time": float,  # Where the animation stands.
+    "light.setup": Literal["three_point", "key"],  # How the surface is lit: three_point by the light (the key light), a fill light and rim lights, each kept away by what stands near; key by the light alone.
     "light.space": Literal["camera", "world"],  # Whether the light moves with the viewer or stays with the volume.
     "light.direction": Sequence[Any] | str,  # Toward the light, in camera axes (right, up, toward the viewer) or world axes; any length but zero.
     "light.color": Sequence[Any] | str,  # Colour of the light.
     "light.intensity": float,  # Brightness of the light.
-    "light.headlight": float,  # Brightness of a second, white light at the eye.
+    "light.fill": float,  # Brightness of a light from the viewer's other side, in parts of the light's own.
+    "light.rim": float,  # Brightness of two lights from behind, left and right, in parts of the light's own.
+    "light.headlight": float,  # Brightness of a white light at the eye.
     "light.environment.file": str | os.PathLike[str],  # The light probe around everything, equirectangular, its first row up: .hdr, .exr, ...; empty is none.
     "light.environment.constant": Sequence[Any] | str | Literal["auto"] | None,  # The radiance of a sky of one colour, where there is no light probe; auto is none.
     "light.environment.builtin": Literal["studio", "window", "overcast", "sunset"],  # The light where there is neither a light probe nor a sky of one colour.

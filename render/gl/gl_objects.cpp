@@ -47,6 +47,7 @@ std::size_t texelBytes(GLenum internalFormat) {
     case GL_R16:
     case GL_R16F:
       return 2;
+    case GL_RG16F:
     case GL_R32F:
     case GL_R32UI:
     case GL_RGBA8:

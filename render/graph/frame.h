@@ -56,10 +56,12 @@ struct Tile {
 struct FrameRequest {
   glm::ivec2 size{512, 512};  // pixels, of the whole picture
   std::optional<Tile> tile;   // draw this part only; what is read back then has the tile's size
-  bool linear = false;        // readLinearPicture() will be asked for
-  bool color = true;          // the shaded picture
-  std::vector<Aov> aovs;      // deferred images; then supersampling must be 1
-  int supersampling = 1;      // rays per pixel and axis, 1..4
+  // A small picture of the whole, before its tiles are drawn: they take from it what keeps light away.
+  bool beforeTiles = false;
+  bool linear = false;    // readLinearPicture() will be asked for
+  bool color = true;      // the shaded picture
+  std::vector<Aov> aovs;  // deferred images; then supersampling must be 1
+  int supersampling = 1;  // rays per pixel and axis, 1..4
   // Pixels of the picture per pixel that settings mean (look.contour_width, flow.grain, flow.length): 2 on a
   // screen that is drawn at 200 %.
   double pixelRatio = 1.0;

@@ -48,11 +48,12 @@ inline constexpr const char *activeBlocks = "active blocks", *segments = "ray se
                             *bricks = "resident bricks", *bracket = "brackets", *surface = "surface points",
                             *gradient = "gradients", *hessian = "Hessians", *curvature = "curvatures",
                             *edge = "edges", *second = "values of the second volume", *piece = "pieces",
-                            *ranges = "curvature ranges", *shadow = "shadows", *flowField = "flow fields",
-                            *flow = "streaks", *extrema = "curvature extrema", *lineField = "line fields",
-                            *lines = "lines", *light = "stored light", *cutFaces = "cut faces",
-                            *irradiance = "irradiances", *front = "front colour", *color = "colour",
-                            *background = "background", *picture = "picture",
+                            *ranges = "curvature ranges", *shadow = "shadows", *openness = "openness",
+                            *occlusion = "occlusions", *flowField = "flow fields", *flow = "streaks",
+                            *extrema = "curvature extrema", *lineField = "line fields", *lines = "lines",
+                            *light = "stored light", *cutFaces = "cut faces", *irradiance = "irradiances",
+                            *front = "front colour", *color = "colour", *background = "background",
+                            *picture = "picture",
                             *linear = "linear picture";  // the picture before it is encoded
 }
 

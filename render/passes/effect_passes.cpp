@@ -16,6 +16,22 @@ namespace {
 
 constexpr float kNoField[4] = {0.0f, 0.0f, -1.0f, 0.0f};
 
+constexpr float kAllOpen[4] = {1.0f, -1.0f, 0.0f, 0.0f};
+// Occlusion is found in cells of so many pixels per axis, or larger ones where an axis had more of them.
+constexpr int kPixelsOfCell = 2, kMostCells = 1024;
+// How far it is looked for in the picture, in parts of its height.
+constexpr double kOcclusionReach = 0.25;
+
+// What the area of an image covers of it in cells.
+volume::PictureArea inCells(const volume::PictureArea& area, int cell, glm::ivec2 cells) {
+  volume::PictureArea scaled(cells);
+  for (const volume::Rectangle& part : area.rectangles()) {
+    const glm::ivec2 low = part.low / cell, high = (part.low + part.size + cell - 1) / cell;
+    for (int row = low.y; row < high.y; ++row) scaled.add(row, low.x, high.x);
+  }
+  return scaled;
+}
+
 // Where the pattern of the flow stands in its period, [0, 1).
 double phaseOf(const scene::Flow& flow) {
   const double periods = flow.time * flow.speed;
@@ -59,6 +75,85 @@ void ShadowPass::run(FrameState& frame) {
   p.set("uLight", glm::vec3(frame.towardLight()));
   p.set("uOpaqueBits", opaque);
   frame.drawHits(target, p);
+}
+
+int occlusionCell(const FrameRequest& request) {
+  if (request.beforeTiles) return 1;
+  const int rays = std::max(request.size.x, request.size.y) * request.supersampling;
+  return std::max(kPixelsOfCell * request.supersampling, (rays + kMostCells - 1) / kMostCells);
+}
+
+glm::ivec2 occlusionCells(const FrameRequest& request) {
+  const int cell = occlusionCell(request);
+  return (request.size * request.supersampling + cell - 1) / cell;
+}
+
+void OpennessPass::declare(Declaring& d) const {
+  d.reads(image::surface).reads(image::gradient).writes(image::openness);
+  d.settings({"camera.", "isosurface.inside", "look.occlusion_radius"}).pictureSize();
+}
+
+void OpennessPass::run(FrameState& frame) {
+  const glm::ivec2 cells = occlusionCells(frame.request);
+  Target& target = frame.images.make(frame.gl, image::openness + frame.layer, cells, {GL_RGBA16F});
+  if (frame.empty()) {
+    frame.clear(target, {kZero});
+    return;
+  }
+  Program& p = frame.program(shader);
+  frame.setView(p);
+  frame.setPoint(p, 0);
+  p.set("uDepthRange", glm::vec2(frame.view->depthRangeMm));
+  p.set("uCell", occlusionCell(frame.request));
+  p.set("uRadius", static_cast<float>(frame.scene->look.occlusionRadius.value()));
+  p.set("uMostRays", static_cast<float>(kOcclusionReach * frame.raySize().y));
+  frame.drawHits(target, p, inCells(frame.area(), occlusionCell(frame.request), cells));
+}
+
+void OcclusionPass::declare(Declaring& d) const {
+  d.reads(image::surface)
+      .writes(image::occlusion)
+      .settings({"camera.", "look.occlusion_radius"})
+      .pictureSize();
+  d.input("of the tiles' whole picture", d.asked.request.tile.has_value(), d.asked.request.beforeTiles);
+  if (!d.asked.request.tile) d.reads(image::openness);
+}
+
+std::optional<LookInput> OcclusionPass::forLook(const scene::Scene& scene) const {
+  if (!scene::showsOcclusion(scene)) return std::nullopt;
+  return LookInput{image::occlusion, "OCCLUSION", {"uOpen"}};
+}
+
+void OcclusionPass::run(FrameState& frame) {
+  crossing_ = frame.layer.empty() ? 0 : crossing_ + 1;
+  if (frame.request.tile) return takeKept(frame);
+  const glm::ivec2 cells = occlusionCells(frame.request);
+  Target& target = frame.images.make(frame.gl, image::occlusion + frame.layer, cells, {GL_RG32F});
+  if (frame.empty()) {
+    frame.clear(target, {kAllOpen});
+  } else {
+    Program& p = frame.program(shader);
+    frame.setView(p);
+    p.setTexture("uOpenness", 0, frame.image(image::openness));
+    p.set("uDepthRange", glm::vec2(frame.view->depthRangeMm));
+    p.set("uCell", occlusionCell(frame.request));
+    frame.drawHits(target, p, inCells(frame.area(), occlusionCell(frame.request), cells));
+  }
+  if (frame.request.beforeTiles)
+    frame.copy(target, frame.images.make(frame.gl, keptName(), cells, {GL_RG32F}));
+}
+
+// Another name for each crossing: layers behind share two.
+std::string OcclusionPass::keptName() const {
+  return std::string(image::occlusion) + " of the whole picture, crossing " + std::to_string(crossing_);
+}
+
+void OcclusionPass::takeKept(FrameState& frame) {
+  const std::string kept = keptName(), own = image::occlusion + frame.layer;
+  if (!frame.images.has(kept))
+    return frame.clear(frame.images.make(frame.gl, own, glm::ivec2(1), {GL_RG32F}), {kAllOpen});
+  const glm::ivec2 size(frame.images.at(kept).images[0].size());
+  frame.copy(frame.images.at(kept), frame.images.make(frame.gl, own, size, {GL_RG32F}));
 }
 
 void FlowFieldPass::declare(Declaring& d) const {

@@ -15,6 +15,37 @@ class ShadowPass : public Pass {
   bool isOn(const OnProcessor& on) const override { return on.all; }
 };
 
+// How much of the directions around a surface point is free of what stands near it, from the picture's own
+// points [Jimenez et al. 2016, "Practical Real-Time Strategies for Accurate Indirect Occlusion"]. Of the
+// picture's cells, some rays each: along one line in the picture, which changes from cell to cell; and then
+// the mean over neighbours.
+class OpennessPass : public Pass {
+ public:
+  OpennessPass() : Pass("openness", "openness.frag.glsl", {.ofCrossing = true}) {}
+  void declare(Declaring& d) const override;
+  void run(FrameState& frame) override;
+};
+
+// A tile sees only a part of what stands near: it takes its part of the small picture drawn before the tiles.
+class OcclusionPass : public Pass {
+ public:
+  OcclusionPass() : Pass("occlusion", "occlusion.frag.glsl", {.ofCrossing = true}) {}
+  void declare(Declaring& d) const override;
+  std::optional<LookInput> forLook(const scene::Scene& scene) const override;
+  void run(FrameState& frame) override;
+
+ private:
+  std::string keptName() const;
+  void takeKept(FrameState& frame);
+
+  int crossing_ = 0;
+};
+
+// Rays per axis of a cell; 1 in the small picture before tiles.
+int occlusionCell(const FrameRequest& request);
+// The picture's size in cells.
+glm::ivec2 occlusionCells(const FrameRequest& request);
+
 // The direction of the flow on screen, and noise on the surface.
 class FlowFieldPass : public Pass {
  public:

@@ -65,7 +65,7 @@ Program& FrameState::program(const std::string& fragment, const std::string& def
 }
 
 void FrameState::begin(const Target& target) const {
-  begin(target, raySize());
+  begin(target, glm::ivec2(target.images[0].size()));
 }
 
 void FrameState::begin(const Target& target, glm::ivec2 size) const {

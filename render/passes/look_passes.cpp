@@ -1,13 +1,16 @@
 #include "render/passes/look_passes.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <set>
 
+#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include "render/legend/legend_overlay.h"
 #include "render/passes/curvature_ranges.h"
+#include "render/passes/effect_passes.h"
 #include "render/passes/light_passes.h"
 #include "render/passes/second_volume_pass.h"
 #include "render/readback.h"
@@ -105,6 +108,20 @@ void setLook(const scene::Scene& scene, Program& p) {
   }
 }
 
+// Toward the lights that stand around the viewer, as photographers place them: unit, world.
+struct OtherLights {
+  glm::vec3 fill;
+  std::array<glm::vec3, 2> rim;
+};
+
+OtherLights otherLights(const ViewUniforms& view, const glm::dvec3& towardKey) {
+  const auto toward = [&](const glm::dvec3& d) {  // right, up, toward the viewer
+    return glm::vec3(glm::normalize(d.x * view.rightWorld + d.y * view.upWorld - d.z * view.forwardWorld));
+  };
+  const double side = glm::dot(towardKey, view.rightWorld) > 0.0 ? -1.0 : 1.0;
+  return {toward({0.8 * side, -0.15, 0.6}), {toward({-0.85, 0.35, -0.4}), toward({0.85, 0.35, -0.4})}};
+}
+
 // The look's own background shows through its fog.
 bool fogIsBackground(const Asked& asked) {
   return asked.acts("look.fog_color") && !asked.scene.look.fogColor;
@@ -156,6 +173,21 @@ void ShadePass::setLight(FrameState& frame, Program& p) const {
   const scene::Light& light = frame.scene->light;
   p.set("uLight", glm::vec3(frame.towardLight()));
   p.set("uLightColor", glm::vec3(light.color * light.intensity));
+  const OtherLights others = otherLights(frame.view.value(), frame.towardLight());
+  const bool alone = light.setup == scene::LightSetup::key;
+  p.set("uFill", static_cast<float>(alone ? 0.0 : light.fill));
+  p.set("uRim", static_cast<float>(alone ? 0.0 : light.rim));
+  p.set("uFillLight", others.fill);
+  p.set("uRimLights[0]", others.rim[0]);
+  p.set("uRimLights[1]", others.rim[1]);
+  if (scene::showsOcclusion(*frame.scene)) {
+    // A cell that reaches beyond the picture is as large as the others.
+    const glm::vec2 rays(frame.request.size * frame.request.supersampling);
+    const bool scaled = frame.request.tile.has_value();
+    const glm::vec2 cells = scaled ? glm::vec2(frame.image(image::occlusion).size()) / rays
+                                   : glm::vec2(1.0f / static_cast<float>(occlusionCell(frame.request)));
+    p.set("uCellsPerRay", cells);
+  }
   p.set("uHeadlight", static_cast<float>(light.headlight));
   if (scene::usesGi(*frame.scene)) p.set("uExposure", exposureOf(*frame.scene, frame.light.get()));
 }
@@ -228,8 +260,8 @@ void ShadePass::declare(Declaring& d) const {
   if (scene::showsSecondVolume(d.asked.scene))
     d.settings({"color.map", "color.low", "color.high", "color.strength", "color.fade", "color.isolines",
                 "color.isoline_width"});
-  d.settings({"flow.strength", "light.space", "light.direction", "light.color", "light.intensity",
-              "light.headlight"});
+  d.settings({"flow.strength", "light.setup", "light.space", "light.direction", "light.color",
+              "light.intensity", "light.fill", "light.rim", "light.headlight"});
   // Normals are turned to the viewer, and curvatures have their sign when they come.
   if (d.asked.scene.look.mode == scene::LookMode::normal) d.settings({"isosurface.inside"});
   if (d.asked.acts("look.inner_tint") && d.asked.scene.look.innerTint != glm::dvec3(1.0))

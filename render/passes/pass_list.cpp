@@ -41,6 +41,8 @@ PassList makePasses() {
       PiecePass,       // which connected piece each surface point is of
       RangesPass,      // the surface's curvature as a whole
       ShadowPass,      // a second ray to the key light
+      OpennessPass,    // how much of the directions around is free, by a part of them
+      OcclusionPass,   // by all
       FlowFieldPass,   // direction on screen and noise on the surface
       FlowPass,        // streaks along it
       ExtremaPass,     // how principal curvatures change along their directions

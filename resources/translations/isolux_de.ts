@@ -4868,6 +4868,14 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>das Hauptlicht erhellt nichts</translation>
     </message>
     <message>
+        <source>the key light stands alone</source>
+        <translation>das Hauptlicht steht allein</translation>
+    </message>
+    <message>
+        <source>nothing keeps light away</source>
+        <translation>nichts hält Licht ab</translation>
+    </message>
+    <message>
         <source>the lamp has a position</source>
         <translation>die Lampe hat eine Position</translation>
     </message>
@@ -5306,8 +5314,28 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Bänder der Kugelflächenfunktionen des gespeicherten Transfers; mehr folgen schärferem Licht.</translation>
     </message>
     <message>
-        <source>Brightness of a second, white light at the eye.</source>
-        <translation>Helligkeit eines zweiten, weißen Lichts am Auge.</translation>
+        <source>Brightness of a white light at the eye.</source>
+        <translation>Helligkeit eines weißen Lichts am Auge.</translation>
+    </message>
+    <message>
+        <source>Brightness of a light from the viewer&apos;s other side, in parts of the light&apos;s own.</source>
+        <translation>Helligkeit eines Lichts von der anderen Seite des Betrachters, in Teilen der des Lichts selbst.</translation>
+    </message>
+    <message>
+        <source>Brightness of two lights from behind, left and right, in parts of the light&apos;s own.</source>
+        <translation>Helligkeit zweier Lichter von hinten, links und rechts, in Teilen der des Lichts selbst.</translation>
+    </message>
+    <message>
+        <source>How the surface is lit: three_point by the light (the key light), a fill light and rim lights, each kept away by what stands near; key by the light alone.</source>
+        <translation>Wie die Fläche beleuchtet wird: three_point durch das Licht (das Hauptlicht), ein Aufhelllicht und Kantenlichter, die das Nahe jeweils abhält; key durch das Licht allein.</translation>
+    </message>
+    <message>
+        <source>How much what stands near keeps light away, as far as the picture shows it: darkens crevices.</source>
+        <translation>Wie sehr das Nahe Licht abhält, soweit das Bild es zeigt: verdunkelt Spalten.</translation>
+    </message>
+    <message>
+        <source>How far things count as near; auto is a fifth of the volume.</source>
+        <translation>Bis wohin etwas als nah gilt; automatisch ist ein Fünftel des Volumens.</translation>
     </message>
     <message>
         <source>Brightness of a white surface at the volume&apos;s centre that faces the lamp.</source>
@@ -7397,6 +7425,34 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <message>
         <source>headlight</source>
         <translation>Kopflicht</translation>
+    </message>
+    <message>
+        <source>setup</source>
+        <translation>Aufbau</translation>
+    </message>
+    <message>
+        <source>fill</source>
+        <translation>Aufhelllicht</translation>
+    </message>
+    <message>
+        <source>rim</source>
+        <translation>Kantenlicht</translation>
+    </message>
+    <message>
+        <source>occlusion</source>
+        <translation>Verdeckung</translation>
+    </message>
+    <message>
+        <source>occlusion radius</source>
+        <translation>Reichweite der Verdeckung</translation>
+    </message>
+    <message>
+        <source>three point</source>
+        <translation>Dreipunkt</translation>
+    </message>
+    <message>
+        <source>key</source>
+        <translation>Hauptlicht allein</translation>
     </message>
     <message>
         <source>hidden</source>

@@ -119,6 +119,8 @@ Scene resolve(Scene scene, const VolumeFacts& facts) {
   resolveLamps(scene, facts);
   if (!scene.hit.nearThreshold) scene.hit.nearThreshold = facts.typicalStep / scene.hit.rate;
   if (!scene.look.contours) scene.look.contours = contoursOf(scene);
+  if (!scene.look.occlusionRadius)
+    scene.look.occlusionRadius = std::max(glm::length(facts.boundsMaxMm - facts.boundsMinMm) / 5.0, 1e-9);
   if (!scene.look.textureScale)
     scene.look.textureScale = std::max(0.1 * glm::length(facts.boundsMaxMm - facts.boundsMinMm), 1e-9);
 

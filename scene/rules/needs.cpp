@@ -43,6 +43,12 @@ bool showsShadow(const Scene& scene) {
   return scene.look.shadow > 0.0 && keyLightActs(scene);
 }
 
+bool showsOcclusion(const Scene& scene) {
+  const Shading shading = shadingOf(scene);
+  return scene.look.occlusion > 0.0 && scene.light.setup == LightSetup::three_point &&
+         (shading == Shading::lambert || shading == Shading::blinn_phong);
+}
+
 bool showsFlow(const Scene& scene) {
   return scene.look.mode == LookMode::flow || (!isPlain(scene) && scene.flow.strength > 0.0);
 }

@@ -23,6 +23,8 @@ bool usesGi(const Scene& scene);
 bool keyLightActs(const Scene& scene);
 // Whether the key light's shadow is drawn.
 bool showsShadow(const Scene& scene);
+// Whether what stands near keeps light away: it does from large soft lights, which these shadings stand for.
+bool showsOcclusion(const Scene& scene);
 // Whether streaks along the curvature are drawn.
 bool showsFlow(const Scene& scene);
 // Whether a second volume colours the surface.

@@ -170,12 +170,15 @@ constexpr Rule rules[] = {
 
     {"look.shading", [](const Scene& s) { return isColored(s.look.mode); },
      "this look is a shading itself, or shows a raw quantity"},
-    {"look.ambient look.ambient_variation look.shadow light.space light.direction light.color "
-     "light.intensity "
-     "light.headlight",
+    {"look.ambient look.ambient_variation look.shadow look.occlusion look.occlusion_radius light.setup "
+     "light.space light.direction light.color light.intensity light.fill light.rim light.headlight",
      hasLocalLight, "only local shading has this light"},
-    {"look.ambient look.ambient_variation light.color light.intensity light.headlight", hasBrightness,
-     "this shading does not take its brightness from the key light"},
+    {"look.ambient look.ambient_variation look.occlusion look.occlusion_radius light.setup light.color "
+     "light.intensity light.fill light.rim light.headlight",
+     hasBrightness, "this shading does not take its brightness from the key light"},
+    {"look.occlusion light.fill light.rim",
+     [](const Scene& s) { return s.light.setup == LightSetup::three_point; }, "the key light stands alone"},
+    {"look.occlusion_radius", showsOcclusion, "nothing keeps light away"},
     {"look.specular look.shininess", hasHighlight, "only Blinn-Phong shading has a highlight"},
     {"look.shininess", [](const Scene& s) { return s.look.specular > 0.0; }, "the highlight has no strength"},
     {"look.tone_cool look.tone_warm", usesTone, "the shading is not tone"},

@@ -130,6 +130,13 @@ std::span<const Named<FlowDirection>> choicesOf() {
 }
 
 template <>
+std::span<const Named<LightSetup>> choicesOf() {
+  static constexpr Named<LightSetup> names[] = {{LightSetup::three_point, "three_point"},
+                                                {LightSetup::key, "key"}};
+  return names;
+}
+
+template <>
 std::span<const Named<LightSpace>> choicesOf() {
   static constexpr Named<LightSpace> names[] = {{LightSpace::camera, "camera"}, {LightSpace::world, "world"}};
   return names;

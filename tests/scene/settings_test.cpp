@@ -91,12 +91,14 @@ TEST(Settings, CoversEveryMemberOfScene) {
                                 colorLow, colorHigh, below, colorStrength, fade, isolines, isolineWidth] =
       colorVolume;
   [[maybe_unused]] const auto& [mode, shading, ambient, ambientVariation, specular, shininess, innerTint,
-                                cool, warm, texture, textureScale, shadow, fog, fogColor, colormap, low, high,
-                                points, legend, legendCorner, accessibility, ridges, ridgeThreshold,
-                                ridgeWidth, ridgeWidthUnit, ridgeLength, ridgeColor, valleyColor, contours,
-                                suggestive, contourWidth, contourColor, top, bottom] = look;
+                                cool, warm, texture, textureScale, shadow, occlusion, occlusionRadius, fog,
+                                fogColor, colormap, low, high, points, legend, legendCorner, accessibility,
+                                ridges, ridgeThreshold, ridgeWidth, ridgeWidthUnit, ridgeLength, ridgeColor,
+                                valleyColor, contours, suggestive, contourWidth, contourColor, top, bottom] =
+      look;
   [[maybe_unused]] const auto& [strength, flowDirection, length, grain, animate, speed, time] = flow;
-  [[maybe_unused]] const auto& [space, direction, color, intensity, headlight, environment] = light;
+  [[maybe_unused]] const auto& [setup, space, direction, color, intensity, fill, rim, headlight,
+                                environment] = light;
   [[maybe_unused]] const auto& [file, constant, builtIn, azimuth, elevation, rotation, exposure, moves,
                                 visible] = environment;
   [[maybe_unused]] const auto& [lampShown, kind, position, toward, radius, angle, lampColor, lampIntensity] =
@@ -108,7 +110,7 @@ TEST(Settings, CoversEveryMemberOfScene) {
   [[maybe_unused]] const auto& [supersampling, restHits, pictureExposure, metering, letters, scaleBar,
                                 isovalue, caveats, transparent, pixelRatio] = picture;
   EXPECT_EQ(settings().size(),
-            11u + 15 + 3 * 7 + 6 + 4 + 10 + 1 + 6 + 5 + 2 + 13 + 34 + 7 + 5 + 9 + 3 * 8 + 16 + 6 + 10);
+            11u + 15 + 3 * 7 + 6 + 4 + 10 + 1 + 6 + 5 + 2 + 13 + 36 + 7 + 8 + 9 + 3 * 8 + 16 + 6 + 10);
 }
 
 TEST(Settings, PatternsCoverPathsGroupsAndItemsOfLists) {
@@ -305,6 +307,7 @@ TEST(Settings, AutomaticOnlyWhereAllowed) {
                                               "derivatives.scale",
                                               "derivatives.normal_scale",
                                               "look.texture_scale",
+                                              "look.occlusion_radius",
                                               "look.fog_color",
                                               "look.range_low",
                                               "look.range_high",

@@ -3,7 +3,7 @@
 // LOOK, SHADING, TEXTURE, and the LOOK_..., SHADING_... and TEXTURE_... they are compared with: from the names of the
 // settings' choices. MEASURE, MEASURE_SQUARE: colours stand for one number, or two. CURVATURE: kappas are bound; EDGE: offsets of
 // edges, which colours stand for. SECOND: values of a second volume. SHADOW,
-// FLOW, FOG, ACCESSIBILITY, LINES: what is laid over. FACING: opacity depends on the angle of view. docs/looks.md has the formulas and sources.
+// OCCLUSION, FLOW, FOG, ACCESSIBILITY, LINES: what is laid over. FACING: opacity depends on the angle of view. docs/looks.md has the formulas and sources.
 #include "common.glsl"
 #if LOOK == LOOK_DEPTH && !defined(FACING)
 #define NO_GRADIENT
@@ -35,6 +35,9 @@ uniform float uTextureScale;  // mm
 #ifdef SHADOW
 uniform sampler2D uLit;
 uniform float uShadow;
+#endif
+#ifdef OCCLUSION
+#include "openness.glsl"
 #endif
 #ifdef FLOW
 uniform sampler2D uFlow;
@@ -126,7 +129,11 @@ vec4 shaded(ivec2 pixel, Point p, vec3 albedo) {
 #ifdef SHADOW
   lit = mix(1.0, texelFetch(uLit, pixel, 0).r, uShadow);
 #endif
-  vec4 color = vec4(lighted(baseColor(p, albedo, kappa, pixel), p, lit), 0.0);
+  float open = 1.0;
+#ifdef OCCLUSION
+  open = opennessAt(p);
+#endif
+  vec4 color = vec4(lighted(baseColor(p, albedo, kappa, pixel), p, lit, open), 0.0);
 #ifdef LINES
   color = withLines(color.rgb, pixel);
 #endif

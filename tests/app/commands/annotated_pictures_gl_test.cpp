@@ -20,7 +20,7 @@ using test::runIsolux;
 render::ColorImage rendered(const fs::path& folder, const std::string& name,
                             std::vector<std::string> settings) {
   std::vector<std::string> line{"render", "phantom:ball:24", "--size", "200x180", "--out", name};
-  settings.insert(settings.begin(), "camera.frames=volume");
+  settings.insert(settings.begin(), {"camera.frames=volume", "light.setup=key"});
   for (const std::string& setting : settings) line.insert(line.end(), {"--set", setting});
   const test::RunResult result = runIsolux(line, {.folder = folder});
   EXPECT_EQ(result.exitCode, 0) << result.err;

@@ -48,7 +48,7 @@ class DamagedVolumeGl : public testing::Test {
     for (const char* set : {"memory.voxels=file", "picture.executor=gpu", "picture.supersampling=1",
                             "camera.eye=47.5,47.5,-200", "camera.target=47.5,47.5,47.5", "camera.up=0,1,0",
                             "isosurface.albedo=1,0.1,0.05", "look.background_top=0.1,0.2,0.9",
-                            "look.background_bottom=0.1,0.2,0.9", "isosurface.value=0.25"})
+                            "look.background_bottom=0.1,0.2,0.9", "isosurface.value=0.25", "light.setup=key"})
       all.insert(all.end(), {"--set", set});
     all.insert(all.end(), more.begin(), more.end());
     return callIsolux(all, folder_);

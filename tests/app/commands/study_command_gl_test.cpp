@@ -233,7 +233,8 @@ TEST(StudyCommandGl, TheSceneIsMeasuredAsItIs) {
 TEST(StudyCommandGl, EdgesAndShadowsAreJudgedByThePicture) {
   const json result =
       study(test::temporaryFolder(), {"phantom:gyroid:32", "--size", "64x64", "--knobs",
-                                      "supersampling,shadow", "--set", "light.direction=-1,1,0.4"});
+                                      "supersampling,shadow", "--set", "light.direction=-1,1,0.4",
+                                      "--set", "light.setup=key"});
   double before = 1.0, flipBefore = 1.0;
   for (const char* rays : {"1", "2", "4"}) {
     const json& picture = settingOf(result, 0, rays)["picture"];

@@ -23,9 +23,18 @@ using scene::Scene;
 using testing::AllOf;
 using testing::HasSubstr;
 
-// What a session of before automatic cameras framed the surface leaves unsaid.
-Scene firstSeenAsBefore() {
+// What a session of before looks had more than a key light leaves unsaid.
+Scene shadedAsBefore() {
   Scene scene;
+  scene.light.setup = scene::LightSetup::key;
+  scene.light.direction = {-0.5, 0.7, 0.9};
+  scene.look.ambientVariation = 0.0;
+  return scene;
+}
+
+// And of before automatic cameras framed the surface.
+Scene firstSeenAsBefore() {
+  Scene scene = shadedAsBefore();
   scene.camera.frames = scene::Frames::volume;
   scene.isosurface.suggestion = scene::Suggestion::contrast;
   return scene;
@@ -107,7 +116,7 @@ TEST(Session, RoundTripsThroughAFile) {
 
 TEST(Session, IsVersionedJson) {
   const json stored = json::parse(sessionText(someScene(), "/data"));
-  EXPECT_EQ(stored["isolux_session"], 7);
+  EXPECT_EQ(stored["isolux_session"], 8);
   EXPECT_TRUE(stored["program"].is_string());
   EXPECT_EQ(stored["scene"]["look"]["mode"], "normal");
 }
@@ -213,8 +222,9 @@ TEST(Session, RefusesBadVersion1WithThePath) {
 }
 
 TEST(Session, MissingKeysTakeDefaults) {
-  EXPECT_TRUE(parseSession(R"({"isolux_session": 7})", "", {"/"}) == Scene{});
-  EXPECT_TRUE(parseSession(R"({"isolux_session": 7, "scene": {}})", "", {"/"}) == Scene{});
+  EXPECT_TRUE(parseSession(R"({"isolux_session": 8})", "", {"/"}) == Scene{});
+  EXPECT_TRUE(parseSession(R"({"isolux_session": 8, "scene": {}})", "", {"/"}) == Scene{});
+  EXPECT_TRUE(parseSession(R"({"isolux_session": 7})", "", {"/"}) == shadedAsBefore());
   EXPECT_TRUE(parseSession(R"({"isolux_session": 6})", "", {"/"}) == firstSeenAsBefore());
   EXPECT_TRUE(parseSession(R"({"isolux_session": 5, "accuracy": {"pixels": 7}})", "", {"/"}) ==
               firstSeenAsBefore());
@@ -248,8 +258,8 @@ TEST(Session, EqualKeysAreRefused) {
 }
 
 TEST(Session, FutureVersionsSaySo) {
-  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 8, "scene": {"new": 1}})"),
-              AllOf(HasSubstr("version 7"), HasSubstr("newer Isolux")));
+  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 9, "scene": {"new": 1}})"),
+              AllOf(HasSubstr("version 8"), HasSubstr("newer Isolux")));
   EXPECT_THAT(sessionRefusal(R"({"isolux_session": 18446744073709551615})"), HasSubstr("newer Isolux"));
 }
 

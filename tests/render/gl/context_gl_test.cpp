@@ -246,7 +246,7 @@ TEST_F(RendererGlTest, ReportsWhatItDid) {
   EXPECT_GT(report_.blocksActive, 20u);
   EXPECT_LT(report_.blocksActive, 216u);
   EXPECT_GE(report_.gpuBytes, 48u * 48u * 48u * 4u);
-  EXPECT_EQ(usedPasses().size(), 7u);  // exact hits need no refinement
+  EXPECT_EQ(usedPasses().size(), 9u);  // exact hits need no refinement
   for (const render::PassReport& pass : usedPasses()) {
     EXPECT_EQ(pass.state, render::PassState::ran) << pass.name;
     EXPECT_GT(pass.bytes, 0u) << pass.name;
@@ -261,7 +261,7 @@ TEST_F(RendererGlTest, TheProcessorNeedsNoTextureOfTheVolume) {
   const auto volume = phantom("ball", 48);
   renderer_->setMachine({.executor = scene::Executor::cpu});
   renderer_->setVolume(volume);
-  const scene::Scene scene = scene::resolve({}, volume->facts);
+  const scene::Scene scene = scene::resolve(pinned({}), volume->facts);
   draw(scene);
   EXPECT_LT(report_.gpuBytes, 48u * 48u * 48u * 4u);
   std::vector<std::string> processor;

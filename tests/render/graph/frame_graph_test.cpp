@@ -30,13 +30,15 @@ class FrameGraphTest : public ::testing::Test {
       if (planned.state == PassState::ran) graph_.completed(passes[planned.index]);
     return plan;
   }
-  // The passes that run when `scene` follows what was drawn before.
-  std::vector<std::string> ran(const scene::Scene& scene, const FrameRequest& request,
-                               const VolumeState& volume = 1, const OnProcessor& onProcessor = {}) {
+  // The passes that run when `scene` follows what was drawn before, lit by the key light alone.
+  std::vector<std::string> ran(scene::Scene scene, const FrameRequest& request, const VolumeState& volume = 1,
+                               const OnProcessor& onProcessor = {}) {
+    if (!occludes_) scene.light.setup = scene::LightSetup::key;
     const auto passes = declarePasses(makePasses(), Asked(scene, request, volume, {}, {}, onProcessor));
     return namesOf(passes, frame(passes, wantedImages(request, scene)), PassState::ran);
   }
   FrameGraph graph_;
+  bool occludes_ = false;  // as the scene says
 };
 
 // Shadows are found where hits and gradients are.
@@ -232,6 +234,25 @@ TEST_F(FrameGraphTest, TheFieldOfTheHitsIsThatOfTheBlocks) {
   ran(scene, picture);
   scene.hit.field = scene::Field::cubic;
   EXPECT_THAT(ran(scene, picture), ElementsAre("blocks", "segments", "cast", "gradient", "shade", "resolve"));
+}
+
+// What stands near is looked for where a light is large and soft: under Lambert and Blinn-Phong shading.
+TEST_F(FrameGraphTest, OcclusionHasPassesOfItsOwn) {
+  occludes_ = true;
+  scene::Scene scene;
+  EXPECT_THAT(ran(scene, {}), ElementsAre("blocks", "segments", "cast", "gradient", "openness", "occlusion",
+                                          "shade", "background", "resolve"));
+  scene.light.fill = 0.7;
+  EXPECT_THAT(ran(scene, {}), ElementsAre("shade", "resolve"));
+  scene.look.occlusionRadius = 3.0;
+  EXPECT_THAT(ran(scene, {}), ElementsAre("openness", "occlusion", "shade", "resolve"));
+  for (const char* without :
+       {"look.occlusion=0", "light.setup=key", "look.mode=gi", "look.mode=tone", "look.mode=normal"}) {
+    scene::Scene other = scene;
+    scene::applyAssignment(other, without);
+    graph_.invalidate();
+    EXPECT_THAT(ran(other, {}), ::testing::Not(::testing::Contains("openness"))) << without;
+  }
 }
 
 // What each look computes from nothing, and what a change of it costs, as a table.

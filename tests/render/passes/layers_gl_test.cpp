@@ -19,7 +19,7 @@ class LayersGlTest : public ExecutorsGlTest {
     renderer_->setVolume(volume);
     render::FrameRequest request;
     request.size = {96, 96};
-    report_ = renderer_->render(scene::resolve(scene, volume->facts), request);
+    report_ = renderer_->render(scene::resolve(pinned(scene), volume->facts), request);
     const render::ColorImage image = renderer_->readColor();
     glm::dvec3 color;
     for (int c = 0; c < 3; ++c) {

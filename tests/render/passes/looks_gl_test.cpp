@@ -24,7 +24,7 @@ class LooksGlTest : public RenderGlTest {
   // Draws and keeps what pixels show. Orthographic along +y (patient axes: from the front), `mmPerPixel`.
   void draw(const std::shared_ptr<const volume::PreparedVolume>& volume, const Settings& settings,
             double mmPerPixel = 0.5, glm::ivec2 size = {128, 128}) {
-    scene::Scene scene;
+    scene::Scene scene = pinned({});
     scene.isosurface.value = 0.0;
     scene.camera.projection = scene::Projection::orthographic;
     const glm::dvec3 centre = 0.5 * (volume->facts.boundsMinMm + volume->facts.boundsMaxMm);

@@ -36,12 +36,18 @@ TEST(Relevance, OfEachLook) {
   // With the defaults: Lambert under colours, no strength in lines, fog, texture and flow.
   const std::string lines = "ridges contours suggestive_contours";
   const std::string lambert = "shading ambient ambient_variation ";
-  const std::string measure =
-      lambert + "shadow fog colormap range_low range_high legend legend_corner accessibility " + lines;
+  const std::string measure = lambert +
+                              "shadow occlusion occlusion_radius fog colormap range_low range_high legend "
+                              "legend_corner accessibility " +
+                              lines;
   const std::map<std::string, std::string> table = {
       {"blinn_phong",
-       "ambient ambient_variation specular shininess inner_tint texture shadow fog accessibility " + lines},
-      {"lambert", "ambient ambient_variation inner_tint texture shadow fog accessibility " + lines},
+       "ambient ambient_variation specular shininess inner_tint texture shadow occlusion occlusion_radius "
+       "fog accessibility " +
+           lines},
+      {"lambert",
+       "ambient ambient_variation inner_tint texture shadow occlusion occlusion_radius fog accessibility " +
+           lines},
       {"tone", "tone_cool tone_warm inner_tint texture shadow fog accessibility " + lines +
                    " contour_width contour_color"},
       {"kappa1", measure},
@@ -51,11 +57,12 @@ TEST(Relevance, OfEachLook) {
       {"shape_index", measure},
       {"curvedness", measure},
       {"edge_offset", measure},
-      {"curvature_2d",
-       lambert + "shadow fog range_low range_high curvature_points legend legend_corner accessibility " +
-           lines},
-      {"accessibility", lambert + "inner_tint texture shadow fog " + lines},
-      {"flow", lambert + "inner_tint texture shadow fog accessibility " + lines},
+      {"curvature_2d", lambert +
+                           "shadow occlusion occlusion_radius fog range_low range_high curvature_points "
+                           "legend legend_corner accessibility " +
+                           lines},
+      {"accessibility", lambert + "inner_tint texture shadow occlusion occlusion_radius fog " + lines},
+      {"flow", lambert + "inner_tint texture shadow occlusion occlusion_radius fog accessibility " + lines},
       {"gi", "inner_tint texture fog accessibility " + lines},
       {"normal", ""},
       {"depth", ""},
