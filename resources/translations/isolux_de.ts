@@ -7447,14 +7447,6 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Reichweite der Verdeckung</translation>
     </message>
     <message>
-        <source>three point</source>
-        <translation>Dreipunkt</translation>
-    </message>
-    <message>
-        <source>key</source>
-        <translation>Hauptlicht allein</translation>
-    </message>
-    <message>
         <source>hidden</source>
         <translation>Ausgeblendet</translation>
     </message>
@@ -8199,10 +8191,6 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Vorschlag</translation>
     </message>
     <message>
-        <source>Depth</source>
-        <translation>Tiefe</translation>
-    </message>
-    <message>
         <source>Within</source>
         <translation>Innerhalb</translation>
     </message>
@@ -8213,6 +8201,34 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <message>
         <source>within</source>
         <translation>Innerhalb</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>Aufhelllicht</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Hauptlicht allein</translation>
+    </message>
+    <message>
+        <source>Occlusion</source>
+        <translation>Verdeckung</translation>
+    </message>
+    <message>
+        <source>Occlusion radius</source>
+        <translation>Reichweite der Verdeckung</translation>
+    </message>
+    <message>
+        <source>Rim</source>
+        <translation>Kantenlicht</translation>
+    </message>
+    <message>
+        <source>Setup</source>
+        <translation>Aufbau</translation>
+    </message>
+    <message>
+        <source>Three point</source>
+        <translation>Dreipunkt</translation>
     </message>
 </context>
 </TS>
