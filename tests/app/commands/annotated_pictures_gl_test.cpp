@@ -83,9 +83,10 @@ TEST(AnnotatedPicturesGl, ATransparentPictureOverABackgroundIsTheOpaqueOne) {
 }
 
 TEST(AnnotatedPicturesGl, NoEdgeIsDarkerThanTheSurfaceBesideIt) {
-  const auto seen = rendered(test::temporaryFolder(), "white.png",
-                             {"picture.transparent=true", "look.mode=lambert", "look.ambient=1",
-                              "light.intensity=0", "isosurface.albedo=0.8,0.8,0.8"});
+  const auto seen =
+      rendered(test::temporaryFolder(), "white.png",
+               {"picture.transparent=true", "look.mode=lambert", "look.ambient=1", "look.ambient_variation=0",
+                "light.intensity=0", "isosurface.albedo=0.8,0.8,0.8"});
   int darkest = 255, brightest = 0;
   for (std::size_t i = 0; i < seen.rgba.size(); i += 4) {
     if (seen.rgba[i + 3] < 8) continue;

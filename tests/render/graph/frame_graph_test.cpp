@@ -502,6 +502,7 @@ TEST_F(FrameGraphTest, AnIsovalueWithoutASurfaceCostsNoDerivatives) {
 // A new copy of equal voxels on the GPU has no active blocks and no resident bricks yet.
 TEST_F(FrameGraphTest, WhatLivesInTheGpusCopyIsMadeAnewWithIt) {
   scene::Scene scene;
+  scene.light.setup = scene::LightSetup::key;
   VolumeState volume{7, 1};
   const auto ranWith = [&](const BrickState& bricks) {
     const auto passes = declarePasses(scene, {}, volume, bricks);
@@ -521,6 +522,7 @@ TEST_F(FrameGraphTest, WhatLivesInTheGpusCopyIsMadeAnewWithIt) {
 // In bricks: uploads only where rays asked, and nothing of it in a volume of one texture.
 TEST_F(FrameGraphTest, BricksRunWhereRaysAskForThem) {
   scene::Scene scene;
+  scene.light.setup = scene::LightSetup::key;
   const FrameRequest request;
   BrickState bricks{true, false, 1, 0};
   const auto ranIn = [&] {

@@ -119,7 +119,7 @@ TEST_P(LayersGlTest, CountsTheCrossingsOfNoise) {
   scene.isosurface.layers = 64;
   int compared = 0, wrong = 0;
   colorAt(noise, scene, {0, 0});
-  scene_ = scene::resolve(scene, noise->facts);
+  scene_ = scene::resolve(pinned(scene), noise->facts);
   const render::ColorImage image = renderer_->readColor();
   const glm::dmat4 voxelFromWorld = noise->grid().geometry().voxelFromWorld();
   for (int y = 3; y < 96; y += 6)
