@@ -61,7 +61,7 @@ nlohmann::json derivativesAsBefore(nlohmann::json stored);
 // those of the whole object.
 nlohmann::json firstPictureAsBefore(nlohmann::json stored);
 
-// Of before looks were lit by more than a key light.
+// Keeps what a stored scene meant before looks were lit by more than a key light.
 nlohmann::json looksAsBefore(nlohmann::json stored);
 
 // `stored` must be an object with no other keys than the `known` ones; `place` as above.

@@ -111,10 +111,7 @@ void OpennessPass::run(FrameState& frame) {
 }
 
 void OcclusionPass::declare(Declaring& d) const {
-  d.reads(image::surface)
-      .writes(image::occlusion)
-      .settings({"camera.", "look.occlusion_radius"})
-      .pictureSize();
+  d.reads(image::surface).writes(image::occlusion).pictureSize();
   d.input("of the tiles' whole picture", d.asked.request.tile.has_value(), d.asked.request.beforeTiles);
   if (!d.asked.request.tile) d.reads(image::openness);
 }
@@ -127,6 +124,8 @@ std::optional<LookInput> OcclusionPass::forLook(const scene::Scene& scene) const
 void OcclusionPass::run(FrameState& frame) {
   crossing_ = frame.layer.empty() ? 0 : crossing_ + 1;
   if (frame.request.tile) return takeKept(frame);
+  if (frame.request.beforeTiles && crossing_ == 0)  // those of an earlier picture
+    for (int i = 0; frame.images.has(keptName(i)); ++i) frame.images.drop(keptName(i));
   const glm::ivec2 cells = occlusionCells(frame.request);
   Target& target = frame.images.make(frame.gl, image::occlusion + frame.layer, cells, {GL_RG32F});
   if (frame.empty()) {
@@ -140,16 +139,16 @@ void OcclusionPass::run(FrameState& frame) {
     frame.drawHits(target, p, inCells(frame.area(), occlusionCell(frame.request), cells));
   }
   if (frame.request.beforeTiles)
-    frame.copy(target, frame.images.make(frame.gl, keptName(), cells, {GL_RG32F}));
+    frame.copy(target, frame.images.make(frame.gl, keptName(crossing_), cells, {GL_RG32F}));
 }
 
 // Another name for each crossing: layers behind share two.
-std::string OcclusionPass::keptName() const {
-  return std::string(image::occlusion) + " of the whole picture, crossing " + std::to_string(crossing_);
+std::string OcclusionPass::keptName(int crossing) {
+  return std::string(image::occlusion) + " of the whole picture, crossing " + std::to_string(crossing);
 }
 
 void OcclusionPass::takeKept(FrameState& frame) {
-  const std::string kept = keptName(), own = image::occlusion + frame.layer;
+  const std::string kept = keptName(crossing_), own = image::occlusion + frame.layer;
   if (!frame.images.has(kept))
     return frame.clear(frame.images.make(frame.gl, own, glm::ivec2(1), {GL_RG32F}), {kAllOpen});
   const glm::ivec2 size(frame.images.at(kept).images[0].size());

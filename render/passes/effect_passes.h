@@ -35,7 +35,7 @@ class OcclusionPass : public Pass {
   void run(FrameState& frame) override;
 
  private:
-  std::string keptName() const;
+  static std::string keptName(int crossing);
   void takeKept(FrameState& frame);
 
   int crossing_ = 0;

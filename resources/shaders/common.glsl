@@ -13,6 +13,11 @@ uniform ivec2 uTileOrigin;   // of the images drawn into, within the picture: pi
 vec2 inPicture(vec2 fragment) { return fragment + vec2(uTileOrigin); }
 vec2 imagePlane(vec2 fragment) { return (inPicture(fragment) / vec2(uPictureSize) * 2.0 - 1.0) * uHalfExtent; }
 
+// mm per ray across the view direction, at this depth along it.
+float footprintAt(float depth) {
+  return 2.0 * uHalfExtent.y / float(uPictureSize.y) * (uOrthographic != 0 ? 1.0 : depth);
+}
+
 void pixelRay(vec2 fragment, out vec3 origin, out vec3 direction) {
   vec2 xy = imagePlane(fragment);
   vec3 offset = xy.x * uRightVoxel + xy.y * uUpVoxel;

@@ -46,7 +46,7 @@ class Document : public QObject {
   void setFittingRoom(glm::dvec2 room);
   // The resolved scene's, before it is fitted to that room.
   scene::Camera camera() const;
-  // What automatic settings depend on. Automatic views frame the surface that was shown when it was last
+  // Tells what automatic settings depend on. Automatic views frame the surface that was shown when it was last
   // exchanged in one go (loaded, by a preset, shown or hidden): they stay while its isovalue is dragged.
   const scene::VolumeFacts& facts() const { return facts_; }
   void frameShown();  // from now on the surface that is shown now

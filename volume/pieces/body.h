@@ -42,7 +42,7 @@ class Body {
   std::vector<float> depth_;
 };
 
-// Of each piece how many of its voxels lie in the body, at least so deep. Multithreaded.
+// Counts the voxels of each piece that lie in the body, at least so deep. Multithreaded.
 std::vector<std::uint64_t> voxelsInBody(const Pieces& pieces, const Body& body, double depth);
 
 }  // namespace isolux::volume

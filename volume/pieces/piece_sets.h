@@ -31,7 +31,7 @@ class PieceSets {
 
   // The body above an isovalue (scene::Pieces::within). Throws Error: interrupted, memory.
   std::shared_ptr<const Body> body(double isovalue, base::Progress& progress) const;
-  // Whether all that a choice needs beside the pieces is known.
+  // Tells whether all that a choice needs beside the pieces is known.
   bool knowsBody(const scene::Pieces& choice) const;
   // shownPieces() of these pieces. Throws as body() does.
   std::vector<bool> shown(const Pieces& pieces, const scene::Pieces& choice, base::Progress& progress) const;

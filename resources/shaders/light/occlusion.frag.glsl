@@ -13,9 +13,8 @@ void main() {
   oOpen = vec2(1.0, -1.0);
   if (own.y <= 0.0) return;
   float range = max(uDepthRange.y - uDepthRange.x, 1e-30), depth = own.z + own.w;
-  float mm = (depth - 1e-3) * range + uDepthRange.x;
-  float footprint = 2.0 * uHalfExtent.y / float(uPictureSize.y) * (uOrthographic != 0 ? 1.0 : mm);
-  float tolerance = 8.0 * footprint * float(uCell) / range;
+  float mm = depth * range + uDepthRange.x;
+  float tolerance = 8.0 * footprintAt(mm) * float(uCell) / range;
   vec2 sum = vec2(0.0);
   for (int y = -2; y < 2; ++y)
     for (int x = -2; x < 2; ++x) {

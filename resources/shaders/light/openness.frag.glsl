@@ -60,7 +60,7 @@ void main() {
   float left = -acos(clamp(horizon(pixel, -line * rays, start, p, cos(normal - 0.5 * kPi)), -1.0, 1.0));
   float free = weight * (between(right, normal) + between(left, normal));
   float all = weight * (between(normal + 0.5 * kPi, normal) + between(normal - 0.5 * kPi, normal));
-  float depth = (p.depth - uDepthRange.x) / max(uDepthRange.y - uDepthRange.x, 1e-30) + 1e-3;
+  float depth = (p.depth - uDepthRange.x) / max(uDepthRange.y - uDepthRange.x, 1e-30);
   float coarse = unpackHalf2x16(packHalf2x16(vec2(depth, 0.0))).x;
   oOpenness = vec4(min(free, all), all, coarse, depth - coarse);
 }

@@ -8,7 +8,7 @@ uniform vec3 uToneCool, uToneWarm;
 #if SHADING == SHADING_TONE
 // Gooch et al. 1998: hue carries the form, from cool to warm, each with a part of the surface's own colour. `lit` is
 // 0 in shadow.
-vec3 lighted(vec3 base, Point p, float lit, float open) {
+vec3 lighted(vec3 base, Point p, float lit) {
   float facing = dot(p.normal, uLight);
   float warmth = 0.5 + 0.5 * (facing > 0.0 ? facing * lit : facing);
   // Cubed: a surface lit from near the eye would show little of the cool side.
@@ -18,20 +18,19 @@ vec3 lighted(vec3 base, Point p, float lit, float open) {
 uniform sampler2D uIrradiance;
 uniform float uExposure;  // 2^stops
 
-vec3 lighted(vec3 base, Point p, float lit, float open) {
+vec3 lighted(vec3 base, Point p, float lit) {
   const float pi = 3.14159265;
   return base * texelFetch(uIrradiance, ivec2(gl_FragCoord.xy), 0).rgb * (uExposure / pi);
 }
 #elif SHADING == SHADING_UNLIT
-vec3 lighted(vec3 base, Point p, float lit, float open) { return base; }
+vec3 lighted(vec3 base, Point p, float lit) { return base; }
 #else
 float highlight(Point p, vec3 toward) {
   vec3 halfway = safeNormalize(toward - p.ray, p.normal);
   return dot(p.normal, toward) > 0.0 ? pow(max(dot(p.normal, halfway), 0.0), uShininess) : 0.0;
 }
 
-// `open`: the part of the light that what stands near lets through.
-vec3 lighted(vec3 base, Point p, float lit, float open) {
+vec3 lighted(vec3 base, Point p, float lit) {
   vec3 key = uLightColor * lit;
   float ambient = uAmbient * (1.0 + uAmbientVariation * dot(p.normal, uUpWorld));
   vec3 diffuse = key * max(dot(p.normal, uLight), 0.0) + uHeadlight * max(-dot(p.normal, p.ray), 0.0);
@@ -41,6 +40,6 @@ vec3 lighted(vec3 base, Point p, float lit, float open) {
 #if SHADING == SHADING_BLINN_PHONG
   color += uSpecular * (key * highlight(p, uLight) + uHeadlight * highlight(p, -p.ray));
 #endif
-  return open * color;
+  return color;
 }
 #endif

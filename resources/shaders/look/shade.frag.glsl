@@ -37,7 +37,7 @@ uniform sampler2D uLit;
 uniform float uShadow;
 #endif
 #ifdef OCCLUSION
-#include "openness.glsl"
+#include "occlusion.glsl"
 #endif
 #ifdef FLOW
 uniform sampler2D uFlow;
@@ -129,11 +129,10 @@ vec4 shaded(ivec2 pixel, Point p, vec3 albedo) {
 #ifdef SHADOW
   lit = mix(1.0, texelFetch(uLit, pixel, 0).r, uShadow);
 #endif
-  float open = 1.0;
+  vec4 color = vec4(lighted(baseColor(p, albedo, kappa, pixel), p, lit), 0.0);
 #ifdef OCCLUSION
-  open = opennessAt(p);
+  color.rgb *= opennessAt(p);
 #endif
-  vec4 color = vec4(lighted(baseColor(p, albedo, kappa, pixel), p, lit, open), 0.0);
 #ifdef LINES
   color = withLines(color.rgb, pixel);
 #endif

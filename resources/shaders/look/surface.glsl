@@ -29,10 +29,6 @@ vec3 worldRay(vec2 fragment) {
   return uOrthographic != 0 ? uForwardWorld : normalize(uForwardWorld + xy.x * uRightWorld + xy.y * uUpWorld);
 }
 
-float footprintAt(float depth) {
-  return 2.0 * uHalfExtent.y / float(uPictureSize.y) * (uOrthographic != 0 ? 1.0 : depth);
-}
-
 Point pointAt(ivec2 pixel, vec4 surface) {
   Point p;
   p.position = uWorldFromVoxel * surface.xyz;

@@ -8,7 +8,7 @@
 
 namespace isolux::test {
 
-// Of the points of `of`, the share that has one of `near` within `reach` mm.
+// Returns the share of the points of `of` that have one of `near` within `reach` mm.
 inline double shareNear(const std::vector<glm::dvec3>& of, const std::vector<glm::dvec3>& near,
                         double reach) {
   if (of.empty()) return 1.0;
