@@ -37,6 +37,9 @@ void add(gi::BakeCounters& sum, const gi::BakeCounters& one) {
   sum.threads = std::max(sum.threads, one.threads);
   sum.paused = sum.paused || one.paused;
   sum.idle = sum.idle && one.idle;
+  sum.texelsSeen += one.texelsSeen;
+  sum.texelsSmooth += one.texelsSmooth;
+  sum.takenIn = sum.takenIn && one.takenIn;
 }
 
 // Without what the light does not depend on and a viewer changes from picture to picture: turning the view
@@ -290,6 +293,10 @@ LightState LightController::state() const {
     state.phase = parts.paused ? Phase::paused : Phase::baking;
   else
     state.phase = parts.hitsTold || parts.busy ? Phase::preparing : Phase::finished;
+  const bool told = parts.sceneTold || parts.hitsTold || parts.busy || !state.counters.takenIn;
+  if (!told && state.counters.texelsSeen > 0)
+    state.smooth =
+        static_cast<double>(state.counters.texelsSmooth) / static_cast<double>(state.counters.texelsSeen);
   return state;
 }
 

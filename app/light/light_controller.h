@@ -34,6 +34,9 @@ struct LightState {
   scene::GiChoice choice;     // what is stored, and why
   std::string mode;           // modeName()
   gi::BakeCounters counters;  // of the sky's and the lamps' light together
+  // How much of what is seen is lit without coarse noise (gi::kSmoothSamples); none: nothing is known of it
+  // yet, or nothing is seen.
+  std::optional<double> smooth;
   std::optional<base::Error> error;
   std::vector<std::string> warnings;  // "3 pixels of the light probe are not numbers"
 };

@@ -1,5 +1,6 @@
 #include "app/light/light_planner.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 #include <system_error>
@@ -7,6 +8,7 @@
 
 #include <tbb/global_control.h>
 
+#include "base/memory_budget.h"
 #include "base/retire.h"
 #include "gi/arithmetic.h"
 #include "gi/light_key.h"
@@ -200,27 +202,24 @@ void LightPlanner::requireInner(base::Progress& progress) {
 void LightPlanner::require(Part& part, const std::shared_ptr<const gi::LightScene>& light,
                            gi::LightPart which, bool wanted) {
   if (!wanted) {
-    if (part.bake) part.bake->requestStop();
-    part = {};
+    keep(std::exchange(part, {}));
     return;
   }
-  const auto samples = static_cast<std::uint32_t>(scene_.gi.samples);
   const std::string key = gi::lightKey(scene_, *light, which);
-  if (part.bake && part.key == key) {
-    part.bake->setSamples(samples);
-    part.bake->setThreads(threads());
-    return;
-  }
-  if (part.bake) part.bake->requestStop();  // its threads end before those of the new one have much to do
+  if (part.bake && part.key == key) return demand(part);
   gi::LightScene ofAll = *light;
   ofAll.choice.onShown = false;
   const std::string keyOfAll = gi::lightKey(scene_, ofAll, which);
   std::shared_ptr<const gi::LightLattice> before;
   if (part.keyOfAll == keyOfAll) before = standIn(part);
-  part = {};
+  keep(std::exchange(part, {}));             // its threads end before those of the new one have much to do
+  if (&part == &outer_.sky) basis_.reset();  // it was fitted to the old lattice
+  if (std::optional<Part> again = kept(key)) {
+    part = *std::move(again);
+    return demand(part);
+  }
   part.before = std::move(before);
   part.keyOfAll = keyOfAll;
-  if (&part == &outer_.sky) basis_.reset();  // it was fitted to the old lattice
   std::optional<float> isovalue;
   if (light->choice.onShown)
     isovalue = static_cast<float>(volume_->grid().storedOfValue(*scene_.isosurface.value));
@@ -228,6 +227,40 @@ void LightPlanner::require(Part& part, const std::shared_ptr<const gi::LightScen
   part.key = key;
   part.estimator = std::make_shared<gi::LatticeEstimator>(light, lattice, which);
   part.bake = makeBake(part, std::make_shared<gi::LightLattice>(lattice, part.estimator->content(), key));
+}
+
+void LightPlanner::demand(const Part& part) {
+  part.bake->setSamples(static_cast<std::uint32_t>(scene_.gi.samples));
+  part.bake->setThreads(threads());
+}
+
+// In a window, where settings are tried and taken back. What had no time to become light is not worth it, nor
+// what takes more than a part of the memory.
+void LightPlanner::keep(Part part) {
+  constexpr std::size_t most = 4, partOfMemory = 8;
+  if (!part.bake) return;
+  const std::shared_ptr<const gi::LightLattice> lattice = part.bake->lattice();
+  const gi::BakeCounters counters = part.bake->counters();
+  if (!background_ || lattice->bakedTexels() == 0 || 2 * counters.texelsSmooth < counters.texelsSeen ||
+      part.bake->failure())
+    return part.bake->requestStop();
+  wishNothing(part);
+  part.before.reset();
+  kept_.push_front(std::move(part));
+  std::size_t bytes = 0, fit = 0;
+  while (fit < std::min(most, kept_.size()) &&
+         (bytes += kept_[fit].bake->lattice()->bytes()) <= base::machineMemory().limit() / partOfMemory)
+    ++fit;
+  kept_.resize(fit);
+}
+
+std::optional<LightPlanner::Part> LightPlanner::kept(const std::string& key) {
+  const auto found =
+      std::find_if(kept_.begin(), kept_.end(), [&](const Part& part) { return part.key == key; });
+  if (found == kept_.end()) return std::nullopt;
+  Part part = std::move(*found);
+  kept_.erase(found);
+  return part;
 }
 
 std::shared_ptr<gi::LightBake> LightPlanner::makeBake(const Part& part,
@@ -278,6 +311,7 @@ void LightPlanner::publish() {
 void LightPlanner::stop() {
   stop(outer_);
   stop(inner_);
+  kept_.clear();
 }
 
 void LightPlanner::stop(Side& side) {

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -122,6 +123,10 @@ class LightPlanner {
   void wish(Side& side, const std::vector<glm::vec3>& hits, scene::GiExtent extent,
             const std::vector<double>& behind, base::Progress& progress);
   void wish(Part& part, const Asked& asked, base::Progress& progress);
+  void demand(const Part& part);  // as many paths, on as many threads as there are to be
+  void keep(Part part);
+  std::optional<Part> kept(const std::string& key);  // taken out
+  static void wishNothing(Part& part);
   void takeBakes();
   static std::shared_ptr<const gi::LightLattice> standIn(const Part& part);
   std::shared_ptr<gi::LightBake> makeBake(const Part& part, std::shared_ptr<gi::LightLattice> lattice) const;
@@ -158,6 +163,7 @@ class LightPlanner {
   std::string brightnessOfEnvironment_;
   bool meterPending_ = false;
   Side outer_, inner_;
+  std::deque<Part> kept_;   // of settings before these, which may come back; the last first
   bool innerSeen_ = false;  // by the last wish
   std::shared_ptr<const gi::TransferBasis> basis_;
   int basisComponents_ = 0, basisBits_ = 0;

@@ -117,12 +117,14 @@ std::vector<gi::WantedBlock> LightPlanner::wishes(gi::LightPart which) const {
 }
 
 void LightPlanner::wishNothing() {
-  for (Part* part : {&outer_.sky, &outer_.lamps, &inner_.sky, &inner_.lamps}) {
-    if (!part->bake) continue;
-    for (const gi::Wish kind : {gi::Wish::visible, gi::Wish::nearby, gi::Wish::band, gi::Wish::rest})
-      part->bake->want(kind, {});
-    part->asked.reset();
-  }
+  for (Part* part : {&outer_.sky, &outer_.lamps, &inner_.sky, &inner_.lamps})
+    if (part->bake) wishNothing(*part);
+}
+
+void LightPlanner::wishNothing(Part& part) {
+  for (const gi::Wish kind : {gi::Wish::visible, gi::Wish::nearby, gi::Wish::band, gi::Wish::rest})
+    part.bake->want(kind, {});
+  part.asked.reset();
 }
 
 }  // namespace isolux::app

@@ -163,14 +163,23 @@ void BakeQueue::count(std::uint32_t block) {
   totals_.done -= entry.done;
   totals_.started -= entry.started;
   totals_.samplesDone -= entry.samplesDone;
-  entry.wanted = entry.done = entry.started = 0;
+  totals_.seen -= entry.seen;
+  totals_.smooth -= entry.smooth;
+  entry.wanted = entry.done = entry.started = entry.smooth = 0;
   entry.samplesDone = 0;
 
   std::bitset<kTexelsOfBlock> texels;
   for (std::size_t w = 0; w < kWishes; ++w)
     if (entry.index[w] != kNone) texels |= wishes_[w][entry.index[w]].texels;
+  std::bitset<kTexelsOfBlock> seen;
+  if (entry.index[0] != kNone) seen = wishes_[0][entry.index[0]].texels;
   if (const auto lit = lattice_.at(block)) {
     texels &= ~lit->unlit;
+    seen &= ~lit->unlit;
+    const std::uint32_t enough = std::min(kSmoothSamples, samples_);
+    forEachTexel(seen, [&](std::size_t i) {
+      entry.smooth = static_cast<std::uint16_t>(entry.smooth + (lit->samples[i] >= enough));
+    });
     forEachTexel(texels, [&](std::size_t i) {
       const std::uint32_t samples = lit->samples[i];
       entry.started = static_cast<std::uint16_t>(entry.started + (samples > 0));
@@ -179,11 +188,14 @@ void BakeQueue::count(std::uint32_t block) {
     });
   }
   entry.wanted = static_cast<std::uint16_t>(texels.count());
+  entry.seen = static_cast<std::uint16_t>(seen.count());
 
   totals_.wanted += entry.wanted;
   totals_.done += entry.done;
   totals_.started += entry.started;
   totals_.samplesDone += entry.samplesDone;
+  totals_.seen += entry.seen;
+  totals_.smooth += entry.smooth;
 }
 
 // Texels never lose samples, so what was fulfilled stays so while the wishes are the same.

@@ -17,6 +17,9 @@
 
 namespace isolux::gi {
 
+// From here on noise is a fine grain, and no texel stands out from those beside it.
+constexpr std::uint32_t kSmoothSamples = 16;
+
 // Samples at the ends of the rounds up to `samples`: 4, 16, 64, ..., samples.
 std::vector<std::uint32_t> roundsUpTo(std::uint32_t samples);
 
@@ -32,6 +35,7 @@ class BakeQueue {
   struct Totals {
     std::uint64_t wanted = 0, done = 0, started = 0;  // texels
     std::uint64_t samplesDone = 0;                    // of wanted texels, up to those asked for
+    std::uint64_t seen = 0, smooth = 0;  // texels of Wish::visible; have kSmoothSamples, or all asked for
   };
   // How far fulfilled() has looked; start with an empty one.
   struct Cursor {
@@ -62,7 +66,7 @@ class BakeQueue {
   using Heap = std::priority_queue<Item, std::vector<Item>, std::greater<>>;
   struct Entry {
     std::array<std::uint32_t, kWishes> index{kNone, kNone, kNone, kNone};  // in each wish
-    std::uint16_t wanted = 0, done = 0, started = 0;
+    std::uint16_t wanted = 0, done = 0, started = 0, seen = 0, smooth = 0;
     bool taken = false;
     std::uint64_t samplesDone = 0;
   };

@@ -157,6 +157,8 @@ void LightBake::Parts::tellQueue() {
   counters.texelsStarted = totals.started;
   counters.samplesWanted = totals.wanted * queue.samples();
   counters.samplesDone = totals.samplesDone;
+  counters.texelsSeen = totals.seen;
+  counters.texelsSmooth = totals.smooth;
   counters.idle = queue.idle();
   tally.orders = ordersTaken;
   tell();
@@ -350,7 +352,8 @@ BakeCounters LightBake::counters() const {
         static_cast<double>(counters.samplesWanted - counters.samplesDone) / report.pathsPerSecond;
   counters.threads = parts.threads;
   counters.paused = parts.paused;
-  counters.idle = counters.idle && report.orders == orders;
+  counters.takenIn = report.orders == orders;
+  counters.idle = counters.idle && counters.takenIn;
   return counters;
 }
 

@@ -31,12 +31,15 @@ struct BakeCounters {
   std::uint64_t texelsStarted = 0;                   // have any
   std::uint64_t texelsLit = 0;                       // of all that are in the lattice
   std::uint64_t samplesWanted = 0, samplesDone = 0;  // paths
+  // Of those that are seen (Wish::visible): how many there are, and have kSmoothSamples, or all.
+  std::uint64_t texelsSeen = 0, texelsSmooth = 0;
   std::uint64_t rays = 0;
   double seconds = 0.0;        // at work, not paused or idle
   double raysPerSecond = 0.0;  // of late
   double secondsLeft = 0.0;    // at this rate
   int threads = 0;
   bool paused = false, idle = true;  // idle: every wish is fulfilled (or none was made)
+  bool takenIn = true;               // these are of the last wishes
 };
 
 class LightBake {

@@ -29,6 +29,12 @@ bool usesGi(const Scene& scene) {
   return shadingOf(scene) == Shading::gi;
 }
 
+Scene withoutGi(Scene scene) {
+  if (scene.look.mode == LookMode::gi) scene.look.mode = LookMode::blinn_phong;
+  if (scene.look.shading == Shading::gi) scene.look.shading = Shading::lambert;
+  return scene;
+}
+
 bool keyLightActs(const Scene& scene) {
   const Shading shading = shadingOf(scene);
   if (shading == Shading::tone) return true;  // by its direction alone

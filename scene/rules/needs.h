@@ -19,6 +19,8 @@ bool isPlain(const Scene& scene);
 Shading shadingOf(const Scene& scene);
 // Light of the surface points comes from global illumination: stored, or local where nothing is.
 bool usesGi(const Scene& scene);
+// The same scene under lights that need not be stored, for pictures before stored light is there.
+Scene withoutGi(Scene scene);
 // Whether the key light brightens anything, so that its shadow is seen.
 bool keyLightActs(const Scene& scene);
 // Whether the key light's shadow is drawn.

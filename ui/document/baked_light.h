@@ -2,7 +2,9 @@
 // seen, and polls it.
 //
 // Lives on the GUI thread; nothing runs on a foreign thread. Pictures are asked for no more often than they
-// leave most of the time to the bake.
+// leave most of the time to the bake. They are lit by stored light only when that makes them better: from
+// when all that is seen is lit without coarse noise, until a quarter of what is seen is not, in another view
+// or of another surface. What takes long begins only when a user has asked for light, not when a preset has.
 #pragma once
 
 #include <memory>
@@ -35,17 +37,22 @@ class BakedLight : public QObject {
 
   const app::LightState& state() const { return state_; }
   const LightPointer& light() const { return light_; }
+  // Pictures may be lit by it; else by lights that need not be stored (scene::withoutGi).
+  bool isShown() const { return shown_; }
   // The light has not changed for good: more is on its way without anyone doing anything.
   bool changing() const;
   bool cancelled() const { return cancelled_; }
 
   void setPaused(bool paused);
   void cancel();  // keeps what there is
-  void goOn();    // after setPaused(true) or cancel()
+  void goOn();    // after setPaused(true) or cancel(), or takesLong()
+  // Nobody has asked for the light of this scene by itself: it is paused if it is going to take long.
+  void askFirst();
 
  Q_SIGNALS:
-  // Another picture would show other light, or the light will not change any more.
-  void lightChanged(const isolux::ui::LightPointer& light, bool changing);
+  // Another picture would show other light, or the light will not change any more. `shown`: isShown().
+  void lightChanged(const isolux::ui::LightPointer& light, bool changing, bool shown);
+  void takesLong(double seconds);  // it was paused: askFirst()
   void stateChanged(const isolux::app::LightState& state, bool cancelled);
   void failed(const QString& message);
   void noted(const QString& message);
@@ -53,6 +60,8 @@ class BakedLight : public QObject {
  private:
   void poll();
   void takeState();
+  void considerShowing();
+  void considerAsking();
   void tellProblems();
   double pauseBetweenPictures() const;  // milliseconds
 
@@ -68,6 +77,10 @@ class BakedLight : public QObject {
   bool volumeIsNew_ = false;  // the controller may still have the light of the one before
   bool cancelled_ = false;
   bool wasChanging_ = false;
+  bool shown_ = false, wasShown_ = false;
+  bool otherSurface_ =
+      false;  // another view, or another surface, of which it is not known yet how much is lit
+  bool asksFirst_ = false, held_ = false;  // askFirst(); and it was paused therefore
   double drawMilliseconds_ = 0.0;
   QString problem_, warnings_;  // told already
   QTimer timer_;

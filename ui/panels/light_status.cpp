@@ -37,6 +37,13 @@ QString progressText(const app::LightState& state) {
   return parts.join(" · ");
 }
 
+QString pausedText(const gi::BakeCounters& counters) {
+  const QString text = QObject::tr("Light paused at %1").arg(percentText(fractionOf(counters)));
+  return counters.secondsLeft > 0.0
+             ? text + " · " + QObject::tr("%1 left").arg(durationText(counters.secondsLeft))
+             : text;
+}
+
 QString stateText(const app::LightState& state, bool cancelled) {
   if (cancelled) return QObject::tr("Light stopped");
   switch (state.phase) {
@@ -47,7 +54,7 @@ QString stateText(const app::LightState& state, bool cancelled) {
     case Phase::baking:
       return QObject::tr("Light: %1").arg(progressText(state));
     case Phase::paused:
-      return QObject::tr("Light paused at %1").arg(percentText(fractionOf(state.counters)));
+      return pausedText(state.counters);
     case Phase::finished:
       return QObject::tr("Light complete");
     case Phase::failed:

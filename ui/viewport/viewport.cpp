@@ -75,6 +75,7 @@ Viewport::Viewport(QWidget* parent)
   connect(&pointTimer_, &QTimer::timeout, this, &Viewport::reportPointed);
   fieldTimer_.setInterval(fieldPollMilliseconds);
   connect(&fieldTimer_, &QTimer::timeout, this, &Viewport::pollFields);
+  connect(&fadeTimer_, &QTimer::timeout, this, qOverload<>(&QWidget::update));
   pollTimer_.setTimerType(Qt::PreciseTimer);
   pollTimer_.setInterval(pictureMilliseconds);
   connect(&pollTimer_, &QTimer::timeout, this, &Viewport::poll);
@@ -294,8 +295,9 @@ void Viewport::setFlowTime(double seconds) {
   changed();
 }
 
-void Viewport::setLight(LightPointer light, bool changing) {
+void Viewport::setLight(LightPointer light, bool changing, bool shown) {
   light_ = std::move(light);
+  showsLight_ = shown;
   // What few rays of the full picture still lack comes into that picture.
   quality_.setLightChanging(changing && !toldEveryRay());
   if (!changing && !refineTimer_.isActive()) rest();

@@ -66,8 +66,9 @@ class Viewport : public QWidget {
   void setTopInset(int pixels);       // of the top that is covered: letters and cube stand below
   void setFlowTime(double seconds);   // an animated flow has moved on
   // Stored light to draw with from now on; null: none. `changing`: more is on its way, which pictures of one
-  // ray per pixel follow.
-  void setLight(LightPointer light, bool changing);
+  // ray per pixel follow. Unless `shown`, pictures are lit without it (scene::withoutGi) until it is; then
+  // the lit one fades in.
+  void setLight(LightPointer light, bool changing, bool shown = true);
   // While true, pictures stay quick (the isovalue is being dragged).
   void setInteracting(bool interacting);
 
@@ -188,7 +189,13 @@ class Viewport : public QWidget {
   void refine();
   void refineSoon();
   void rest();  // a gesture has ended
-  std::uint64_t answer(std::uint64_t order);
+  struct Answered {
+    std::uint64_t view = 0;
+    bool standsIn = false;
+  };
+  Answered answer(std::uint64_t order);
+  bool standsIn() const;  // the next picture is lit without the stored light that the scene asks for
+  void fadeFrom(const QImage& before);
   void viewChanged();
   bool current() const { return shownChanges_ == changes_; }
   void changed();
@@ -242,6 +249,7 @@ class Viewport : public QWidget {
   Facts facts_;
   scene::Scene scene_, resolved_;
   LightPointer light_;
+  bool showsLight_ = true;
   scene::Machine machine_;
   app::PictureQuality quality_;
   // Changes are counted. What is on screen: its pixels, what they were asked for, and after how many changes.
@@ -255,6 +263,10 @@ class Viewport : public QWidget {
   };
   std::array<Laid, 3> laid_;  // by Over
   std::optional<render::Tile> legend_;
+  // The picture before stored light was there, and since when that fades into image_; null: none does.
+  QImage before_;
+  QElapsedTimer sinceFade_;
+  Answered shownAs_;
   render::FrameRequest shownRequest_, orderedRequest_;
   std::uint64_t orderNumber_ = 0;
   // When the first change came that was not ordered yet, and that is shown by the next painting.
@@ -262,6 +274,7 @@ class Viewport : public QWidget {
   std::optional<Moment> changed_, unpainted_;
   struct Awaited {
     std::uint64_t order, view;
+    bool standsIn;                  // lit without the stored light that its scene asks for
     std::optional<Moment> changed;  // the first change since the order before
   };
   std::vector<Awaited> awaited_;  // orders that have not come back, and may have been dropped
@@ -281,7 +294,7 @@ class Viewport : public QWidget {
   std::uint64_t view_ = 0;
   double seenRays_ = 0.0;
   QElapsedTimer sinceSeen_;
-  QTimer refineTimer_, pointTimer_, pollTimer_, fieldTimer_, turnTimer_;
+  QTimer refineTimer_, pointTimer_, pollTimer_, fieldTimer_, turnTimer_, fadeTimer_;
   int turnMilliseconds_ = 0;
   std::optional<scene::Camera> turnsFrom_;  // while the view turns to the scene's camera
   QElapsedTimer sinceTurn_;

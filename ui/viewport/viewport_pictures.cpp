@@ -21,7 +21,9 @@ namespace {
 constexpr std::size_t brickBytesPerFrame = 8 << 20;  // a few milliseconds of uploads
 constexpr std::size_t lightBytesPerFrame = 1 << 20;  // so are these: texels are filtered on their way
 constexpr int seenMilliseconds = 200;                // what moves on is told at most this often
-constexpr double mostRaysTold = 8 << 20;             // 96 MiB of points
+constexpr int fadeMilliseconds = 400,
+              fadeStepMilliseconds = 30;  // from a picture to the same in stored light
+constexpr double mostRaysTold = 8 << 20;  // 96 MiB of points
 
 double raysOf(const render::FrameRequest& request) {
   return static_cast<double>(request.size.x) * request.size.y * request.supersampling * request.supersampling;
@@ -138,6 +140,14 @@ void Viewport::paintEvent(QPaintEvent*) {
   const glm::ivec2 size = pixelSize();
   painter.setRenderHint(QPainter::SmoothPixmapTransform, image_.size() != QSize(size.x, size.y));
   painter.drawImage(rect(), pixelsToShow());
+  if (const double faded = static_cast<double>(sinceFade_.elapsed()) / fadeMilliseconds;
+      !before_.isNull() && faded < 1.0 && pixelsToShow().cacheKey() == image_.cacheKey()) {
+    painter.setOpacity(1.0 - faded);
+    painter.drawImage(rect(), before_);
+  } else {
+    before_ = {};
+    fadeTimer_.stop();
+  }
   if (unpainted_)
     Q_EMIT answered(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() -
                                                               *std::exchange(unpainted_, std::nullopt))
@@ -189,7 +199,7 @@ void Viewport::order() {
   picture.draft = quality_.stage() == app::PictureQuality::Stage::moving;
   picture.hits = wantedHits(request);
   orderNumber_ = thread_.draw(std::move(picture));
-  awaited_.push_back({orderNumber_, view_, std::exchange(changed_, std::nullopt)});
+  awaited_.push_back({orderNumber_, view_, standsIn(), std::exchange(changed_, std::nullopt)});
   pollTimer_.start();
 }
 
@@ -197,9 +207,14 @@ void Viewport::setDrawing(bool draws) {
   if (std::exchange(drawing_, draws) != draws) Q_EMIT drawing(draws);
 }
 
+bool Viewport::standsIn() const {
+  return !showsLight_ && scene::usesGi(resolved_);
+}
+
 app::PictureOrder Viewport::orderOf(const render::FrameRequest& request, bool atRest) {
   app::PictureOrder picture{volume_, drawable(), machine_, light_, request};
   if (atRest && volume_) picture.scene = app::atRestIfReady(std::move(picture.scene), *volume_);
+  if (standsIn()) picture.scene = scene::withoutGi(std::move(picture.scene));
   picture.request.pixelRatio = devicePixelRatioF();
   return picture;
 }
@@ -242,7 +257,11 @@ void Viewport::poll() {
 }
 
 void Viewport::put(const app::DrawnPicture& picture) {
+  const Answered now = answer(picture.order);
+  const bool lights = now.view == shownAs_.view && shownAs_.standsIn && !now.standsIn;
+  if (lights && picture.report.light.pending) return orderSoon();  // until all of its light is there
   const glm::ivec2 size = picture.color.size;
+  const QImage before = image_;
   image_ = QImage(picture.color.rgba.data(), size.x, size.y, QImage::Format_RGBX8888)
                .convertToFormat(QImage::Format_RGB32);
   laid_ = {};
@@ -252,21 +271,30 @@ void Viewport::put(const app::DrawnPicture& picture) {
   shownChanges_ = picture.order == orderNumber_ ? orderedChanges_ : 0;
   shownAtRest_ = picture.order == orderNumber_ && orderedAtRest_;
   shownRequest_ = picture.request;
-  showed(picture, answer(picture.order));
+  if (now.view != shownAs_.view) before_ = {};
+  if (lights) fadeFrom(before);
+  shownAs_ = now;
+  showed(picture, now.view);
   update();
 }
 
+void Viewport::fadeFrom(const QImage& before) {
+  before_ = before;
+  sinceFade_.start();
+  fadeTimer_.start(fadeStepMilliseconds);
+}
+
 // What was changed before this order is answered by its picture. Which view it shows.
-std::uint64_t Viewport::answer(std::uint64_t order) {
-  std::uint64_t view = 0;
+Viewport::Answered Viewport::answer(std::uint64_t order) {
+  Answered answer;
   const auto answered = [&](const Awaited& awaited) {
     if (awaited.order > order) return false;
     if (!unpainted_) unpainted_ = awaited.changed;
-    view = awaited.view;
+    answer = {awaited.view, awaited.standsIn};
     return true;
   };
   awaited_.erase(std::remove_if(awaited_.begin(), awaited_.end(), answered), awaited_.end());
-  return view;
+  return answer;
 }
 
 // A picture is on screen: what follows from it.

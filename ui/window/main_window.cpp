@@ -32,6 +32,7 @@
 #include "ui/editors/elided_label.h"
 #include "ui/editors/environment_edit.h"
 #include "ui/editors/number_text.h"
+#include "ui/editors/time_left.h"
 #include "ui/panels/isovalue_panel.h"
 #include "ui/panels/light_status.h"
 #include "ui/panels/panel.h"
@@ -272,6 +273,11 @@ void MainWindow::connectLight() {
           [this](const QString& text) { message_->show(MessageBar::Kind::error, text); });
   connect(light_, &BakedLight::noted, this,
           [this](const QString& text) { message_->show(MessageBar::Kind::note, text); });
+  connect(light_, &BakedLight::takesLong, this, [this](double seconds) {
+    message_->show(MessageBar::Kind::question,
+                   tr("Light of this picture takes about %1").arg(durationText(seconds)),
+                   {{tr("Compute light"), [this] { light_->goOn(); }}});
+  });
   connect(lightStatus_, &LightStatus::paused, light_, [this] { light_->setPaused(true); });
   connect(lightStatus_, &LightStatus::goOn, light_, &BakedLight::goOn);
   connect(lightStatus_, &LightStatus::cancelled, light_, &BakedLight::cancel);

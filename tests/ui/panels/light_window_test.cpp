@@ -97,6 +97,60 @@ TEST_F(LightWindowTest, LightComesAndThePictureIsLitByIt) {
   EXPECT_TRUE(waitUntil([&] { return status()->isHidden(); }));
 }
 
+// Light never makes the picture worse: until all that is seen is lit, it is that of plain lights.
+TEST_F(LightWindowTest, ThePictureKeepsPlainLightsUntilStoredLightIsSmooth) {
+  const QImage plain = fullPicture(*window_);
+  light()->setPaused(true);
+  lightUp(endless);
+  ASSERT_TRUE(waitForPhase(Phase::paused));
+  EXPECT_EQ(differingPixels(plain, fullPicture(*window_)), 0.0);
+  EXPECT_FALSE(light()->isShown());
+  light()->goOn();
+  ASSERT_TRUE(waitUntil([&] { return light()->isShown(); }));
+  EXPECT_EQ(light()->state().smooth, 1.0);
+  EXPECT_GT(differingPixels(plain, fullPicture(*window_), 4), 0.1);
+  light()->setPaused(true);
+  set("look.mode", "blinn_phong");
+  EXPECT_EQ(differingPixels(plain, fullPicture(*window_)), 0.0);
+  set("look.mode", "gi");
+  EXPECT_TRUE(waitUntil([&] { return light()->isShown(); })) << "it is there still";
+}
+
+TEST_F(LightWindowTest, LightOfSettingsThatComeBackIsThereAtOnce) {
+  lightUp(16);
+  ASSERT_TRUE(waitForPhase(Phase::finished));
+  const std::uint64_t lit = light()->state().counters.texelsLit;
+  const auto pathsOf = [&] { return light()->state().counters.rays; };
+  set("gi.bounces", 0);
+  ASSERT_TRUE(waitUntil([&] { return light()->changing(); }));
+  ASSERT_TRUE(waitForPhase(Phase::finished));
+  window_->document()->undo();
+  ASSERT_TRUE(waitUntil([&] { return !light()->changing() && light()->state().phase == Phase::finished; }));
+  EXPECT_EQ(light()->state().counters.texelsLit, lit);
+  const std::uint64_t rays = pathsOf();
+  window_->document()->redo();
+  ASSERT_TRUE(waitUntil([&] { return !light()->changing() && light()->state().phase == Phase::finished; }));
+  window_->document()->undo();
+  ASSERT_TRUE(waitUntil([&] { return !light()->changing() && light()->state().phase == Phase::finished; }));
+  EXPECT_EQ(pathsOf(), rays) << "nothing was computed once more";
+}
+
+TEST_F(LightWindowTest, LightThatNobodyHasAskedForIsPausedWhereItTakesLong) {
+  lightUp(endless);
+  light()->askFirst();
+  double seconds = 0.0;
+  QObject::connect(light(), &ui::BakedLight::takesLong, [&](double s) { seconds = s; });
+  ASSERT_TRUE(waitForPhase(Phase::paused));
+  EXPECT_GT(seconds, 20.0);
+  EXPECT_TRUE(window_->messageBar()->text().startsWith("Light of this picture takes about"))
+      << window_->messageBar()->text().toStdString();
+  ASSERT_EQ(window_->messageBar()->buttons().size(), 1U);
+  window_->messageBar()->buttons().front()->click();
+  EXPECT_TRUE(waitForPhase(Phase::baking));
+  QTest::qWait(300);
+  EXPECT_EQ(light()->state().phase, Phase::baking) << "it was asked for";
+}
+
 TEST_F(LightWindowTest, PausedLightStandsStillAndGoesOn) {
   lightUp(endless);
   ASSERT_TRUE(waitForPhase(Phase::baking));
