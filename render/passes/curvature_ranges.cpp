@@ -56,7 +56,8 @@ bool readsCurvatureRanges(const scene::Scene& scene) {
   const scene::Look& look = scene.look;
   if (scene::isPlain(scene)) return false;
   return rangeFollowsSurface(look) || look.mode == LookMode::accessibility || look.accessibility > 0.0 ||
-         (look.ridges > 0.0 && !look.ridgeThreshold) || look.suggestiveContours > 0.0;
+         (look.ridges > 0.0 && !look.ridgeThreshold) || look.suggestiveContours > 0.0 ||
+         scene::showsFlow(scene);
 }
 
 CurvatureStatistics outerBounds(const std::vector<CurvatureStatistics>& surfaces) {

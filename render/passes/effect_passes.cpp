@@ -6,6 +6,7 @@
 
 #include <glm/matrix.hpp>
 
+#include "render/passes/curvature_ranges.h"
 #include "render/passes/hit_passes.h"
 #include "scene/opacity.h"
 #include "scene/rules/needs.h"
@@ -160,6 +161,7 @@ void FlowFieldPass::declare(Declaring& d) const {
       .reads(image::gradient)
       .reads(image::hessian)
       .reads(image::curvature)
+      .reads(image::ranges)
       .writes(image::flowField);
   d.settings({"camera.", "isosurface.inside", "flow.direction", "flow.grain"}).pictureSize();
   d.input("pixel ratio", d.asked.request.pixelRatio);
@@ -180,6 +182,7 @@ void FlowFieldPass::run(FrameState& frame) {
   p.setTexture("uDirection", 4, frame.image(image::curvature, 1));
   p.setTexture("uCurvatureGradient", 5, frame.image(image::hessian, 0));
   p.set("uGrain", static_cast<float>(flow.grain * frame.raysPerWidth()));
+  p.set("uCurvatureScale", static_cast<float>(curvatureScale(frame.statistics, frame.flatCurvature())));
   frame.drawHits(target, p);
 }
 

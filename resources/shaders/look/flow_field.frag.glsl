@@ -9,7 +9,8 @@
 #include "noise.glsl"
 
 uniform sampler2D uKappa, uDirection, uCurvatureGradient;
-uniform float uGrain;  // rays
+uniform float uGrain;           // rays
+uniform float uCurvatureScale;  // of the surface as a whole, 1/mm
 layout(location = 0) out vec4 oField;
 layout(location = 1) out vec4 oNoise;
 
@@ -48,6 +49,9 @@ void main() {
   // squares of a unit vector's components, let them fade instead.
   vec3 squares = direction * direction;
   float forward = dot(squares, vec3(greaterThan(direction, vec3(0.0))));
-  float confidence = texelFetch(uKappa, pixel, 0).z * smoothstep(0.05, 0.3, foreshortened);
+  vec4 kappa = texelFetch(uKappa, pixel, 0);
+  // Where the surface bends nearly alike every way, a direction says nothing, however sure it is.
+  float alike = texelFetch(uDirection, pixel, 0).w + 0.1 * uCurvatureScale;
+  float confidence = kappa.z * smoothstep(0.05, 0.3, foreshortened) * smoothstep(0.5, 1.0, (kappa.x - kappa.y) / max(alike, 1e-30));
   oNoise = vec4(surfaceNoise(p), forward, confidence, 0.0);
 }

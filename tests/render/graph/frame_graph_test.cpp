@@ -267,7 +267,7 @@ const std::vector<std::string> kRanged = {"hessian", "curvature", "ranges", "sha
 const std::vector<std::string> kLined = {"hessian", "curvature", "line field", "lines", "shade"};
 const std::vector<std::string> kShadowed = {"gradient", "shadow", "shade"};
 const std::vector<std::string> kLit = {"gradient", "irradiance", "shade"};
-const std::vector<std::string> kFlowing = {"hessian", "curvature", "flow field", "flow", "shade"};
+const std::vector<std::string> kFlowing = {"hessian", "curvature", "ranges", "flow field", "flow", "shade"};
 
 const std::vector<LookRow> kLooks = {
     {{"look.mode=blinn_phong"}, kShaded},
@@ -326,7 +326,7 @@ const std::vector<LookRow> kLooks = {
      kShaded},
     {{"isosurface.opacity=0.5"}, {"gradient", "shade", "layers"}},
     {{"isosurface.opacity=0.5", "look.shadow=1", "look.mode=flow"},
-     {"hessian", "curvature", "shadow", "flow field", "flow", "shade", "layers"}},
+     {"hessian", "curvature", "ranges", "shadow", "flow field", "flow", "shade", "layers"}},
     // Raw quantities: nothing is laid over them.
     {{"look.mode=normal", "look.shadow=1", "look.ridges=1", "look.contours=1", "look.accessibility=1",
       "flow.strength=1", "look.suggestive_contours=1"},
