@@ -18,6 +18,7 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "python/questions.h"
+#include "scene/setting/choice_names.h"
 #include "volume/read/process/reader_process.h"
 
 namespace isolux::python {
@@ -266,6 +267,7 @@ py::dict factsOf(const Core& core) {
   dict["origin_mm"] = three(geometry.originMm());
   dict["directions"] = py::make_tuple(three(directions[0]), three(directions[1]), three(directions[2]));
   dict["unit"] = volume.unit;
+  dict["kind"] = scene::choiceName(prepared.kind.kind);
   dict["range"] = py::make_tuple(grid.minimum(), grid.maximum());
   dict["missing"] = grid.missingCount();
   dict["suggested_isovalue"] = prepared.facts.suggestedIsovalue;

@@ -5,6 +5,8 @@
 
 namespace isolux::scene {
 
+// What a volume is: volume/statistics/data_kind.h. ct_hu: a CT in Hounsfield units.
+enum class DataKind { automatic, ct_hu, ct, mr, microscopy, simulation, distance, labels, other };
 enum class Csg { none, unite, intersection, difference };  // of the volume and a second one
 enum class Frames { surface, volume };                     // what an automatic camera shows whole
 enum class Suggestion { object, contrast };                // border that an automatic isovalue is at

@@ -29,7 +29,8 @@ struct Source {
   std::string series;  // DICOM SeriesInstanceUID, empty: the series with most slices
   int component = 0;   // of a file with several components per voxel; -1: their magnitude
   int timeStep = 0;    // of a file with several time steps
-  int level = 0;       // 0: the voxels of the file; n: means of about 2^n of them along each axis
+  DataKind kind = DataKind::automatic;
+  int level = 0;                   // 0: the voxels of the file; n: means of about 2^n of them along each axis
   bool aroundDamage = false;       // what cannot be read of a file in chunks is missing; else it is refused
   int meshVoxels = 128;            // of a mesh's distance field, along its longest axis
   Csg csg = Csg::none;             // volume/mesh/csg.h

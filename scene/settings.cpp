@@ -26,6 +26,10 @@ std::vector<Setting> makeSettings() {
                    "Which component of a file with several per voxel; -1 is their magnitude."));
   add(entry<Scene>("source.time_step", ISOLUX_MEMBER(source.timeStep), {0, 1e6}, "",
                    "Which time step of a file with several."));
+  add(choiceEntry<Scene>(
+      "source.kind", ISOLUX_MEMBER(source.kind),
+      "What kind of data the volume is: a CT in Hounsfield units or in others, an MR scan, a distance "
+      "field; auto decides by its file and its values. Presets and the first isovalue depend on it."));
   add(entry<Scene>(
       "source.level", ISOLUX_MEMBER(source.level), {0, 16}, "",
       "How coarsely a large file is read: 0 is its own voxels, each further level the means of twice as "

@@ -23,10 +23,8 @@
 #include "volume/read/input/payload.h"
 #include "volume/statistics/first_view.h"
 #include "volume/statistics/label_map.h"
-#include "volume/statistics/plausibility.h"
 #include "volume/statistics/surface_outline.h"
 #include "volume/statistics/typical_step.h"
-#include "volume/statistics/white_matter.h"
 
 namespace isolux::volume {
 
@@ -193,8 +191,15 @@ std::vector<double> valuesOfRow(const Grid& grid, int y, int z) {
   return values;
 }
 
-// A unit that cannot be right is worse than none.
-void noteImplausible(Volume& volume, const Histogram& histogram) {
+// A unit that cannot be right is worse than none. Who says what the values are has the last word.
+void noteUnit(Volume& volume, const Histogram& histogram) {
+  if (volume.kind != scene::DataKind::automatic) {
+    if (volume.kind == scene::DataKind::ct_hu)
+      volume.unit = "HU";
+    else if (volume.unit == "HU")
+      volume.unit.clear();
+    return;
+  }
   if (volume.unit != "HU" || !looksOffsetBy1024(histogram, volume.grid->minimum())) return;
   volume.unit.clear();
   volume.warnings.emplace_back("values look offset by 1024: not Hounsfield units as stored");
@@ -202,13 +207,16 @@ void noteImplausible(Volume& volume, const Histogram& histogram) {
 
 // Labels are names: between them lies no isovalue, and they have no noise. What is shown first encloses all.
 void noteLabels(Volume& volume, const base::Progress& progress) {
-  if (volume.isovalue || volume.unit == "HU") return;  // the source knows better
-  const std::optional<LabelMap> map = labelMapOf(*volume.grid, progress);
+  const bool asked = volume.kind == scene::DataKind::labels;
+  if (!asked && volume.kind != scene::DataKind::automatic) return;
+  if (!asked && (volume.isovalue || volume.unit == "HU")) return;  // the source knows better
+  const std::optional<LabelMap> map = labelMapOf(*volume.grid, asked, progress);
   if (!map) return;
   volume.labels = map->labels;
   volume.noise = 0.0;
   volume.isovalue = map->background + (map->background < volume.grid->maximum() ? 0.5 : -0.5);
-  volume.warnings.push_back("looks like a label map of " + std::to_string(map->labels) +
+  volume.warnings.push_back(std::string(asked ? "is taken for" : "looks like") + " a label map of " +
+                            std::to_string(map->labels) +
                             " labels: values name regions and measure nothing; the isosurface at " +
                             base::shortText(*volume.isovalue) + " encloses all of them");
 }
@@ -243,10 +251,19 @@ double skinOfMr(const scene::VolumeFacts& facts) {
   return std::lerp(facts.contrastIsovalue, facts.minimum, 0.4);
 }
 
+void setKind(PreparedVolume& prepared, base::Progress& progress) {
+  const scene::VolumeFacts& facts = prepared.facts;
+  const Volume& volume = prepared.volume;
+  prepared.kind = dataKindOf(volume, prepared.histogram, prepared.derivativeChoices->noise(progress));
+  const bool maybeBrain = prepared.kind.kind == scene::DataKind::mr && volume.grid->isWhole();
+  prepared.whiteMatter = maybeBrain ? std::make_shared<KeptWhiteMatter>(volume.grid, skinOfMr(facts))
+                                    : std::make_shared<KeptWhiteMatter>(std::nullopt);
+}
+
 void setFacts(const std::shared_ptr<PreparedVolume>& prepared, Histogram histogram, double typicalStep,
               base::Progress& progress) {
   prepared->histogram = std::move(histogram);
-  noteImplausible(prepared->volume, prepared->histogram);
+  noteUnit(prepared->volume, prepared->histogram);
   scene::VolumeFacts& facts = prepared->facts;
   const std::string& unit = prepared->volume.unit;
   if (const std::optional<double>& known = prepared->volume.isovalue) {
@@ -266,8 +283,7 @@ void setFacts(const std::shared_ptr<PreparedVolume>& prepared, Histogram histogr
   facts.minimum = prepared->grid().minimum();
   facts.maximum = prepared->grid().maximum();
   facts.typicalStep = typicalStep;
-  if (facts.axes == scene::WorldAxes::anatomical && unit != "HU" && prepared->grid().isWhole())
-    facts.whiteMatter = whiteMatterOf(prepared->grid(), skinOfMr(facts), progress);
+  setKind(*prepared, progress);
   setBounds(*prepared, progress);
   setFirstView(*prepared, progress);
 }
@@ -326,6 +342,7 @@ std::shared_ptr<PreparedVolume> prepareFile(const std::shared_ptr<const ChunkedV
   volume.fileType = facts.storedType;
   volume.unit = facts.unit;
   volume.axes = facts.axes;
+  volume.kind = source.kind;
   volume.components = facts.channels;
   volume.timeSteps = facts.times;
   volume.warnings = facts.warnings;
@@ -389,6 +406,7 @@ std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, ba
   CsgResult read = readSource(source, progress);
   if (source.csg != scene::Csg::none) read.volume.noise.reset();  // known of the first alone
   const double readSeconds = secondsSince(start);
+  read.volume.kind = source.kind;
   const std::shared_ptr<PreparedVolume> prepared = prepare(std::move(read.volume), progress);
   prepared->readSeconds = readSeconds;
   prepared->facts.csgIsovalue = read.secondIsovalue;

@@ -11,9 +11,11 @@
 #include "volume/read/reader.h"
 #include "volume/skip/box_bounds.h"
 #include "volume/skip/min_max_blocks.h"
+#include "volume/statistics/data_kind.h"
 #include "volume/statistics/derivative_choices.h"
 #include "volume/statistics/histogram.h"
 #include "volume/statistics/still_hits.h"
+#include "volume/statistics/white_matter.h"
 
 namespace isolux::volume {
 
@@ -30,7 +32,9 @@ struct PreparedVolume {
   std::shared_ptr<const StillHits> stillHits;            // and these
   std::shared_ptr<const PieceSets> pieces;               // and these
   std::shared_ptr<SecondVolumes> secondVolumes;          // that colour its surface
+  std::shared_ptr<const KeptWhiteMatter> whiteMatter;    // of an MR scan
   Histogram histogram;
+  FoundKind kind;
   scene::VolumeFacts facts;
   double readSeconds = 0.0, prepareSeconds = 0.0;
 

@@ -13,6 +13,7 @@
 #include "base/number_text.h"
 #include "base/printable.h"
 #include "scene/rules/automatic.h"
+#include "scene/setting/choice_names.h"
 
 namespace isolux::app {
 
@@ -62,6 +63,8 @@ ordered_json infoJson(const PreparedVolume& prepared, const InfoMeasures& measur
   json["directions"] = directions;                                      // one unit vector per voxel axis
   json["orientation_stated"] = v.axes == scene::WorldAxes::anatomical;  // then the world is LPS
   json["unit"] = v.unit;
+  json["kind"] = scene::choiceName(prepared.kind.kind);
+  json["kind_reason"] = prepared.kind.reason;
   json["slope"] = grid.slope();
   json["intercept"] = grid.intercept();
   json["range"] = ordered_json::array({grid.minimum(), grid.maximum()});
@@ -183,6 +186,7 @@ void printText(const PreparedVolume& prepared, const InfoMeasures& measured, std
   }
   if (geometry.leftHanded()) row("", "left-handed");
   row("orientation", orientationText(v));
+  row("kind", std::string(scene::choiceName(prepared.kind.kind)) + " (" + prepared.kind.reason + ")");
   row("range", base::shortText(grid.minimum()) + " to " + base::shortText(grid.maximum()) + unit);
   if (grid.slope() != 1.0 || grid.intercept() != 0.0)
     row("rescale",

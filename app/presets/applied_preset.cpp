@@ -49,7 +49,7 @@ std::optional<AppliedPreset> appliedPreset(const scene::Scene& scene, std::span<
 
 double shiftReach(const volume::PreparedVolume& volume) {
   constexpr double ofHounsfield = 500.0, ofRange = 0.25;
-  if (isHounsfield(volume)) return ofHounsfield;
+  if (volume.kind.kind == scene::DataKind::ct_hu) return ofHounsfield;
   return ofRange * std::max(volume.facts.maximum - volume.facts.minimum, 0.0);
 }
 

@@ -24,12 +24,14 @@ struct NeedInfo {
   const char* name;
   const char* reason;  // why a volume without it is refused
 };
-constexpr std::array<NeedInfo, 6> kNeeds{
-    NeedInfo{PresetNeed::hounsfield, "hounsfield", "its values are not Hounsfield units"},
-    {PresetNeed::not_hounsfield, "not_hounsfield", "its values are Hounsfield units: this is a CT"},
-    {PresetNeed::patient, "patient", "its file does not state where a patient lies"},
-    {PresetNeed::no_patient, "no_patient", "its file states where a patient lies: this is a scan of one"},
+constexpr std::array<NeedInfo, 8> kNeeds{
+    NeedInfo{PresetNeed::hounsfield, "hounsfield", "it is no CT, or its values do not tell Hounsfield units"},
+    {PresetNeed::not_hounsfield, "not_hounsfield", "it is a CT"},
+    {PresetNeed::patient, "patient", "it is no scan of a patient"},
+    {PresetNeed::no_patient, "no_patient", "it is a scan of a patient"},
     {PresetNeed::distance, "distance", "its values are not distances in mm"},
+    {PresetNeed::microscopy, "microscopy", "it is known to be of another kind than microscopy"},
+    {PresetNeed::simulation, "simulation", "it is known to be of another kind than a simulation"},
     {PresetNeed::white_matter, "white_matter", "no white matter of a T1 scan is found in it"}};
 
 constexpr std::array<const char*, 12> kOfVolume{
@@ -165,18 +167,34 @@ std::vector<std::string> needReasons() {
 }
 
 std::string whyNot(const Preset& preset, const volume::PreparedVolume& volume, bool isovalueGiven) {
-  const bool patient = volume.facts.axes == scene::WorldAxes::anatomical;
-  for (const PresetNeed need : preset.needs) {
-    const bool met = need == PresetNeed::hounsfield       ? isovalueGiven || isHounsfield(volume)
-                     : need == PresetNeed::not_hounsfield ? !isHounsfield(volume)
-                     : need == PresetNeed::patient        ? patient
-                     : need == PresetNeed::no_patient     ? !patient
-                     : need == PresetNeed::white_matter   ? isovalueGiven || volume.facts.whiteMatter
-                                                          : volume.volume.unit == "mm";
-    if (met) continue;
-    for (const NeedInfo& info : kNeeds)
-      if (info.need == need) return info.reason;
-  }
+  using Kind = scene::DataKind;
+  const Kind kind = volume.kind.kind;
+  const bool ct = kind == Kind::ct_hu || kind == Kind::ct, unknown = kind == Kind::other;
+  const bool patient = ct || kind == Kind::mr || volume.facts.axes == scene::WorldAxes::anatomical;
+  const auto met = [&](PresetNeed need) {
+    switch (need) {
+      case PresetNeed::hounsfield:
+        return isovalueGiven || volume.kind.hounsfield.has_value();
+      case PresetNeed::not_hounsfield:
+        return !ct;
+      case PresetNeed::patient:
+        return patient;
+      case PresetNeed::no_patient:
+        return !patient;
+      case PresetNeed::distance:
+        return kind == Kind::distance;
+      case PresetNeed::microscopy:
+        return unknown || kind == Kind::microscopy;
+      case PresetNeed::simulation:
+        return unknown || kind == Kind::simulation;
+      case PresetNeed::white_matter:
+        return isovalueGiven || volume.whiteMatter->get().has_value();
+    }
+    return false;
+  };
+  for (const NeedInfo& info : kNeeds)
+    if (std::count(preset.needs.begin(), preset.needs.end(), info.need) > 0 && !met(info.need))
+      return info.reason;
   return {};
 }
 
@@ -204,7 +222,7 @@ scene::Scene withPreset(const scene::Scene& scene, const Preset& preset, const v
 Preset presetOf(const scene::Scene& scene, const std::string& name, const std::string& title,
                 const volume::PreparedVolume* volume) {
   Preset preset{name, title, "A preset of one's own", {}};
-  const bool hounsfield = volume != nullptr && isHounsfield(*volume);
+  const bool hounsfield = volume != nullptr && volume->kind.kind == scene::DataKind::ct_hu;
   for (const scene::SceneChange& change : scene::difference(scene::Scene{}, scene, "").changes) {
     if (belongsToVolume(change.path)) continue;
     const bool isovalue = change.path.starts_with("isosurface") && change.path.ends_with(".value");

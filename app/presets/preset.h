@@ -14,13 +14,15 @@
 
 namespace isolux::app {
 
-// What a volume must be.
+// What a volume must be, by its kind (volume::FoundKind).
 enum class PresetNeed {
-  hounsfield,      // values are Hounsfield units
-  not_hounsfield,  // they are not
-  patient,         // the file states where the patient lies
-  no_patient,      // it does not
+  hounsfield,      // a CT, and Hounsfield units can be told from its values
+  not_hounsfield,  // no CT
+  patient,         // a scan of a patient: a CT, an MR scan, or what its file states the place of
+  no_patient,      // no such scan
   distance,        // values are a signed distance, mm
+  microscopy,      // of a microscope, or nothing says what it is
+  simulation,      // computed, or nothing says what it is
   white_matter     // a T1 scan of a brain, bare or in its head (volume::whiteMatterOf)
 };
 

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
-#include "volume/statistics/plausibility.h"
 
 namespace isolux::app {
 
@@ -62,17 +61,11 @@ double valueInVolume(const nlohmann::ordered_json& value, const volume::Prepared
     return std::lerp(volume.facts.contrastIsovalue, end, std::abs(number));
   }
   if (key == "white_matter") {
-    const std::optional<scene::WhiteMatter>& tissue = volume.facts.whiteMatter;
+    const std::optional<volume::WhiteMatter>& tissue = volume.whiteMatter->get();
     return tissue ? std::lerp(tissue->border, tissue->mean, number) : volume.facts.contrastIsovalue;
   }
-  return number;
-}
-
-bool isHounsfield(const volume::PreparedVolume& volume) {
-  const double low = volume.facts.minimum, high = volume.facts.maximum;
-  if (volume.volume.unit == "HU") return !volume::looksOffsetBy1024(volume.histogram, low);
-  return volume.volume.unit.empty() && volume.grid().storedType() == volume::VoxelType::int16 &&
-         low >= -3100.0 && low <= -900.0 && high > 500.0;
+  const std::optional<glm::dvec2>& scale = volume.kind.hounsfield;
+  return scale ? scale->x + scale->y * number : number;
 }
 
 }  // namespace isolux::app

@@ -11,11 +11,8 @@ namespace isolux::app {
 bool isValueOfVolume(const nlohmann::ordered_json& value);
 // Throws base::Error{usage} where the setting is not in data units or the value is none of the three.
 void checkValueOfVolume(const scene::Setting& setting, const nlohmann::ordered_json& value);
-// Data units. A quantile is of all voxels, interpolated within a bin of the histogram.
+// Data units. A quantile is of all voxels, interpolated within a bin of the histogram; Hounsfield units are
+// as volume.kind tells them.
 double valueInVolume(const nlohmann::ordered_json& value, const volume::PreparedVolume& volume);
-
-// Values said to be Hounsfield units that look it; or, where no unit is said, values as only a CT has them:
-// the least from -3100 to -900 (air, or padding beside it), the largest above 500, whole numbers.
-bool isHounsfield(const volume::PreparedVolume& volume);
 
 }  // namespace isolux::app

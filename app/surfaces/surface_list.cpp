@@ -93,7 +93,7 @@ std::optional<Scene> withSurface(const Scene& scene, const volume::PreparedVolum
     added.value = value;
     // From now on it stays where it is, whatever becomes of the first.
     if (!value) added.value = scene::resolve(result, volume.facts).extraIsosurfaces[i].value;
-    if (isHounsfield(volume)) {
+    if (volume.kind.kind == scene::DataKind::ct_hu) {
       if (const Tissue* tissue = tissueAt(*added.value)) {
         added.name = tissue->name;
         added.albedo = tissue->albedo;

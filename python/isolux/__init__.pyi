@@ -17,6 +17,7 @@ SettingsDict = TypedDict("SettingsDict", {
     "source.series": str | os.PathLike[str],  # The SeriesInstanceUID to take from a DICOM folder; empty takes the series with most slices.
     "source.component": int,  # Which component of a file with several per voxel; -1 is their magnitude.
     "source.time_step": int,  # Which time step of a file with several.
+    "source.kind": Literal["auto", "ct_hu", "ct", "mr", "microscopy", "simulation", "distance", "labels", "other"],  # What kind of data the volume is: a CT in Hounsfield units or in others, an MR scan, a distance field; auto decides by its file and its values. Presets and the first isovalue depend on it.
     "source.level": int,  # How coarsely a large file is read: 0 is its own voxels, each further level the means of twice as many along each axis, from the file where it has them.
     "source.around_damage": bool,  # Whether voxels that cannot be read of a file in chunks are missing ones; otherwise the file is refused.
     "source.mesh_voxels": int,  # How finely a triangle mesh becomes a distance field: voxels along its longest axis.
@@ -291,6 +292,8 @@ class Volume:
     def name(self) -> str: ...
     @property
     def unit(self) -> str: ...
+    @property
+    def kind(self) -> str: ...
     @property
     def range(self) -> tuple[float, float]: ...
     @property

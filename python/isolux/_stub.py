@@ -34,7 +34,7 @@ _RETURNS = {
     "render": "Picture", "forget_light": "None", "hits": "Record", "probe": "Record", "measure": "Record", "bake": "Record",
     "study": "Record", "close": "None", "world": "NDArray[np.float64]", "axes": "str", "shape": "tuple[int, int, int]",
     "spacing": "tuple[float, float, float]", "directions": "NDArray[np.float64]", "origin": "tuple[float, float, float]",
-    "name": "str", "unit": "str", "range": "tuple[float, float]", "suggested_isovalue": "float", "warnings": "list[str]",
+    "name": "str", "unit": "str", "kind": "str", "range": "tuple[float, float]", "suggested_isovalue": "float", "warnings": "list[str]",
     "facts": "Record", "size": "tuple[int, int]", "image": "NDArray[np.uint8] | None", "linear": "NDArray[np.float32] | None",
     "aov": "Record", "stats": "Record", "session": "str", "save": "None", "settings": "Settings", "open": "Volume",
     "from_nibabel": "Volume", "doctor": "str", "film": "str", "allowed": "str", "text": "str", "__init__": "None"}

@@ -98,6 +98,11 @@ class Volume:
         return self._facts.unit
 
     @property
+    def kind(self):
+        """What kind of data this is: "ct_hu", "ct", "mr", "microscopy", "simulation", "distance", "labels" or "other"."""
+        return self._facts.kind
+
+    @property
     def range(self):
         """The smallest and the largest value."""
         return self._facts.range

@@ -2835,6 +2835,22 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
         <source>&amp;Reset all settings</source>
         <translation>Alle Einstellungen zu&amp;rücksetzen</translation>
     </message>
+    <message>
+        <source>Light of this picture takes about %1</source>
+        <translation>Das Licht für dieses Bild braucht etwa %1</translation>
+    </message>
+    <message>
+        <source>Compute light</source>
+        <translation>Licht berechnen</translation>
+    </message>
+    <message>
+        <source>&amp;Data: %1…</source>
+        <translation>&amp;Daten: %1…</translation>
+    </message>
+    <message>
+        <source>Presets of this kind of data are offered; another kind is chosen in the Volume panel</source>
+        <translation>Angeboten werden die Vorlagen für diese Art von Daten; eine andere Art wählt man unter Volumen</translation>
+    </message>
 </context>
 <context>
     <name>isolux::ui::MarksPanel</name>
@@ -4342,6 +4358,22 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <source> (slices %1 mm apart)</source>
         <translation> (Schichten im Abstand von %1 mm)</translation>
     </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Choose kind of data</source>
+        <translation>Art der Daten wählen</translation>
+    </message>
+    <message>
+        <source>%1 (automatic)</source>
+        <translation>%1 (automatisch)</translation>
+    </message>
+    <message>
+        <source>What kind of data this is: presets depend on it. Chosen because %1</source>
+        <translation>Art der Daten; danach richten sich die Vorlagen. Grund: %1</translation>
+    </message>
 </context>
 <context>
     <name>isolux::ui::WindowLayout</name>
@@ -4673,22 +4705,6 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Gefäße in einer Time-of-Flight-Angiographie.</translation>
     </message>
     <message>
-        <source>its file does not state where a patient lies</source>
-        <translation>seine Datei gibt nicht an, wie ein Patient liegt</translation>
-    </message>
-    <message>
-        <source>its file states where a patient lies: this is a scan of one</source>
-        <translation>seine Datei gibt an, wie ein Patient liegt: dies ist eine Aufnahme von einem</translation>
-    </message>
-    <message>
-        <source>its values are Hounsfield units: this is a CT</source>
-        <translation>seine Werte sind Hounsfield-Einheiten: dies ist ein CT</translation>
-    </message>
-    <message>
-        <source>its values are not Hounsfield units</source>
-        <translation>seine Werte sind keine Hounsfield-Einheiten</translation>
-    </message>
-    <message>
         <source>its values are not distances in mm</source>
         <translation>seine Werte sind keine Abstände in mm</translation>
     </message>
@@ -4699,6 +4715,30 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <message>
         <source>Bone through skin that is transparent where it faces the viewer and dense where it is seen from the side.</source>
         <translation>Knochen durch Haut, die zum Betrachter hin durchsichtig und von der Seite gesehen dicht ist.</translation>
+    </message>
+    <message>
+        <source>it is a CT</source>
+        <translation>es ist ein CT</translation>
+    </message>
+    <message>
+        <source>it is a scan of a patient</source>
+        <translation>es ist die Aufnahme eines Patienten</translation>
+    </message>
+    <message>
+        <source>it is known to be of another kind than a simulation</source>
+        <translation>es ist keine Simulation</translation>
+    </message>
+    <message>
+        <source>it is known to be of another kind than microscopy</source>
+        <translation>es ist keine Mikroskopie</translation>
+    </message>
+    <message>
+        <source>it is no CT, or its values do not tell Hounsfield units</source>
+        <translation>es ist kein CT, oder die Werte lassen keine Hounsfield-Einheiten erkennen</translation>
+    </message>
+    <message>
+        <source>it is no scan of a patient</source>
+        <translation>es ist keine Aufnahme eines Patienten</translation>
     </message>
 </context>
 <context>
@@ -5277,6 +5317,54 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <message>
         <source>no settings keep %1; the least that can be promised is %2; a larger picture, gi.samples above 1024 or gi.lattice_scale above 2 may keep it</source>
         <translation>keine Einstellungen halten ein: %1; das Kleinste, was sich zusagen lässt, ist %2; ein größeres Bild, gi.samples über 1024 oder gi.lattice_scale über 2 mag es einhalten</translation>
+    </message>
+    <message>
+        <source>source.kind says so</source>
+        <translation>source.kind gibt es an</translation>
+    </message>
+    <message>
+        <source>its values are few whole numbers that fill regions</source>
+        <translation>die Werte sind wenige ganze Zahlen, die Bereiche füllen</translation>
+    </message>
+    <message>
+        <source>its file says so</source>
+        <translation>die Datei gibt es an</translation>
+    </message>
+    <message>
+        <source>it was made of a mesh</source>
+        <translation>aus einem Netz erzeugt</translation>
+    </message>
+    <message>
+        <source>its values are in mm</source>
+        <translation>die Werte sind in mm</translation>
+    </message>
+    <message>
+        <source>its values are in %1</source>
+        <translation>die Werte sind in %1</translation>
+    </message>
+    <message>
+        <source>its values range as those of a CT do</source>
+        <translation>der Wertebereich ist der eines CT</translation>
+    </message>
+    <message>
+        <source>most of its voxels have the value of soft tissue, as in a CT</source>
+        <translation>die meisten Voxel haben den Wert von Weichteilen, wie in einem CT</translation>
+    </message>
+    <message>
+        <source>it is a scan of a patient, and its values are not those of a CT</source>
+        <translation>die Aufnahme eines Patienten, deren Werte nicht die eines CT sind</translation>
+    </message>
+    <message>
+        <source>its voxels are smaller than 2 micrometres</source>
+        <translation>die Voxel sind kleiner als 2 Mikrometer</translation>
+    </message>
+    <message>
+        <source>its values have no noise</source>
+        <translation>die Werte sind ohne Rauschen</translation>
+    </message>
+    <message>
+        <source>nothing says more</source>
+        <translation>nichts sagt Näheres</translation>
     </message>
 </context>
 <context>
@@ -6032,6 +6120,10 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <message>
         <source>Where the viewer is; auto is by camera.frames.</source>
         <translation>Wo der Betrachter ist; auto richtet sich nach camera.frames.</translation>
+    </message>
+    <message>
+        <source>What kind of data the volume is: a CT in Hounsfield units or in others, an MR scan, a distance field; auto decides by its file and its values. Presets and the first isovalue depend on it.</source>
+        <translation>Art der Daten: CT in Hounsfield-Einheiten oder in anderen, MR, Abstandsfeld …; auto entscheidet nach Datei und Werten. Vorlagen und der erste Isowert hängen davon ab.</translation>
     </message>
 </context>
 <context>
@@ -8229,6 +8321,42 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <message>
         <source>Three point</source>
         <translation>Dreipunkt</translation>
+    </message>
+    <message>
+        <source>CT in Hounsfield units</source>
+        <translation>CT in Hounsfield-Einheiten</translation>
+    </message>
+    <message>
+        <source>CT in other units</source>
+        <translation>CT in anderen Einheiten</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Labels</translation>
+    </message>
+    <message>
+        <source>MR</source>
+        <translation>MR</translation>
+    </message>
+    <message>
+        <source>Microscopy</source>
+        <translation>Mikroskopie</translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <translation>Andere</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>kind</source>
+        <translation>Art</translation>
     </message>
 </context>
 </TS>

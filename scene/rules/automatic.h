@@ -12,11 +12,6 @@
 
 namespace isolux::scene {
 
-// White matter of an MR scan, data units: its border to grey matter, and its mean.
-struct WhiteMatter {
-  double border = 0.0, mean = 0.0;
-};
-
 // What automatic settings may depend on.
 struct VolumeFacts {
   glm::dvec3 boundsMinMm{0.0}, boundsMaxMm{0.0};  // world box of what there is to see
@@ -34,7 +29,6 @@ struct VolumeFacts {
   // frames, seen from toEye (unit) with `up` at its top. Empty: not known, and the box is framed.
   std::vector<glm::dvec3> outlineMm{};
   glm::dvec3 toEye{0.0}, up{0.0};
-  std::optional<WhiteMatter> whiteMatter{};  // of an MR scan of a head that tells it apart
 };
 
 // Every optional of the result has a value, but those that depend on the surface itself (ranges of colour

@@ -8,6 +8,20 @@
 namespace isolux::scene {
 
 template <>
+std::span<const Named<DataKind>> choicesOf() {
+  static constexpr Named<DataKind> names[] = {{DataKind::automatic, "auto"},
+                                              {DataKind::ct_hu, "ct_hu"},
+                                              {DataKind::ct, "ct"},
+                                              {DataKind::mr, "mr"},
+                                              {DataKind::microscopy, "microscopy"},
+                                              {DataKind::simulation, "simulation"},
+                                              {DataKind::distance, "distance"},
+                                              {DataKind::labels, "labels"},
+                                              {DataKind::other, "other"}};
+  return names;
+}
+
+template <>
 std::span<const Named<Csg>> choicesOf() {
   static constexpr Named<Csg> names[] = {{Csg::none, "none"},
                                          {Csg::unite, "union"},

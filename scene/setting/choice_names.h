@@ -19,4 +19,11 @@ struct Named {
 template <class T>
 std::span<const Named<T>> choicesOf();
 
+template <class T>
+std::string_view choiceName(T value) {
+  for (const Named<T>& choice : choicesOf<T>())
+    if (choice.value == value) return choice.name;
+  return {};
+}
+
 }  // namespace isolux::scene

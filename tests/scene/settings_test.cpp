@@ -73,8 +73,8 @@ TEST(Settings, CoversEveryMemberOfScene) {
   const Scene scene;
   const auto& [source, isosurface, extraIsosurfaces, pieces, clip, slice, marks, hit, derivatives, edge,
                colorVolume, look, flow, light, lamps, gi, camera, picture] = scene;
-  [[maybe_unused]] const auto& [path, raw, series, component, timeStep, volumeLevel, aroundDamage, meshVoxels,
-                                csg, csgPath, csgValue] = source;
+  [[maybe_unused]] const auto& [path, raw, series, component, timeStep, kindOfData, volumeLevel, aroundDamage,
+                                meshVoxels, csg, csgPath, csgValue] = source;
   [[maybe_unused]] const auto& [name, value, suggestion, inside, albedo, albedoSource, albedoMap, albedoLow,
                                 albedoHigh, opacity, facing, layers, clipped, ghost, ghostOpacity] =
       isosurface;

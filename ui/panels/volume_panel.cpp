@@ -15,10 +15,12 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
+#include "scene/setting/choice_names.h"
 #include "ui/document/privacy.h"
 #include "ui/editors/number_spin_box.h"
 #include "ui/editors/number_text.h"
 #include "ui/editors/wrapped_text.h"
+#include "ui/language/sentences.h"
 #include "ui/panels/source_panel.h"
 #include "ui/window/style.h"
 
@@ -76,6 +78,8 @@ VolumePanel::VolumePanel(QWidget* parent)
   series_ = new QComboBox(choiceBox_);
   series_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   series_->setMinimumContentsLength(12);
+  kind_ = new QComboBox(choiceBox_);
+  kind_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   component_ = new QComboBox(choiceBox_);
   timeRow_ = new QWidget(choiceBox_);
   const auto numberBox = [this](QWidget* parent) {
@@ -97,6 +101,7 @@ VolumePanel::VolumePanel(QWidget* parent)
       tr("0 is the voxels of the file; each further level has the means of twice as many along each axis"));
   choices_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   choices_->setContentsMargins(0, 0, 0, 8);
+  choices_->addRow(tr("Kind"), kind_);
   choices_->addRow(tr("Series"), series_);
   choices_->addRow(tr("Component"), component_);
   choices_->addRow(tr("Time step"), timeRow_);
@@ -130,6 +135,11 @@ VolumePanel::VolumePanel(QWidget* parent)
   showFacts();
   showChoices();
 
+  connect(kind_, &QComboBox::activated, this, [this](int index) {
+    Edit edit{scene_, tr("Choose kind of data"), {}, false};
+    edit.scene.source.kind = static_cast<scene::DataKind>(index);
+    Q_EMIT edited(edit);
+  });
   connect(series_, &QComboBox::activated, this, [this] {
     Edit edit{scene_, tr("Choose series"), {}, false};
     edit.scene.source.series = series_->currentData().toString().toStdString();
@@ -258,7 +268,20 @@ void VolumePanel::showFacts() {
 
 void VolumePanel::showChoices() {
   const QSignalBlocker blockSeries(series_), blockComponent(component_), blockTime(timeStep_),
-      blockSlider(timeSlider_), blockLevel(level_);
+      blockSlider(timeSlider_), blockLevel(level_), blockKind(kind_);
+  kind_->clear();
+  if (volume_) {
+    const auto wordsFor = [](scene::DataKind kind) {
+      const std::string_view name = scene::choiceName(kind);
+      return wordsOf(QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())));
+    };
+    for (const auto& choice : scene::choicesOf<scene::DataKind>()) kind_->addItem(wordsFor(choice.value));
+    if (scene_.source.kind == scene::DataKind::automatic)
+      kind_->setItemText(0, tr("%1 (automatic)").arg(wordsFor(volume_->kind.kind)));
+    kind_->setCurrentIndex(static_cast<int>(scene_.source.kind));
+    kind_->setToolTip(tr("What kind of data this is: presets depend on it. Chosen because %1")
+                          .arg(translatedSentence(volume_->kind.reason)));
+  }
   series_->clear();
   component_->clear();
   const bool severalSeries = volume_ && volume_->volume.seriesChoices.size() > 1;
@@ -292,7 +315,7 @@ void VolumePanel::showChoices() {
   choices_->setRowVisible(component_, severalComponents);
   choices_->setRowVisible(timeRow_, severalSteps);
   choices_->setRowVisible(level_, coarse);
-  choiceBox_->setVisible(severalSeries || severalComponents || severalSteps || coarse);
+  choiceBox_->setVisible(volume_ != nullptr);
 }
 
 }  // namespace isolux::ui

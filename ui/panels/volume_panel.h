@@ -22,6 +22,7 @@ class VolumePanel : public Panel {
   void setVolume(const VolumePointer& volume) override;
   void setScene(const scene::Scene& scene, const scene::Scene& resolved) override;
   void setFirstPicture(double seconds) override;
+  QComboBox* kindChoice() const { return kind_; }
   QComboBox* seriesChoice() const { return series_; }
   QComboBox* componentChoice() const { return component_; }
   QSpinBox* timeStepChoice() const { return timeStep_; }
@@ -42,7 +43,7 @@ class VolumePanel : public Panel {
   WrappedText *time_, *warnings_;
   QLabel* warningTitle_;
   QWidget* choiceBox_;
-  QComboBox *series_, *component_;
+  QComboBox *kind_, *series_, *component_;
   QSpinBox* timeStep_;
   QSpinBox* level_;
   QSlider* timeSlider_;  // the same, where it is let go

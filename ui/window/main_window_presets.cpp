@@ -6,6 +6,10 @@
 #include <QMessageBox>
 
 #include "app/presets/preset_list.h"
+#include "scene/rules/relevance.h"
+#include "scene/setting/choice_names.h"
+#include "ui/document/baked_light.h"
+#include "ui/editors/number_text.h"
 #include "ui/language/translated.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
@@ -36,14 +40,19 @@ void MainWindow::showPresets() {
   const VolumePointer volume = document_->volume();
   if (!volume) return;
   const auto add = [&](const app::Preset& preset) {
+    if (!app::whyNot(preset, *volume).empty()) return;
     QString title = translated(texts::presets, preset.title);
     QAction* const action = presetsMenu_->addAction(title.replace('&', "&&"));
-    const std::string reason = app::whyNot(preset, *volume);
-    action->setEnabled(reason.empty());
-    action->setToolTip(reason.empty() ? translated(texts::presets, preset.meaning)
-                                      : tr("Does not apply: %1").arg(translated(texts::presets, reason)));
+    action->setToolTip(translated(texts::presets, preset.meaning));
     connect(action, &QAction::triggered, this, [this, preset] { applyPreset(preset); });
   };
+  QAction* const kind = presetsMenu_->addAction(
+      tr("&Data: %1…")
+          .arg(wordsOf(QString::fromStdString(std::string(scene::choiceName(volume->kind.kind))))));
+  kind->setToolTip(
+      tr("Presets of this kind of data are offered; another kind is chosen in the Volume panel"));
+  connect(kind, &QAction::triggered, this, [this] { showPanel("Volume"); });
+  presetsMenu_->addSeparator();
   for (const app::Preset& preset : app::builtInPresets()) add(preset);
   presetsMenu_->addSeparator();
   std::vector<std::string> warnings;
@@ -68,6 +77,7 @@ void MainWindow::applyPreset(const app::Preset& preset) {
                    tr("Preset %1").arg(translated(texts::presets, preset.title)),
                    {},
                    false});
+  if (scene::usesGi(document_->scene())) light_->askFirst();
 }
 
 void MainWindow::savePreset() {

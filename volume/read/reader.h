@@ -56,6 +56,7 @@ struct Volume {
   std::string format;                     // "NIfTI-1", "MetaImage", "DICOM", ...
   VoxelType fileType = VoxelType::uint8;  // as the file has it
   std::string unit;                       // "HU" for CT, else ""
+  scene::DataKind kind = scene::DataKind::automatic;  // as asked for
   scene::WorldAxes axes =
       scene::WorldAxes::zUp;          // anatomical only where the file states where the patient lies
   int components = 1, timeSteps = 1;  // what the file offers

@@ -161,9 +161,9 @@ LeastScale scaleOfThickSlices(const GridGeometry& geometry) {
 }
 
 LeastScale scaleOfInterpolatedSlices(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
-                                     const glm::dvec3& noiseBlur, base::Progress& progress) {
+                                     const glm::dvec3& slices, const glm::dvec3& noiseBlur,
+                                     base::Progress& progress) {
   LeastScale least;
-  const glm::dvec3 slices = interpolatedSlices(grid, progress);
   if (slices == glm::dvec3(0.0)) return least;
   ScaleLadder ladder(grid, pointsWithin(grid, blocks, isovalue, kManyPoints), noiseBlur);
   for (int i = 0; i < 3; ++i) ladder.addScale(progress);
@@ -252,6 +252,17 @@ scene::NoiseModel DerivativeChoices::noise(base::Progress& progress) const {
   return *noise_;
 }
 
+glm::dvec3 DerivativeChoices::slices(base::Progress& progress) const {
+  {
+    const std::lock_guard lock(mutex_);
+    if (slices_) return *slices_;
+  }
+  const glm::dvec3 found = interpolatedSlices(*grid_, progress);
+  const std::lock_guard lock(mutex_);
+  slices_ = found;
+  return found;
+}
+
 std::optional<DerivativeChoice> DerivativeChoices::find(const DerivativeQuestion& question) const {
   if (knownNoise_ == 0.0 && !question.noise) {
     DerivativeChoice choice;
@@ -284,7 +295,8 @@ DerivativeChoice DerivativeChoices::choose(const DerivativeQuestion& question,
     const Search search = searchScales(ladder, question, noise, progress);
     LeastScale least;
     if (question.noise != 0.0 && !isMesh_ && search.measures.points >= kFewest)
-      least = scaleOfInterpolatedSlices(*grid_, *blocks_, question.isovalue, model.correlation, progress);
+      least = scaleOfInterpolatedSlices(*grid_, *blocks_, question.isovalue, slices(progress),
+                                        model.correlation, progress);
     choice = choiceOf(ladder, search, *grid_, noise, std::move(least), kept);
   }
   const std::lock_guard lock(mutex_);

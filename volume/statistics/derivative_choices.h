@@ -62,12 +62,15 @@ class DerivativeChoices {
     DerivativeQuestion question;
     DerivativeChoice choice;
   };
+  glm::dvec3 slices(base::Progress& progress) const;  // interpolatedSlices(), found once
+
   std::shared_ptr<const Grid> grid_;
   std::shared_ptr<const MinMaxBlocks> blocks_;
   std::optional<double> knownNoise_;
   bool isMesh_;
   mutable std::mutex mutex_;  // held for moments
   mutable std::optional<scene::NoiseModel> noise_;
+  mutable std::optional<glm::dvec3> slices_;
   mutable std::vector<Kept> kept_;  // the latest last
 };
 

@@ -65,7 +65,7 @@ bool insideItsRegion(const Grid& grid, glm::ivec3 at) {
 
 }  // namespace
 
-std::optional<LabelMap> labelMapOf(const Grid& grid, const base::Progress& progress) {
+std::optional<LabelMap> labelMapOf(const Grid& grid, bool asked, const base::Progress& progress) {
   const glm::ivec3 dims = grid.dims();
   const std::ptrdiff_t rows = std::ptrdiff_t{dims.y} * dims.z;
   const std::ptrdiff_t stride = std::max<std::ptrdiff_t>(1, rows * dims.x / kEnough);
@@ -78,7 +78,7 @@ std::optional<LabelMap> labelMapOf(const Grid& grid, const base::Progress& progr
   };
   ValueCounts counts;
   if (!eachRow(stride, [&](int y, int z) { return addRow(grid, y, z, counts); })) return std::nullopt;
-  if (counts.size() < 3) return std::nullopt;
+  if (counts.size() < (asked ? 2 : 3)) return std::nullopt;
   const double background = std::max_element(counts.begin(), counts.end(), [](const auto& a, const auto& b) {
                               return a.second < b.second;
                             })->first;
@@ -107,10 +107,10 @@ std::optional<LabelMap> labelMapOf(const Grid& grid, const base::Progress& progr
       ++frequent;
       filled += bodies.contains(value) ? 1 : 0;
     }
-  if (bodies.size() < 2 || part(found.unequal, found.pairs) > kMostUnequal ||
-      part(found.jumps, found.unequal) < kLeastJumps ||
-      (frequent > 0 && part(filled, frequent) < kLeastBodies))
-    return std::nullopt;
+  const bool measures = bodies.size() < 2 || part(found.unequal, found.pairs) > kMostUnequal ||
+                        part(found.jumps, found.unequal) < kLeastJumps ||
+                        (frequent > 0 && part(filled, frequent) < kLeastBodies);
+  if (measures && !asked) return std::nullopt;
   if (stride > 1) {  // rare labels lie between the rows
     counts.clear();
     if (!eachRow(1, [&](int y, int z) { return addRow(grid, y, z, counts); })) return std::nullopt;

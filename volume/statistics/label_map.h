@@ -17,6 +17,7 @@ struct LabelMap {
 // at least two of them, and half of the frequent ones, fill more than surfaces (of a mask that was averaged
 // only one does, of a scan without noise only air and what is clipped). Nothing for masks of two values,
 // which have one isosurface either way. A whole grid. Throws Error{interrupted}.
-std::optional<LabelMap> labelMapOf(const Grid& grid, const base::Progress& progress);
+// `asked`: somebody says that they are, and only whole numbers are asked for.
+std::optional<LabelMap> labelMapOf(const Grid& grid, bool asked, const base::Progress& progress);
 
 }  // namespace isolux::volume

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "volume/grid.h"
 #include "volume/pieces/body.h"
 #include "volume/statistics/histogram.h"
 
@@ -31,14 +30,22 @@ Histogram valuesDeepIn(const Grid& grid, const Body& body, const base::Progress&
 
 }  // namespace
 
-std::optional<scene::WhiteMatter> whiteMatterOf(const Grid& grid, double skin, base::Progress& progress) {
+std::optional<WhiteMatter> whiteMatterOf(const Grid& grid, double skin, base::Progress& progress) {
   if (!(skin < grid.maximum())) return std::nullopt;
   const Body body(grid, skin, progress);
   const ValueClasses classes = threeClasses(valuesDeepIn(grid, body, progress));
   const double part = classes.parts[2], grey = classes.means[1], white = classes.means[2];
   if (!(part >= kLeastWhite && part <= kMostWhite)) return std::nullopt;
   if (!(grey >= kLeastGrey * white && grey <= kMostGrey * white)) return std::nullopt;
-  return scene::WhiteMatter{classes.borders[1], white};
+  return WhiteMatter{classes.borders[1], white};
+}
+
+const std::optional<WhiteMatter>& KeptWhiteMatter::get() const {
+  std::call_once(looked_, [this] {
+    base::Progress unheard;
+    if (grid_) found_ = whiteMatterOf(*grid_, skin_, unheard);
+  });
+  return found_;
 }
 
 }  // namespace isolux::volume

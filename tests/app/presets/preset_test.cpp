@@ -61,22 +61,50 @@ TEST(Preset, AppliesOrSaysWhyNot) {
   const auto ct = ramp("HU", scene::WorldAxes::anatomical), unknown = ramp("counts");
   const Preset bone = findPreset("ct_bone"), brain = findPreset("mr_brain");
   EXPECT_EQ(whyNot(bone, *ct), "");
-  EXPECT_EQ(whyNot(bone, *unknown), "its values are not Hounsfield units");
+  EXPECT_EQ(whyNot(bone, *unknown), "it is no CT, or its values do not tell Hounsfield units");
   EXPECT_EQ(whyNot(bone, *unknown, true), "") << "the isovalue is said";
   EXPECT_NE(whyNot(brain, *ct), "");
-  EXPECT_EQ(whyNot(brain, *unknown), "its file does not state where a patient lies");
+  EXPECT_EQ(whyNot(brain, *unknown), "it is no scan of a patient");
   const auto patient =
       std::make_shared<volume::PreparedVolume>(*ramp("counts", scene::WorldAxes::anatomical));
-  patient->facts.whiteMatter = scene::WhiteMatter{100.0, 120.0};
+  patient->whiteMatter = std::make_shared<volume::KeptWhiteMatter>(volume::WhiteMatter{100.0, 120.0});
   EXPECT_EQ(whyNot(brain, *patient), "");
-  patient->facts.whiteMatter.reset();
+  patient->whiteMatter = std::make_shared<volume::KeptWhiteMatter>(std::nullopt);
   EXPECT_EQ(whyNot(findPreset("mr_skin"), *patient), "");
   EXPECT_EQ(whyNot(brain, *patient), "no white matter of a T1 scan is found in it");
   EXPECT_EQ(whyNot(brain, *patient, true), "") << "the isovalue is said";
   EXPECT_NE(whyNot(findPreset("distance"), *ct), "");
   EXPECT_EQ(whyNot(findPreset("distance"), *ramp("mm")), "");
   // Nobody says the unit, but only a CT has such values.
-  EXPECT_TRUE(isHounsfield(*ramp("")));
+  EXPECT_EQ(whyNot(bone, *ramp("")), "");
+}
+
+TEST(Preset, ThoseOfAnotherKindDoNotApply) {
+  using Kind = scene::DataKind;
+  auto volume = std::make_shared<volume::PreparedVolume>(*ramp("counts"));
+  const auto applies = [&](Kind kind, const char* preset) {
+    volume->kind.kind = kind;
+    return whyNot(findPreset(preset), *volume).empty();
+  };
+  EXPECT_TRUE(applies(Kind::microscopy, "microscopy"));
+  EXPECT_FALSE(applies(Kind::microscopy, "simulation"));
+  EXPECT_TRUE(applies(Kind::simulation, "simulation"));
+  EXPECT_FALSE(applies(Kind::mr, "simulation"));
+  EXPECT_TRUE(applies(Kind::mr, "mr_skin"));
+  EXPECT_FALSE(applies(Kind::ct, "mr_skin"));
+  EXPECT_FALSE(applies(Kind::ct, "ct_bone")) << "nothing tells Hounsfield units";
+  for (const Kind kind : {Kind::distance, Kind::labels})
+    for (const char* preset : {"microscopy", "simulation", "mr_skin", "ct_bone"})
+      EXPECT_FALSE(applies(kind, preset)) << preset;
+  EXPECT_TRUE(applies(Kind::other, "microscopy"));
+  EXPECT_TRUE(applies(Kind::other, "simulation"));
+}
+
+TEST(Preset, HounsfieldUnitsMayBeToldByAirAndSoftTissue) {
+  auto volume = std::make_shared<volume::PreparedVolume>(*ramp("counts"));
+  volume->kind = {scene::DataKind::ct, "", glm::dvec2(0.35, 0.00035)};
+  EXPECT_DOUBLE_EQ(valueInVolume({{"hu", 300}}, *volume), 0.35 + 300 * 0.00035);
+  EXPECT_EQ(whyNot(findPreset("ct_bone"), *volume), "");
 }
 
 TEST(Preset, ValuesLieWhereTheirRulesSay) {
@@ -94,7 +122,7 @@ TEST(Preset, ValuesLieWhereTheirRulesSay) {
   EXPECT_DOUBLE_EQ(at(R"({"between": -0.25})"), clearest - 0.25 * (clearest + 1024));
   EXPECT_DOUBLE_EQ(at(R"({"white_matter": 0.5})"), clearest) << "there is none";
   auto brain = std::make_shared<volume::PreparedVolume>(*volume);
-  brain->facts.whiteMatter = scene::WhiteMatter{100.0, 120.0};
+  brain->whiteMatter = std::make_shared<volume::KeptWhiteMatter>(volume::WhiteMatter{100.0, 120.0});
   EXPECT_DOUBLE_EQ(valueInVolume({{"white_matter", 0.25}}, *brain), 105.0);
 }
 

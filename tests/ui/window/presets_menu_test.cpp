@@ -4,6 +4,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QComboBox>
 #include <QInputDialog>
 #include <QMenu>
 #include <QTimer>
@@ -15,6 +16,7 @@
 #include "tests/support/ui/dialog_answers.h"
 #include "tests/support/ui/window_fixture.h"
 #include "ui/document/baked_light.h"
+#include "ui/panels/volume_panel.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/message_bar.h"
 
@@ -37,23 +39,41 @@ struct OtherConfig {
 
 }  // namespace
 
-TEST_F(WindowTest, PresetsThatDoNotApplySayWhyAndOthersAreOneStepOfUndo) {
+TEST_F(WindowTest, PresetsOfThisKindOfDataAreOfferedEachOneStepOfUndo) {
   const OtherConfig other;
   ASSERT_TRUE(load(*window_, "phantom:ball:16"));
-  QAction* const bone = entry(*window_, "CT bone");
-  ASSERT_NE(bone, nullptr);
-  EXPECT_FALSE(bone->isEnabled());
-  EXPECT_TRUE(bone->toolTip().contains("not Hounsfield units")) << bone->toolTip().toStdString();
+  EXPECT_EQ(entry(*window_, "CT bone"), nullptr) << "it is a distance field";
+  EXPECT_NE(entry(*window_, "Distance"), nullptr);
+  EXPECT_NE(entry(*window_, "&Data: Distance"), nullptr);
 
   ASSERT_TRUE(load(*window_, "phantom:head:32"));
   const scene::Scene before = window_->document()->scene();
-  QAction* const enabled = entry(*window_, "CT bone");
-  ASSERT_TRUE(enabled->isEnabled());
-  enabled->trigger();
+  EXPECT_NE(entry(*window_, "&Data: CT in Hounsfield units"), nullptr);
+  QAction* const bone = entry(*window_, "CT bone");
+  ASSERT_NE(bone, nullptr);
+  bone->trigger();
   EXPECT_EQ(window_->document()->scene().isosurface.value, 300.0);
   EXPECT_EQ(window_->document()->history().undoName(), "Preset CT bone");
   window_->document()->undo();
   EXPECT_EQ(window_->document()->scene(), before);
+}
+
+TEST_F(WindowTest, AnotherKindOfDataIsChosenInTheVolumePanel) {
+  const OtherConfig other;
+  ASSERT_TRUE(load(*window_, "phantom:head:32"));
+  const auto* const panel = window_->findChild<ui::VolumePanel*>();
+  QComboBox* const kind = panel->kindChoice();
+  EXPECT_EQ(kind->currentText(), "CT in Hounsfield units (automatic)");
+  EXPECT_TRUE(kind->toolTip().contains("its file says so")) << kind->toolTip().toStdString();
+  kind->setCurrentIndex(kind->findText("MR"));
+  Q_EMIT kind->activated(kind->currentIndex());
+  ASSERT_TRUE(waitUntil([&] { return window_->document()->volume()->kind.kind == scene::DataKind::mr; }));
+  EXPECT_EQ(window_->document()->volume()->volume.unit, "");
+  EXPECT_EQ(entry(*window_, "CT bone"), nullptr);
+  EXPECT_NE(entry(*window_, "MR skin"), nullptr);
+  window_->document()->undo();
+  ASSERT_TRUE(waitUntil([&] { return window_->document()->volume()->kind.kind == scene::DataKind::ct_hu; }));
+  EXPECT_NE(entry(*window_, "CT bone"), nullptr);
 }
 
 TEST_F(WindowTest, APresetOfOnesOwnIsSavedByTheMenuAndShownInIt) {

@@ -40,7 +40,7 @@ double ballDistance(glm::dvec3 p) {
 }
 
 std::optional<LabelMap> found(const Grid& grid) {
-  return labelMapOf(grid, base::Progress());
+  return labelMapOf(grid, false, base::Progress());
 }
 
 TEST(LabelMaps, AreFewWholeNumbersThatJump) {
