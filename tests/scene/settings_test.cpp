@@ -110,7 +110,7 @@ TEST(Settings, CoversEveryMemberOfScene) {
   [[maybe_unused]] const auto& [supersampling, restHits, pictureExposure, metering, letters, scaleBar,
                                 isovalue, caveats, transparent, pixelRatio] = picture;
   EXPECT_EQ(settings().size(),
-            11u + 15 + 3 * 7 + 6 + 4 + 10 + 1 + 6 + 5 + 2 + 13 + 36 + 7 + 8 + 9 + 3 * 8 + 16 + 6 + 10);
+            12u + 15 + 3 * 7 + 6 + 4 + 10 + 1 + 6 + 5 + 2 + 13 + 36 + 7 + 8 + 9 + 3 * 8 + 16 + 6 + 10);
 }
 
 TEST(Settings, PatternsCoverPathsGroupsAndItemsOfLists) {
