@@ -43,6 +43,7 @@ Command makeMesh(CLI::App& program);
 Command makePhantom(CLI::App& program);
 Command makeSettings(CLI::App& program);
 Command makeDoctor(CLI::App& program);
+Command makeHelp(CLI::App& program);
 Command makePresets(CLI::App& program);
 Command makeProbe(CLI::App& program);
 Command makeMeasure(CLI::App& program);

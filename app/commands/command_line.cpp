@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "app/commands/command.h"
-#include "app/commands/man_page.h"
+#include "app/commands/made_pages.h"
 #include "app/documents/recording.h"
 #include "app/documents/session.h"
 #include "app/process/interrupt.h"
@@ -39,6 +39,7 @@ struct WindowOptions {
 struct Program {
   CLI::App parser{"Isolux explores scans and simulations as isosurfaces.", "isolux"};
   WindowOptions window;
+  std::string madePage;
   std::vector<Command> commands;
 };
 
@@ -46,7 +47,10 @@ void declare(Program& program) {
   CLI::App& parser = program.parser;
   parser.get_formatter()->column_width(34);
   parser.set_version_flag("--version", "isolux " + std::string(version()), "Print the version and exit");
-  parser.add_flag("--man-page")->group("");  // for the build, not for --help
+  parser
+      .add_option("--made-page", program.madePage)  // for the build and the tests, not for --help
+      ->group("")
+      ->check(CLI::IsMember(madePageNames()));
   parser.require_subcommand(0, 1);
   parser.add_option(
       "PATH", program.window.path,
@@ -67,7 +71,7 @@ void declare(Program& program) {
       "Example:\n  isolux ct.nii.gz --isovalue 300");
   for (const auto make :
        {makeInfo, makeRender, makeBake, makeMerge, makeIndex, makeReference, makeReplay, makeStudy, makeProbe,
-        makeMeasure, makeSlice, makeMesh, makePhantom, makePresets, makeSettings, makeDoctor})
+        makeMeasure, makeSlice, makeMesh, makePhantom, makePresets, makeSettings, makeDoctor, makeHelp})
     program.commands.push_back(make(parser));
   addMemoryOption(parser);
   for (const Command& command : program.commands) addMemoryOption(*command.parser);
@@ -241,8 +245,8 @@ int runCommandLine(int argc, char** argv, const OpenWindow& openWindow) {
           checkStandardOutput();
           return 0;
         }
-        if (program.parser.count("--man-page") > 0) {
-          std::cout << manPage(program.parser, std::string(version()));
+        if (!program.madePage.empty()) {
+          std::cout << madePage(program.madePage, program.parser, std::string(version()));
           checkStandardOutput();
           return 0;
         }

@@ -5,7 +5,7 @@
 namespace isolux::app {
 
 inline constexpr const char* kCommandNames[] = {
-    "info",  "render",  "bake",  "merge", "index",   "reference", "replay",   "study",
-    "probe", "measure", "slice", "mesh",  "phantom", "presets",   "settings", "doctor"};
+    "info",    "render", "bake", "merge",   "index",   "reference", "replay", "study", "probe",
+    "measure", "slice",  "mesh", "phantom", "presets", "settings",  "doctor", "help"};
 
 }  // namespace isolux::app

@@ -208,6 +208,7 @@ class MainWindow : public QMainWindow {
   QRect placeOfMenu(const QAction* menu) const;
   QRect placeOfTool(const QAction* action) const;
   void showHelp();
+  void showGuide();
   void showAbout();
   // True when there is no unsaved work, or the user has saved or discarded it.
   bool mayDiscard();
@@ -252,7 +253,7 @@ class MainWindow : public QMainWindow {
   PictureDot* pictureDot_;
   QPointer<Tour> tour_;
   QPointer<TourCard> greeting_;
-  QPointer<QWidget> help_;
+  QPointer<QWidget> help_, guide_;
   bool awaitsFirstPicture_ = false;
   bool previewing_ = false;     // the viewport shows a scene that is not the document's
   bool tellsOfMoving_ = false;  // once the gesture has ended: the environment was turned for the first time

@@ -7,6 +7,7 @@
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
+#include "app/files/documentation.h"
 #include "app/version.h"
 #include "scene/looks.h"
 #include "ui/accuracy/accuracy_panel.h"
@@ -19,7 +20,9 @@
 #include "ui/language/translated.h"
 #include "ui/panels/settings_panel.h"
 #include "ui/viewport/viewport.h"
+#include "ui/window/guide_window.h"
 #include "ui/window/main_window.h"
+#include "ui/window/message_bar.h"
 
 namespace isolux::ui {
 
@@ -56,6 +59,19 @@ void MainWindow::showPreferences() {
   });
   connect(dialog->privacy(), &PrivacyBox::changed, this, &MainWindow::applyPrivacy);
   dialog->show();
+}
+
+void MainWindow::showGuide() {
+  if (!guide_) {
+    const std::filesystem::path folder = app::documentationFolder();
+    if (folder.empty())
+      return message_->show(MessageBar::Kind::error, tr("The documentation is not installed"));
+    guide_ = new GuideWindow(QString::fromStdString(folder.string()), this);
+    guide_->setAttribute(Qt::WA_DeleteOnClose);
+  }
+  guide_->show();
+  guide_->raise();
+  guide_->activateWindow();
 }
 
 // Neither blocks the window: what they say is tried beside them.

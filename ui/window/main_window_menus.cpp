@@ -205,6 +205,8 @@ void MainWindow::makeHelpMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&Help"));
   QAction* explore = newAction(menu, tr("&Explore"), "", {}, tr("A tour of two minutes through the window"));
   connect(explore, &QAction::triggered, this, &MainWindow::startTour);
+  QAction* guide = newAction(menu, tr("&Guide"), "", {}, tr("The documentation that comes with the program"));
+  connect(guide, &QAction::triggered, this, &MainWindow::showGuide);
   QAction* help =
       newAction(menu, tr("&Mouse and keys"), "", QKeySequence::HelpContents, tr("Mouse and keys"));
   connect(help, &QAction::triggered, this, &MainWindow::showHelp);
