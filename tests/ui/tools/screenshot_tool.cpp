@@ -29,6 +29,7 @@
 #include <QTemporaryDir>
 #include <QThread>
 
+#include "app/presets/preset_list.h"
 #include "scene/machine.h"
 #include "scene/settings.h"
 #include "ui/accuracy/accuracy_panel.h"
@@ -131,7 +132,14 @@ int takePicture(const QCommandLineParser& options) {
   };
   waitUntil([&] { return failed() || window.document()->volume() != nullptr; });
   if (failed()) return fail(window.messageBar()->text());
-  window.messageBar()->clear();
+  if (!options.isSet("notes")) window.messageBar()->clear();
+  if (options.isSet("preset"))
+    window.document()->edit(
+        {app::withPreset(window.document()->scene(), app::findPreset(options.value("preset").toStdString()),
+                         *window.document()->volume()),
+         "",
+         {},
+         false});
   window.showPanel(options.value("panel"));
   window.panel<ui::SettingsPanel>()->searchLine()->setText(options.value("find"));
   const double zoom = options.value("histogram-zoom").toDouble();
@@ -225,6 +233,8 @@ int main(int argc, char** argv) {
         {{"out", "The picture to write.", "FILE"},
          {"size", "Size of the window.", "WxH", "1280x800"},
          {"panel", "settings, looks, marks, volume, pieces, passes or accuracy.", "NAME", "settings"},
+         {"preset", "Show this preset.", "NAME"},
+         {"notes", "Leave the message that opening ends with."},
          {"find", "Search the settings for this.", "TEXT"},
          {"search", "In the Accuracy panel, the settings that keep this error.", "QUANTITY=VALUE"},
          {"errors", "In the Accuracy panel, the errors shown in the picture.", "ERROR"},
