@@ -73,7 +73,7 @@ std::shared_ptr<const LightScene> innerSideOf(const LightScene& light, base::Pro
 std::shared_ptr<const Environment> loadEnvironment(const scene::Environment& settings);
 std::vector<LampLight> lampsOf(const scene::Scene& resolved, const volume::GridGeometry& geometry);
 glm::dmat3 rotationOf(const glm::dvec4& wxyz);  // worldFromEnvironment of this quaternion
-// of the scene's environment
+// Returns the rotation of the scene's environment.
 glm::dmat3 rotationOf(const scene::Scene& scene, const volume::PreparedVolume& volume);
 
 enum class LightPart { sky, lamps };  // stored in separate lattices

@@ -37,7 +37,7 @@ class BakeQueue {
   struct Totals {
     std::uint64_t wanted = 0, done = 0, started = 0;  // texels
     std::uint64_t samplesDone = 0;                    // of requested texels, up to the number requested
-    // visible (Wish::visible); of these, with kSmoothSamples or all samples
+    // Visible (Wish::visible); of these, with kSmoothSamples or all samples.
     std::uint64_t seen = 0, smooth = 0;
   };
   // Position up to which fulfilled() has checked; start with an empty one.

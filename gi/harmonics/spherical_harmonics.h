@@ -52,7 +52,7 @@ class SphereQuadrature {
     double weight;
   };
   const std::vector<Point>& points() const& { return points_; }
-  // deleted for a temporary: a loop over its points would outlive it
+  // Deleted for a temporary: a loop over its points would outlive it.
   const std::vector<Point>& points() && = delete;
 
  private:

@@ -39,7 +39,7 @@ class Environment {
   // naming file, place and reason, and of kind memory. A sandboxed process parses the file
   // (volume/read/process/foreign.h).
   static Environment load(const std::string& path);
-  // throws Error{interrupted}, too
+  // Throws Error{interrupted}, too.
   static Environment load(const std::string& path, base::Progress& progress);
 
   int width() const { return width_; }
