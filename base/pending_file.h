@@ -6,9 +6,10 @@
 //
 // A symbolic link is kept: the file that it leads to is replaced or created. Access rights of a replaced file
 // are kept, and its owner where the system allows it. A file without any write permission is rejected, also
-// for root. A pipe, a device and a descriptor of this process (/dev/stdout, /dev/fd/N) are not replaced: the
-// temporary file is in the folder for temporary files, and commit() copies it into them. commit() returns
-// after the system has written file and name to the disk.
+// for root. commit() returns after the system has written file and name to the disk.
+//
+// A pipe, a device and a descriptor of this process (/dev/stdout, /dev/fd/N) are not replaced. The temporary
+// file is then in the folder for temporary files, and commit() copies it into them.
 //
 // A long command first creates an OutputLock, ".NAME.0-0.part", locked in the same way. It keeps other
 // commands from the same work.

@@ -69,8 +69,8 @@ enum class GiExtent { full, band, view };  // which texels are lit
 enum class GiTexels { automatic, own, shown };
 enum class DirectionSequence { sobol_owen, r2, random };
 // Interpolation of baked light between texels, Wyman et al. 2006 fig. 6. weighted: trilinear weights times
-// the agreement of a texel's normal with that of the point; the texels' noise is filtered along their own
-// isosurface.
+// the agreement of a texel's normal with that of the point. The texels' noise is then filtered along their
+// own isosurface.
 enum class GiInterpolation { closest_isovalue, nearest, trilinear, tricubic, weighted };
 enum class GiPrecision { r11g11b10, half };  // of irradiance on the GPU
 enum class Metering { surface, lights };     // what an automatic exposure measures

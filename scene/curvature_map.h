@@ -2,8 +2,8 @@
 //
 // Kappas are fractions of the map's range, clamped to [-1, 1]; colours are linear RGB. Control points are
 // joined by inverse-distance-squared weights (Shepard, "A two-dimensional interpolation function for
-// irregularly-spaced data", 1968): smooth, exact at every point, never outside the colours of the points.
-// kappa1 >= kappa2, so only the half on and below the diagonal is ever looked up.
+// irregularly-spaced data", 1968). The map is smooth, exact at every point, and never outside the colours of
+// the points. kappa1 >= kappa2, so only the half on and below the diagonal is ever looked up.
 //
 // The automatic map has constant lightness, so that shading stays readable. The hue shows the shape index, in
 // even steps from violet cups over green saddles to red caps; the chroma shows the curvedness, and flat

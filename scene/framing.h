@@ -1,9 +1,9 @@
 // Computes cameras that frame a set of points, given only its extent along certain directions. All lengths in
 // mm.
 //
-// A point is in a picture when it lies on the inner side of four planes through the eye (or, orthographic,
-// parallel to the view). So of a set of points only the farthest along the four normals counts, and the
-// nearest and farthest along the view, for the target.
+// A point is in the image if it is on the inner side of four planes through the eye (or, orthographic,
+// parallel to the view). Therefore only the points farthest along the four normals matter, and for the target
+// the nearest and farthest along the view.
 #pragma once
 
 #include <array>
@@ -22,8 +22,9 @@ using FramingDirections = std::array<glm::dvec3, framingDirectionCount>;
 FramingDirections framingDirections(const Camera& camera, double aspect);
 
 // Returns the camera with the same direction and up, as near as the whole set is in the image with a margin
-// of 4 % of its half size, centred; the target is at the middle of its depth. `farthest`: the largest dot
-// product of each direction with a point of the set. Returns the camera unchanged if a number is not finite.
+// of 4 % of its half size, centred. The target is at the middle of the set's depth. `farthest`: the largest
+// dot product of each direction with a point of the set. Returns the camera unchanged if a number is not
+// finite.
 Camera framing(const Camera& camera, double aspect,
                const std::array<double, framingDirectionCount>& farthest);
 

@@ -1,8 +1,8 @@
 // Computes the view-dependent opacity of an isosurface.
 //
-// opacity(c) = opacity · (f + (1 − f)(1 − c)²), c = |n·v|, f = facing opacity: the silhouette enhancement of
-// Ebert and Rheingans, Volume Illustration (IEEE Visualization 2000), with k_sc = f, k_ss = 1 − f and k_se =
-// 2. resources/shaders/look/shade.frag.glsl computes the same.
+// opacity(c) = opacity · (f + (1 − f)(1 − c)²), c = |n·v|, f = facing opacity. This is the silhouette
+// enhancement of Ebert and Rheingans, Volume Illustration (IEEE Visualization 2000), with k_sc = f, k_ss = 1
+// − f and k_se = 2. resources/shaders/look/shade.frag.glsl computes the same.
 #pragma once
 
 #include "scene/scene.h"

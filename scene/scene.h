@@ -1,8 +1,8 @@
 // Defines the Scene: everything that determines an image, as one plain value.
 //
-// Widgets, --set, sessions, undo and recordings all edit Scenes; nothing else holds state that changes a
-// picture. Each member is listed once in scene/settings.cpp with its path, default, range, unit and meaning;
-// JSON, --set, undo, hashing and the documentation come from that list.
+// Widgets, --set, sessions, undo and recordings all edit Scenes; no other state changes an image. Each member
+// is listed once in scene/settings.cpp with its path, default, range, unit and meaning; JSON, --set, undo,
+// hashing and the documentation come from that list.
 //
 // World space is millimetres, DICOM/LPS (+x patient left, +y posterior, +z superior). Colours are linear
 // RGB (ITU-R BT.709 primaries) in [0, 1]. An empty optional means "automatic": scene::resolve() in
@@ -198,7 +198,7 @@ struct Look {
   std::optional<double> rangeLow, rangeHigh;  // of the colour map, in the unit of what it shows
   // Automatic: scene/curvature_map.h, where hue shows the shape index and chroma the curvedness.
   std::optional<std::vector<CurvaturePoint>> curvaturePoints;
-  bool legend = true;  // drawn in the picture where colours stand for numbers
+  bool legend = true;  // drawn in the image if colours show numbers
   LegendCorner legendCorner = LegendCorner::automatic;
   double accessibility = 0.0;
   double ridges = 0.0;                   // strength of ridge and valley lines
@@ -306,9 +306,9 @@ struct Camera {
 };
 
 struct Picture {
-  int supersampling = 2;                        // rays per pixel and axis of a picture at rest
+  int supersampling = 2;                        // rays per pixel and axis of an idle image
   StillField restHits = StillField::automatic;  // of hits at rest, where hit.field is trilinear
-  std::optional<double> exposure;               // stops, of pictures lit by global illumination
+  std::optional<double> exposure;               // stops, of images lit by global illumination
   Metering metering = Metering::surface;        // of an automatic exposure: gi/trace/exposure_meter.h
   // Annotations on a finished image (app/annotation): orientation labels, a scale bar, the shown isovalues.
   // The legend is look.legend.

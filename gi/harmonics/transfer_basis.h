@@ -3,8 +3,8 @@
 // A transfer vector of D = channels * order^2 numbers is written as mean + sum_k c_k B_k. Lighting then needs
 // no decompression: E = mean . l + sum_k c_k (B_k . l), with the dot products computed once per frame (Sloan
 // et al. 2003, "Clustered Principal Components", with one cluster). Wyman et al. 2006 store D floats. Each
-// bit goes to the component whose error it lessens most (Huang & Schultheiss 1963): the first components get
-// several times as many as the last, and useless ones get none.
+// bit goes to the component whose error it lessens most (Huang & Schultheiss 1963). The first components
+// therefore get several times as many as the last, and useless ones get none.
 #pragma once
 
 #include <cstdint>

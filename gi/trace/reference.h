@@ -2,10 +2,10 @@
 // still for print.
 //
 // One ray per pixel, through its centre, as in the renderer's AOVs. E is that of the path tracer at the hit
-// itself, on the visible side (back faces: innerSideOf()), of the sky and of the light sources, each from its
-// own pattern of samples. Paths are traced against the surface's isovalue; if hits are on a cubic field,
-// against the trilinear isosurface through the hit. The colour is albedo * E / pi * 2^picture.exposure (or
-// the automatic exposure), times look.inner_tint on back faces; solid textures, lines and fog are not drawn.
+// itself, on the visible side (back faces: innerSideOf()). The sky and the light sources each have their own
+// pattern of samples. Paths are traced against the surface's isovalue; if hits are on a cubic field, against
+// the trilinear isosurface through the hit. The colour is albedo * E / pi * 2^picture.exposure (or the
+// automatic exposure), times look.inner_tint on back faces. Solid textures, lines and fog are not drawn.
 // gi.mode has no effect, except that `vicinity` uses the sky's mean without bounces, and `shadow` no bounces.
 //
 // One owner thread. Threads of its own share the work; the result does not depend on their number.

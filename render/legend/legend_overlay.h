@@ -21,10 +21,10 @@ MeasureColors measureColors(const scene::Look& look);
 // Returns the legend of the look's measure over this range.
 Legend measureLegend(const scene::Scene& scene, glm::dvec2 range);
 
-// Returns the lower left pixel of a legend of this size in an image, row 0 being the lowest: in the requested
-// corner, or in that which shows least of the surface. If corners are equal, or show little, it is the lower
-// right one. `covered`: returns how many pixels of a rectangle show the surface; called only if the corner is
-// automatic.
+// Returns the lower left pixel of a legend of this size in an image, row 0 being the lowest. It is in the
+// requested corner, or in that which shows least of the surface. If corners are equal, or show little, it is
+// the lower right one. `covered`: returns how many pixels of a rectangle show the surface; called only if the
+// corner is automatic.
 using CoveredPixels = std::function<std::int64_t(const volume::Rectangle&)>;
 glm::ivec2 legendPlace(scene::LegendCorner corner, glm::ivec2 legend, glm::ivec2 picture,
                        const CoveredPixels& covered);

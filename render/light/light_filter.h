@@ -11,11 +11,11 @@
 //   - an edge factor.
 // A texel on the other side of a thin wall, or on a wall at an angle, therefore counts little or nothing. The
 // edge factor averages varying light along the lines of equal light, not across them. A plane is fitted to
-// the luminance of the 27 texels by weighted least squares. It predicts how far the luminance at the
-// neighbour's position is off; the factor is a Gaussian of this (half a standard error of the difference of
-// two estimates of n paths, each taken as 1 / sqrt(n) of their mean). Shadow edges are preserved. This is a
-// steering kernel (Takeda, Farsiu & Milanfar 2007). The widths minimise the error against path-traced pixels
-// (docs/accuracy.md).
+// the luminance of the 27 texels by weighted least squares and predicts the difference of luminance at the
+// neighbour's position. The factor is a Gaussian of this difference. Its width is half a standard error of
+// the difference of two estimates of n paths, each error taken as 1 / sqrt(n) of their mean. Shadow edges are
+// preserved. This is a steering kernel (Takeda, Farsiu & Milanfar 2007). The widths minimise the error
+// against path-traced pixels (docs/accuracy.md).
 //
 // A lookup at the position where a texel is lit reads eight texels that are lit elsewhere, and does not
 // reproduce its light. The difference is added to the texel (one step of Van Cittert's iteration, 1931), so

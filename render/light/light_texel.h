@@ -1,10 +1,12 @@
 // Packs a texel of baked lighting into 32-bit words for the GPU; light_lattice.glsl reads them. No GL.
 //
-// Word 0: the normal, three signed bytes (0: the texel has none and is never lit), and how far it is baked in
-// fifteenths: bits 24 to 27 for the sky, 28 to 31 for the light sources. Then the sky's light: E in one word
-// (11, 11 and 10 bits of float, or one float of a single channel) or two (three half floats), or the codes of
-// a compressed transfer vector. Then the light sources' irradiance likewise, then the isovalue of the texel,
-// a float. Parts that are not stored are omitted.
+// Words, where parts that are not stored are omitted:
+//   0      the normal, three signed bytes (0: the texel has none and is never lit), and how far it is baked
+//          in fifteenths: bits 24 to 27 for the sky, 28 to 31 for the light sources
+//   then   the sky's light: E in one word (11, 11 and 10 bits of float, or one float of a single channel) or
+//          two (three half floats), or the codes of a compressed transfer vector
+//   then   the light sources' irradiance likewise
+//   then   the isovalue of the texel, a float
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// Provides, for an out-of-core volume, the sub-blocks of its resident bricks that an isosurface can cross
-// (volume/skip/box_bounds.h): computed from a brick's voxels when it is loaded, 16 KiB each.
+// Provides the sub-blocks of resident bricks that an isosurface can cross (volume/skip/box_bounds.h), for an
+// out-of-core volume. They are computed from a brick's voxels when it is loaded, 16 KiB each.
 //
 // In bricks that are not loaded, every sub-block of an active block may contain a surface. A ray with a
 // result has waited for each brick in which it reached such a sub-block. It has therefore skipped the same

@@ -31,16 +31,17 @@ struct VolumeFacts {
   glm::dvec3 toEye{0.0}, up{0.0};
 };
 
-// Fills in every optional except those that depend on the surface itself (ranges of colour maps, the ridge
-// threshold; noise and scales of derivatives, which volume::DerivativeChoices fills in), the fog's colour and
-// the exposure, which the renderer chooses, gi.environment_share, which the bake chooses, and the isovalue of
-// a second volume if there is none.
-//
+// Fills in every optional, with these exceptions:
+//   - those that depend on the surface itself: ranges of colour maps, the ridge threshold; noise and scales
+//     of derivatives, which volume::DerivativeChoices fills in;
+//   - the fog's colour and the exposure, which the renderer chooses;
+//   - gi.environment_share, which the bake chooses;
+//   - the isovalue of a second volume if there is none.
 // Further isosurfaces take the next suggestion outside the first, else the next inside. If all are taken,
 // each goes a quarter of the way to the innermost value. An explicit setting is never changed. An automatic
-// camera frames what camera.frames says for images of any aspect ratio >= 1: the outline, or the box from the
-// front (frontOf(): a patient faces the viewer, patient left at the right) and slightly above. Light sources
-// are placed relative to the front.
+// camera frames what camera.frames says for images of any aspect ratio >= 1: the outline, or the box. It
+// shows the box from the front (frontOf(): a patient faces the viewer, patient left at the right) and
+// slightly above. Light sources are placed relative to the front.
 Scene resolve(Scene scene, const VolumeFacts& facts);
 
 // Returns the camera with the same direction and up, framing what camera.frames says as resolve() does.

@@ -9,9 +9,12 @@
 
 namespace isolux::scene {
 
-// Types of settings. pair, vector, quaternion: two, three, four numbers. points: a list of CurvaturePoint,
-// each [kappa1, kappa2, r, g, b]. positions: a list of any length of world points [x, y, z]. planes: a list
-// of ClipPlane, each [px, py, pz, nx, ny, nz]. marks: a list of Mark, each an object.
+// Types of settings.
+//   pair, vector, quaternion   two, three, four numbers
+//   points      a list of CurvaturePoint, each [kappa1, kappa2, r, g, b]
+//   positions   a list of any length of world points [x, y, z]
+//   planes      a list of ClipPlane, each [px, py, pz, nx, ny, nz]
+//   marks       a list of Mark, each an object
 enum class SettingType {
   number,
   integer,

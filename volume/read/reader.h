@@ -59,7 +59,7 @@ struct Volume {
   std::string unit;                       // "HU" for CT, else ""
   scene::DataKind kind = scene::DataKind::automatic;  // as requested
   scene::WorldAxes axes =
-      scene::WorldAxes::zUp;          // anatomical only where the file states where the patient lies
+      scene::WorldAxes::zUp;          // anatomical only if the file states the patient orientation
   int components = 1, timeSteps = 1;  // available in the file; components are channels
   int coarsestLevel = 0;              // of a volume read at a level (volume/bricks/coarse_level.h)
   std::string damage;                 // unreadable parts, one line; "": none (Source::aroundDamage)
