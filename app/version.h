@@ -1,4 +1,4 @@
-// The program's name and version, as `isolux --version` and --stats print them.
+// Returns the version of the program, as `isolux --version` and --stats print it.
 #pragma once
 
 #include <string_view>

@@ -1,4 +1,5 @@
-// Linear colours (BT.709): their luminance, and how screens encode them. Any thread; no errors.
+// Provides the luminance of linear colours (BT.709) and the sRGB transfer function. Safe from any thread;
+// reports no errors.
 #pragma once
 
 #include <algorithm>
@@ -8,14 +9,14 @@
 
 namespace isolux::base {
 
-// Relative luminance (ITU-R BT.709) of anything with x, y and z, in their precision.
+// Returns the relative luminance (ITU-R BT.709) of any type with members x, y and z, in their precision.
 template <class Rgb>
 constexpr auto luminance(const Rgb& linear) {
   using Real = std::remove_cvref_t<decltype(linear.x)>;
   return Real(0.2126) * linear.x + Real(0.7152) * linear.y + Real(0.0722) * linear.z;
 }
 
-// The sRGB transfer function (IEC 61966-2-1), per component in [0, 1].
+// Apply the sRGB transfer function (IEC 61966-2-1) and its inverse to one channel in [0, 1].
 template <class Real>
 Real encodeSrgb(Real linear) {
   return linear <= Real(0.0031308) ? Real(12.92) * linear
@@ -27,7 +28,7 @@ Real decodeSrgb(Real encoded) {
                                   : std::pow((encoded + Real(0.055)) / Real(1.055), Real(2.4));
 }
 
-// One component as a screen takes it; what lies outside [0, 1] is cut off.
+// Returns one channel as an 8-bit sRGB value; `linear` is clamped to [0, 1].
 inline std::uint8_t screenByte(double linear) {
   return static_cast<std::uint8_t>(std::lround(255.0 * encodeSrgb(std::clamp(linear, 0.0, 1.0))));
 }

@@ -1,5 +1,5 @@
-// Decimal numbers with a fixed number of decimals, and their reading: the same in every locale. Other forms
-// are in base/number_text.h. Any thread; no errors.
+// Writes and reads decimal numbers with a fixed number of decimals, independently of the locale.
+// base/number_text.h has other formats. Safe from any thread; reports no errors.
 #pragma once
 
 #include <optional>
@@ -8,10 +8,12 @@
 
 namespace isolux::base {
 
-// "0.50" of 0.5 and 2 `decimals` (0 to 20), as %.*f in the C locale.
+// Returns `value` with `decimals` (0 to 20) digits after the point, as %.*f in the C locale: 0.5 with 2 gives
+// "0.50".
 std::string fixedText(double value, int decimals);
 
-// The number that is all of `text`, which may begin with a sign; nothing where it is none, or is not finite.
+// Returns the number that the whole of `text` spells; a leading sign is accepted. Returns nullopt if `text`
+// is not a number or the number is not finite.
 std::optional<double> readNumber(std::string_view text);
 
 }  // namespace isolux::base

@@ -1,8 +1,8 @@
-// The one exception type for what a user, a file or a machine got wrong.
+// Defines the exception type for errors of the user, of an input file or of the host.
 //
 // An Error becomes one line on stderr, "isolux: FILE: PLACE: REASON", and the exit code of its kind
-// (docs/commands.md). Mistakes of our own are asserts, not Errors. Exceptions never cross threads: a job
-// catches, keeps the Error as a value, and its owner reads it.
+// (docs/commands.md). Internal errors are asserts, not Errors. Exceptions never cross threads: a job catches
+// the Error and stores it as a value, and the job's owner reads it.
 #pragma once
 
 #include <stdexcept>
@@ -10,19 +10,19 @@
 
 namespace isolux::base {
 
-// The values are the documented exit codes of the program.
+// Error kinds; the values are the documented exit codes of the program.
 enum class ErrorKind : int {
   usage = 2,         // the command line or a setting is wrong
-  input = 3,         // the input is unreadable or refused
+  input = 3,         // the input is unreadable or rejected
   graphics = 4,      // no usable graphics context
-  memory = 5,        // out of memory or over a budget
+  memory = 5,        // out of memory or over the memory budget
   interrupted = 130  // stopped by the user
 };
 
 class Error : public std::runtime_error {
  public:
-  // `file` may be empty (a setting, the machine); `place` names the spot in it ("line 3", "DimSize",
-  // "byte 352") and may be empty; `reason` is a sentence fragment without a full stop.
+  // `file` may be empty (a setting, the host). `place` is the position in it ("line 3", "DimSize", "byte
+  // 352") and may be empty. `reason` is a sentence fragment without a full stop.
   Error(ErrorKind kind, std::string file, std::string place, std::string reason);
 
   ErrorKind kind() const { return kind_; }
@@ -35,7 +35,7 @@ class Error : public std::runtime_error {
   std::string file_, place_, reason_;
 };
 
-// Shorthand for the most frequent kind.
+// Throws an Error of kind `input`, the most frequent one.
 [[noreturn]] void throwInput(const std::string& file, const std::string& place, const std::string& reason);
 
 }  // namespace isolux::base

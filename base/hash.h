@@ -1,5 +1,4 @@
-// FNV-1a (Fowler, Noll & Vo), 64 bits: tells whether something is what it was before. Not for what others may
-// forge.
+// Provides FNV-1a (Fowler, Noll & Vo), 64 bits, to detect changes of data. It is not a cryptographic hash.
 #pragma once
 
 #include <array>
@@ -22,7 +21,8 @@ class Hasher {
     for (const T& value : values) add(value);
     return *this;
   }
-  // For gigabytes: eight bytes at a step, folded once more. Not the hash of the same bytes one by one.
+  // Adds large data eight bytes at a time, with one more fold per word. The result differs from that of
+  // adding the same bytes one by one.
   Hasher& addWords(const void* data, std::size_t bytes) {
     const auto* at = static_cast<const unsigned char*>(data);
     std::uint64_t hash = hash_;

@@ -1,8 +1,6 @@
-// One value on its way from one thread to another: a newer one takes the place of one that was not fetched
-// yet.
+// Passes one value from one thread to another; a newer value replaces one that was not fetched yet.
 //
-// Nobody waits: a thread that the system has put aside in the middle of a call holds nothing that others
-// need.
+// All operations are lock-free: a thread that is preempted in the middle of a call blocks no other thread.
 #pragma once
 
 #include <atomic>
@@ -18,11 +16,11 @@ class Mailbox {
   Mailbox(const Mailbox&) = delete;
   Mailbox& operator=(const Mailbox&) = delete;
 
-  // Returns what was not fetched, so that the caller chooses where it is freed.
+  // Stores `value` and returns the one that it replaces, so that the caller chooses where that is freed.
   std::unique_ptr<Value> put(std::unique_ptr<Value> value) noexcept {
     return std::unique_ptr<Value>(value_.exchange(value.release(), std::memory_order_acq_rel));
   }
-  std::unique_ptr<Value> take() noexcept { return put(nullptr); }  // null: nothing is there
+  std::unique_ptr<Value> take() noexcept { return put(nullptr); }  // returns null if empty
   bool empty() const noexcept { return value_.load(std::memory_order_acquire) == nullptr; }
 
  private:

@@ -1,12 +1,12 @@
-// A cache lets go of what it keeps before what it makes is refused memory.
+// Retries an allocation after evicting cache entries.
 #pragma once
 
 #include "base/error.h"
 
 namespace isolux::base {
 
-// Returns make(). Where that throws Error{memory}, calls forget(), which drops something kept and returns
-// whether there was anything, and tries again; throws the error where nothing is kept.
+// Returns make(). If that throws Error{memory}, calls forget() and tries again. forget() evicts one entry and
+// returns whether there was one. Throws the error if nothing is left to evict.
 template <class Make, class Forget>
 auto madeWithRoom(const Make& make, const Forget& forget) {
   for (;;) try {

@@ -1,4 +1,4 @@
-// Numbers as text, the same in every locale. Any thread; no errors.
+// Formats numbers as text, independently of the locale. Safe from any thread; reports no errors.
 #pragma once
 
 #include <cstdint>
@@ -6,13 +6,14 @@
 
 namespace isolux::base {
 
-// For reading: so many significant digits at most, no trailing zeros, an exponent where that is shorter (%g).
+// Returns at most `significant` digits without trailing zeros, with an exponent where that is shorter (%g).
 std::string shortText(double value, int significant = 6);
-// Reads back as the same number: the fewest characters.
+// Returns the shortest text that reads back as the same number.
 std::string shortestText(double value);
-// Reads back as the same number in any reader: shortText() where that does, else 17 digits.
+// Returns a text that reads back as the same number in any reader: shortText() if that suffices, else 17
+// digits.
 std::string exactText(double value);
-// 16 hexadecimal digits.
+// Returns 16 hexadecimal digits.
 std::string hexText(std::uint64_t value);
 
 }  // namespace isolux::base

@@ -1,13 +1,14 @@
-// Round numbers for axes, steps and scale bars. Any thread; no errors.
+// Computes round numbers for axes, steps and scale bars. Safe from any thread; reports no errors.
 #pragma once
 
 namespace isolux::base {
 
-// The largest of 1, 2, 5 times a power of ten that is not above `value` (> 0; else 1).
+// Returns the largest of 1, 2, 5 times a power of ten that is at most `value`; 1 unless `value` > 0.
 double niceBelow(double value);
-// The smallest that is not below `value` (> 0; else 1).
+// Returns the smallest such number that is at least `value`; 1 unless `value` > 0.
 double niceAbove(double value);
-// `value` rounded to the nearest multiple of `step` (a result of niceBelow), as the nearest decimal number.
+// Returns the decimal number nearest to `value` rounded to a multiple of `step`. Requires `step` from
+// niceBelow().
 double roundedToStep(double value, double step);
 
 }  // namespace isolux::base

@@ -1,6 +1,7 @@
-// Memory of vectors that come and go by the megabyte: blocks of 1 MiB and more are the system's own, and go
-// back to it at once. What malloc() gets back stays with the thread that had asked for it, in pieces that
-// soon fit nobody.
+// Allocates blocks of 1 MiB and more directly from the system, for vectors of megabytes with a short life.
+//
+// Such blocks return to the system when they are freed. malloc() would keep them in the arena of the
+// allocating thread, which soon fragments.
 #pragma once
 
 #include <cstddef>

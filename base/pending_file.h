@@ -1,19 +1,21 @@
-// Files that appear whole or not at all: written beside their name, on the disk, then renamed.
+// Writes files atomically: under a temporary name, flushed to the disk, then renamed.
 //
-// Until commit() a file lives beside its target as ".NAME.PID-N.part", locked (flock) as long as its writer
-// lives. A failure or an interrupt removes it and leaves the old file, or none; what a killed process left is
-// removed by the next write to the same folder, which tells it by the lock that nobody holds any more.
+// Until commit(), a file is stored next to its target as ".NAME.PID-N.part" and locked (flock) while its
+// writer lives. A failure or an interrupt removes it and leaves the old file, or none. The next write to the
+// same folder removes what killed processes left; it recognises those files by their free locks.
 //
-// A symbolic link stays one: the file it leads to is replaced, also when that does not exist yet. Access
-// rights (and the owner, where the system allows it) of a replaced file are kept; a file without any write
-// permission is refused, also for root. A pipe, a device and a descriptor of this process (/dev/stdout,
-// /dev/fd/N) are not replaced: the part lies in the folder for temporary files, and commit() writes it into
-// them. commit() returns after the system has put file and name on the disk.
+// A symbolic link is kept: the file that it leads to is replaced or created. Access rights of a replaced file
+// are kept, and its owner where the system allows it. A file without any write permission is rejected, also
+// for root. commit() returns after the system has written file and name to the disk.
 //
-// A command that works for long takes an OutputLock first: ".NAME.0-0.part", locked in the same way, keeps
-// others from the same work.
+// A pipe, a device and a descriptor of this process (/dev/stdout, /dev/fd/N) are not replaced. The temporary
+// file is then in the folder for temporary files, and commit() copies it into them.
 //
-// Errors: base::Error{input} naming the target and the system's reason. Any thread may use files of its own.
+// A long command first creates an OutputLock, ".NAME.0-0.part", locked in the same way. It keeps other
+// commands from the same work.
+//
+// Throws base::Error{input} that names the target and the system's reason. Different threads may use
+// different objects.
 #pragma once
 
 #include <cstdint>
@@ -23,24 +25,24 @@
 
 namespace isolux::base {
 
-// The file that writing to `file` would replace: symbolic links followed, the last one may lead nowhere;
-// those that stand for descriptors of this process are not followed.
+// Returns the file that writing to `file` would replace. Follows symbolic links, the last of which may lead
+// to no file. Does not follow those that stand for descriptors of this process.
 std::filesystem::path writtenPath(const std::filesystem::path& file);
 
-// For writers that open files by name: the empty file stands at path() from the start.
+// A temporary file for writers that open files by name: the empty file exists at path() from construction.
 class PendingFile {
  public:
-  // Throws when the folder does not exist or cannot be written, or the target is something other than a
-  // regular file that may be replaced, or a stream.
+  // Throws if the folder does not exist or is not writable. Throws if the target is neither a replaceable
+  // regular file nor a stream.
   explicit PendingFile(std::filesystem::path target);
   ~PendingFile();
   PendingFile(const PendingFile&) = delete;
   PendingFile& operator=(const PendingFile&) = delete;
 
-  const std::filesystem::path& path() const { return path_; }      // write here
-  const std::filesystem::path& target() const { return target_; }  // the name it was asked for
-  void sync();    // to the disk; commit() does it unless it was done
-  void commit();  // the writer has closed the file
+  const std::filesystem::path& path() const { return path_; }      // the file to write to
+  const std::filesystem::path& target() const { return target_; }  // the name passed to the constructor
+  void sync();    // flushes to the disk; commit() does so unless it was done
+  void commit();  // requires that the writer has closed the file
 
  private:
   bool make(const std::filesystem::path& folder);
@@ -53,11 +55,11 @@ class PendingFile {
   bool synced_ = false, committed_ = false;
 };
 
-// Keeps a second command from working for the same file, as long as it lives. Nothing is held of a stream,
-// nor where the file system knows no locks.
+// Keeps a second command from working on the same file, for its lifetime. Locks nothing for a stream, nor
+// where the file system supports no locks.
 class OutputLock {
  public:
-  // Throws where another process, or another OutputLock of this one, works for the target.
+  // Throws if another process, or another OutputLock of this one, works on the target.
   explicit OutputLock(const std::filesystem::path& target);
   ~OutputLock();
   OutputLock(OutputLock&& other) noexcept;
@@ -70,11 +72,12 @@ class OutputLock {
   int lock_ = -1;  // descriptor that holds the lock
 };
 
-// Removes every PendingFile that is not committed, and what locks others out: for the way out after an
-// interrupt. The process must end at once, or their writers fail.
+// Removes every uncommitted PendingFile and every OutputLock's file, for the exit after an interrupt. The
+// process must end at once, or their writers fail.
 void removePendingFiles() noexcept;
 
-// A PendingFile with a stream whose every failure is an Error: a full disk, a limit of size, at any byte.
+// A PendingFile with an output stream. Every failure throws an Error: a full disk, a file size limit, at any
+// byte.
 class OutputFile {
  public:
   explicit OutputFile(std::filesystem::path target);
@@ -82,12 +85,12 @@ class OutputFile {
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  const std::filesystem::path& path() const { return pending_.path(); }  // until commit()
+  const std::filesystem::path& path() const { return pending_.path(); }  // valid until commit()
   void write(const void* bytes, std::size_t count);
   void write(std::string_view text) { write(text.data(), text.size()); }
-  std::uint64_t at() const;     // bytes from the beginning
-  void go(std::uint64_t byte);  // where the next write() goes
-  void finish();                // all of it is on the disk, not yet under its name: commit() does both
+  std::uint64_t at() const;     // position, bytes from the beginning
+  void go(std::uint64_t byte);  // sets the position of the next write()
+  void finish();  // flushes all to the disk, not yet under the target's name; commit() does both
   void commit();
 
  private:
@@ -95,7 +98,7 @@ class OutputFile {
   std::FILE* stream_ = nullptr;
 };
 
-// "cannot be written: REASON" about `target`, with the reason of this errno.
+// Throws "cannot be written: REASON" for `target`, with the text of `errorNumber` (errno).
 [[noreturn]] void throwCannotWrite(const std::filesystem::path& target, int errorNumber);
 
 }  // namespace isolux::base

@@ -1,5 +1,7 @@
-// What a long job and its owner share: the job writes how far it is and looks whether to stop; the owner
-// polls. No callbacks, so nothing runs on a foreign thread. All members are safe from any thread.
+// Shares the progress of a long job, and requests to stop it, between the job and its owner.
+//
+// The job reports progress and polls for a stop request; the owner polls progress. There are no callbacks, so
+// no code runs on a foreign thread. All members are safe from any thread.
 #pragma once
 
 #include <atomic>
@@ -11,7 +13,7 @@ namespace isolux::base {
 
 class Progress {
  public:
-  // `fraction` in [0, 1]; `stage` must be a string literal ("reading", "building blocks").
+  // Reports `fraction` in [0, 1]. Requires that `stage` is a string literal ("reading", "building blocks").
   void report(double fraction, const char* stage) noexcept {
     fraction_.store(fraction, std::memory_order_relaxed);
     stage_.store(stage, std::memory_order_relaxed);
@@ -23,7 +25,7 @@ class Progress {
   bool stopRequested() const noexcept { return source_.stop_requested(); }
   std::stop_token token() const noexcept { return source_.get_token(); }
 
-  // Throws Error{interrupted} once a stop was requested. Jobs call this at least every 50 ms.
+  // Throws Error{interrupted} after a stop request. Jobs call this at least every 50 ms.
   void throwIfStopped() const {
     if (stopRequested()) throw Error(ErrorKind::interrupted, "", "", "stopped");
   }
@@ -34,7 +36,7 @@ class Progress {
   std::stop_source source_;
 };
 
-// The part of a job's progress that one of its loops reports. `stage` must be a string literal; null: the
+// The range of a job's progress that one of its loops covers. `stage` must be a string literal; if null, the
 // loop reports nothing.
 struct ProgressRange {
   double from = 0.0, to = 1.0;

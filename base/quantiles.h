@@ -1,4 +1,4 @@
-// Medians and quantiles of a list of numbers that is not empty and holds no NaN. Any thread.
+// Computes medians and quantiles of numbers. Requires a non-empty list without NaN. Safe from any thread.
 #pragma once
 
 #include <span>
@@ -6,12 +6,12 @@
 
 namespace isolux::base {
 
-// Half way between the middle two of an even number.
+// Returns the median; of an even count, the mean of the middle two.
 double median(std::vector<double> values);
-// The value at `part` of the way through the sorted list: 0 the least, 1 the greatest; between two of them
-// the nearer one. The list is put into another order.
+// Returns the quantile `part` in [0, 1] (0 the minimum, 1 the maximum); between two values, the nearer one.
+// Reorders `values`.
 double quantile(std::span<double> values, double part);
-// The same; between two of them the lower one, and the upper one.
+// As quantile(); between two values, the lower or the upper one.
 double lowerQuantile(std::span<double> values, double part);
 double upperQuantile(std::span<double> values, double part);
 

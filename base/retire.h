@@ -1,8 +1,8 @@
-// Lets what takes long to end - threads to join, gigabytes to free - end on a thread of its own, so that
-// whoever is done with it (the window's thread, or one that holds a lock) does not wait.
+// Destroys objects in the background whose destruction takes long (threads to join, gigabytes to free).
 //
-// Ask it to stop first: retire() only takes the waiting off the caller's hands. Before the process ends, what
-// is still ending is waited for, but not for ever: awaitRetired(). Safe from any thread.
+// The caller, such as the window's thread or one that holds a lock, does not wait. Request the object to stop
+// first: retire() only moves the waiting to another thread. Before the process ends, awaitRetired() waits for
+// pending destructions, up to a timeout. Safe from any thread.
 #pragma once
 
 #include <functional>
@@ -13,27 +13,28 @@
 
 namespace isolux::base {
 
-// Calls `end` soon on another thread; here, if the system has no thread to give. `end` must not throw.
+// Calls `end` soon on another thread, or in this call if the system cannot create a thread. Requires that
+// `end` does not throw.
 void endElsewhere(std::function<void()> end) noexcept;
 
-// Destroys the value on another thread. For a shared one: gives up this reference there.
+// Destroys the value on another thread. For a shared pointer, releases this reference there.
 template <class Value>
 void retire(Value value) noexcept {
   auto kept = std::make_shared<Value>(std::move(value));
-  // Moved: a reference that stayed here could be the last one.
+  // Moved: a copy that stayed here could be the last reference.
   endElsewhere([kept = std::move(kept)]() mutable { kept.reset(); });
 }
 
-// Waits until everything retired so far has ended; false at the timeout, when the process should leave
-// without its static destructors (std::_Exit), because threads still run.
+// Waits until everything retired so far is destroyed. Returns false at the timeout [s]: threads still run,
+// and the process should exit without static destructors (std::_Exit).
 bool awaitRetired(double timeoutSeconds);
 
-// A thread and the data that it shares with its owner. When the owner is done with them, both end elsewhere:
-// ask the work to stop before. Where the system has no thread to give, the work is done by the constructor.
+// A thread and the data that it shares with its owner. Its destructor destroys both in the background;
+// request the work to stop before. If the system cannot create a thread, the constructor does the work.
 template <class Data>
 class RetiringThread {
  public:
-  // work(data) must not throw.
+  // Runs work(data) on the thread. Requires that it does not throw.
   template <class Work>
   RetiringThread(std::shared_ptr<Data> data, Work work) : data_(std::move(data)) {
     try {

@@ -1,4 +1,4 @@
-// "Did you mean ...?": the known word nearest to a mistyped one.
+// Finds the known word nearest to a mistyped one, for "Did you mean ...?".
 #pragma once
 
 #include <span>
@@ -7,8 +7,8 @@
 
 namespace isolux::base {
 
-// The candidate with the fewest single-letter edits from `word`; empty when none is near enough to be meant
-// (more edits than a third of the longer word, but two are always allowed for words above three letters).
+// Returns the candidate with the fewest single-letter edits from `word`, or "" if none is near enough. The
+// limit is a third of the longer word's letters; two edits are always accepted for words above three letters.
 std::string nearest(std::string_view word, std::span<const std::string> candidates);
 
 }  // namespace isolux::base

@@ -1,8 +1,8 @@
-// Memory that a command and its supervisor (app/launcher) share, so that the supervisor can tidy up after a
-// command that was ended in the middle of anything.
+// Defines the memory that a command and its supervisor (app/launcher) share, so that the supervisor can clean
+// up after a command that was killed.
 //
-// The descriptor of the memory is in the environment variable kBoardVariable. Plain data: both map it,
-// neither trusts the other to be alive.
+// The environment variable kBoardVariable contains the descriptor of the memory. The memory is plain data:
+// both processes map it, and neither assumes that the other is alive.
 #pragma once
 
 #include <atomic>
@@ -14,14 +14,14 @@ namespace isolux::base {
 inline constexpr char kBoardVariable[] = "ISOLUX_SUPERVISION";
 
 struct SupervisionBoard {
-  // Of a file that goes away unless it is completed: an absolute path, terminated by 0. The path is written
-  // while the state is `taken`.
+  // A file to remove unless it is completed: an absolute path, terminated by 0. The path is written while the
+  // state is `taken`.
   struct Slot {
     static constexpr std::uint32_t free = 0, taken = 1, announced = 2;
     std::atomic<std::uint32_t> state;
     char path[4096];
   };
-  std::atomic<std::uint32_t> reported;  // 1: the line about the command's end was printed
+  std::atomic<std::uint32_t> reported;  // 1: the line about the command's end has been printed
   Slot slots[64];
 };
 

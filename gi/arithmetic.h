@@ -1,5 +1,7 @@
-// By which arithmetic light is computed: where the processor fuses multiplication and addition, the last bits
-// are others. Light of one kind is the same bit by bit on every machine that has it.
+// Names the floating-point arithmetic that light is computed with.
+//
+// If the processor fuses multiplication and addition, the last bits differ. Light of one kind of arithmetic
+// is bit-identical on every machine that has it.
 #pragma once
 
 #include <string>
@@ -8,15 +10,17 @@
 
 namespace isolux::gi {
 
-// "fma" (AVX2, AVX-512, NEON), "no-fma" (SSE) or "scalar" (rays in volumes beyond the SIMD tracer); where
-// rays are traced by another kind than directions are sampled by, both, in alphabetical order: "fma, scalar".
+// Returns "fma" (AVX2, AVX-512, NEON), "no-fma" (SSE) or "scalar" (rays in volumes beyond the SIMD tracer).
+// If rays are traced by another kind than directions are sampled by, returns both in alphabetical order:
+// "fma, scalar".
 std::string arithmeticOf(const volume::IsosurfaceTracer& tracer);
 
-// Of texels of both: the kinds that either names. An empty one names none.
+// Returns the union of the kinds that `a` and `b` name, for texels of both. An empty string names none.
 std::string joinedArithmetic(const std::string& a, const std::string& b);
 
-// While it lives, what is begun is computed without fused multiplication, as on a processor that has none.
-// One at a time, and nothing may be computing when it comes or goes.
+// Disables fused multiplication for computations started during its lifetime, as on a processor without it.
+// Requires that only one exists at a time, and that nothing is being computed when it is created or
+// destroyed.
 class NoFusedArithmetic {
  public:
   NoFusedArithmetic();

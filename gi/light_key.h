@@ -1,4 +1,4 @@
-// What stored light depends on, as text: tells whether a lattice or a file still fits a scene.
+// Describes as text what baked lighting depends on, to test whether a lattice or a file still fits a scene.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace isolux::gi {
 
-// JSON of all that the stored light of the sky or of the lamps depends on, and of nothing else: equal keys,
-// equal light. Number of samples, view, look, exposure and what lights the other lattice are not in it.
+// Returns JSON of all that the baked light of the sky or of the light sources depends on: equal keys mean
+// equal light. It excludes the number of samples, view, look, exposure and the lights of the other lattice.
 std::string lightKey(const scene::Scene& resolved, const LightScene& light, LightPart part);
 
 }  // namespace isolux::gi

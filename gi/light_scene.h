@@ -1,8 +1,8 @@
-// Everything that light depends on, gathered from a resolved Scene: immutable, shared by all threads.
+// Gathers everything that lighting depends on from a resolved Scene. Immutable; shared by all threads.
 //
-// World: mm. Radiance is linear RGB. The environment's exposure is not in here: stored light is of exposure 0
-// and the picture multiplies. With GiChoice::unitSky the sky has radiance 1 and the picture lays its colour
-// on.
+// World coordinates are in mm; radiance is linear RGB. The environment's exposure is not included: light is
+// baked at exposure 0 and the frame multiplies. With GiChoice::unitSky, the sky has radiance 1 and the frame
+// multiplies by its colour.
 #pragma once
 
 #include <functional>
@@ -23,8 +23,8 @@
 
 namespace isolux::gi {
 
-// A lamp by its physics, scaled so that it gives E = pi * intensity * color on a surface at the volume's
-// centre that faces it, with nothing between.
+// A light source in physical units, scaled so that E = pi * intensity * color on an unoccluded surface at the
+// volume's centre that faces it.
 struct LampLight {
   scene::LampKind kind = scene::LampKind::point;
   glm::dvec3 positionMm{0.0};
@@ -32,7 +32,7 @@ struct LampLight {
   glm::dvec3 toward{0.0, 0.0, 1.0};  // directional: unit, world
   double cosHalfAngle = 1.0;         // directional: of the disc in the sky; 1 is a point
   // point: radiant intensity, mm^2 * radiance; sphere: radiance; directional: irradiance of a surface that
-  // faces it (cosHalfAngle 1), else radiance of the disc.
+  // faces it if cosHalfAngle is 1, else radiance of the disc.
   glm::dvec3 power{0.0};
 };
 
@@ -50,29 +50,32 @@ struct LightScene {
   int rouletteDepth = 3;
   double environmentShare = 0.0;
   int shOrder = 5;
-  // Of measurements: called by any thread with every batch of rays before it is traced; `any`: it is only
-  // asked whether they hit.
+  // For measurements: called by any thread with every batch of rays before it is traced. `any`: only whether
+  // the rays hit is needed.
   std::function<void(std::span<const volume::TraceRay> rays, bool any)> traced = {};
 };
 
-// Of the scene's side, without its hidden pieces and what is cut away. Throws Error: interrupted; memory.
+// Returns a tracer for the scene's inside, without hidden components and clipped parts. Throws Error:
+// interrupted; memory.
 std::shared_ptr<const volume::IsosurfaceTracer> lightTracerOf(
     const scene::Scene& resolved, const std::shared_ptr<const volume::PreparedVolume>& volume,
     base::Progress& progress);
-// `environment` is what scene.light.environment names, loaded (loadEnvironment()); it stays shared.
+// Gathers the scene's lighting. `environment` is what scene.light.environment names, loaded by
+// loadEnvironment(); it stays shared.
 std::shared_ptr<const LightScene> makeLightScene(const scene::Scene& resolved,
                                                  const std::shared_ptr<const volume::PreparedVolume>& volume,
                                                  std::shared_ptr<const volume::IsosurfaceTracer> tracer,
                                                  std::shared_ptr<const Environment> environment);
-// The same for the inner sides of the surfaces: they are the outer sides of all that is not inside. Its
+// Returns the lighting of the back faces: they are the front faces of the complement of the inside. Its
 // tracer shares the tables of `light`'s. Throws Error{interrupted}.
 std::shared_ptr<const LightScene> innerSideOf(const LightScene& light, base::Progress& progress);
-// The file, the sky of one colour, or the built-in light. Throws base::Error{input}.
+// Loads the file, or makes the constant environment or built-in light. Throws base::Error{input}.
 std::shared_ptr<const Environment> loadEnvironment(const scene::Environment& settings);
 std::vector<LampLight> lampsOf(const scene::Scene& resolved, const volume::GridGeometry& geometry);
-glm::dmat3 rotationOf(const glm::dvec4& wxyz);  // worldFromEnvironment
-glm::dmat3 rotationOf(const scene::Scene& scene, const volume::PreparedVolume& volume);  // of its environment
+glm::dmat3 rotationOf(const glm::dvec4& wxyz);  // worldFromEnvironment of this quaternion
+// Returns the rotation of the scene's environment.
+glm::dmat3 rotationOf(const scene::Scene& scene, const volume::PreparedVolume& volume);
 
-enum class LightPart { sky, lamps };  // that are stored apart
+enum class LightPart { sky, lamps };  // stored in separate lattices
 
 }  // namespace isolux::gi

@@ -1,6 +1,6 @@
-// Stored light as a picture reads it: lattices, what they are multiplied with, and the local light that
-// stands in where nothing is stored yet. Plain values; the lattices go on being filled while pictures are
-// drawn.
+// Describes baked lighting as a frame reads it: the lattices, their factors, and the unshadowed direct
+// lighting used where nothing is baked yet. Plain values; a bake may go on filling the lattices while frames
+// are drawn.
 #pragma once
 
 #include <array>
@@ -19,56 +19,57 @@
 
 namespace isolux::gi {
 
-// Of albedo * E / pi over points of the surface (gi/trace/exposure_meter.h), before the picture's exposure.
+// Statistics of albedo * E / pi over points of the surface (gi/trace/exposure_meter.h), before the image's
+// exposure.
 struct SurfaceBrightness {
-  double median = 0.0, highlight = 0.0;  // luminance; highlight: 98 % of the points are darker
+  double median = 0.0, highlight = 0.0;  // luminance; highlight: the 98 % quantile
 };
 
-// Of one side of the surfaces.
+// Baked lighting of one side of the surfaces.
 struct StoredSide {
-  // Either may be null: nothing stored of it.
+  // Either is null if nothing is baked of it.
   std::shared_ptr<const LightLattice> sky, lamps;
-  // Of the isovalue that was shown before, which stand in for texels that are not lit yet. Irradiance; null
-  // where there are none.
+  // Irradiance of the isovalue shown before, which replaces texels that are not lit yet; null if there is
+  // none.
   std::shared_ptr<const LightLattice> skyBefore, lampsBefore;
   bool operator==(const StoredSide&) const = default;
 };
 
-struct PictureLight : StoredSide {  // its own: of the outer side
-  StoredSide inner;                 // of the geometry and contents of the outer side's, once any is seen
+struct PictureLight : StoredSide {  // the base: of the front faces
+  StoredSide inner;  // of the back faces, with the same geometry and contents, once any is visible
   std::uint32_t samplesWanted = 100;
   glm::vec3 skyScale{1.0f};  // E = skyScale * stored: exposure, and the colour of a unit sky
-  // Transfer: the environment's coefficients in the world's frame, windowed, with exposure; order^2 of rgb.
+  // Transfer: the environment's SH coefficients in the world frame, windowed, with exposure; order^2 of RGB.
   std::vector<glm::vec3> environment;
-  std::shared_ptr<const TransferBasis> basis;  // that transfer is compressed in; null until there is one
+  std::shared_ptr<const TransferBasis> basis;  // that transfer is compressed in; null until it exists
 
-  // Unoccluded light, for texels that are not there yet: E(n) = sum of irradianceSh[i] Y_i(n), order 3, with
-  // exposure; and the lamps without shadows.
+  // Unoccluded irradiance, for texels that are not lit yet: E(n) = sum of irradianceSh[i] Y_i(n), order 3,
+  // with exposure; and the light sources without shadows.
   std::array<glm::vec3, 9> irradianceSh{};
   std::vector<LampLight> lampLights;
-  float lampsIrradiance = 0.0f;  // of a surface in the middle of the volume that faces them all
+  float lampsIrradiance = 0.0f;  // of a surface at the volume's centre that faces them all
 
-  // The environment behind the surface.
+  // The environment shown as the background.
   std::shared_ptr<const Environment> background;  // null: not shown
   glm::mat3 environmentFromWorld{1.0f};
   float backgroundScale = 1.0f;
 
-  // Stops, where picture.exposure is automatic: by what is seen of the surface, else a white surface in the
-  // open comes out nearly white.
+  // Stops, used if picture.exposure is automatic. Depends on the visible surface; if that is unknown, an
+  // unoccluded white surface appears nearly white.
   float automaticExposure = 0.0f;
   std::optional<SurfaceBrightness> seen;
-  std::uint64_t version = 0;  // changes with anything above but the lattices' own revisions
+  std::uint64_t version = 0;  // changes with any member above except the lattices' own revisions
 };
 
-// An environment in spherical harmonics, in its own frame: order^2 coefficients for transfer, nine for local
-// light.
+// An environment in spherical harmonics, in its own frame: order^2 coefficients for transfer, nine for
+// unshadowed direct lighting.
 struct EnvironmentProjection {
   std::vector<glm::dvec3> transfer, local;
 };
 EnvironmentProjection projectEnvironment(const Environment& environment, int order);
 
-// All but the lattices, the basis, the version and what is seen: the exposure is by the lights.
-// `light.environment` must not be null.
+// Fills in all but the lattices, the basis, the version and the visible brightness; the exposure is that of
+// the lights. Requires that `light.environment` is not null.
 PictureLight makePictureLight(const scene::Scene& resolved, const LightScene& light,
                               const EnvironmentProjection& projection);
 

@@ -1,4 +1,4 @@
-// The points of the surfaces that a picture shows, by the side that is seen.
+// Holds the surface points visible in an image, by the visible side.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace isolux::gi {
 
-// Voxel coordinates; NaN where there is none.
+// Voxel coordinates; NaN where a pixel shows no surface.
 struct SeenPoints {
   std::vector<glm::vec3> outer, inner = {};
   bool empty() const { return outer.empty() && inner.empty(); }

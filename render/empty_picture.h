@@ -1,5 +1,4 @@
-// Why there is nothing to be seen in a picture, and what would show something: for the window and for
-// commands.
+// Explains why an image shows no surface and which change would show one, for the window and for commands.
 #pragma once
 
 #include <optional>
@@ -11,13 +10,13 @@
 namespace isolux::render {
 
 struct EmptyPicture {
-  enum class Remedy { none, isovalue, view, opacity, pieces, cuts };  // what to change
+  enum class Remedy { none, isovalue, view, opacity, pieces, cuts };  // the setting to change
   std::string reason;                                                 // a sentence without its full stop
   Remedy remedy = Remedy::none;
 };
 
-// Nothing where some surface is seen. `crossed`: some cell holds a value of a surface that is shown; `seen`:
-// some ray hit one. `scene` must be resolved; `aspect`: width by height.
+// Returns nullopt if some surface is visible. `crossed`: some cell contains a shown isovalue; `seen`: some
+// ray hit a surface. Requires a resolved `scene`. `aspect`: width / height.
 std::optional<EmptyPicture> whyEmpty(const scene::Scene& scene, const volume::PreparedVolume& volume,
                                      double aspect, bool crossed, bool seen);
 

@@ -1,4 +1,4 @@
-// Images from the GPU as plain values: pictures, deferred images, and the point under a pixel.
+// Reads images from the GPU as plain values: frames, AOVs, and the visible surface points.
 #pragma once
 
 #include <optional>
@@ -8,18 +8,18 @@
 
 namespace isolux::render {
 
-// What reading back needs to know of the frame whose images are held.
+// Describes the frame whose images are stored, as far as reading back needs it.
 struct DrawnFrame {
   glm::ivec2 raySize{0}, pictureSize{0};
   double rayStartMm = 0.0;  // ViewUniforms::rayStartMm
   double startDepth = 0.0;  // ViewUniforms::startDepth
   glm::dvec2 halfExtent{0.0};
-  glm::ivec2 wholeSize{0}, tileOrigin{0};  // rays: of the picture that the frame is a tile of
-  double outward = -1.0;                   // times the gradient: the outward normal
+  glm::ivec2 wholeSize{0}, tileOrigin{0};  // rays; of the image that the frame is a tile of
+  double outward = -1.0;                   // factor of the gradient that gives the outward normal
   scene::Field hitField = scene::Field::trilinear;
-  bool layered = false;             // there are surfaces behind transparent ones
+  bool layered = false;             // surfaces behind transparent ones were drawn
   double scaleMm = 0.0;             // of second derivatives
-  bool lit = false;                 // somebody had said what the light is
+  bool lit = false;                 // the light was known
   bool transparentPicture = false;  // picture.transparent
 };
 
@@ -27,9 +27,9 @@ ColorImage readColor(const FrameState& frame, const DrawnFrame& drawn);
 LinearImage readLinear(const FrameState& frame);
 LinearImage readLinearPicture(const FrameState& frame, const DrawnFrame& drawn);
 AovImage readAov(const FrameState& frame, const DrawnFrame& drawn, Aov aov);
-// The surface points of every n-th ray on both axes, with n so that there are at most `most`: spread evenly
-// over the picture. Only those are read back. Of the layer that `frame` draws now; `outward`: DrawnFrame's;
-// `everyRay`: all of them.
+// Appends the surface points of every n-th ray on both axes, with n such that at most `most` result, spread
+// evenly over the image. Only those are read back. The points are of the layer that `frame` draws now.
+// `outward`: DrawnFrame's; `everyRay`: n = 1.
 void appendHits(const FrameState& frame, std::size_t most, double outward, gi::SeenPoints& hits,
                 bool everyRay = false);
 gi::SeenPoints hitVoxels(const FrameState& frame, const DrawnFrame& drawn, bool everyRay);

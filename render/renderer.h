@@ -1,8 +1,8 @@
 // Draws a Scene: the one renderer behind the window, `isolux render` and replay.
 //
-// The renderer owns its GL objects and knows no window. It keeps no GL state between frames and touches no
-// framebuffer that it does not own.
-// All members need the context current on the calling thread. Errors: base::Error{graphics, memory}.
+// The renderer owns its GL objects and does not depend on a window. It keeps no GL state between frames and
+// changes only its own framebuffers. All members require the context to be current on the calling thread.
+// Throws base::Error{graphics, memory}.
 #pragma once
 
 #include <cstdint>
@@ -30,39 +30,39 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  // What volumes and light may take of the graphics card, how volumes lie there, and what computes hits and
-  // derivatives. From the next render() on.
+  // Sets the GPU memory for volumes and light, the layout of volumes there, and what computes hits and
+  // derivatives. Takes effect at the next render().
   void setMachine(const scene::Machine& machine);
 
-  // Uploads at the next render(). Null: the background only.
+  // Sets the volume, which the next render() uploads. Null: only the background is drawn.
   void setVolume(std::shared_ptr<const volume::PreparedVolume> volume);
 
-  // The light of the next pictures; null: nobody has said what it is, and looks that read it show a neutral
-  // sky. Its lattices may go on being filled; each render() takes what is there.
+  // Sets the light of the next frames. Null: the light is unknown, and looks that read it show a neutral sky.
+  // A bake may go on filling its lattices; each render() uses what is baked so far.
   void setLight(std::shared_ptr<const gi::PictureLight> light);
 
-  // `scene` must be resolved (scene::resolve). What is automatic about derivatives is chosen here where
-  // nobody has done so (volume/statistics/derivative_choices.h: takes long). Only what `request` needs is
-  // computed; what has not changed since the last call is not computed again.
+  // Renders a frame. Requires a resolved `scene` (scene::resolve). Chooses automatic settings of derivatives
+  // here unless that was done before (volume/statistics/derivative_choices.h: takes long). Computes only what
+  // `request` needs and what has changed since the last call.
   const FrameReport& render(const scene::Scene& scene, const FrameRequest& request);
 
-  // Forgets what earlier frames computed, so that the next render() runs every pass it needs (benchmarks).
+  // Discards the results of earlier frames, so that the next render() runs every pass it needs (benchmarks).
   void invalidate();
 
   ColorImage readColor();
   LinearImage readLinear();
-  // The picture as linear float32, not clamped, without legend and dither, one pixel per pixel: the
-  // background behind the look, supersamples averaged, alpha 1; with picture.transparent premultiplied, and
-  // nothing behind. After a request that has `linear`.
+  // Returns the image as linear float32, not clamped, without legend and dither, at the requested size. The
+  // background is behind the look, supersamples are averaged, alpha is 1; with picture.transparent, values
+  // are premultiplied and nothing is behind. Requires a request with `linear`.
   LinearImage readLinearPicture();
   AovImage readAov(Aov aov);
-  // Voxel coordinates of the surface points of the last picture, those behind transparent surfaces too where
-  // the look reads stored light; about a million at most of the first crossings and of
-  // those behind, spread evenly over the picture. Pixels without one are left out. `everyRay`: of first
-  // crossings all.
+  // Returns the visible surface points of the last frame in voxel coordinates. They include those behind
+  // transparent surfaces if the look reads baked lighting. At most about a million of the first crossings and
+  // of those behind, spread evenly over the image; pixels without a surface are omitted. `everyRay`: all
+  // first crossings.
   gi::SeenPoints hitVoxels(bool everyRay = false);
-  // A hash of what each pass that the last picture needed holds in its images, drawn anew or kept: what tests
-  // compare. Passes that hold none are left out.
+  // Returns a hash of the images of each pass that the last frame needed, computed or cached, for tests.
+  // Passes without images are omitted.
   std::map<std::string, std::uint64_t> imageHashes();
 
  private:

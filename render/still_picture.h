@@ -1,9 +1,9 @@
-// A picture of any size: in one frame where the GPU takes that with ease, otherwise in tiles, put together
+// Draws an image of any size: in one frame if the GPU does so easily, otherwise in tiles that are assembled
 // here.
 //
-// A tile is the same picture, cut out: rays, footprints, background, dither and legend are those of the
-// whole. What a pixel reads of its neighbours (streaks, suggestive contours) is drawn with a margin around
-// each tile.
+// A tile is a part of the same image: rays, footprints, background, dither and legend are those of the whole.
+// Effects that read neighbouring pixels (streaks, suggestive contours) are drawn with a margin around each
+// tile.
 #pragma once
 
 #include <vector>
@@ -16,17 +16,18 @@
 namespace isolux::render {
 
 struct StillPicture {
-  FrameReport report;          // of all tiles: times are summed, shares of pixels averaged
+  FrameReport report;          // of all tiles: times are summed, fractions of pixels averaged
   ColorImage color;            // empty unless the request has colour
   LinearImage linear;          // empty unless the request has it
   std::vector<AovImage> aovs;  // in the order of the request
 };
 
-// The tiles a request is drawn in, from the bottom row up; one without a tile: a single frame.
+// Returns the tiles that a request is drawn in, from the bottom row up; one request without a tile means a
+// single frame.
 std::vector<FrameRequest> tilesOf(const scene::Scene& resolved, const FrameRequest& request);
 
-// Throws base::Error: as Renderer::render(), Error{memory} for images that this machine has no room for, and
-// Error{interrupted} between tiles.
+// Draws the image. Throws base::Error as Renderer::render(), Error{memory} if the images do not fit into
+// memory, and Error{interrupted} between tiles.
 StillPicture drawStill(Renderer& renderer, const scene::Scene& resolved, const FrameRequest& request,
                        base::Progress& progress);
 

@@ -1,4 +1,4 @@
-// The diffuse reflectance of the surface of any isovalue: what global illumination reflects and looks show.
+// Provides the diffuse reflectance (albedo) of the surface of any isovalue, for global illumination and looks.
 #pragma once
 
 #include <vector>
@@ -9,15 +9,15 @@
 
 namespace isolux::scene {
 
-// Linear RGB in [0, 1]. A value; copies are cheap enough to keep one per thread.
+// Linear RGB in [0, 1]. A value type; copies are cheap enough to keep one per thread.
 class AlbedoOfIsovalue {
  public:
-  // `scene` must be resolved. From the colour map over the isovalue; else an isovalue has the reflectance of
-  // the nearest isosurface that is shown.
+  // Requires a resolved `scene`. Uses the colour map over the isovalue; without one, an isovalue has the
+  // reflectance of the nearest shown isosurface.
   explicit AlbedoOfIsovalue(const Scene& scene);
 
   glm::vec3 at(double isovalue) const;  // data units
-  // The same reflectance whatever the isovalue.
+  // Returns whether the reflectance is the same for all isovalues.
   bool isConstant() const { return samples_.size() == 1; }
 
  private:

@@ -1,9 +1,9 @@
-// The one-dimensional colour maps of look.colormap.
+// Provides the one-dimensional colour maps of look.colormap.
 //
 // Samples are linear RGB (BT.709) in [0, 1], from the low to the high end of the range, evenly spaced with
 // the first and last sample at the ends. Sources:
 //   viridis, inferno   van der Walt & Smith 2015 (CC0); lightness rises evenly
-//   cividis            Nunez, Anderton & Renslow 2018; the same, for colour-blind readers too
+//   cividis            Nunez, Anderton & Renslow 2018; the same, also for colour-blind readers
 //   gray               even in CIE lightness
 //   coolwarm, blue_orange, purple_green   Moreland, "Diverging color maps for scientific visualization", 2009
 //   spectral           ColorBrewer (Brewer & Harrower), 11 classes, joined linearly; blue is low
@@ -18,7 +18,7 @@
 
 namespace isolux::scene {
 
-// `automatic`: what ColorMap::automatic stands for.
+// Returns `size` samples of a map. `automatic`: the colours that ColorMap::automatic selects.
 std::vector<glm::vec3> colorMapSamples(ColorMap map, int size, LookColors automatic = LookColors::sequential);
 
 }  // namespace isolux::scene

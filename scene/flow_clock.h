@@ -1,6 +1,6 @@
-// Where an animated flow stands: flow.time of the scene plus the seconds it has run since.
+// Computes the time of an animated flow: flow.time of the scene plus the seconds it has run since.
 //
-// The window and replay count with the same clock, so that both show the same picture at the same moment.
+// The window and replay use the same clock, so that both show the same image at the same time.
 #pragma once
 
 #include "scene/scene.h"
@@ -11,12 +11,13 @@ class FlowClock {
  public:
   explicit FlowClock(const Scene& scene) { setScene(scene); }
 
-  // A flow.time that was set, or a flow that does not run, is taken as it is; else the clock goes on.
+  // Sets the scene. A changed flow.time, or that of a flow that does not run, is taken over; else the clock
+  // continues.
   void setScene(const Scene& scene);
-  void advance(double seconds);  // >= 0; nothing while the flow does not run
+  void advance(double seconds);  // requires >= 0; no effect while the flow does not run
 
   bool runs() const { return runs_; }  // flow.animate is on and streaks are drawn
-  double seconds() const;              // in the range of flow.time; starts again at 0 behind its end
+  double seconds() const;              // in the range of flow.time; restarts at 0 after its end
 
  private:
   bool runs_ = false;

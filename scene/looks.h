@@ -1,6 +1,6 @@
-// The table of looks: each value of look.mode once, with all that follows from it.
+// Provides the table of looks: each value of look.mode once, with everything derived from it.
 //
-// From here come the choices of the setting, the rules of relevance, GLSL constants, colour maps and their
+// It determines the choices of the setting, the rules of relevance, GLSL constants, colour maps and their
 // automatic ranges, legends, the window's list of looks and the table in docs/settings.md.
 #pragma once
 
@@ -12,18 +12,18 @@
 namespace isolux::scene {
 
 enum class LookKind {
-  shading,  // the surface's own colour under a shading of the look's own
+  shading,  // the surface's own colour under the look's own shading
   colored,  // made from the surface's own colour, under look.shading
-  measure,  // colours stand for a number, under look.shading
-  square,   // colours stand for a pair of numbers, kappa1 and kappa2, under look.shading
-  raw       // a raw quantity, with nothing laid over it
+  measure,  // colours show a number, under look.shading
+  square,   // colours show a pair of numbers, kappa1 and kappa2, under look.shading
+  raw       // a raw quantity without shading and overlays
 };
 
-// Where the ends of a colour map lie when they are automatic.
+// The automatic ends of a colour map.
 enum class LookRange {
-  symmetric,  // around 0, as far as the surface's values go
-  fromZero,   // to the largest of them
-  unit        // -1 to 1, whatever the surface
+  symmetric,  // around 0, up to the surface's largest absolute value
+  fromZero,   // from 0 to the surface's largest value
+  unit        // -1 to 1 for every surface
 };
 
 // The colours of an automatic map.
@@ -32,14 +32,14 @@ enum class LookColors { diverging, sequential, shape };  // shape: after Koender
 struct LookInfo {
   LookMode mode;
   std::string_view name;     // in look.mode; LOOK_NAME in shaders
-  std::string_view meaning;  // a clause: what is seen
+  std::string_view meaning;  // a clause that says what is visible
   LookKind kind;
   bool readsGradient = true;
   bool readsCurvature = false;
-  bool readsEdge = false;            // where the object's edge is (volume/edge)
+  bool readsEdge = false;            // the position of the object's edge (volume/edge)
   Shading shading = Shading::unlit;  // of kind shading
 
-  // Of kinds measure and square:
+  // For kinds measure and square:
   LookColors colors = LookColors::sequential;
   LookRange range = LookRange::symmetric;
   int dimension = 0;                                      // of the measure: 1/mm to this power; mm: -1
@@ -47,11 +47,11 @@ struct LookInfo {
   std::string_view quantity = {}, quantityVertical = {};  // on the legend
 };
 
-// In the order in which users are offered them.
+// Returns all looks in the order in which users see them.
 std::span<const LookInfo> looks();
 const LookInfo& lookInfo(LookMode mode);
 
-// On the legend: "1/mm", "1/mm²", "mm" or nothing.
+// Returns the unit for the legend: "1/mm", "1/mm²", "mm" or "".
 std::string_view unitOf(const LookInfo& look);
 
 }  // namespace isolux::scene

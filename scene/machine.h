@@ -1,7 +1,7 @@
-// Settings of the machine: what the user's hardware is asked for, whatever is shown.
+// Defines the host settings, which depend on the user's hardware and not on the scene.
 //
-// They are no part of the Scene: sessions, recordings and undo know none of them. On the command line they
-// are set like settings of the scene (--set memory.gpu_budget_mb=512); the window keeps them for its user.
+// They are not part of the Scene: sessions, recordings and undo do not contain them. On the command line they
+// are set like settings of the scene (--set memory.gpu_budget_mb=512); the window stores them for its user.
 #pragma once
 
 #include <cstdint>
@@ -14,25 +14,25 @@
 
 namespace isolux::scene {
 
-// What computes hits and derivatives: automatic is the processor where OpenGL is software.
+// What computes hits and derivatives; automatic: the CPU if OpenGL is software.
 enum class Executor { automatic, gpu, cpu };
 
-// Where the voxels of a volume are while it is drawn: automatic leaves them in the file where that can be
-// read in parts and they do not fit into memory.
+// Where the voxels of a volume are while it is drawn; automatic: in the file if that can be read in parts and
+// the voxels do not fit into memory.
 enum class VoxelPlace : std::uint8_t { automatic, memory, file };
 
-// What textures are made by.
+// Limits and layout of textures.
 struct Memory {
   int gpuBudgetMb = 2048;
-  MemoryLayout layout = MemoryLayout::automatic;  // whole where it fits, else bricks
+  MemoryLayout layout = MemoryLayout::automatic;  // whole if it fits, else bricks
   bool operator==(const Memory&) const = default;
 };
 
 struct Machine {
   Memory memory{};
-  std::optional<int> threads{};  // that compute light; automatic: as many as the process may use
-  bool adaptive = true;          // pictures in motion shrink until they are quick enough
-  double motionTarget = 25.0;    // milliseconds of a picture in motion
+  std::optional<int> threads{};  // for computing light; automatic: as many as the process may use
+  bool adaptive = true;          // interactive frames are reduced until they are fast enough
+  double motionTarget = 25.0;    // target time of an interactive frame, ms
   Executor executor = Executor::automatic;
   VoxelPlace voxels = VoxelPlace::automatic;
   int ramBudgetMb = 1024;  // for voxels that stay in a file
@@ -42,10 +42,10 @@ struct Machine {
 using MachineSetting = SettingOf<Machine>;
 
 std::span<const MachineSetting> machineSettings();
-const MachineSetting* machineSetting(std::string_view path);  // null: the path is none of them
-// Whether an assignment "PATH=VALUE" or a path is of the machine, not of the scene.
+const MachineSetting* machineSetting(std::string_view path);  // null: not a path of a host setting
+// Returns whether an assignment "PATH=VALUE" or a path is of a host setting.
 bool isOfMachine(std::string_view assignment);
-// As scene::applyAssignment(Scene&, ...).
+// Applies an assignment as scene::applyAssignment(Scene&, ...).
 void applyAssignment(Machine& machine, std::string_view assignment);
 
 }  // namespace isolux::scene

@@ -1,5 +1,5 @@
-// Cameras that are said in words: by the side they stand on, and turned by degrees (scene/camera.h has the
-// arithmetic of the mouse).
+// Defines cameras by words: by the viewer's side, and turned by degrees (scene/camera.h has the arithmetic of
+// the mouse).
 #pragma once
 
 #include <string_view>
@@ -10,16 +10,16 @@
 
 namespace isolux::scene {
 
-// The view of this name: "left" ... "inferior", or the end of an axis that the viewer stands on, "+x" or "x",
-// "-y", ..., in any case. Throws base::Error{usage}.
+// Returns the view of this name: "left" ... "inferior", or the end of an axis on the viewer's side, "+x" or
+// "x", "-y", ..., in any case. Throws base::Error{usage}.
 StandardView standardViewNamed(std::string_view name, WorldAxes axes);
 
-// Turned about the target by degrees: azimuth about camera.up, > 0: the eye moves to its right
-// (counterclockwise as seen from above); then elevation, > 0: the eye moves up, over the top and down behind.
-// Angles that are not finite change nothing.
+// Turns the camera about the target by degrees. First azimuth about camera.up, > 0: the eye moves to its
+// right (counterclockwise seen from above). Then elevation, > 0: the eye moves up, over the top and down
+// behind. Angles that are not finite change nothing.
 Camera turned(const Camera& camera, double azimuthDegrees, double elevationDegrees);
-// Eye and up turned by degrees about an axis (any length but 0) through the target, counterclockwise as seen
-// from its tip.
+// Turns eye and up by degrees about an axis through the target (any length but 0), counterclockwise seen from
+// its tip.
 Camera turnedAbout(const Camera& camera, glm::dvec3 axis, double degrees);
 
 }  // namespace isolux::scene

@@ -1,43 +1,44 @@
-// How much of what lies behind it an isosurface hides, by the angle it is seen under.
+// Computes the view-dependent opacity of an isosurface.
 //
-// opacity(c) = opacity · (f + (1 − f)(1 − c)²), c = |n·v|, f = facing opacity: the silhouette enhancement of
-// Ebert and Rheingans, Volume Illustration (IEEE Visualization 2000), with k_sc = f, k_ss = 1 − f and
-// k_se = 2. resources/shaders/look/shade.frag.glsl has the same.
+// opacity(c) = opacity · (f + (1 − f)(1 − c)²), c = |n·v|, f = facing opacity. This is the silhouette
+// enhancement of Ebert and Rheingans, Volume Illustration (IEEE Visualization 2000), with k_sc = f, k_ss = 1
+// − f and k_se = 2. resources/shaders/look/shade.frag.glsl computes the same.
 #pragma once
 
 #include "scene/scene.h"
 
 namespace isolux::scene {
 
-// In [0, 1], as the cosine between normal and view.
+// Returns the opacity in [0, 1]. `cosine`: between normal and view, in [0, 1].
 constexpr double opacityAt(double opacity, double facingOpacity, double cosine) {
   const double edge = (1.0 - cosine) * (1.0 - cosine);
   return opacity * (facingOpacity + (1.0 - facingOpacity) * edge);
 }
 
-// Of light that comes from everywhere alike: the mean over the hemisphere, weighted with the cosine.
-// 2 ∫ c (1 − c)² dc = 1/6.
+// Returns the opacity for uniform light: the cosine-weighted mean over the hemisphere, where 2 ∫ c (1 − c)²
+// dc = 1/6.
 constexpr double meanOpacity(double opacity, double facingOpacity) {
   return opacity * (facingOpacity + (1.0 - facingOpacity) / 6.0);
 }
 
-// Of Isosurface and ExtraIsosurface: hides all that lies behind it, from every side.
+// Returns whether the surface (Isosurface or ExtraIsosurface) hides everything behind it, from every
+// direction.
 template <class S>
 constexpr bool isOpaque(const S& surface) {
   return surface.opacity >= 1.0 && surface.facingOpacity >= 1.0;
 }
-// Is there, and lets something of what lies behind it through.
+// Returns whether the surface is visible and partly transparent.
 template <class S>
 constexpr bool isSeenThrough(const S& surface) {
   return surface.opacity > 0.0 && !isOpaque(surface);
 }
-// Its opacity depends on the angle.
+// Returns whether the opacity depends on the angle.
 template <class S>
 constexpr bool variesByAngle(const S& surface) {
   return surface.opacity > 0.0 && surface.facingOpacity < 1.0;
 }
 
-// Of any surface that is shown.
+// Returns whether that of any shown surface does.
 bool variesByAngle(const Scene& scene);
 
 }  // namespace isolux::scene

@@ -1,8 +1,8 @@
-// The Scene: everything that decides a picture, as one plain value.
+// Defines the Scene: everything that determines an image, as one plain value.
 //
-// Widgets, --set, sessions, undo and recordings all edit Scenes; nothing else holds state that changes a
-// picture. Each member is listed once in scene/settings.cpp with its path, default, range, unit and meaning;
-// JSON, --set, undo, hashing and the documentation come from that list.
+// Widgets, --set, sessions, undo and recordings all edit Scenes; no other state changes an image. Each member
+// is listed once in scene/settings.cpp with its path, default, range, unit and meaning; JSON, --set, undo,
+// hashing and the documentation come from that list.
 //
 // World space is millimetres, DICOM/LPS (+x patient left, +y posterior, +z superior). Colours are linear
 // RGB (ITU-R BT.709 primaries) in [0, 1]. An empty optional means "automatic": scene::resolve() in
@@ -27,11 +27,11 @@ struct Source {
   std::string path = "phantom:head";  // file, folder, or "phantom:NAME[:SIZE]"
   std::string raw;     // how to read a raw file: "WxHxD TYPE [little|big] [spacing x,y,z] [header BYTES]"
   std::string series;  // DICOM SeriesInstanceUID, empty: the series with most slices
-  int component = 0;   // of a file with several components per voxel; -1: their magnitude
+  int component = 0;   // channel of a file with several per voxel; -1: their magnitude
   int timeStep = 0;    // of a file with several time steps
   DataKind kind = DataKind::automatic;
-  int level = 0;                   // 0: the voxels of the file; n: means of about 2^n of them along each axis
-  bool aroundDamage = false;       // what cannot be read of a file in chunks is missing; else it is refused
+  int level = 0;                   // 0: full resolution; n: means of about 2^n voxels along each axis
+  bool aroundDamage = false;       // unreadable chunks become missing voxels; else the file is rejected
   int meshVoxels = 128;            // of a mesh's distance field, along its longest axis
   Csg csg = Csg::none;             // volume/mesh/csg.h
   std::string csgPath;             // the second volume, as `path`
@@ -52,7 +52,8 @@ struct Isosurface {
   double facingOpacity = 1.0;  // times opacity where the surface faces the viewer: scene/opacity.h
   int layers = 8;              // crossings composited behind one another where surfaces are transparent
   bool clipped = true;         // by Clip
-  // The same surface at its isovalue plus and minus this many deviations of the noise, transparent; 0: none.
+  // Uncertainty surfaces: the same surface at its isovalue plus and minus this many standard deviations σ of
+  // the noise, transparent; 0: none.
   double ghost = 0.0;
   double ghostOpacity = 0.3;
   bool operator==(const Isosurface&) const = default;
@@ -70,28 +71,29 @@ struct ExtraIsosurface {
   bool operator==(const ExtraIsosurface&) const = default;
 };
 
-// Which connected pieces of each isosurface's inside are shown (volume/pieces). A point that names a piece
-// lies in it, mm.
+// The connected components of each isosurface's inside that are shown (volume/pieces). A component is given
+// by a point in it, mm.
 struct Pieces {
   int keep = 0;                    // the largest; 0: all
   double smallest = 0.0;           // mm^3
-  std::vector<glm::dvec3> hidden;  // these are not shown
-  std::vector<glm::dvec3> only;    // where there are any, only these are shown
-  // Data units: only pieces of which half lies in the body above this are shown (volume/pieces/body.h), and
-  // there at least so deep, as a fraction of the body's greatest depth.
+  std::vector<glm::dvec3> hidden;  // not shown
+  std::vector<glm::dvec3> only;    // if not empty, only these are shown
+  // Data units: shows only components of which at least half is in the body above this value
+  // (volume/pieces/body.h), there at least `depth` deep as a fraction of the body's greatest depth.
   std::optional<double> within{};
   double depth = 0.0;
   bool operator==(const Pieces&) const = default;
 };
 
-// A plane that cuts: what lies on the side its normal points to is not there.
+// A clip plane: clips the side that its normal points to.
 struct ClipPlane {
   glm::dvec3 point{0.0};             // mm
   glm::dvec3 normal{0.0, 0.0, 1.0};  // any length but 0
   bool operator==(const ClipPlane&) const = default;
 };
 
-// What is cut away of isosurfaces: all that lies beyond one of the planes or outside the box (volume/clip).
+// The clip planes and clip box of isosurfaces: everything beyond a plane or outside the box is clipped
+// (volume/clip).
 struct Clip {
   std::vector<ClipPlane> planes;               // at most kClipPlanes
   std::vector<glm::dvec3> box;                 // none, or two opposite corners, mm, before it is turned
@@ -100,22 +102,22 @@ struct Clip {
   bool operator==(const Clip&) const = default;
 };
 
-// How voxels are shown in slices and on cut faces, and where the three slices meet.
+// Display of voxels in slices and on caps, and the point where the three slices meet.
 struct Slice {
-  std::optional<double> level, width;  // data units: the middle of the grey values, and how far they reach
+  std::optional<double> level, width;  // data units: window level and window width
   ColorMap map = ColorMap::automatic;  // automatic: gray
   Field field = Field::trilinear;
   double slab = 0.0;  // mm, half before and half behind the plane
   SlabMode slabMode = SlabMode::mean;
   Convention convention = Convention::radiological;
   double contourWidth = 1.5;           // pixels; 0: no isocontours
-  double noiseBand = 0.0;              // isovalue plus and minus this many deviations of the noise; 0: none
+  double noiseBand = 0.0;              // isovalue ± this many standard deviations σ of the noise; 0: none
   std::optional<glm::dvec3> position;  // mm
   bool operator==(const Slice&) const = default;
 };
 
-// What a user has marked and measured; points in world mm, as they were clicked. How many points each kind
-// has and what it says: app/marks.
+// A measurement by the user; points in world mm, as they were clicked. app/marks has the number of points and
+// the results of each kind.
 struct Mark {
   MarkKind kind = MarkKind::point;
   std::string name;
@@ -139,17 +141,16 @@ struct Derivatives {
   Field field = Field::cubic;
   Fetch fetch = Fetch::exact;
   std::optional<double> noise;  // standard deviation of a voxel, data units
-  // Deviations of the Gaussian that the samples are smoothed with before they are derived, mm; 0: none.
-  std::optional<double> scale;        // for what reads second derivatives
-  std::optional<double> normalScale;  // for the gradient that shading sees
+  // Scales σ of derivatives, mm: standard deviation of the Gaussian that smooths the samples before; 0: none.
+  std::optional<double> scale;        // of second derivatives
+  std::optional<double> normalScale;  // of the gradient for shading
   bool operator==(const Derivatives&) const = default;
 };
 
-// Where the object ends beside its isosurface: the nearest maximum of |gradient| along the normal
-// (volume/edge).
+// The object's edge: the maximum of |gradient| along the normal nearest to the isosurface (volume/edge).
 struct Edge {
   std::optional<double> search;  // mm, each way
-  double contrast = 5.0;         // deviations of the noise of |gradient|; what is below is no edge
+  double contrast = 5.0;         // in σ of the noise of |gradient|; weaker maxima are no edge
   bool operator==(const Edge&) const = default;
 };
 
@@ -169,7 +170,7 @@ struct ColorVolume {
   bool operator==(const ColorVolume&) const = default;
 };
 
-// A control point of the (kappa1, kappa2) colour map, in parts of the range: -1 .. 1.
+// A control point of the (kappa1, kappa2) colour map, as fractions of the range: -1 .. 1.
 struct CurvaturePoint {
   double kappa1 = 0.0, kappa2 = 0.0;
   glm::dvec3 color{0.5};
@@ -180,24 +181,24 @@ struct Look {
   LookMode mode = LookMode::blinn_phong;
   Shading shading = Shading::lambert;  // under the modes that give a colour, not a shading
   double ambient = 0.12;
-  double ambientVariation = 0.8;  // ambient light from above is brighter than from below by this part
+  double ambientVariation = 0.8;  // ambient light from above is brighter than from below by this fraction
   double specular = 0.2;
   double shininess = 50.0;
-  glm::dvec3 innerTint{1.0};  // times the surface's own colour where its inner side is seen
+  glm::dvec3 innerTint{1.0};  // factor of the surface's own colour on back faces
   glm::dvec3 toneCool{0.03, 0.08, 0.42};
   glm::dvec3 toneWarm{1.0, 0.66, 0.22};
   SolidTexture texture = SolidTexture::none;
   std::optional<double> textureScale;     // mm
   double shadow = 0.0;                    // of the light; 1 leaves only the ambient light
-  double occlusion = 1.0;                 // how much what stands near keeps light away
-  std::optional<double> occlusionRadius;  // mm: what counts as near
+  double occlusion = 1.0;                 // strength of the ambient occlusion by nearby geometry
+  std::optional<double> occlusionRadius;  // mm: distance that counts as near
   double fog = 0.0;
   std::optional<glm::dvec3> fogColor;  // automatic: the background
   ColorMap colormap = ColorMap::automatic;
   std::optional<double> rangeLow, rangeHigh;  // of the colour map, in the unit of what it shows
-  // Automatic: scene/curvature_map.h, hue by the kind of shape and saturation by how curved it is.
+  // Automatic: scene/curvature_map.h, where hue shows the shape index and chroma the curvedness.
   std::optional<std::vector<CurvaturePoint>> curvaturePoints;
-  bool legend = true;  // drawn in the picture where colours stand for numbers
+  bool legend = true;  // drawn in the image if colours show numbers
   LegendCorner legendCorner = LegendCorner::automatic;
   double accessibility = 0.0;
   double ridges = 0.0;                   // strength of ridge and valley lines
@@ -228,23 +229,23 @@ struct Flow {
   bool operator==(const Flow&) const = default;
 };
 
-// The light around everything in global illumination: a light probe, a sky of one colour or a built-in light;
-// which, and how it is turned: scene/rules/environment.h.
+// The environment of global illumination: an environment map, a constant or a built-in light;
+// scene/rules/environment.h defines the choice and the rotation.
 struct Environment {
   std::string file;                             // equirectangular, row 0 is up; empty: none
-  std::optional<glm::dvec3> constant;           // radiance of a sky of one colour, where there is no file
-  BuiltInLight builtIn = BuiltInLight::studio;  // where there is neither
+  std::optional<glm::dvec3> constant;           // radiance of a constant environment, if there is no file
+  BuiltInLight builtIn = BuiltInLight::studio;  // if there is neither
   double azimuth = 0.0;                         // degrees about up, counterclockwise from above
   double elevation = 0.0;                       // degrees, raises what lies before the volume
   // Quaternion (w, x, y, z) from its own frame to the world, before azimuth and elevation; any length.
   glm::dvec4 rotation{1.0, 0.0, 0.0, 0.0};
   double exposure = 0.0;  // stops
-  bool moves = false;     // it will be turned or exchanged: light must be stored so that it may
+  bool moves = false;     // it will be rotated or replaced: the baked light must allow that
   bool visible = false;   // behind the surface, instead of the background
   bool operator==(const Environment&) const = default;
 };
 
-// Of local looks; global illumination is lit by the environment and the lamps.
+// Lights of looks without global illumination, which uses the environment and the light sources instead.
 struct Light {
   LightSetup setup = LightSetup::three_point;  // key: without fill, rim and occlusion
   LightSpace space = LightSpace::camera;
@@ -252,14 +253,14 @@ struct Light {
   glm::dvec3 direction{-0.6, 0.9, 0.7};
   glm::dvec3 color{1.0};
   double intensity = 1.0;
-  double fill = 0.15;      // of a light from the other side of the viewer, in parts of the key light
-  double rim = 0.4;        // of two from behind, one on each side
+  double fill = 0.15;      // a light from the other side of the viewer, as a fraction of the key light
+  double rim = 0.4;        // two lights from behind, one on each side
   double headlight = 0.0;  // brightness of a light at the eye
   Environment environment;
   bool operator==(const Light&) const = default;
 };
 
-// A lamp of global illumination, standing in the world.
+// A light source of global illumination, fixed in the world.
 struct Lamp {
   bool shown = false;
   LampKind kind = LampKind::point;
@@ -268,11 +269,11 @@ struct Lamp {
   std::optional<double> radius;           // mm; sphere
   double angle = 0.0;                     // degrees, diameter as seen from the volume; directional
   glm::dvec3 color{1.0};
-  double intensity = 1.0;  // E / pi on a surface at the volume's centre that faces the lamp, unoccluded
+  double intensity = 1.0;  // E / pi on an unoccluded surface at the volume's centre that faces it
   bool operator==(const Lamp&) const = default;
 };
 
-// Global illumination, Wyman et al. 2006: light stored in a lattice whose texels are each lit on their own
+// Global illumination, Wyman et al. 2006: light baked into a lattice whose texels are each lit on their own
 // isosurface.
 struct Gi {
   GiMode mode = GiMode::automatic;
@@ -283,7 +284,7 @@ struct Gi {
   DirectionSequence sequence = DirectionSequence::r2;
   int bounces = 1;
   int rouletteDepth = 3;                   // bounces before paths may end at random
-  std::optional<double> environmentShare;  // of directions that are drawn from the environment
+  std::optional<double> environmentShare;  // fraction of light samples drawn from the environment (MIS)
   double latticeScale = 1.0;               // texels per voxel and axis
   GiInterpolation interpolation = GiInterpolation::weighted;
   GiPrecision precision = GiPrecision::r11g11b10;
@@ -305,16 +306,16 @@ struct Camera {
 };
 
 struct Picture {
-  int supersampling = 2;                        // rays per pixel and axis of a picture at rest
+  int supersampling = 2;                        // rays per pixel and axis of an idle image
   StillField restHits = StillField::automatic;  // of hits at rest, where hit.field is trilinear
-  std::optional<double> exposure;               // stops, of pictures lit by global illumination
+  std::optional<double> exposure;               // stops, of images lit by global illumination
   Metering metering = Metering::surface;        // of an automatic exposure: gi/trace/exposure_meter.h
-  // What is written on a finished picture (app/annotation): the ends of the axes at its edges, a length,
-  // which isovalues are shown. The legend is look.legend.
+  // Annotations on a finished image (app/annotation): orientation labels, a scale bar, the shown isovalues.
+  // The legend is look.legend.
   bool letters = false, scaleBar = false, isovalue = false;
-  bool caveats = true;       // what the picture leaves out, and what of it nobody measured
+  bool caveats = true;       // note what the image omits and what was not measured
   bool transparent = false;  // nothing behind the surface
-  double pixelRatio = 1.0;   // pixels of the picture per pixel that widths are stated in
+  double pixelRatio = 1.0;   // pixels of the image per pixel in settings
   bool operator==(const Picture&) const = default;
 };
 

@@ -1,4 +1,4 @@
-// Differences of scenes: undo, redo, recordings and --set are all made of these.
+// Computes and applies differences of scenes, for undo, redo, recordings and --set.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace isolux::scene {
 
-// A setting's path and its new value.
+// The path of a setting and its new value.
 struct SceneChange {
   std::string path;
   nlohmann::json value;

@@ -1,9 +1,9 @@
-// What the axes of the world (millimetres) mean in a volume, and how that is written.
+// Defines the meaning of the world axes (millimetres) in a volume, and their labels.
 //
-// Letters of anatomy (L, P, S for +x, +y, +z; R, A, I for the other ends) are for volumes whose file states
-// where the patient lies. Everything else has +X, -X ...; then which axis is taken as up is a habit, no
-// knowledge: z for voxels (layers of a stack, height of a simulation), y for meshes, as most modelling
-// programs have it.
+// Anatomical labels (L, P, S for +x, +y, +z; R, A, I for the other ends) apply to volumes whose file states
+// the patient orientation. All others have +X, -X ... Their up axis is a convention, not information from the
+// file. It is z for voxels (layers of a stack, height of a simulation), and y for meshes, as in most
+// modelling programs.
 #pragma once
 
 #include <string>
@@ -14,14 +14,14 @@ namespace isolux::scene {
 
 enum class WorldAxes { zUp, yUp, anatomical /* DICOM/LPS: +x left, +y posterior, +z superior */ };
 
-// Unit vectors: up in a front view, and from the volume to who looks at its front. anatomical: superior and
-// anterior.
+// Return unit vectors: up in a front view, and from the volume to a viewer of its front. anatomical: superior
+// and anterior.
 glm::dvec3 upOf(WorldAxes axes);
 glm::dvec3 frontOf(WorldAxes axes);
 
-// "L" or "+X": the end of `axis` (0, 1, 2) that lies in its direction, or against it.
+// Returns the label ("L" or "+X") of the positive or negative end of `axis` (0, 1, 2).
 std::string axisEnd(WorldAxes axes, int axis, bool positive);
-// The end that `direction` is nearest to.
+// Returns the label of the axis end nearest to `direction`.
 std::string axisEnd(WorldAxes axes, glm::dvec3 direction);
 
 }  // namespace isolux::scene

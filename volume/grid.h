@@ -1,8 +1,8 @@
-// A scalar volume: voxels in their smallest exact type, and where they lie in the world.
+// Provides scalar volumes: voxels in their smallest exact type, and their position in the world.
 //
-// Voxel space: sample i sits at integer coordinate i; the domain is [0, n-1] per axis; x varies fastest in
+// Voxel space: sample i is at integer coordinate i; the domain is [0, n-1] per axis; x varies fastest in
 // memory. World: millimetres, DICOM/LPS, by worldFromVoxel, which may be oblique, anisotropic, left-handed.
-// Value (what the user sees, data units) = slope * stored + intercept. A Grid is immutable once shared.
+// Value (shown to the user, data units) = slope * stored + intercept. A Grid is immutable once shared.
 #pragma once
 
 #include <cstddef>
@@ -30,7 +30,7 @@ namespace isolux::volume {
 
 class BrickSource;  // volume/bricks/brick_source.h
 
-// Types of files. Grids store only int8, uint8, int16, uint16 and float32.
+// Voxel types of files. Grids store only int8, uint8, int16, uint16 and float32.
 enum class VoxelType { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
 std::string_view nameOf(VoxelType type);  // "int16", ...
 std::size_t bytesOf(VoxelType type);      // of one voxel
@@ -58,7 +58,7 @@ struct GridGeometry {
 using VoxelArray = std::variant<std::vector<std::int8_t>, std::vector<std::uint8_t>,
                                 std::vector<std::int16_t>, std::vector<std::uint16_t>, std::vector<float>>;
 
-// What a pass over the voxels finds, known without one (volume/bricks/volume_index.h): stored units.
+// The results of a pass over the voxels, known without one (volume/bricks/volume_index.h): stored units.
 struct VoxelFacts {
   VoxelType storedType = VoxelType::uint8;  // one of the five
   double storedMinimum = 0.0, storedMaximum = 0.0;
@@ -68,14 +68,14 @@ struct VoxelFacts {
 
 class Grid {
  public:
-  // Counts missing voxels (NaN; +-Inf become NaN), finds the range and the hash: one pass, on all cores.
-  // `voxels` must hold geometry.voxelCount() entries; slope must be finite and not 0. With `progress` it
-  // reports how far it is and throws Error{interrupted} once a stop was requested.
+  // Counts missing voxels (NaN; ±Inf become NaN) and computes the range and the hash: one pass, on all cores.
+  // Requires geometry.voxelCount() entries in `voxels`, and a finite slope that is not 0. With `progress` it
+  // reports progress and throws Error{interrupted} after a stop request.
   Grid(const GridGeometry& geometry, VoxelArray voxels, double slope = 1.0, double intercept = 0.0);
   Grid(const GridGeometry& geometry, VoxelArray voxels, double slope, double intercept,
        base::Progress& progress);
 
-  // Of voxels that stay in a file, of which parts are read when they are asked for. stored() and value() read
+  // Makes an out-of-core grid: parts of the voxels are read from a file on demand. stored() and value() read
   // them, slowly; voxels() throws.
   Grid(const GridGeometry& geometry, const VoxelFacts& facts, double slope, double intercept,
        std::shared_ptr<BrickSource> source);
@@ -84,8 +84,9 @@ class Grid {
   glm::ivec3 dims() const { return geometry_.dims; }
   VoxelType storedType() const;
   bool isWhole() const { return !source_; }                               // its voxels are in memory
-  const std::shared_ptr<BrickSource>& source() const { return source_; }  // null: they are
-  // All of them. Throws Error{memory} where they stay in a file: what needs them cannot be done there.
+  const std::shared_ptr<BrickSource>& source() const { return source_; }  // null if isWhole()
+  // Returns all voxels. Throws Error{memory} if they stay in a file: operations that need them are then
+  // impossible.
   const VoxelArray& voxels() const {
     if (source_) throwNotWhole();
     return voxels_;
@@ -103,23 +104,24 @@ class Grid {
                static_cast<std::size_t>(geometry_.dims.x) +
            static_cast<std::size_t>(x);
   }
-  double stored(int x, int y, int z) const;  // NaN where missing
+  double stored(int x, int y, int z) const;  // NaN if missing
   double value(int x, int y, int z) const { return valueOfStored(stored(x, y, z)); }
 
-  // Range of the values of voxels that are not missing; {0, 0} when all are missing.
+  // Return the range of the values of voxels that are not missing; {0, 0} if all are missing.
   double minimum() const { return minimum_; }
   double maximum() const { return maximum_; }
-  // The same as stored, exactly. storedOfValue(minimum()) is not: where |slope| is small against |intercept|
-  // nothing of the stored number is left in the value.
+  // Return the exact range in stored units. storedOfValue(minimum()) is not exact: if |slope| is small
+  // against |intercept|, the value has lost the stored number.
   double storedMinimum() const { return storedMinimum_; }
   double storedMaximum() const { return storedMaximum_; }
   std::size_t missingCount() const { return missing_; }
-  std::size_t bytes() const;                                         // of all voxels, wherever they are
-  static constexpr std::size_t kHashedBytes = std::size_t{1} << 20;  // of voxels: a piece of hash()
-  // 64-bit hash of dims, worldFromVoxel, slope, intercept, type and voxels: FNV-1a over 8-byte words, of the
-  // header and then of the hashes of the voxels' pieces of kHashedBytes, so that cores can share the work.
+  std::size_t bytes() const;                                         // of all voxels, in memory or not
+  static constexpr std::size_t kHashedBytes = std::size_t{1} << 20;  // of voxels: a block of hash()
+  // Returns a 64-bit hash of dims, worldFromVoxel, slope, intercept, type and voxels. It is FNV-1a over
+  // 8-byte words of the header and then of the hashes of blocks of kHashedBytes of voxels, so that cores can
+  // share the work.
   std::uint64_t hash() const { return hash_; }
-  // The same of a volume whose pieces have these hashes.
+  // Returns the hash of a volume whose blocks have these hashes.
   static std::uint64_t hashOf(const GridGeometry& geometry, double slope, double intercept, VoxelType stored,
                               std::span<const std::uint64_t> pieces);
 
@@ -128,13 +130,13 @@ class Grid {
   void setRange(double storedMinimum, double storedMaximum);
 
   GridGeometry geometry_;
-  VoxelArray voxels_;  // none where there is a source
+  VoxelArray voxels_;  // empty if there is a source
   double slope_, intercept_;
   double minimum_ = 0.0, maximum_ = 0.0;
   double storedMinimum_ = 0.0, storedMaximum_ = 0.0;
   std::size_t missing_ = 0;
   std::uint64_t hash_ = 0;
-  base::MemoryBudget::Held held_;  // readers and makers ask before they allocate
+  base::MemoryBudget::Held held_;  // readers reserve before they allocate
   std::shared_ptr<BrickSource> source_;
 };
 

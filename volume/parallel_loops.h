@@ -1,11 +1,12 @@
-// Loops on all threads that the program may use (oneTBB's, compiled once: its templates cost each use 0.2 s).
+// Runs loops on all threads that the program may use (oneTBB's, compiled once: its templates cost each use
+// 0.2 s of compile time).
 #pragma once
 
 #include <cstddef>
 
 namespace isolux::volume {
 
-// The indices from `first` to before `last`.
+// The indices in [first, last).
 template <class Index>
 struct Indices {
   Index first, last;
@@ -14,13 +15,13 @@ struct Indices {
   std::size_t size() const { return static_cast<std::size_t>(last - first); }
 };
 
-// As parallelRanges(), of a function without a type: body(work, first, last).
+// As parallelRanges(), with a type-erased function: body(work, first, last).
 using RangeBody = void (*)(const void* work, std::size_t first, std::size_t last);
 void runRanges(std::size_t count, std::size_t grain, const void* work, RangeBody body);
 
-// Calls work(Indices) for ranges that make up [0, count), in any order; none if count is not positive. A
-// range is divided only while it has more than `grain` indices (at least 1). Throws what a call throws; other
-// calls may then be left out.
+// Calls work(Indices) for ranges that make up [0, count), in any order; does nothing unless count is
+// positive. A range is divided only while it has more than `grain` indices (at least 1). Rethrows an
+// exception of a call; other calls may then be skipped.
 template <class Index, class Work>
 void parallelRanges(Index count, std::size_t grain, const Work& work) {
   if (count <= 0) return;

@@ -1,7 +1,7 @@
-// Loops over voxels on all cores that tell how far they are and end soon after a stop.
+// Runs loops over voxels on all cores that report progress and end soon after a stop request.
 //
-// A step should take a few milliseconds at most: that, and what the system gives to other programs, is how
-// long a stop can take. Not for GL or UI threads where the loop as a whole is long.
+// A step should take a few milliseconds at most: the time to stop is that of a step, plus what the system
+// gives to other programs. Not for GL or UI threads if the whole loop is long.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,8 @@
 
 namespace isolux::volume {
 
-// Calls step(i) for each i in [0, count), in any order, on all cores. Throws Error{interrupted} once a stop
-// was requested; some steps have not run then.
+// Calls step(i) for each i in [0, count), in any order, on all cores. Throws Error{interrupted} after a stop
+// request; some steps have then not run.
 template <class Step>
 void parallelSteps(std::size_t count, base::Progress& progress, base::ProgressRange share, const Step& step) {
   std::atomic<std::size_t> done{0};
@@ -33,7 +33,7 @@ void parallelSteps(std::size_t count, base::Progress& progress, base::ProgressRa
   progress.throwIfStopped();
 }
 
-// The same for ranges [begin, end) of `count` elements, `length` of them at a time.
+// As above for ranges [begin, end) of `count` elements, `length` of them at a time.
 template <class Step>
 void parallelPieces(std::size_t count, std::size_t length, base::Progress& progress,
                     base::ProgressRange share, const Step& step) {
@@ -41,8 +41,8 @@ void parallelPieces(std::size_t count, std::size_t length, base::Progress& progr
                 [&](std::size_t piece) { step(piece * length, std::min(count, (piece + 1) * length)); });
 }
 
-// Makes `values` `count` elements long. The system hands out and clears memory as it is first written, which
-// takes long for gigabytes, so a stop is looked for on the way. Throws Error{interrupted}.
+// Resizes `values` to `count` elements. The system allocates and clears memory at the first write, which
+// takes long for gigabytes, so stop requests are polled in between. Throws Error{interrupted}.
 template <class T>
 void resizeStoppably(std::vector<T>& values, std::size_t count, const base::Progress& progress) {
   constexpr std::size_t bytes = std::size_t{4} << 20;

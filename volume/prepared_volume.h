@@ -1,4 +1,5 @@
-// A volume with everything derived from it that every picture needs: made once, on the loading thread.
+// Provides a volume with everything derived from it that every frame needs: computed once, on the loading
+// thread.
 #pragma once
 
 #include <memory>
@@ -19,18 +20,19 @@
 
 namespace isolux::volume {
 
-// Cells per axis of the blocks that are built; docs/architecture.md has the measurements behind it.
+// Cells per axis of the min-max blocks; docs/architecture.md has the measurements behind it.
 inline constexpr int kBlockCells = 8;
 
 struct PreparedVolume {
   Volume volume;
   std::shared_ptr<const MinMaxBlocks> blocks;
-  // Of the trilinear field, for blocks of BoxBounds::kBlockCells; null where voxels stay in their file.
+  // Sub-blocks of the trilinear field, for blocks of BoxBounds::kBlockCells; null if voxels stay in their
+  // file.
   std::shared_ptr<const BoxBounds> boxes;
-  std::shared_ptr<CubicFields> cubicFields;              // made when first asked for
-  std::shared_ptr<DerivativeChoices> derivativeChoices;  // so are they
-  std::shared_ptr<const StillHits> stillHits;            // and these
-  std::shared_ptr<const PieceSets> pieces;               // and these
+  std::shared_ptr<CubicFields> cubicFields;              // computed at the first request
+  std::shared_ptr<DerivativeChoices> derivativeChoices;  // likewise
+  std::shared_ptr<const StillHits> stillHits;            // likewise
+  std::shared_ptr<const PieceSets> pieces;               // likewise
   std::shared_ptr<SecondVolumes> secondVolumes;          // that colour its surface
   std::shared_ptr<const KeptWhiteMatter> whiteMatter;    // of an MR scan
   Histogram histogram;
@@ -41,12 +43,12 @@ struct PreparedVolume {
   const Grid& grid() const { return *volume.grid; }
 };
 
-// readVolume(), the combination with a second volume (csg.h), and the derived structures. Throws
-// base::Error.
+// Runs readVolume(), the combination with a second volume (csg.h), and computes the derived structures.
+// Throws base::Error.
 std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, base::Progress& progress);
-// The same for who only draws: a file that can be read in parts stays where it is if `machine` says so, or if
-// it does not fit (volume/bricks). Its index is read, or made and kept beside it
-// (volume/bricks/volume_index.h); grid() is not whole.
+// As above for callers that only draw. A file that can be read in parts is not loaded if `machine` says so or
+// if it does not fit (volume/bricks). Its index is read, or computed and stored next to it
+// (volume/bricks/volume_index.h); grid() is then out-of-core.
 std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, const scene::Machine& machine,
                                                  base::Progress& progress);
 std::shared_ptr<const PreparedVolume> prepareVolume(Volume volume, base::Progress& progress);

@@ -1,8 +1,9 @@
-// What the subcommands share: how one is declared, the options that edit the scene, and loading with a
+// Declares what the subcommands share: their definition, the options that edit the scene, and loading with a
 // progress bar.
 //
-// Each file of this folder declares one subcommand: a make...() that adds it to the parser and returns what
-// to run. A run() reports failure by throwing; runCommandLine() turns that into a line and an exit code.
+// Each file of this folder declares one subcommand: a make...() that adds it to the parser and returns the
+// function to run. A run() reports failure by throwing; runCommandLine() turns that into a line and an exit
+// code.
 #pragma once
 
 #include <filesystem>
@@ -49,8 +50,8 @@ Command makeProbe(CLI::App& program);
 Command makeMeasure(CLI::App& program);
 Command makeSlice(CLI::App& program);
 
-// --set, --session and the short forms; assignments stand in the order of the command line. What needs the
-// volume, --preset and cameras by name, only where addVolumeOptions() has added it.
+// The options --set, --session and the short forms; assignments are in the order of the command line.
+// --preset and cameras by name need the volume and exist only after addVolumeOptions().
 struct SceneOptions {
   std::string session;
   std::vector<std::string> assignments;  // PATH=VALUE
@@ -61,56 +62,56 @@ struct SceneOptions {
   bool waitsForVolume() const { return !preset.empty() || camera.any(); }
 };
 std::shared_ptr<SceneOptions> addSceneOptions(CLI::App& parser);
-// --preset, --shift; with cameras: --view, --azimuth, --elevation, --roll, --zoom, --fit.
+// Adds --preset, --shift; with cameras: --view, --azimuth, --elevation, --roll, --zoom, --fit.
 void addVolumeOptions(CLI::App& parser, const std::shared_ptr<SceneOptions>& options, bool cameras = true);
-// --threads N, in force as long as the returned value lives in the parser's callbacks.
+// Adds --threads N. The limit is in force while the parser lives.
 void addThreadsOption(CLI::App& parser);
-void printThreadsNote(const CLI::App& parser);  // on stderr, where --threads asks for more than there will be
-// --memory-budget SIZE: the limit of base::machineMemory(), as long as the parser lives.
+void printThreadsNote(const CLI::App& parser);  // on stderr, if --threads asks for more than available
+// Adds --memory-budget SIZE: the limit of base::machineMemory() while the parser lives.
 void addMemoryOption(CLI::App& parser);
-int threadsInForce();  // all of the machine's, or what --threads says
+int threadsInForce();  // all of the machine's, or the value of --threads
 std::shared_ptr<render::ContextChoice> addContextOption(CLI::App& parser);
-// --frames A-B, --skip-existing.
+// Adds --frames A-B, --skip-existing.
 std::shared_ptr<FrameChoice> addFrameOptions(CLI::App& parser);
 
-// Throws Error{usage} where neither PATH nor a session says what to open.
+// Throws Error{usage} if neither PATH nor a session states what to open.
 void requireSource(const std::string& path, const SceneOptions& options);
-// Throws Error{usage} where the scene cuts its first isosurface, of which `command` knows the whole only.
+// Throws Error{usage} if the scene clips its first isosurface, which `command` handles only as a whole.
 void refuseCuts(const scene::Scene& scene, const char* command);
-// The session (or the default scene), then PATH (a volume, a session, or a picture with one; "": none), then
-// the assignments.
+// Returns the scene of the session (or the default), then PATH (a volume, a session, or an image with one;
+// "": none), then the assignments.
 scene::Scene sceneOf(const std::string& path, const SceneOptions& options);
-// The same with the preset between session and assignments; nothing is resolved. Throws Error{usage} with
-// the reason where the preset does not apply to the volume.
+// As above, with the preset between session and assignments; nothing is resolved. Throws Error{usage} with
+// the reason if the preset does not apply to the volume.
 scene::Scene sceneOf(const std::string& path, const SceneOptions& options,
                      const volume::PreparedVolume& volume);
-// That, resolved, with the camera that was wished for in a picture of this size.
+// Returns that scene, resolved, with the requested camera for an image of this size.
 scene::Scene resolvedSceneOf(const std::string& path, const SceneOptions& options,
                              const volume::PreparedVolume& volume, glm::ivec2 size, base::Progress& progress);
-// What the assignments say of the machine.
+// Returns the host settings that the assignments set.
 scene::Machine machineOf(const SceneOptions& options);
-// Knows all files that `scene`, made by sceneOf() of the same arguments, is read from.
+// Returns a guard for all files that `scene`, made by sceneOf() of the same arguments, is read from.
 OutputGuard outputGuard(const std::string& path, const SceneOptions& options, const scene::Scene& scene);
-// The same into a guard that knows files of other scenes.
+// Adds those files to `guard`, which may know files of other scenes.
 void addReads(OutputGuard& guard, const std::string& path, const SceneOptions& options,
               const scene::Scene& scene);
-// Refuses `file` if the guard does, and throws if it cannot be written. An empty name: nothing to check.
+// Throws if the guard rejects `file` or if it cannot be written. An empty name is not checked.
 void checkOutput(OutputGuard& guard, const std::string& file, const std::string& option);
 
 std::shared_ptr<const volume::PreparedVolume> loadWithProgressBar(const scene::Source& source,
                                                                   base::Progress& progress);
-// The same for a command that only draws: voxels may stay in their file (memory.voxels).
+// As above for a command that only draws: voxels may stay in their file (memory.voxels).
 std::shared_ptr<const volume::PreparedVolume> loadWithProgressBar(const scene::Source& source,
                                                                   const scene::Machine& machine,
                                                                   base::Progress& progress);
-// "isolux: note: TEXT" on stderr, one line whatever the text holds.
+// Prints "isolux: note: TEXT" on stderr, always one line.
 void printNote(const std::string& text);
-// What the reader had to do, as notes on stderr: after success only, so that a failure stays one line.
+// Prints the import warnings as notes on stderr: only after success, so that a failure stays one line.
 void printWarnings(const volume::Volume& volume);
 
-// "WxH", 1 to 16384 each; throws Error{usage}.
+// Parses "WxH", 1 to 16384 each. Throws Error{usage}.
 glm::ivec2 parseSize(const std::string& text);
-// What --size says; without it the size of the picture that the session comes from, else 1024x768.
+// Returns the size of --size; without it that of the image that the session comes from, else 1024x768.
 glm::ivec2 pictureSize(const std::optional<std::string>& text, const std::string& path,
                        const SceneOptions& options);
 std::string bytesText(std::uint64_t bytes);  // "13.5 MiB"

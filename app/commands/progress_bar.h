@@ -1,4 +1,4 @@
-// A progress bar with the time left on stderr, when that is a terminal; nothing otherwise.
+// Draws a progress bar with the time left on stderr, if that is a terminal.
 #pragma once
 
 #include <condition_variable>
@@ -10,10 +10,11 @@
 
 namespace isolux::app {
 
-// "[#####     ]  45 %  reading  3 s left". `elapsed` in seconds; the bar has `width` columns.
+// Returns "[#####     ]  45 %  reading  3 s left". `elapsed` in seconds; the bar has `width` columns.
 std::string progressLine(double fraction, const char* stage, double elapsed, int width = 24);
 
-// Draws while it lives; the destructor wipes the line. Appears only after a moment: short work stays silent.
+// Draws during its lifetime; the destructor erases the line. Appears only after a moment: short work prints
+// nothing.
 class ProgressBar {
  public:
   explicit ProgressBar(const base::Progress& progress);

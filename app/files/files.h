@@ -1,7 +1,6 @@
-// Files of the program: read whole, and written whole (base/pending_file.h).
+// Reads whole files, and writes them atomically (base/pending_file.h).
 //
-// Errors: base::Error{input} naming the file and the system's reason. All functions may be called from any
-// thread.
+// Throws base::Error{input} naming the file and the system's reason. All functions are safe from any thread.
 #pragma once
 
 #include <cstddef>
@@ -18,10 +17,10 @@ using base::OutputLock;
 using base::PendingFile;
 using base::removePendingFiles;
 
-// A folder for results. What had to be made of it goes away again if nothing comes to lie in it.
+// A folder for results. Folders that it created are removed if nothing is written to them.
 class MadeFolder {
  public:
-  explicit MadeFolder(std::filesystem::path folder);  // with its parents; throws where that cannot be
+  explicit MadeFolder(std::filesystem::path folder);  // creates it with its parents; throws if that fails
   ~MadeFolder();
   MadeFolder(const MadeFolder&) = delete;
   MadeFolder& operator=(const MadeFolder&) = delete;
@@ -36,10 +35,10 @@ class MadeFolder {
 };
 
 void writeTextFile(const std::filesystem::path& file, std::string_view text);
-// Throws also when the file is longer than `longest` bytes.
+// Returns the contents. Throws also if the file is longer than `longest` bytes.
 std::string readTextFile(const std::filesystem::path& file, std::size_t longest);
 
-// The first `longest` bytes, fewer when the file is shorter, none when it cannot be read.
+// Returns the first `longest` bytes, fewer if the file is shorter, none if it cannot be read.
 std::string readBeginning(const std::filesystem::path& file, std::size_t longest);
 
 }  // namespace isolux::app

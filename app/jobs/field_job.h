@@ -1,7 +1,8 @@
-// What a scene's pictures need of a volume beside its voxels, and what of it is automatic: fields
-// (volume/field/cubic_fields.h), scales of derivatives (volume/statistics/derivative_choices.h) and what is
-// hidden of its pieces (volume/pieces). Made on a background thread, which the owner polls; meanwhile
-// pictures are drawn with what is there.
+// Computes what a scene's frames need of a volume in addition to its voxels, and its automatic values.
+//
+// These are fields (volume/field/cubic_fields.h), scales of derivatives
+// (volume/statistics/derivative_choices.h) and hidden components (volume/pieces). A background thread
+// computes them, and the owner polls it; meanwhile frames are drawn with what is ready.
 #pragma once
 
 #include <atomic>
@@ -16,17 +17,17 @@
 
 namespace isolux::app {
 
-// Fills in what is automatic about derivatives and makes the fields that pictures of the scene read, with its
-// deferred images where those are wanted. For those who may wait.
+// Chooses automatic settings of derivatives and computes the fields that frames of the scene read, with its
+// AOVs if `images`. Blocks until done.
 void completeFields(scene::Scene& resolved, const volume::PreparedVolume& volume, bool images,
                     base::Progress& progress);
 
-// Whether a picture of the scene finds all that, at rest too (app/jobs/rest_scene.h).
+// Returns whether all that is ready for a frame of the scene, idle frames included (app/jobs/rest_scene.h).
 bool fieldsAreReady(const scene::Scene& resolved, const volume::PreparedVolume& volume);
 
-// The scene with what can be drawn now. What is not made yet is replaced: hits by those of the trilinear
-// field, derivatives by those of the B-spline of the samples, scales by those of `last`, else by none; pieces
-// are shown. `last`: of the last picture of the volume that had all it asked for.
+// Returns the scene with what can be drawn now. Missing data are replaced: hits by those of the trilinear
+// field, derivatives by those of the smoothing B-spline, scales by those of `last`, else by none; all
+// components are shown. `last`: of the last frame of the volume for which everything was ready.
 scene::Scene withReadyFields(scene::Scene resolved, const volume::PreparedVolume& volume,
                              const scene::Derivatives& last = {});
 
@@ -34,14 +35,14 @@ class FieldJob {
  public:
   FieldJob(std::shared_ptr<const volume::PreparedVolume> volume,
            const scene::Scene& scene);  // starts at once
-  ~FieldJob();                          // stops; the thread ends elsewhere (base/retire.h)
+  ~FieldJob();                          // stops; the thread ends in the background (base/retire.h)
   FieldJob(const FieldJob&) = delete;
   FieldJob& operator=(const FieldJob&) = delete;
 
-  bool isFor(const scene::Scene& scene) const;  // which needs the same
+  bool isFor(const scene::Scene& scene) const;  // returns whether `scene` needs the same
   bool finished() const { return work_->finished.load(std::memory_order_acquire); }
   const base::Progress& progress() const { return work_->progress; }
-  // After finished(): what went wrong.
+  // Returns the error after finished(), if any.
   const std::optional<base::Error>& error() const { return work_->error; }
 
  private:

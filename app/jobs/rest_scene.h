@@ -1,5 +1,5 @@
-// Hits of pictures at rest (picture.rest_hits): those of the spline through the samples, where the surface
-// gains from them. Deferred images and pictures lit by stored light keep hit.field.
+// Chooses the hits of idle images (picture.rest_hits): those of the interpolating spline, if the surface
+// gains from them. AOVs and images lit by baked lighting keep hit.field.
 #pragma once
 
 #include "base/progress.h"
@@ -8,12 +8,12 @@
 
 namespace isolux::app {
 
-// The resolved scene as pictures at rest show it. Measures and makes what is not there yet: for those who may
-// wait. Where the spline's field does not fit into memory, `auto` keeps the hits. Throws Error{interrupted},
-// and Error{memory} of a field that was asked for by name.
+// Returns the resolved scene for idle images. Measures and computes what is missing; blocks until done. If
+// the spline's field does not fit into memory, `auto` keeps the hits. Throws Error{interrupted}, and
+// Error{memory} for a field that was requested by name.
 scene::Scene atRest(scene::Scene resolved, const volume::PreparedVolume& volume, base::Progress& progress);
 
-// What of it is there already: the scene as it is where nothing is.
+// As atRest(), without waiting: returns the scene unchanged if nothing is ready.
 scene::Scene atRestIfReady(scene::Scene resolved, const volume::PreparedVolume& volume);
 bool restIsReady(const scene::Scene& resolved, const volume::PreparedVolume& volume);
 

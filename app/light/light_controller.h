@@ -1,12 +1,11 @@
-// Keeps the light of a scene: decides what is stored of it, bakes that on background threads, and hands
-// pictures what there is so far.
+// Manages the baked lighting of a scene: decides what is baked, bakes it on background threads, and provides
+// the result so far to frames.
 //
-// The owner (the window, or a command) tells it scenes and what is seen, and polls; nothing calls back. A
-// planner thread does what takes longer than a moment (light probe, tracer, texel sets, compression);
-// gi::LightBake's threads do the rest. What a change of the scene invalidates is decided by keys
-// (gi::lightKey): view, isovalue, look, exposure, colour of a unit sky, and with stored transfer the
-// environment and its rotation, invalidate nothing; lamps drop the lamps' light only. All members are safe
-// from one owner thread.
+// The owner (the window, or a command) sets scenes and visible points, and polls; there are no callbacks. A
+// planner thread does the longer tasks (environment map, tracer, texel sets, compression); gi::LightBake's
+// threads do the rest. Keys (gi::lightKey) decide what a change of the scene invalidates. View, isovalue,
+// look, exposure, the colour of a unit sky and, with transfer, the environment and its rotation invalidate
+// nothing; light sources invalidate only their own light. All members are safe from one owner thread.
 #pragma once
 
 #include <filesystem>
@@ -31,64 +30,65 @@ namespace isolux::app {
 struct LightState {
   enum class Phase { off, preparing, baking, paused, finished, failed };
   Phase phase = Phase::off;
-  scene::GiChoice choice;     // what is stored, and why
+  scene::GiChoice choice;     // what is baked, and why
   std::string mode;           // modeName()
-  gi::BakeCounters counters;  // of the sky's and the lamps' light together
-  // How much of what is seen is lit without coarse noise (gi::kSmoothSamples); none: nothing is known of it
-  // yet, or nothing is seen.
+  gi::BakeCounters counters;  // of the sky's and the light sources' bakes together
+  // Fraction of the visible texels that are lit without coarse noise (gi::kSmoothSamples); nullopt: unknown
+  // yet, or nothing is visible.
   std::optional<double> smooth;
   std::optional<base::Error> error;
   std::vector<std::string> warnings;  // "3 pixels of the light probe are not numbers"
 };
 
-// "irradiance", "transfer + lamps", "off"
+// Returns "irradiance", "transfer + lamps", "off".
 std::string modeName(const scene::GiChoice& choice);
 
 class LightController {
  public:
   struct Options {
-    bool background = false;                             // bake politely: gi::LightBake::Options
-    std::optional<int> threads = std::nullopt;           // scene::Machine::threads
-    bool innerSides = true;                              // lit where they are seen; else their light is local
-    std::optional<gi::LatticePart> part = std::nullopt;  // light of these texels only
-    bool around = false;  // light around what is seen, too, as always in the background: less noise at rims
+    bool background = false;                    // low priority: gi::LightBake::Options
+    std::optional<int> threads = std::nullopt;  // scene::Machine::threads
+    bool innerSides = true;                     // bake visible back faces; else their light is unshadowed
+    std::optional<gi::LatticePart> part = std::nullopt;  // light of only these texels
+    bool around = false;  // also around visible texels, as always in the background: less noise at rims
   };
   explicit LightController(Options options);
   ~LightController();  // stops all work without waiting for its end: base/retire.h
 
-  // `resolved` by scene::resolve; `volume` may be null.
+  // Sets the scene. Requires `resolved` from scene::resolve; `volume` may be null.
   void setScene(const scene::Scene& resolved, std::shared_ptr<const volume::PreparedVolume> volume);
-  // The surface points of the picture: Renderer::hitVoxels().
+  // Sets the visible surface points of the image: Renderer::hitVoxels().
   void setVisible(gi::SeenPoints hitVoxels);
-  void setThreads(std::optional<int> threads);  // from now on
+  void setThreads(std::optional<int> threads);  // takes effect at once
   void setPaused(bool paused);
   bool paused() const;
   void yield(bool yielding);  // gi::LightBake::yield()
 
-  // For Renderer::setLight(); null while there is none. The same pointer until something but the lattices
-  // changes. After setScene() or setVisible() it may take a moment: settle().
+  // Returns the light for Renderer::setLight(); null while there is none. The pointer stays the same until
+  // something other than the lattices changes. An update after setScene() or setVisible() may take a moment:
+  // settle().
   std::shared_ptr<const gi::PictureLight> light() const;
-  // Changes whenever a picture drawn anew would show other light.
+  // Returns a number that changes whenever a redrawn frame would show other light.
   std::uint64_t revision() const;
   LightState state() const;
 
-  // Waits until the planner has taken in everything told so far; false at the timeout.
+  // Waits until the planner has processed all calls so far. Returns false at the timeout [s].
   bool settle(double timeoutSeconds) const;
-  // Waits until all that is wanted has all its paths. Reports to `progress`; false when that is stopped, or
-  // at the timeout. Throws what a bake or the planner failed with.
+  // Waits until all requested texels have all their paths. Reports to `progress`; returns false when that is
+  // stopped, or at the timeout [s]. Throws the error of a failed bake or planner.
   bool finish(base::Progress& progress, double timeoutSeconds = std::numeric_limits<double>::infinity());
-  // Keeps the light it has and stops wanting more, until the scene or the view changes.
+  // Keeps the light and requests no more, until the scene or the view changes.
   void cancel();
 
-  // The bake as a file (gi/file/bake_file.h); none is written before anything is planned. `part`: what the
-  // file says of the part that it is. load() takes over light that fits the scene: throws base::Error naming
-  // what differs. A file says by which arithmetic its light was computed, that of what was loaded included;
-  // load() returns what the file says of itself.
+  // Writes the bake as a file (gi/file/bake_file.h); writes none before anything is planned. `part`: the part
+  // of a bake that the file contains. load() takes over light that fits the scene, throws base::Error naming
+  // what differs, and returns the facts stated in the file. A file names the arithmetic of its light,
+  // including that of loaded light.
   void save(const std::filesystem::path& file, base::Progress& progress,
             const std::optional<gi::BakedPart>& part = std::nullopt) const;
   gi::StoredLight stored() const;  // what save() writes
   gi::BakeFacts load(const std::filesystem::path& file, base::Progress& progress);
-  // gi::arithmeticOf() what is planned, once that is settled; empty: nothing is.
+  // Returns gi::arithmeticOf() the planned work, once that is settled; "" if nothing is planned.
   std::string arithmetic() const;
 
  private:

@@ -1,5 +1,5 @@
-// What goes wrong on a thread in the background, as a value: no exception leaves the thread, ours or a
-// library's.
+// Converts exceptions on a background thread to values: no exception leaves the thread, whether from Isolux
+// or a library.
 #pragma once
 
 #include <exception>
@@ -12,7 +12,7 @@
 
 namespace isolux::app {
 
-// Calls work(), which does what `does` says ("draw a slice") with `file`; "": with none.
+// Calls work() and returns its error. `does` names the action ("draw a slice") and `file` the file, or "".
 template <class Work>
 std::optional<base::Error> caughtError(const std::string& file, const std::string& does, Work&& work) {
   try {

@@ -1,7 +1,9 @@
-// What a bake does next: wishes of texels, block by block, in order of wish, round, and place in the wish.
+// Orders the work of a bake: requested texels, block by block, by priority, round and position in the
+// request.
 //
-// Knows the lattice only by what its texels have; a unit taken is worked on elsewhere, written to the
-// lattice, and given back. Not thread-safe: LightBake guards it. Throws std::bad_alloc.
+// It reads from the lattice only how many samples texels have. A unit that is popped is computed elsewhere,
+// written to the lattice, and then completed with give(). Not thread-safe: LightBake locks it. Throws
+// std::bad_alloc.
 #pragma once
 
 #include <array>
@@ -17,27 +19,28 @@
 
 namespace isolux::gi {
 
-// From here on noise is a fine grain, and no texel stands out from those beside it.
+// Samples from which noise is a fine grain and no texel stands out from its neighbours.
 constexpr std::uint32_t kSmoothSamples = 16;
 
-// Samples at the ends of the rounds up to `samples`: 4, 16, 64, ..., samples.
+// Returns the numbers of samples at which the rounds up to `samples` end: 4, 16, 64, ..., samples.
 std::vector<std::uint32_t> roundsUpTo(std::uint32_t samples);
 
 class BakeQueue {
  public:
-  // Texels of a block that are to have `target` samples; those that have more stay.
+  // Texels of a block to bring to `target` samples; those that have more are not changed.
   struct Unit {
     std::uint32_t block = 0, target = 0;
     std::bitset<kTexelsOfBlock> texels;
     std::size_t wish = 0;
-    std::uint64_t generation = 0;  // of the wish when it was taken
+    std::uint64_t generation = 0;  // of the request when the unit was popped
   };
   struct Totals {
     std::uint64_t wanted = 0, done = 0, started = 0;  // texels
-    std::uint64_t samplesDone = 0;                    // of wanted texels, up to those asked for
-    std::uint64_t seen = 0, smooth = 0;  // texels of Wish::visible; have kSmoothSamples, or all asked for
+    std::uint64_t samplesDone = 0;                    // of requested texels, up to the number requested
+    // Visible (Wish::visible); of these, with kSmoothSamples or all samples.
+    std::uint64_t seen = 0, smooth = 0;
   };
-  // How far fulfilled() has looked; start with an empty one.
+  // Position up to which fulfilled() has checked; start with an empty one.
   struct Cursor {
     std::uint64_t generation = 0;
     std::size_t wish = 0, index = 0;
@@ -49,7 +52,7 @@ class BakeQueue {
   void setSamples(std::uint32_t samples);
   std::uint32_t samples() const { return samples_; }
 
-  std::optional<Unit> take();  // none: nothing to do, or only in blocks that are taken
+  std::optional<Unit> take();  // pops a unit; nullopt: nothing to do, or only in blocks being worked on
   void give(const Unit& unit);
   bool idle() const { return taken_ == 0 && totals_.done == totals_.wanted; }
   const Totals& totals() const { return totals_; }
@@ -59,13 +62,13 @@ class BakeQueue {
   static constexpr std::size_t kWishes = 4;
   static constexpr std::uint32_t kNone = 0xffffffff;
   struct Item {
-    std::uint32_t target = 0, index = 0;  // in the wish
+    std::uint32_t target = 0, index = 0;  // in the request
     // NOLINTNEXTLINE(modernize-use-nullptr): the 0 it compares with is the library's
     auto operator<=>(const Item&) const = default;
   };
   using Heap = std::priority_queue<Item, std::vector<Item>, std::greater<>>;
   struct Entry {
-    std::array<std::uint32_t, kWishes> index{kNone, kNone, kNone, kNone};  // in each wish
+    std::array<std::uint32_t, kWishes> index{kNone, kNone, kNone, kNone};  // in each request
     std::uint16_t wanted = 0, done = 0, started = 0, seen = 0, smooth = 0;
     bool taken = false;
     std::uint64_t samplesDone = 0;
@@ -84,10 +87,10 @@ class BakeQueue {
   std::array<std::vector<WantedBlock>, kWishes> wishes_;
   std::array<Heap, kWishes> heaps_;
   std::array<std::uint64_t, kWishes> generations_{};
-  std::uint64_t generation_ = 1;      // changes with any wish and with the number of samples
+  std::uint64_t generation_ = 1;      // changes with any request and with the number of samples
   std::vector<Entry> entries_;        // of blocks
   std::vector<std::uint32_t> place_;  // of blocks, for cleaned()
-  // What came to its turn while its block was taken for another wish.
+  // Entries postponed because their block is being worked on for another request.
   std::vector<std::pair<std::size_t, std::uint32_t>> waiting_;
   std::size_t taken_ = 0;
   Totals totals_;

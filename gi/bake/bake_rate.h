@@ -1,4 +1,4 @@
-// How fast a bake has been going over its last two seconds of work.
+// Measures the speed of a bake over its last two seconds of work.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@ namespace isolux::gi {
 
 class BakeRate {
  public:
-  // Totals at `seconds` of work (without pauses). Cheap: most calls only look at the time.
+  // Records the totals at `seconds` of work (without pauses). Cheap: most calls only compare the time.
   void note(double seconds, std::uint64_t rays, std::uint64_t paths);
   double raysPerSecond() const { return per(last_.rays - first().rays); }
   double pathsPerSecond() const { return per(last_.paths - first().paths); }
@@ -24,7 +24,7 @@ class BakeRate {
     const double seconds = last_.seconds - first().seconds;
     return seconds > 0.0 ? static_cast<double>(count) / seconds : 0.0;
   }
-  std::deque<Mark> marks_{{}};  // the first is the last one that is older than the window
+  std::deque<Mark> marks_{{}};  // the first is the last one older than the window
   Mark last_;
 };
 

@@ -1,7 +1,7 @@
-// Works on units of a bake: calls the estimator for a few texels at a time and writes the block.
+// Computes units of a bake: calls the estimator for a few texels at a time and writes the block.
 //
-// A call takes a few milliseconds whatever a path costs: a round of a single texel whose paths are long is
-// cut into several calls, and what they have summed is kept while the thread heeds other wishes in between.
+// A call takes a few milliseconds, whatever a path costs. A round of a single texel with long paths is split
+// into several calls; the partial sums are kept while the thread serves other requests in between.
 #pragma once
 
 #include <cstdint>
@@ -14,17 +14,17 @@
 
 namespace isolux::gi {
 
-// One for each thread: learns how many paths take a few milliseconds.
+// Runs units on one thread; it learns how many paths take a few milliseconds.
 class UnitRunner {
  public:
   UnitRunner(LightLattice& lattice, const TexelEstimator& estimator)
       : lattice_(lattice), estimator_(estimator) {}
 
-  // Told after each call of the estimator what it did; true: go no further.
+  // Called after each call of the estimator with its rays and paths; returns true to leave the unit.
   using AfterCall = std::function<bool(std::uint64_t rays, std::uint64_t paths)>;
 
-  // Brings the unit's texels to its target, or part of them when told to leave; what was done is in the
-  // lattice, also when the estimator throws (which is passed on).
+  // Refines the unit's texels to its target, or fewer of them if `leave` returns true. The lattice contains
+  // what was computed, also if the estimator throws; the exception is passed on.
   void run(const BakeQueue::Unit& unit, const std::stop_token& stop, const AfterCall& leave);
 
  private:
@@ -35,9 +35,9 @@ class UnitRunner {
   bool addPaths(std::uint32_t count, const std::stop_token& stop, const AfterCall& leave, bool& left);
   void store(LatticeBlock& block, std::uint32_t target);
 
-  // Texels of a block on their way from `first` samples to `first + count`, all with the same number so far.
+  // Texels of a block being refined from `first` to `first + count` samples; all have the same number so far.
   struct Round {
-    std::uint32_t block = 0, first = 0, count = 0, done = 0;  // count 0: none is under way
+    std::uint32_t block = 0, first = 0, count = 0, done = 0;  // count 0: no round is in progress
     std::vector<std::size_t> indices;                         // in the block
     std::vector<glm::ivec3> texels;
     std::vector<TexelPoint> points;

@@ -1,17 +1,17 @@
-// Fills a light lattice on background threads: what is wanted first comes first, in rounds of samples, so
-// that light is there soon and becomes better everywhere at once.
+// Fills a light lattice on background threads by progressive refinement: requested texels first, in rounds of
+// samples.
 //
-// Rounds end at 4, 16, 64, 256, 1024, then every 1024 samples per texel, and at the number asked for. The
-// unit of work is a block and a round; no two threads work on one block. A texel's mean is updated once a
-// round, mean += (mean of the round - mean) * count / total, however the round is cut among calls of the
-// estimator. So the lattice is the same, bit for bit, for any number of threads, any order of wishes, and
-// after stopping and going on. A number of samples that no round ends at (100) is a round's end only while it
-// is asked for: raised later, texels go on from there, with the same samples as ever but summed in other
-// groups, so that the last bits may differ from those of a bake that had the higher number from the start.
+// Rounds end at 4, 16, 64, 256, 1024, then every 1024 samples per texel, and at the requested number. The
+// unit of work is a block and a round; no two threads work on one block. A texel's mean is updated once per
+// round, mean += (mean of the round - mean) * count / total, however the round is split among calls of the
+// estimator. The lattice is therefore bit-identical for any number of threads, any order of requests, and
+// after stopping and resuming. A number of samples that ends no regular round (100) ends a round only while
+// it is requested. If it is raised later, texels continue from there with the same samples, but summed in
+// other groups. The last bits may then differ from those of a bake that had the higher number from the start.
 //
-// Nothing calls back: owners poll counters() and LightLattice::changedSince(). All members are safe from any
-// thread, and none but waitFor() and the destructor waits for a worker. Exceptions of an estimator end the
-// bake and are kept as failure().
+// There are no callbacks: owners poll counters() and LightLattice::changedSince(). All members are safe from
+// any thread; only waitFor() and the destructor wait for a worker. An exception of an estimator ends the bake
+// and is returned by failure().
 #pragma once
 
 #include <cstdint>
@@ -26,53 +26,56 @@
 namespace isolux::gi {
 
 struct BakeCounters {
-  // Of all wishes, each texel once; those whose isosurface has no normal are wanted until that is known.
+  // Of all requests, each texel once. Texels count as requested until it is known that their isosurface has
+  // no normal.
   std::uint64_t texelsWanted = 0, texelsDone = 0;    // done: have all samples
   std::uint64_t texelsStarted = 0;                   // have any
-  std::uint64_t texelsLit = 0;                       // of all that are in the lattice
+  std::uint64_t texelsLit = 0;                       // of all texels in the lattice
   std::uint64_t samplesWanted = 0, samplesDone = 0;  // paths
-  // Of those that are seen (Wish::visible): how many there are, and have kSmoothSamples, or all.
+  // Visible texels (Wish::visible): their number, and how many have kSmoothSamples or all samples.
   std::uint64_t texelsSeen = 0, texelsSmooth = 0;
   std::uint64_t rays = 0;
-  double seconds = 0.0;        // at work, not paused or idle
-  double raysPerSecond = 0.0;  // of late
-  double secondsLeft = 0.0;    // at this rate
+  double seconds = 0.0;        // of work, without pauses and idle time
+  double raysPerSecond = 0.0;  // over the last two seconds
+  double secondsLeft = 0.0;    // at this speed
   int threads = 0;
-  bool paused = false, idle = true;  // idle: every wish is fulfilled (or none was made)
-  bool takenIn = true;               // these are of the last wishes
+  bool paused = false, idle = true;  // idle: every request is fulfilled (or none was made)
+  bool takenIn = true;               // the counters include the latest requests
 };
 
 class LightBake {
  public:
   struct Options {
-    std::uint32_t samples = 100;  // per texel in the end
+    std::uint32_t samples = 100;  // per texel at the end
     int threads = 1;
-    // Threads get a tenth of the processor where others want it: for a window that must stay fluent.
+    // Gives the threads a tenth of the processor where others need it: for a window that must stay
+    // responsive.
     bool background = false;
   };
   LightBake(std::shared_ptr<LightLattice> lattice, std::shared_ptr<const TexelEstimator> estimator,
             Options options);
-  // Stops and waits until the threads have ended: rarely more than 100 ms, also beside busy processes. A
-  // window leaves that to base::retire().
+  // Stops and waits until the threads have ended: rarely more than 100 ms, also on a busy machine. A window
+  // uses base::retire() instead.
   ~LightBake();
-  void requestStop();  // for good; does not wait
+  void requestStop();  // permanent; does not wait
 
-  // Replaces the wishes of that kind; within it, blocks are served in the order given. Texels of several
-  // kinds count as the first; what is not in the lattice is passed over. Cheap enough for every frame.
+  // Replaces the requests of that priority; within it, blocks are served in the given order. A texel of
+  // several priorities counts for the first; texels outside the lattice are ignored. Cheap enough for every
+  // frame.
   void want(Wish wish, std::vector<WantedBlock> blocks);
-  // More samples go on where the texels are; fewer leave what there is.
+  // Sets the samples per texel. A higher number continues from the present ones; a lower one removes nothing.
   void setSamples(std::uint32_t samples);
-  void setThreads(int threads);  // as many as the system gives: counters().threads
+  void setThreads(int threads);  // at most as many as the system creates: counters().threads
   void setPaused(bool paused);
-  // Someone else needs the processor now (a frame is drawn): threads wait after the call that they are at,
-  // until yield(false), but no longer than 250 ms after the first yield(true).
+  // Yields the processor to someone else, such as a frame being drawn. Threads pause after their current call
+  // until yield(false), but at most 250 ms after the first yield(true).
   void yield(bool yielding);
 
   BakeCounters counters() const;
-  // Waits until every wish is fulfilled up to `samples` per texel (0: all), an error, or the timeout; true if
-  // fulfilled.
+  // Waits until every request is fulfilled up to `samples` per texel (0: all), an error, or the timeout [s].
+  // Returns whether they are fulfilled.
   bool waitFor(std::uint32_t samples, double timeoutSeconds) const;
-  // What ended the bake: a base::Error, std::bad_alloc, or a mistake of our own. Null: nothing has.
+  // Returns what ended the bake (a base::Error, std::bad_alloc or an internal error), or null.
   std::exception_ptr failure() const;
   const std::shared_ptr<LightLattice>& lattice() const;
 

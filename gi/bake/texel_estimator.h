@@ -1,5 +1,5 @@
-// What the bake scheduler asks for: light of single texels. The scheduler knows no tracer, and is tested with
-// estimators that are formulas.
+// Defines the interface that the bake scheduler uses to estimate the light of single texels. The scheduler
+// does not depend on a tracer and is tested with analytic estimators.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,13 @@
 
 namespace isolux::gi {
 
-// Paths [first, first + count) of every texel of a call.
+// Paths [first, first + count) of every texel in a call.
 struct SampleRange {
   std::uint32_t first = 0, count = 0;
 };
 
-// Where a texel is lit, voxel coordinates, and the outward unit normal of its isosurface there, world; 0
-// where it has none and the texel is not lit.
+// The position where a texel is lit, in voxel coordinates, and the outward unit normal of its isosurface
+// there, in the world. The normal is 0 if it is undefined; the texel is then not lit.
 struct TexelPoint {
   glm::vec3 voxel{0.0f}, normal{0.0f};
 };
@@ -29,10 +29,10 @@ class TexelEstimator {
 
   virtual LightContent content() const = 0;
   virtual void points(std::span<const glm::ivec3> texels, std::span<TexelPoint> points) const = 0;
-  // Adds the estimates of `range` to `sums`, components side by side, one sample after the other in their
-  // order: how a texel's samples are cut into calls changes no bit of its sum, which depends on nothing but
-  // the texel and the samples. Returns false, with `sums` undefined, when stopped; looks at `stop` every few
-  // ms. `rays` counts up. Thread-safe.
+  // Adds the estimates of `range` to `sums`, components interleaved, one sample after the other in their
+  // order. The sum of a texel depends only on the texel and its samples: splitting them among calls changes
+  // no bit. Returns false, with `sums` undefined, when stopped; polls `stop` every few ms. Adds to `rays`.
+  // Thread-safe.
   virtual bool add(std::span<const glm::ivec3> texels, std::span<const TexelPoint> points, SampleRange range,
                    std::span<double> sums, std::uint64_t& rays, const std::stop_token& stop) const = 0;
 };

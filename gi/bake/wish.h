@@ -1,4 +1,4 @@
-// What a bake is asked for: texels, and how urgent they are.
+// Defines requests to a bake: texels and their priority.
 #pragma once
 
 #include <bitset>
@@ -8,14 +8,14 @@
 
 namespace isolux::gi {
 
-// Texels of one block.
+// Requested texels of one block.
 struct WantedBlock {
   std::uint32_t block = 0;
   std::bitset<kTexelsOfBlock> texels;
   bool operator==(const WantedBlock&) const = default;
 };
 
-// In the order in which they are served.
+// Priorities, in the order in which they are served.
 enum class Wish { visible, nearby, band, rest };
 
 }  // namespace isolux::gi

@@ -1,5 +1,4 @@
-// What stands before the arrays of a bake file (bake_file.h): the lattice's size, texts, and where arrays
-// begin.
+// Reads the header of a bake file (bake_file.h): the lattice's size, texts, and the offsets of arrays.
 #pragma once
 
 #include <cstdint>
@@ -23,14 +22,15 @@ struct BakeHeader {
   glm::ivec3 dims{0};
   std::map<std::string, ArrayTag> arrays;
   std::map<std::string, std::string> fields;
-  std::uint64_t appendedAt = 0;  // of the byte that offsets count from
+  std::uint64_t appendedAt = 0;  // byte that offsets count from
 };
 
-// A text of the field data as the header has it, and what stands behind the arrays.
+// Returns a text of the field data as written in the header. kBakeFileEnd is what follows the arrays.
 std::string bakeTextField(const std::string& name, const std::string& text);
 inline constexpr const char* kBakeFileEnd = "\n  </AppendedData>\n</VTKFile>\n";
 
-// Throws base::Error{input} naming the file and what is not as this program writes it.
+// Reads the header. Throws base::Error{input} that names the file and what differs from files of this
+// program.
 BakeHeader readBakeHeader(const volume::Bytes& bytes);
 BakeFacts bakeFactsOf(const BakeHeader& header, const std::string& file);
 

@@ -1,4 +1,5 @@
-// Layers of blocks as plain arrays, for files: texels of 8 slices, x fastest, components side by side.
+// Enumerates layers of blocks as plain arrays, for files: texels of 8 slices, x fastest, components
+// interleaved.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +13,7 @@ inline int layersOf(const LatticeGeometry& lattice) {
   return lattice.blockDims().z;
 }
 
-// Texels [first, first + count) of the whole lattice.
+// The texels [first, first + count) of the whole lattice.
 struct Layer {
   std::uint64_t first = 0;
   std::size_t count = 0;
@@ -25,7 +26,7 @@ inline Layer layerOf(const LatticeGeometry& lattice, int layer) {
           static_cast<std::size_t>(slice) * static_cast<std::size_t>(std::min(kBlockTexels, d.z - z))};
 }
 
-// Calls visit(block, index in the block, index in the layer) for each texel of a layer, block after block.
+// Calls visit(block, index in the block, index in the layer) for each texel of a layer, block by block.
 template <class Visit>
 void forEachTexelOfLayer(const LatticeGeometry& lattice, int layer, Visit visit) {
   const glm::ivec3 blocks = lattice.blockDims();

@@ -1,4 +1,4 @@
-// Parts of one bake (BakedPart), each a file, into the file that the bake made at once would have written.
+// Merges the files of all parts of one bake (BakedPart) into the file that a single bake would have written.
 #pragma once
 
 #include <filesystem>
@@ -8,12 +8,13 @@
 
 namespace isolux::gi {
 
-// `files` in any order; all parts of one bake, each finished and there once. The result has the bytes of a
-// file that writeBakeFile() would write of all texels. Memory: about 2 MiB a file.
+// Merges `files`, in any order. Requires all parts of one bake, each finished and present once. The result is
+// byte-identical to a file that writeBakeFile() writes of all texels. Memory: about 2 MiB per file.
 //
-// Errors: base::Error{input} naming the file that is no part, of another volume, light or lattice, there
-// twice, not finished, of other arithmetic (unless `mixArithmetic`), or damaged; and naming `out` with the
-// numbers of the parts that are missing. {interrupted}. `out` is whole or as it was before.
+// Throws base::Error{input} naming the file that is not a part, is of another volume, light or lattice, is a
+// duplicate, is unfinished, is of other arithmetic (unless `mixArithmetic`), or is damaged. Throws it naming
+// `out`, with the numbers of the parts, if parts are missing. Throws Error{interrupted}. `out` is complete or
+// as before.
 void mergeBakeFiles(std::span<const std::filesystem::path> files, const std::filesystem::path& out,
                     bool mixArithmetic, base::Progress& progress);
 

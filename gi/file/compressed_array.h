@@ -1,5 +1,5 @@
-// VTK's compressed arrays of appended data, as streams: number of chunks, bytes of a chunk, bytes of a last
-// shorter one, compressed sizes, chunks (zlib).
+// Streams VTK's compressed arrays of appended data: number of chunks, bytes of a chunk, bytes of a shorter
+// last chunk, compressed sizes, chunks (zlib).
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,8 @@
 
 namespace isolux::gi {
 
-// From its beginning to its end. The same numbers are the same bytes, whatever the parts they come in.
+// Writes an array from its beginning to its end. The bytes depend only on the numbers, not on how they are
+// divided among calls.
 class ArrayWriter {
  public:
   ArrayWriter(base::OutputFile& file, std::uint64_t bytes);  // of all numbers; not 0
@@ -32,8 +33,8 @@ class ArrayWriter {
   std::size_t next_ = 3;
 };
 
-// From its beginning to its end. `bytes` must stay. Throws base::Error{input} naming file and array: missing,
-// of another type, truncated, damaged.
+// Reads an array from its beginning to its end. `bytes` must outlive it. Throws base::Error{input} naming
+// file and array: missing, of another type, truncated, damaged.
 class ArrayReader {
  public:
   ArrayReader(const volume::Bytes& bytes, const BakeHeader& header, const std::string& name, const char* type,

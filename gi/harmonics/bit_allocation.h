@@ -1,7 +1,7 @@
-// Which component of compressed transfer gets how many bits of a texel, and how its numbers become codes.
+// Allocates the bits of a texel to the components of compressed transfer, and quantises their numbers.
 //
-// Numbers are quantised evenly within a range that may leave the rarest out, where that lessens the mean
-// squared error. Bits are given away one by one, each to the component whose error it lessens most per bit.
+// Numbers are quantised uniformly within a range that may exclude rare values if that lessens the mean
+// squared error. Bits are allocated one by one, each to the component whose error it lessens most per bit.
 #pragma once
 
 #include <cstdint>
@@ -12,20 +12,20 @@ namespace isolux::gi {
 
 inline constexpr int kMostFieldBits = 16, kWordBits = 32;
 
-// Codes 0 .. 2^bits - 1 stand for low + code * step.
+// A uniform quantiser: codes 0 .. 2^bits - 1 mean low + code * step.
 struct Quantizer {
-  double low = 0.0, step = 0.0;  // step 0: all are the same
-  double squaredError = 0.0;     // mean, of the numbers it was made for
+  double low = 0.0, step = 0.0;  // step 0: all numbers are equal
+  double squaredError = 0.0;     // mean, over the numbers it was made for
 };
-// With the least error of these `sorted` numbers (rising); bits 0: their mean.
+// Returns the quantiser of least error for the `sorted` (ascending) numbers; with 0 bits, their mean.
 Quantizer quantizerOf(std::span<const double> sorted, int bits);
 std::uint32_t codeOf(const Quantizer& quantizer, int bits, double number);
 
-// Bits of each component for at most `total`; `sorted`: numbers of each, rising.
+// Returns the bits of each component, at most `total` together. `sorted`: the numbers of each, ascending.
 std::vector<int> allocateBits(const std::vector<std::vector<double>>& sorted, int total);
 
-// Where fields of these bits begin in words of 32, none of them in two words. Fields for which there is no
-// room are made narrower: `bits` says how wide they are. Those of 0 bits are nowhere (word -1).
+// Positions of bit fields in 32-bit words; no field spans two words. Fields that do not fit are narrowed, and
+// `bits` returns their widths. Fields of 0 bits have word -1.
 struct FieldPlace {
   int word = -1, shift = 0;
 };

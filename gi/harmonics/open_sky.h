@@ -1,8 +1,9 @@
-// How the irradiance of a sky with nothing in its way depends on the normal: stored light is filtered and
-// interpolated as parts of it, since those change little where a surface bends.
+// Computes how the irradiance of an unoccluded sky depends on the normal.
 //
-// Of nine spherical harmonics (Ramamoorthi & Hanrahan 2001), each channel by its mean over all normals; never
-// below kLeastOpenSky, where the nine are no good and a part of little would be much.
+// Baked irradiance is filtered and interpolated as a fraction of it, since this fraction varies little where
+// a surface bends. Uses nine spherical harmonics (Ramamoorthi & Hanrahan 2001), each channel divided by its
+// mean over all normals. Values are at least kLeastOpenSky: below it, nine terms are inaccurate and the
+// fraction would be large.
 #pragma once
 
 #include <array>
@@ -16,12 +17,12 @@ inline constexpr float kLeastOpenSky = 0.2f;  // light_lattice.glsl has the same
 class OpenSky {
  public:
   OpenSky() = default;  // the same for all normals
-  // PictureLight::irradianceSh. A channel without light is the same for all normals.
+  // Takes PictureLight::irradianceSh. A channel without light is the same for all normals.
   explicit OpenSky(const std::array<glm::vec3, 9>& irradianceSh);
 
   glm::vec3 at(glm::vec3 normal) const;
-  glm::vec3 perMean() const { return perMean_; }  // 1 / mean irradiance; 0 of a channel without light
-  bool nearly(const OpenSky& other) const;        // but for rounding
+  glm::vec3 perMean() const { return perMean_; }  // 1 / mean irradiance; 0 for a channel without light
+  bool nearly(const OpenSky& other) const;        // equal except for rounding
 
  private:
   std::array<glm::vec3, 9> harmonics_{};

@@ -1,8 +1,9 @@
-// Rotation of spherical-harmonic coefficients (Ivanic & Ruedenberg, J. Phys. Chem. 100, 1996, 6342, with the
+// Rotates spherical-harmonic coefficients (Ivanic & Ruedenberg, J. Phys. Chem. 100, 1996, 6342, with the
 // corrections of J. Phys. Chem. A 102, 1998, 9099; Wyman et al. 2006 eq. 17, whose Table 3 is garbled).
 //
-// apply() gives the coefficients of the turned function g(d) = f(R^T d): what f has in direction d, g has in
-// R d. Bands do not mix. Built once per rotation (a few microseconds at order 5), then immutable; any thread.
+// apply() returns the coefficients of g(d) = f(R^T d): the value of f in direction d is that of g in R d.
+// Bands do not mix. Constructing takes a few microseconds per rotation at order 5. Immutable; safe from any
+// thread.
 #pragma once
 
 #include <span>
@@ -16,17 +17,17 @@ namespace isolux::gi {
 
 class ShRotation {
  public:
-  // `rotation` is a proper rotation up to rounding; it is made orthonormal first, so that products of many
-  // rotations may be given.
+  // Requires a proper rotation up to rounding. It is orthonormalised first, so products of many rotations are
+  // allowed.
   ShRotation(int order, const glm::dmat3& rotation);
 
   int order() const { return order_; }
 
-  // Spans of at least order^2 values; `in` and `out` are the same or do not overlap.
+  // Rotates spans of at least order^2 values; `in` and `out` are the same or do not overlap.
   void apply(std::span<const double> in, std::span<double> out) const;
   void apply(std::span<const glm::dvec3> in, std::span<glm::dvec3> out) const;
 
-  // Row s, column t of band l's matrix, -l <= s, t <= l.
+  // Returns the element in row s, column t of band l's matrix, -l <= s, t <= l.
   double element(int l, int s, int t) const { return elements_[offset(l) + (s + l) * (2 * l + 1) + t + l]; }
 
  private:

@@ -1,13 +1,14 @@
-// Real spherical harmonics of order 1 to 8: evaluation, projection, windowing, irradiance.
+// Evaluates, projects and windows real spherical harmonics of order 1 to 8, and computes irradiance from
+// them.
 //
 // Order n means the bands l = 0 .. n - 1 and n^2 terms; Y_l^m has index l (l + 1) + m. The functions are
-// those of Wyman et al. 2006 eq. (12), orthonormal on the sphere, z the polar axis, without the
-// Condon-Shortley factor (-1)^m: band 1 is sqrt(3 / (4 pi)) (y, z, x), so its rotation is the rotation matrix
+// those of Wyman et al. 2006 eq. (12): orthonormal on the sphere, z the polar axis, without the
+// Condon-Shortley factor (-1)^m. Band 1 is sqrt(3 / (4 pi)) (y, z, x), so its rotation is the rotation matrix
 // itself. As the functions are real, eq. (13) needs no conjugate, and the sums of eq. (9) and (15) have n^2
 // terms.
 //
 // Directions are unit vectors. Coefficients are linear in the function: one double, or glm::dvec3 for RGB.
-// Spans hold at least order^2 values. Pure functions, any thread.
+// Spans have at least order^2 values. Pure functions, safe from any thread.
 #pragma once
 
 #include <functional>
@@ -23,24 +24,25 @@ constexpr int shTerms(int order) {
   return order * order;
 }
 
-// All Y_i(d), i < order^2. Polynomials in x, y, z: no trigonometric functions, no singular direction.
+// Evaluate all Y_i(d), i < order^2, as polynomials in x, y, z: no trigonometric functions, no singular
+// direction.
 void evaluateSh(int order, glm::vec3 d, float* out);
 void evaluateSh(int order, glm::dvec3 d, double* out);
 
-// The sum of coefficients[i] * Y_i(d).
+// Return the sum of coefficients[i] * Y_i(d).
 double reconstructSh(int order, std::span<const double> coefficients, glm::dvec3 d);
 glm::dvec3 reconstructSh(int order, std::span<const glm::dvec3> coefficients, glm::dvec3 d);
 
-// The integral over the sphere of the product of two functions of the same order (eq. 15).
+// Return the integral over the sphere of the product of two functions of the same order (eq. 15).
 double dotSh(int order, std::span<const double> a, std::span<const double> b);
 glm::dvec3 dotSh(int order, std::span<const double> a, std::span<const glm::dvec3> b);
 
-// The integrals of function * Y_i by SphereQuadrature(degree): exact for a function of degree at most
-// degree - order + 1 in x, y, z.
+// Returns the integrals of function * Y_i by SphereQuadrature(degree). They are exact for a function of
+// degree at most degree - order + 1 in x, y, z.
 std::vector<double> projectSh(int order, const std::function<double(glm::dvec3)>& function, int degree = 127);
 
-// Points and weights on the sphere that integrate every polynomial in x, y, z of this degree and below:
-// Gauss-Legendre in z times equal steps about z. The weights sum to 4 pi.
+// A quadrature of the sphere, exact for polynomials in x, y, z up to `degree`: Gauss-Legendre in z times
+// equal steps about z. The weights sum to 4 pi.
 class SphereQuadrature {
  public:
   explicit SphereQuadrature(int degree);
@@ -50,7 +52,8 @@ class SphereQuadrature {
     double weight;
   };
   const std::vector<Point>& points() const& { return points_; }
-  const std::vector<Point>& points() && = delete;  // of a temporary: a loop over them would outlive it
+  // Deleted for a temporary: a loop over its points would outlive it.
+  const std::vector<Point>& points() && = delete;
 
  private:
   std::vector<Point> points_;
@@ -62,25 +65,25 @@ struct GaussLegendre {
   std::vector<double> nodes, weights;
 };
 
-// The factor of band l that damps ringing: Lanczos' sigma factor sinc(strength l / order), sinc(t) =
-// sin(pi t) / (pi t). Strength 0 leaves the coefficients as they are; at 1 the factors would reach 0 at the
-// first band left out. Between them the window is that of the order / strength first bands. Of one light in
-// one direction at order 5 the deepest undershoot is 15 % of the peak at strength 0 and 6 % at 1; in the
-// irradiance 3.2 % and 1.4 %: light can still be negative, and who shows it must clamp it.
+// Returns the factor of band l that reduces ringing: Lanczos' sigma factor sinc(strength l / order), sinc(t)
+// = sin(pi t) / (pi t). Strength 0 keeps the coefficients; at 1 the factors would reach 0 at the first band
+// left out. In between, the window is that of the order / strength first bands. For one light in one
+// direction at order 5, the deepest undershoot is 15 % of the peak at strength 0 and 6 % at 1; in the
+// irradiance 3.2 % and 1.4 %. Light can therefore be negative, and callers that display it must clamp it.
 double shWindow(int order, double strength, int l);
 void windowSh(int order, double strength, std::span<double> coefficients);
 void windowSh(int order, double strength, std::span<glm::dvec3> coefficients);
 
-// The integral of max(0, cos) P_l(cos) over the sphere: what a band is multiplied with when radiance becomes
-// irradiance. pi, 2 pi / 3, pi / 4, 0, -pi / 24, 0, ... (Ramamoorthi & Hanrahan 2001, eq. 19 without the
-// square root).
+// Returns the integral of max(0, cos) P_l(cos) over the sphere: the factor of band l that turns radiance into
+// irradiance. The values are pi, 2 pi / 3, pi / 4, 0, -pi / 24, 0, ... (Ramamoorthi & Hanrahan 2001, eq. 19
+// without the square root).
 double clampedCosine(int l);
 
-// The coefficients of max(0, dot(normal, d)): the transfer of an unoccluded point with this normal.
+// Computes the coefficients of max(0, dot(normal, d)): the transfer of an unoccluded point with this normal.
 void cosineLobeSh(int order, glm::dvec3 normal, std::span<double> out);
 
-// Irradiance of an unoccluded surface with this normal under radiance of these coefficients: pi for radiance
-// 1 from everywhere. Not clamped.
+// Return the irradiance of an unoccluded surface with this normal under radiance of these coefficients: pi
+// for radiance 1 from everywhere. Not clamped.
 double irradianceSh(int order, std::span<const double> radiance, glm::dvec3 normal);
 glm::dvec3 irradianceSh(int order, std::span<const glm::dvec3> radiance, glm::dvec3 normal);
 

@@ -1,10 +1,10 @@
-// Compression of transfer vectors to a few principal components of unequal bits.
+// Compresses transfer vectors (precomputed radiance transfer) to a few principal components of unequal bits.
 //
 // A transfer vector of D = channels * order^2 numbers is written as mean + sum_k c_k B_k. Lighting then needs
-// no decompression: E = mean . l + sum_k c_k (B_k . l), with the dot products made once a frame (Sloan et al.
-// 2003, "Clustered Principal Components", with one cluster). Wyman et al. 2006 store D floats. Each bit goes
-// to the component whose error it lessens most (Huang & Schultheiss 1963): the first get several times as
-// many as the last, and what brings nothing gets none.
+// no decompression: E = mean . l + sum_k c_k (B_k . l), with the dot products computed once per frame (Sloan
+// et al. 2003, "Clustered Principal Components", with one cluster). Wyman et al. 2006 store D floats. Each
+// bit goes to the component whose error it lessens most (Huang & Schultheiss 1963). The first components
+// therefore get several times as many as the last, and useless ones get none.
 #pragma once
 
 #include <cstdint>
@@ -21,19 +21,20 @@ namespace isolux::gi {
 
 class TransferBasis {
  public:
-  // Of one component in the words of a texel: (words[word] >> shift) & ((1 << bits) - 1) is its code, and
-  // c = low + code * step. No field lies in two words.
+  // The bit field of one component in the words of a texel. (words[word] >> shift) & ((1 << bits) - 1) is its
+  // code, and c = low + code * step. No field spans two words.
   struct Field {
     int word = 0, shift = 0, bits = 0;
-    float low = 0.0f, step = 0.0f;  // step 0: the component is the same in all texels
+    float low = 0.0f, step = 0.0f;  // step 0: the component is equal in all texels
     bool operator==(const Field&) const = default;
   };
 
-  // From the baked texels of lattices of the same content, at most `mostTexels` of them, evenly chosen. Null
-  // if there are none.
-  // `bits` of a texel, for at most `components` components, are rounded up to whole words. Errors count by
-  // what they do to E under usual environments, whose coefficients fall with the band of spherical harmonics.
-  // Throws Error{interrupted} within 100 ms of a stop of `progress`.
+  // Fits a basis to the baked texels of lattices of the same content, at most `mostTexels` of them, evenly
+  // chosen. Returns null if there are none.
+  //
+  // `bits` per texel, for at most `components` components, are rounded up to whole words. Errors are weighted
+  // by their effect on E under usual environments, whose coefficients fall with the SH band. Throws
+  // Error{interrupted} within 100 ms of a stop of `progress`.
   static std::shared_ptr<const TransferBasis> fit(std::span<const LightLattice* const> lattices,
                                                   int components, int bits,
                                                   const base::Progress* progress = nullptr,
@@ -46,15 +47,16 @@ class TransferBasis {
   }
 
   const std::vector<Field>& fields() const { return fields_; }  // of the components that have any bits
-  std::size_t words() const { return words_; }                  // of 32 bits, of a texel
+  std::size_t words() const { return words_; }                  // 32-bit words per texel
   const LightContent& content() const { return content_; }
 
-  // What is beyond the range of a field is clamped. `words`: words() of them.
+  // Encode and decode a transfer vector; values beyond the range of a field are clamped. `words` has words()
+  // elements.
   void encode(std::span<const float> transfer, std::span<std::uint32_t> words) const;
   void decode(std::span<const std::uint32_t> words, std::span<float> transfer) const;
   std::uint32_t code(std::span<const std::uint32_t> words, std::size_t component) const;
 
-  // What a picture needs under an environment of order^2 rgb coefficients: E = offset + sum_k code_k
+  // The factors of a frame under an environment of order^2 RGB coefficients: E = offset + sum_k code_k
   // factor_k.
   struct Lighting {
     glm::vec3 offset{0.0f};

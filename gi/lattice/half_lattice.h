@@ -1,5 +1,7 @@
-// Stored light as half of its texels alone would give it: what another sampling of the same light changes, by
-// the noise of paths and by where texels lie, is read off the two halves (docs/numerics.md).
+// Interpolates baked lighting from half of its texels, to estimate the sampling error.
+//
+// The difference between the two halves shows the noise of paths and the effect of the texels' positions
+// (docs/numerics.md).
 #pragma once
 
 #include <memory>
@@ -8,13 +10,13 @@
 
 namespace isolux::gi {
 
-// The texels of a lattice like the fields of a chessboard: x + y + z is even or odd.
+// The two halves of a lattice in a chessboard pattern: x + y + z is even or odd.
 enum class HalfOfTexels { even, odd };
 
-// A lattice in which the texels of the other half hold the mean of their lit neighbours along the axes, which
-// are all of `half`, each by the fourth power of the normals' cosine and its paths; where there is none that
-// faces the same way they keep their own. Normals, places and paths are those of `lattice`. Throws
-// Error{memory}.
+// Returns a lattice in which each texel of the other half has the mean of its lit neighbours along the axes,
+// all of which are in `half`. A neighbour's weight is the fourth power of the normals' cosine times its
+// paths. A texel without a neighbour that faces the same way keeps its own light. Normals, positions and
+// paths are those of `lattice`. Throws Error{memory}.
 std::shared_ptr<LightLattice> halfOf(const LightLattice& lattice, HalfOfTexels half);
 
 }  // namespace isolux::gi

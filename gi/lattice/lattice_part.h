@@ -1,9 +1,9 @@
-// Shares of a lattice's texels, for bakes that machines do without knowing of each other.
+// Divides a lattice's texels into parts, for bakes that machines do independently of each other.
 //
-// Tiles are 4 x 4 x 4 blocks (32^3 texels; fewer at the upper border), in Morton order of their places (the
-// lowest bit is x's). Part i of n has every tile whose number in that order is i modulo n: neighbouring tiles
-// belong to different parts, so that parts take about equally long. Parts of one n are disjoint, and together
-// they are the whole; where there are fewer tiles than parts, some are empty.
+// Tiles are 4 x 4 x 4 blocks (32^3 texels; fewer at the upper border), in Morton order of their positions
+// (the lowest bit is x's). Part i of n has every tile whose number in that order is i modulo n. Neighbouring
+// tiles belong to different parts, so that parts take about equally long. The parts of one n are disjoint and
+// cover the lattice; if there are fewer tiles than parts, some are empty.
 #pragma once
 
 #include <cstdint>
@@ -25,14 +25,14 @@ struct LatticePart {
 
 std::string partWords(LatticePart part);  // "part 2 of 5"
 
-// The number of tiles, and of each block its tile's number in Morton order.
+// The number of tiles, and the number of each block's tile in Morton order.
 struct LatticeTiles {
   std::uint32_t count = 0;
   std::vector<std::uint32_t> ofBlock;
 };
 LatticeTiles tilesOf(const LatticeGeometry& lattice);
 
-// Those of `blocks` that belong to the part, in their order.
+// Returns those of `blocks` that belong to the part, in their order.
 std::vector<WantedBlock> blocksOfPart(const LatticeGeometry& lattice, LatticePart part,
                                       std::vector<WantedBlock> blocks);
 

@@ -1,14 +1,16 @@
-// Stored light: texels in blocks that exist only where something was lit. One thread at a time writes a
-// block, any number read; every write has a revision, so that readers take only what has changed. A block is
-// immutable once written: writing exchanges it, and who still reads the old one keeps it.
+// Stores baked lighting: texels in blocks that exist only where something is lit.
 //
-// A texel holds the mean of its estimates so far and how many paths they are of (0: not baked). Contents:
-//   irradiance  E, rgb or one channel, for light of unit exposure (Wyman et al. 2006 eq. 2)
-//   transfer    spherical harmonic coefficients of T, order^2 per channel, index channel * order^2 + i:
-//               E = sum T_i l_i with those of the environment (eq. 5 to 9)
-// Normals are the texel's own (unit, world, outward), 0 where its isosurface has none, or none passes by:
-// such texels stay unbaked. Throws std::bad_alloc, or Error{memory} where the memory budget has no room for a
-// new block, and is then as before: what is lit stays.
+// One thread at a time writes a block, any number read. Every write has a revision, so that readers fetch
+// only changed blocks. A block is immutable once written: writing exchanges it, and readers of the old one
+// keep it.
+//
+// A texel holds the mean of its estimates so far and their number of paths (0: not baked). Contents:
+//   irradiance  E, RGB or one channel, for light of unit exposure (Wyman et al. 2006 eq. 2)
+//   transfer    SH coefficients of T (precomputed radiance transfer), order^2 per channel, index
+//               channel * order^2 + i: E = sum T_i l_i with those of the environment (eq. 5 to 9)
+// A normal is the texel's own (unit, world, outward). It is 0 if its isosurface has none or no isosurface is
+// near: such texels stay unbaked. Throws std::bad_alloc, or Error{memory} if the memory budget has no room
+// for a new block; the lattice is then unchanged.
 #pragma once
 
 #include <array>
@@ -39,10 +41,10 @@ struct LightContent {
 struct LatticeBlock {
   std::array<std::uint32_t, kTexelsOfBlock> samples{};
   std::array<glm::vec3, kTexelsOfBlock> normals{};
-  std::vector<glm::vec3> places;  // voxels, where texels are lit; of lattices with an isovalue, else empty
-  std::bitset<kTexelsOfBlock> unlit;  // texels that were asked for and have no normal
-  std::vector<float> means;           // kTexelsOfBlock x components, a texel's components side by side
-  base::MemoryBudget::Held held{};    // by write(), for as long as anybody keeps the block
+  std::vector<glm::vec3> places;  // voxels, where texels are lit; empty unless the lattice has an isovalue
+  std::bitset<kTexelsOfBlock> unlit;  // requested texels without a normal
+  std::vector<float> means;           // kTexelsOfBlock x components, a texel's components adjacent
+  base::MemoryBudget::Held held{};    // set by write(); lives as long as the block
 
   static std::size_t bytesOf(const LightContent& content, bool withPlaces = false) {
     const std::size_t ofTexel =
@@ -67,22 +69,23 @@ class LightLattice {
   std::shared_ptr<const LatticeBlock> at(std::uint32_t block) const;  // null: nothing is lit there
   bool read(std::uint32_t block, LatticeBlock& out) const;            // a copy; false: nothing is lit there
   void write(std::uint32_t block, LatticeBlock in);  // replaces the block, with a new revision
-  // Puts a block of a lattice of the same geometry and content here, without a copy; null: takes out what is
-  // here. No picture may read a lattice that blocks are taken out of: revisions do not tell of it.
+  // Stores a block of a lattice of the same geometry and content, without a copy; null removes the block.
+  // Requires that no frame reads a lattice from which blocks are removed: revisions do not show it.
   void share(std::uint32_t block, std::shared_ptr<const LatticeBlock> fresh);
-  // Drops all light; revisions go on. A LightBake that fills the lattice must be gone before.
+  // Removes all light; revisions continue. Requires that the LightBake that fills the lattice is destroyed.
   void clear();
 
-  // Of the newest write or clear(). Take it before changedSince(), so that nothing is missed.
+  // Returns the revision of the newest write or clear(). Read it before changedSince(), so that no change is
+  // missed.
   std::uint64_t revision() const { return revision_.load(std::memory_order_acquire); }
-  // Blocks written after `revision`, in the order of their last writing.
+  // Returns the blocks written after `revision`, in the order of their last write.
   std::vector<std::uint32_t> changedSince(std::uint64_t revision) const;
   std::uint64_t clearedAt() const;  // revision of the last clear()
   std::uint64_t bakedTexels() const;
   std::size_t bytes() const;
-  // What is still to come if every texel becomes lit.
+  // Returns the bytes still to be allocated if every texel becomes lit.
   std::size_t bytesToFill() const;
-  // Throws Error{memory} where that does not fit into the memory budget. Holds nothing.
+  // Throws Error{memory} if bytesToFill() does not fit into the memory budget. Reserves nothing.
   void checkThatAllFits() const;
 
  private:
@@ -90,21 +93,21 @@ class LightLattice {
   LightContent content_;
   std::string key_;
   base::MemoryBudget::Held held_;  // for the table
-  // Of the table; blocks are shared immutable copies. Nothing is counted, allocated or freed under it, as a
-  // writer may be a thread of low priority, and the window's thread a reader.
+  // Guards the table; blocks are shared immutable copies. Nothing is counted, allocated or freed while it is
+  // locked, as a writer may be a thread of low priority, and the window's thread a reader.
   mutable std::mutex mutex_;
   static constexpr std::uint32_t kNone = 0xffffffff;
   struct Stored {
     std::shared_ptr<const LatticeBlock> block;
-    std::uint64_t baked = 0;                     // texels of it
-    std::uint64_t revision = 0;                  // of its last writing
-    std::uint32_t older = kNone, newer = kNone;  // blocks, in the order of their last writing
+    std::uint64_t baked = 0;                     // texels of the block
+    std::uint64_t revision = 0;                  // of its last write
+    std::uint32_t older = kNone, newer = kNone;  // blocks, in the order of their last write
   };
   void unlink(Stored& stored);
 
   std::vector<Stored> blocks_;
   std::uint32_t newest_ = kNone;  // the block written last
-  std::size_t filled_ = 0;        // blocks that are there
+  std::size_t filled_ = 0;        // existing blocks
   std::atomic<std::uint64_t> revision_{0};
   std::uint64_t clearedAt_ = 0;
   std::uint64_t bakedTexels_ = 0;

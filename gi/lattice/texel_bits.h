@@ -1,4 +1,4 @@
-// Sets of texels of a block as eight words of 64 bits: word z holds the slice z, bit 8 y + x of it a texel.
+// Converts sets of a block's texels to eight 64-bit words: word z holds slice z, bit 8 y + x one texel.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@ namespace isolux::gi {
 using TexelWords = std::array<std::uint64_t, kBlockTexels>;
 static_assert(sizeof(TexelWords) == sizeof(std::bitset<kTexelsOfBlock>));
 
-// std::bitset keeps its bits in words from the lowest on, in every standard library we build with; a test
-// holds it to that.
+// Relies on std::bitset storing its bits in words from the lowest on, as every supported standard library
+// does; a test checks it.
 inline TexelWords wordsOf(const std::bitset<kTexelsOfBlock>& texels) {
   return std::bit_cast<TexelWords>(texels);
 }
@@ -22,7 +22,7 @@ inline std::bitset<kTexelsOfBlock> bitsOf(const TexelWords& words) {
   return std::bit_cast<std::bitset<kTexelsOfBlock>>(words);
 }
 
-// Calls visit(index in the block) for each texel, in rising order.
+// Calls visit(index in the block) for each texel, in ascending order.
 template <typename Visit>
 void forEachTexel(const std::bitset<kTexelsOfBlock>& texels, Visit visit) {
   const TexelWords words = wordsOf(texels);
@@ -31,7 +31,7 @@ void forEachTexel(const std::bitset<kTexelsOfBlock>& texels, Visit visit) {
       visit(z * 64 + static_cast<std::size_t>(std::countr_zero(word)));
 }
 
-// Texels of the block that are within the lattice.
+// Returns the texels of the block that are within the lattice.
 std::bitset<kTexelsOfBlock> texelsWithin(const LatticeGeometry& lattice, std::uint32_t block);
 
 }  // namespace isolux::gi

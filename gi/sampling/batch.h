@@ -1,9 +1,10 @@
-// Directions for many paths at once, one per SIMD lane: what directions.h and environment.h tell of one
-// direction, in the same arithmetic without fused products, so that a number does not depend on the lane that
-// it came from.
+// Samples directions for many paths at once, one per SIMD lane.
 //
-// A batch is arrays of kBatch numbers, of which the first `count` are asked for; whole vectors are computed,
-// and what lies behind `count` is any number. Immutable; any thread.
+// The functions compute what directions.h and environment.h compute for one direction, in the same arithmetic
+// without fused products: a number does not depend on its lane.
+//
+// A batch is arrays of kBatch numbers, of which the first `count` are requested. Whole vectors are computed;
+// the numbers behind `count` are undefined. Immutable; safe from any thread.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +15,7 @@
 namespace isolux::gi {
 
 inline constexpr std::size_t kBatch =
-    256;  // some ten kilobytes: what a stage asks for the next one finds near
+    256;  // some ten kilobytes: the results of a stage are still in the cache for the next
 
 struct alignas(64) BatchFloats {
   float v[kBatch] = {};
@@ -35,12 +36,12 @@ struct BatchPairs {
   BatchFloats x, y;  // in [0, 1)
 };
 
-// What an environment is sampled by (environment.h, guide_table.h). Fewer than 2^31 pixels.
+// The tables that an environment is sampled with (environment.h, guide_table.h). Fewer than 2^31 pixels.
 struct EnvironmentTables {
   int width = 0, height = 0;
   const float* pixels = nullptr;                                    // three each
-  const std::uint32_t *rowStart = nullptr, *columnStart = nullptr;  // row after row
-  const std::uint32_t *rowGuide = nullptr, *columnGuide = nullptr;  // of columns row after row
+  const std::uint32_t *rowStart = nullptr, *columnStart = nullptr;  // row by row
+  const std::uint32_t *rowGuide = nullptr, *columnGuide = nullptr;  // columns row by row
   const float *rowDensity = nullptr, *sineSquaredHalf = nullptr;
 };
 struct EnvironmentBatch {
@@ -49,12 +50,13 @@ struct EnvironmentBatch {
   BatchWords pixel;
 };
 
-// As Environment::sample().
+// Samples as Environment::sample().
 void sampleBatch(const EnvironmentTables& tables, const BatchPairs& u, std::size_t count,
                  EnvironmentBatch& samples);
-// As Environment::lookUp(), of samples.direction.
+// Looks up samples.direction as Environment::lookUp().
 void lookUpBatch(const EnvironmentTables& tables, std::size_t count, EnvironmentBatch& samples);
-// As Frame::about(normal).toWorld(cosineHemisphere(u)); cosines: of the directions with the normals.
+// Computes Frame::about(normal).toWorld(cosineHemisphere(u)). `cosines`: between the directions and the
+// normals.
 void cosineBatch(const BatchPairs& u, const BatchVectors& normals, std::size_t count,
                  BatchVectors& directions, BatchFloats& cosines);
 

@@ -1,9 +1,9 @@
-// The built-in lights: radiance as formulas of direction, drawn once into the image that the environment
-// samples.
+// Provides the built-in environments: radiance as formulas of direction, evaluated once into the image that
+// the environment samples.
 //
-// In the environment's own frame (gi/sampling/environment.h): +z up, and who looks at the volume's front
-// stands at -y and looks to +y, with +x to the right. So the main light of each comes from the viewer's upper
-// left.
+// Directions are in the environment's own frame (gi/sampling/environment.h): +z is up; a viewer of the
+// volume's front is at -y and looks towards +y, with +x to the right. The main light of each is at the
+// viewer's upper left.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -13,11 +13,11 @@
 
 namespace isolux::gi {
 
-// Goes up when a built-in light gives other radiances: what is stored under the old ones is then refused
+// Incremented when a built-in environment changes; light baked with older ones is then rejected
 // (gi/light_key.h).
 inline constexpr int kBuiltInLightVersion = 1;
 
-glm::dvec3 builtInRadiance(scene::BuiltInLight light, const glm::dvec3& direction);  // of a unit vector
+glm::dvec3 builtInRadiance(scene::BuiltInLight light, const glm::dvec3& direction);  // requires a unit vector
 Environment builtInEnvironment(scene::BuiltInLight light);
 
 }  // namespace isolux::gi

@@ -1,20 +1,22 @@
-// Points of [0, 1)^2 for directions and other decisions of a light path, and their maps to the sphere.
+// Generates points of [0, 1)^2 for directions and other decisions of a light path, and maps them to the
+// sphere.
 //
-// samplePair() and sampleOne() are functions of their arguments alone: the same on every machine, in any
-// order, from any number of threads. `seed` names the pattern (a texel or a pixel; neighbours may have
-// neighbouring seeds), `sample` the point of it, `pair` or `dimension` the decision of the path: 0 the first
-// direction, then the later ones. Every prefix of a pattern is well distributed, and any number of samples
-// may follow. Coordinates are odd multiples of 2^-24: never 0 or 1, so no direction lies in the surface.
+// samplePair() and sampleOne() depend only on their arguments: they are the same on every machine, in any
+// order and from any number of threads. `seed` selects the pattern (a texel or a pixel; neighbours may have
+// neighbouring seeds) and `sample` the point of it. `pair` or `dimension` selects the decision of the path: 0
+// the first direction, then the later ones. Every prefix of a pattern is well distributed, and any number of
+// samples may follow. Coordinates are odd multiples of 2^-24: never 0 or 1, so no direction lies in the
+// surface.
 //
 // Sequences:
-//   sobol_owen: the first two dimensions of Sobol's sequence, a (0,2)-sequence: every 2^k first points put
+//   sobol_owen: the first two dimensions of Sobol's sequence, a (0,2)-sequence: the first 2^k points put
 //     exactly one into each of the 2^k boxes of any shape a power of two wide and high. Owen scrambling by a
 //     hash (Laine & Karras 2011; Burley, JCGT 9(4), 2020; the hash is that of Vegdahl 2021, also in pbrt-v4).
-//     Pairs after the first are the same sequence in an order of their own, scrambled anew ("padded", Burley
-//     2020 sec. 5).
+//     Pairs after the first are the same sequence in another order, scrambled again ("padded", Burley 2020
+//     sec. 5).
 //   r2: fractional parts of n (1/p, 1/p^2), p^3 = p + 1 (Roberts 2018), with a shift per seed (Cranley &
-//     Patterson 1976), in 64-bit integers: no drift at large n. Pairs after the first are sobol_owen: two
-//     shifted copies of one lattice would be the same in every pair.
+//     Patterson 1976), in 64-bit integers: no drift at large n. Pairs after the first are sobol_owen, because
+//     two shifted copies of one lattice would be the same in every pair.
 //   random: independent numbers, a hash of the counters.
 #pragma once
 
@@ -37,7 +39,7 @@ glm::vec2 samplePair(DirectionSequence sequence, std::uint32_t seed, std::uint32
 float sampleOne(DirectionSequence sequence, std::uint32_t seed, std::uint32_t sample,
                 std::uint32_t dimension);
 
-// samplePair() of one seed and pair.
+// Evaluates samplePair() for one seed and pair.
 class PairPattern {
  public:
   PairPattern() = default;
@@ -50,14 +52,15 @@ class PairPattern {
   std::uint64_t key_ = 0;
 };
 
-// Of an angle of at most pi / 4, off by less than 1e-7. No function of the C library: the same everywhere.
+// Computes sine and cosine of an angle of at most pi / 4, with an error below 1e-7. Uses no function of the C
+// library, so the result is the same everywhere.
 inline void sineCosine(float angle, float& sine, float& cosine) {
   const float a2 = angle * angle;
   sine = angle * (1.0f + a2 * (-1.0f / 6 + a2 * (1.0f / 120 + a2 * (-1.0f / 5040 + a2 * (1.0f / 362880)))));
   cosine = 1.0f + a2 * (-0.5f + a2 * (1.0f / 24 + a2 * (-1.0f / 720 + a2 * (1.0f / 40320))));
 }
 
-// Of `turn` full turns, in [-1/2, 1/2]; off by less than 1.5e-7.
+// Computes sine and cosine of `turn` full turns, in [-1/2, 1/2], with an error below 1.5e-7.
 inline void sineCosineOfTurn(float turn, float& sine, float& cosine) {
   const int quarter = static_cast<int>(4.0f * turn + 2.5f) - 2;  // the nearest
   float s, c;
@@ -68,7 +71,7 @@ inline void sineCosineOfTurn(float turn, float& sine, float& cosine) {
   if (((quarter + 1) & 2) != 0) cosine = -cosine;
 }
 
-// The disc of radius 1 from the unit square, areas in proportion (Shirley & Chiu 1997).
+// Maps the unit square to the unit disc, preserving ratios of areas (Shirley & Chiu 1997).
 inline glm::vec2 concentricDisk(glm::vec2 u) {
   const glm::vec2 square = 2.0f * u - 1.0f;
   const bool wide = std::abs(square.x) > std::abs(square.y);
@@ -79,14 +82,15 @@ inline glm::vec2 concentricDisk(glm::vec2 u) {
   return radius * (wide ? glm::vec2(cosine, sine) : glm::vec2(sine, cosine));
 }
 
-// Unit vectors about +z. Densities per steradian: z / pi, 1 / (4 pi), 1 / (2 pi oneMinusCosine).
+// Return unit vectors about +z. Densities per steradian: z / pi, 1 / (4 pi) (uniformSphere), 1 / (2 pi
+// oneMinusCosine) (uniformCone).
 inline glm::vec3 cosineHemisphere(glm::vec2 u) {
   const glm::vec2 disk = concentricDisk(u);
   return {disk.x, disk.y, std::sqrt(std::max(0.0f, 1.0f - glm::dot(disk, disk)))};
 }
 
-// The cone of directions within an angle of +z, given as 1 - cos(angle) in [0, 2] so that narrow cones keep
-// their digits.
+// Samples the cone of directions within an angle of +z. The angle is given as 1 - cos(angle) in [0, 2], which
+// keeps the precision of narrow cones.
 inline glm::vec3 uniformCone(glm::vec2 u, float oneMinusCosine) {
   const glm::vec2 disk = concentricDisk(u);
   const float below = oneMinusCosine * std::min(1.0f, glm::dot(disk, disk));  // 1 - z, uniform
@@ -98,7 +102,7 @@ inline glm::vec3 uniformSphere(glm::vec2 u) {
   return uniformCone(u, 2.0f);
 }
 
-// 1 - cos of the half angle under which a ball is seen from `distance` of its centre; 2, all directions, from
+// Returns 1 - cos of the half angle that a ball subtends at `distance` from its centre; 2 (all directions)
 // inside it.
 inline float oneMinusCosineOfBall(float radius, float distance) {
   if (!(distance > radius)) return 2.0f;

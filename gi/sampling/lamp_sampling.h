@@ -1,11 +1,11 @@
-// Lamps as a surface point sees them: how much light arrives unoccluded, and where a shadow ray must go.
+// Samples light sources from a surface point: the unoccluded irradiance and the direction of a shadow ray.
 //
-// Sphere lamps are sampled uniformly in the cone they are seen under, which stays exact for lamps that are
-// far away or near; from inside one, which shines on both sides, by the cosine. Distant discs likewise by
-// their cone (Shirley, Wang & Zimmerman 1996). Points are voxel coordinates, normals and directions unit
-// vectors in the world, lengths mm. Positions of lamps are kept relative to the volume, so that large world
-// coordinates cost no digits. Nearer than a thousandth of the shortest voxel axis a point lamp gets no
-// brighter. Immutable; any thread.
+// Sphere lights are sampled uniformly in the cone that they subtend, which is exact near and far; from
+// inside, where both sides shine, by the cosine. Distant discs are sampled by their cone likewise (Shirley,
+// Wang & Zimmerman 1996). Points are voxel coordinates, normals and directions unit vectors in the world,
+// lengths mm. Positions are stored relative to the volume, so that large world coordinates cost no precision.
+// Within a thousandth of the shortest voxel axis, a point light gets no brighter. Immutable; safe from any
+// thread.
 #pragma once
 
 #include <span>
@@ -21,8 +21,8 @@
 namespace isolux::gi {
 
 struct LampSample {
-  glm::vec3 irradiance{0.0f};  // the estimate, if nothing is between; 0: no ray needed
-  glm::vec3 toward{0.0f};      // mm from the point to what shines there; of distant lamps a unit direction
+  glm::vec3 irradiance{0.0f};  // the estimate if unoccluded; 0: no ray needed
+  glm::vec3 toward{0.0f};      // mm from the point to the sampled light; of distant lights a unit direction
   bool distant = false;
 };
 
@@ -31,13 +31,13 @@ class LampSampler {
   LampSampler(std::span<const LampLight> lamps, const volume::GridGeometry& geometry);
 
   int count() const { return static_cast<int>(lamps_.size()); }
-  // Only lamps with an extent have samples that differ.
+  // Returns whether the light has an extent; only then do its samples differ.
   bool hasExtent(int lamp) const { return lamps_[static_cast<std::size_t>(lamp)].extended; }
 
-  // `u` in [0, 1)^2 is used by lamps with an extent.
+  // Samples a light. `u` in [0, 1)^2 is used by lights with an extent.
   LampSample sample(int lamp, glm::vec3 voxel, glm::vec3 normal, glm::vec2 u) const;
-  // One lamp, with a probability in proportion to its unoccluded irradiance; -1 where none shines, or all
-  // together beyond what a float holds. `u` in [0, 1].
+  // Chooses a light with a probability proportional to its unoccluded irradiance. Returns -1 if none shines
+  // or if their sum overflows a float. `u` in [0, 1].
   int choose(glm::vec3 voxel, glm::vec3 normal, float u, float& probability) const;
 
  private:
@@ -48,7 +48,7 @@ class LampSampler {
     float radiusMm, oneMinusCosine, luminance;
   };
   glm::vec3 mmTo(const Lamp& lamp, glm::vec3 voxel) const;
-  // Above 0 wherever any sample of the lamp has light.
+  // Returns a bound that is above 0 wherever any sample of the light is.
   float brightness(const Lamp& lamp, glm::vec3 voxel, glm::vec3 normal) const;
 
   std::vector<Lamp> lamps_;

@@ -1,4 +1,4 @@
-// Which texels a band of isovalues needs.
+// Finds the texels that a band of isovalues needs.
 #pragma once
 
 #include <vector>
@@ -11,9 +11,9 @@
 
 namespace isolux::gi {
 
-// Texels that lookups on the isosurfaces of isovalues [low, high] (data units) can read, by the least and
-// greatest voxel around each: all of them, and few more. Of Field::cubic_interpolating, which overshoots its
-// voxels, some may be missing. Multithreaded; throws Error{interrupted}.
+// Returns the texels that lookups on the isosurfaces of isovalues [low, high] (data units) can read, from the
+// minimum and maximum voxel around each: all of them, and few more. With Field::cubic_interpolating, which
+// overshoots its voxels, some may be missing. Multithreaded; throws Error{interrupted}.
 std::vector<WantedBlock> texelsOfBand(const LatticeGeometry& lattice, const volume::Grid& grid, double low,
                                       double high, int reach, base::Progress& progress,
                                       scene::Field field = scene::Field::trilinear);

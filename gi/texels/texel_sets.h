@@ -1,4 +1,4 @@
-// Which texels a picture or a whole volume needs (a band of isovalues: gi/texels/texel_band.h).
+// Finds the texels that an image or a whole volume needs (for a band of isovalues: gi/texels/texel_band.h).
 #pragma once
 
 #include <span>
@@ -11,11 +11,12 @@
 
 namespace isolux::gi {
 
-// Texels that a lookup at any of `hits` (voxel coordinates; NaN and infinities are passed over) reads: 2 per
-// axis, or 4 for tri-cubic lookups (`reach` 1 or 2). Blocks in the order in which the hits first touch them.
+// Returns the texels that a lookup at any of `hits` reads: 2 per axis, or 4 for tri-cubic lookups (`reach` 1
+// or 2). `hits` are voxel coordinates; NaN and infinities are ignored. Blocks are in the order in which the
+// hits first touch them.
 std::vector<WantedBlock> texelsAround(const LatticeGeometry& lattice, std::span<const glm::vec3> hits,
                                       int reach);
-// Those that are within `texels` steps along each axis of one of `inner`, and not in it.
+// Returns the texels within `texels` steps along each axis of a texel of `inner`, but not in it.
 std::vector<WantedBlock> texelsBeside(const LatticeGeometry& lattice, const std::vector<WantedBlock>& inner,
                                       int texels);
 std::vector<WantedBlock> allTexels(const LatticeGeometry& lattice);

@@ -1,8 +1,8 @@
-// How bright a surface is in its light, as an automatic exposure sees it.
+// Measures the brightness of a lit surface for automatic exposure.
 //
-// Measured by path tracing a few hundred points of the surface as it is seen from the front, the whole volume
-// in the picture: the same whatever the view, the size of the picture and what is stored so far. So turning
-// the view changes no exposure, tiles agree, and a picture that is drawn again from its session is the same.
+// It path-traces a few hundred points of the surface, seen from the front with the whole volume in the image.
+// The result does not depend on the view, the image size or what is baked so far. Turning the view therefore
+// changes no exposure, tiles agree, and an image redrawn from its session is the same.
 #pragma once
 
 #include <memory>
@@ -14,18 +14,18 @@
 
 namespace isolux::gi {
 
-// The scene as far as brightness depends on it: equal ones have equal brightness in one volume and
+// Returns the scene reduced to what brightness depends on: equal ones have equal brightness in one volume and
 // environment.
 scene::Scene meteredScene(const scene::Scene& resolved);
 
-// Nothing where the front view sees no outer side of a surface. `tracer`, `environment`: as of
-// makeLightScene(). About 20 ms. Throws Error{interrupted}.
+// Measures the brightness. Returns nullopt if the front view shows no front face. `tracer`, `environment`: as
+// for makeLightScene(). Takes about 20 ms. Throws Error{interrupted}.
 std::optional<SurfaceBrightness> measureBrightness(
     const scene::Scene& resolved, const std::shared_ptr<const volume::PreparedVolume>& volume,
     std::shared_ptr<const volume::IsosurfaceTracer> tracer, std::shared_ptr<const Environment> environment,
     base::Progress& progress);
 
-// Stops that put the median at a middle grey, or below it as far as highlights ask for.
+// Returns the exposure [stops] that maps the median to middle grey, or less if highlights require it.
 double exposureOf(const SurfaceBrightness& seen);
 
 }  // namespace isolux::gi

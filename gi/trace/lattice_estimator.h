@@ -1,5 +1,5 @@
-// The texels of a lattice as points of the path tracer: position, isovalue (its own, or the lattice's),
-// B-spline normal.
+// Estimates the light of a lattice's texels by the path tracer: position, isovalue (the texel's own, or the
+// lattice's) and B-spline normal of each.
 #pragma once
 
 #include <memory>

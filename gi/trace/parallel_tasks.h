@@ -1,4 +1,4 @@
-// Numbered tasks on a few threads of their own, as many as the system gives; the caller waits.
+// Runs numbered tasks on a few threads of their own, as many as the system creates; the caller waits.
 #pragma once
 
 #include <atomic>
@@ -11,8 +11,8 @@
 
 namespace isolux::gi {
 
-// Calls body(task) for 0 .. count - 1 until one returns false. True when all returned true. What a body
-// throws is thrown here, and ends the others after what they are at.
+// Calls body(task) for 0 .. count - 1 until one returns false. Returns true if all returned true. An
+// exception of a body ends the other threads after their current task and is rethrown here.
 template <class Body>
 bool runTasks(std::size_t count, int threads, const Body& body) {
   std::atomic<std::size_t> next{0};
@@ -37,7 +37,7 @@ bool runTasks(std::size_t count, int threads, const Body& body) {
     try {
       for (int i = 1; i < threads && static_cast<std::size_t>(i) < count; ++i) others.emplace_back(work);
     } catch (const std::system_error&) {
-      // The system gives no more: those that there are do the work.
+      // The system creates no more threads: the existing ones do the work.
     }
     work();
   }

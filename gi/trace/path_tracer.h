@@ -1,13 +1,14 @@
-// Light of surface points by path tracing: irradiance or spherical harmonic transfer, unbiased.
+// Computes irradiance or spherical-harmonic transfer at surface points by path tracing, unbiased.
 //
 // Each point is lit on its own isosurface: every ray of its paths is traced against that isovalue (Wyman et
-// al. 2006 sec. 4.1). Directions are cosine-distributed about the B-spline normal; a share of them are
-// shadow rays toward directions drawn from the environment instead, and direct light of it is weighted for
-// both (one-sample multiple importance sampling, balance heuristic: Veach 1997 sec. 9.2.4). Lamps by shadow
-// rays. Paths never branch, and end by Russian roulette.
-// Rays start off the surface by kOffsetVoxels along the normal; what a lamp gives is that of the point
-// itself. The result for a point and a sample number is always the same, whatever else is asked for. A path
-// that has not ended after kMostBounces (albedo 1 in a closed cavity) is ended and counted. Thread-safe.
+// al. 2006 sec. 4.1). Directions are cosine-distributed about the B-spline normal. A fraction of them are
+// shadow rays towards directions sampled from the environment instead; its direct light is weighted for both
+// (one-sample multiple importance sampling, balance heuristic: Veach 1997 sec. 9.2.4). Light sources are
+// sampled by shadow rays. Paths never branch, and end by Russian roulette.
+//
+// Rays start off the surface by kOffsetVoxels along the normal; the light of a source is that at the point
+// itself. The result for a point and a sample number does not depend on other requests. A path that has not
+// ended after kMostBounces (albedo 1 in a closed cavity) is ended and counted. Thread-safe.
 #pragma once
 
 #include <atomic>
@@ -23,8 +24,8 @@
 
 namespace isolux::gi {
 
-inline constexpr float kOffsetVoxels = 0.1f;  // of the shortest voxel axis
-inline constexpr int kMostBounces = 1000;     // of any path; the largest gi.bounces
+inline constexpr float kOffsetVoxels = 0.1f;  // fraction of the shortest voxel axis
+inline constexpr int kMostBounces = 1000;     // of any path; the maximum of gi.bounces
 
 struct PathSetup;  // gi/trace/path_wave.h
 
@@ -32,35 +33,35 @@ struct LightPoint {
   glm::vec3 voxel{0.0f};
   float isovalue = 0.0f;   // stored units
   glm::vec3 normal{0.0f};  // unit, world, outward
-  std::uint32_t seed = 0;  // of its pattern of directions: a texel's or pixel's number
+  std::uint32_t seed = 0;  // of its direction pattern: the number of a texel or pixel
 };
 
 class PathTracer {
  public:
   explicit PathTracer(std::shared_ptr<const LightScene> light);
 
-  // Mean estimates of E over `range` for each point, of the sky or of the lamps; `variances` (empty, or one a
-  // point): the sample variance of one path's luminance of E, from the same paths (0 for one sample). False
-  // when stopped.
+  // Computes mean estimates of E over `range` for each point, of the sky or of the light sources. `variances`
+  // (empty, or one per point): the sample variance of one path's luminance of E, from the same paths (0 for
+  // one sample). Returns false when stopped.
   bool irradiance(LightPart part, std::span<const LightPoint> points, SampleRange range,
                   std::span<glm::vec3> means, std::span<float> variances, std::uint64_t& rays,
                   const std::stop_token& stop) const;
-  // The same estimates, each added to its point's sum in the order of the samples: cut into calls in any way,
-  // the sums are the same bit by bit.
+  // Adds the same estimates to each point's sum in the order of the samples. The sums are bit-identical
+  // however the samples are split among calls.
   bool addIrradiance(LightPart part, std::span<const LightPoint> points, SampleRange range,
                      std::span<glm::dvec3> sums, std::uint64_t& rays, const std::stop_token& stop) const;
-  // Mean transfer vectors, light.choice.channels * order^2 floats a point (LightContent); or their sums, as
-  // above.
+  // Computes mean transfer vectors, light.choice.channels * order^2 floats per point (LightContent);
+  // addTransfer() adds to sums, as above.
   bool transfer(std::span<const LightPoint> points, SampleRange range, std::span<float> means,
                 std::uint64_t& rays, const std::stop_token& stop) const;
   bool addTransfer(std::span<const LightPoint> points, SampleRange range, std::span<double> sums,
                    std::uint64_t& rays, const std::stop_token& stop) const;
 
-  // Outward unit normal, world, of a gradient of IsosurfaceTracer::gradients(); 0 where there is none.
+  // Returns the outward unit normal, world, for a gradient of IsosurfaceTracer::gradients(); 0 if undefined.
   glm::vec3 normalOf(glm::vec3 gradient) const;
 
   const LightScene& light() const;
-  // Paths so far that were still under way after kMostBounces: light is missing there.
+  // Returns the number of paths so far that were ended by kMostBounces: their remaining light is missing.
   std::uint64_t cappedPaths() const { return capped_->load(std::memory_order_relaxed); }
 
  private:
@@ -70,7 +71,7 @@ class PathTracer {
                        std::uint64_t& rays, const std::stop_token& stop, const Each& each) const;
 
   std::shared_ptr<const PathSetup> setup_;
-  std::shared_ptr<std::atomic<std::uint64_t>> capped_;  // of all copies
+  std::shared_ptr<std::atomic<std::uint64_t>> capped_;  // shared by all copies
 };
 
 }  // namespace isolux::gi

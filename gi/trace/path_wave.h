@@ -1,15 +1,17 @@
-// A wave of light paths that advance together, one segment at a time: rays are made, traced and shaded in
+// Advances a wave of light paths together, one segment at a time: rays are generated, traced and shaded in
 // batches, so that the tracer's lanes stay full.
 //
-// Path i of a wave is sample samples.first + i % samples.count of point i / samples.count. At each vertex of
-// a path, direct light of the sky is estimated by one direction, drawn from the sky with a probability of
-// `share` and else from the cosine, and weighted for both (one-sample multiple importance sampling with the
-// balance heuristic, Veach 1997 eq. 9.15). A path goes on in directions of the cosine only: one that is drawn
-// from the sky is a shadow ray and ends it, and the others count 1 / (1 - share) times as much. At a bounce
-// the path goes on about the B-spline normal; where that does not face the arriving ray, or is 0, about the
-// normal of the trilinear cell, and where that does not either, straight back: a path is never dropped, so no
-// light vanishes. Lengths mm, positions voxel coordinates, directions and normals world. The decisions of a
-// path depend on its point's seed, its sample and its depth only: a path is the same in any wave.
+// Path i of a wave is sample samples.first + i % samples.count of point i / samples.count. At each vertex,
+// direct light of the sky is estimated by one direction. It is sampled from the sky with probability `share`,
+// else from the cosine, and weighted for both (one-sample multiple importance sampling with the balance
+// heuristic, Veach 1997 eq. 9.15). A path continues only in cosine-sampled directions, which count 1 / (1 -
+// share) times as much; a direction sampled from the sky is a shadow ray and ends the path.
+//
+// After a bounce the directions are about the B-spline normal. If that does not face the arriving ray, or is
+// 0, they are about the normal of the trilinear cell; if that does not either, the path goes straight back. A
+// path is never dropped, so no light vanishes. Lengths are mm, positions voxel coordinates, directions and
+// normals world. The decisions of a path depend only on its point's seed, its sample and its depth: a path is
+// the same in any wave.
 #pragma once
 
 #include <cstdint>
@@ -28,34 +30,33 @@
 
 namespace isolux::gi {
 
-// Of one wave: enough to fill the tracer, some 1 MB of state. Measured: 16384 paths are 1 % slower.
+// Paths of one wave: enough to fill the tracer, about 1 MB of state. Measured: 16384 paths are 1 % slower.
 inline constexpr std::size_t kWavePaths = 8192;
 
-// What all paths of a light scene share.
+// Data shared by all paths of a light scene.
 struct PathSetup {
   explicit PathSetup(std::shared_ptr<const LightScene> light);
 
-  // Outward unit normal of a gradient in stored units per voxel; 0 for a gradient that is 0 or not finite.
+  // Returns the outward unit normal for a gradient in stored units per voxel; 0 if that is 0 or not finite.
   glm::vec3 normalOf(glm::vec3 gradient) const;
 
   std::shared_ptr<const LightScene> light;
   LampSampler lamps;
   Sky sky;             // of radiance 1 where environment is null
-  float share = 0.0f;  // of directions drawn from the sky
+  float share = 0.0f;  // fraction of directions sampled from the sky
   int bounces = 0;
   glm::mat3 voxelsOfMm{1.0f};
   glm::mat3 normalOfGradient{1.0f};  // not normalised
   float offsetMm = 0.0f;
 };
 
-// Where a path left the volume, and what light from there counts: the estimate of E is
-// throughput * radiance.
+// The direction in which a path left the volume, and its weight: the estimate of E is throughput * radiance.
 struct Escape {
-  glm::vec3 throughput{0.0f};  // 0: it did not
+  glm::vec3 throughput{0.0f};  // 0: it did not leave
   glm::vec3 direction{0.0f};
 };
 
-// Keeps its memory from wave to wave. One thread.
+// Traces waves on one thread; keeps its memory from wave to wave.
 class PathWave {
  public:
   struct Range {
@@ -63,20 +64,20 @@ class PathWave {
     SampleRange samples;
     std::size_t paths() const { return points.size() * samples.count; }
   };
-  // rays: traced; capped: paths that were ended by kMostBounces.
+  // `rays`: traced; `capped`: paths ended by kMostBounces.
   struct Counters {
     std::uint64_t rays = 0, capped = 0;
   };
 
-  // One estimate of E for each path. False when stopped.
+  // Computes one estimate of E for each path. Returns false when stopped.
   bool skyLight(const PathSetup& setup, const Range& range, std::span<glm::vec3> light, Counters& counters,
                 const std::stop_token& stop);
   bool lampLight(const PathSetup& setup, const Range& range, std::span<glm::vec3> light, Counters& counters,
                  const std::stop_token& stop);
-  // Where each path leaves, if it does.
+  // Finds where each path leaves the volume, if it does.
   bool escapes(const PathSetup& setup, const Range& range, std::span<Escape> escapes, Counters& counters,
                const std::stop_token& stop);
-  // E of the lamps without an extent, straight from them: the same for every sample.
+  // Computes E of the light sources without an extent directly: the same for every sample.
   bool directLight(const PathSetup& setup, std::span<const LightPoint> points, std::span<glm::vec3> light,
                    Counters& counters, const std::stop_token& stop);
 
@@ -90,11 +91,11 @@ class PathWave {
     glm::vec3 direction, throughput;
     float cosine;
   };
-  struct SkyRay {  // to a direction that was drawn from the sky
+  struct SkyRay {  // towards a direction sampled from the sky
     std::uint32_t path;
-    glm::vec3 worth;  // if nothing is in its way
+    glm::vec3 worth;  // if unoccluded
   };
-  struct Job;  // what is constant during a call
+  struct Job;  // constants of a call
 
   void start(const Job& job);
   void depart(const Job& job, std::uint32_t depth);
@@ -110,9 +111,9 @@ class PathWave {
            glm::vec3 throughput);
   bool lightUp(const Job& job, std::span<glm::vec3> light);
 
-  // What a few hundred vertices choose at once.
+  // Decisions of a few hundred vertices at once.
   struct Batch {
-    std::uint32_t toSky[kBatch] = {}, byCosine[kBatch] = {};  // which of them
+    std::uint32_t toSky[kBatch] = {}, byCosine[kBatch] = {};  // their indices
     BatchPairs skyPairs, cosinePairs;
     EnvironmentBatch sky;
     BatchVectors normals, directions;

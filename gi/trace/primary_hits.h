@@ -1,9 +1,9 @@
-// What the pixels of a picture see: the exact first hit of each pixel's middle with all shown isosurfaces.
+// Finds the exact first hit of each pixel's centre with all shown isosurfaces.
 //
-// Cut faces (volume/clip/cut_faces.h) hide what lies behind them and are no hits. Rays, camera and pixels are
-// those of the renderer. Double precision, every cell's first root (volume/hit/exact_hit.h,
-// volume/hit/exact_cubic_hit.h) on the field hit.field, whatever hit.method says. Positions are voxel
-// coordinates. Const members are safe from many threads.
+// Caps (volume/clip/cut_faces.h) occlude what is behind them and are not hits. Rays, camera and pixels are
+// those of the renderer. Computes in double precision the first root in every cell (volume/hit/exact_hit.h,
+// volume/hit/exact_cubic_hit.h) of the field hit.field, whatever hit.method is. Positions are voxel
+// coordinates. Const members are safe from any thread.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ namespace isolux::gi {
 struct PrimaryHit {
   glm::dvec3 voxel{0.0};
   int surface = 0;    // index into surfaces()
-  bool outer = true;  // the outer side is seen
+  bool outer = true;  // the front face is visible
 };
 
 class PrimaryHits {
@@ -43,11 +43,11 @@ class PrimaryHits {
 
   std::optional<PrimaryHit> at(glm::ivec2 pixel) const;  // row 0 is the top row
   glm::vec3 direction(glm::ivec2 pixel) const;           // of the ray; unit, world
-  // Where the pixel looks in the environment: an orthographic view sees as much of it as a perspective one.
+  // Returns the direction to look up in the environment: an orthographic view shows as much of it as a
+  // perspective one.
   glm::vec3 backgroundDirection(glm::ivec2 pixel) const;
   const std::vector<Surface>& surfaces() const { return surfaces_; }
-  // The field that normals are of, where the scene names a scale for them (derivatives.normal_scale); else
-  // null.
+  // Returns the field for normals if the scene has a scale σ for them (derivatives.normal_scale), else null.
   const volume::ScaledField* normalField() const { return normalField_.get(); }
 
  private:
@@ -64,8 +64,8 @@ class PrimaryHits {
   std::vector<Surface> surfaces_;
   std::vector<volume::HiddenOfSurface> hidden_;
   volume::SurfaceCut cut_;
-  std::optional<volume::CutFaces> faces_;            // where any are shown
-  std::shared_ptr<const volume::CubicField> cubic_;  // of the cubic fields
+  std::optional<volume::CutFaces> faces_;            // if any are shown
+  std::shared_ptr<const volume::CubicField> cubic_;  // of cubic fields
   std::shared_ptr<const volume::ScaledField> normalField_;
 };
 

@@ -1,6 +1,7 @@
-// The GL 4.5 core functions Isolux calls, loaded through a context's own getProcAddress into one table.
+// Loads the GL 4.5 core functions that Isolux calls into one table, through a context's own getProcAddress.
 //
-// Loader libraries (glbinding, GLEW, epoxy) cannot load from OSMesa; this table can load from anything.
+// Loader libraries (glbinding, GLEW, epoxy) cannot load from OSMesa; this table can be loaded from any
+// context.
 #pragma once
 
 #include <functional>
@@ -20,10 +21,10 @@ struct Gl {
 
   bool software = true;    // a CPU rasteriser (llvmpipe, softpipe, swrast)
   GLint max3dTexture = 0;  // texels per axis
-  GLint maxImage = 0;      // texels per axis of what is drawn into
+  GLint maxImage = 0;      // texels per axis of an image that is drawn into
 
-  // Loads every function, checks the version and listens to errors (render/gl/gl_messages.h); the context
-  // must be current. Throws base::Error{graphics} naming the first missing function or the version found.
+  // Loads every function, checks the version and records errors (render/gl/gl_messages.h). Requires a current
+  // context. Throws base::Error{graphics} naming the first missing function or the version found.
   static std::shared_ptr<const Gl> load(const GlLoader& loader);
 
   std::string string(GLenum name) const;  // GetString, "" if null

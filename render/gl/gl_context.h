@@ -1,5 +1,7 @@
-// GL contexts without a window: EGL (a GPU without a display, or software) and OSMesa (software), chosen at
-// run time. Both libraries are opened with dlopen, so the program starts where either is missing.
+// Creates GL contexts without a window, chosen at run time: EGL (a GPU without a display, or software) and
+// OSMesa (software).
+//
+// Both libraries are opened with dlopen, so the program starts if either is missing.
 #pragma once
 
 #include <memory>
@@ -11,9 +13,9 @@ namespace isolux::render {
 
 struct Gl;
 
-// software: whichever of OSMesa and software EGL is there. Mesa has no OSMesa from 25.1 on.
+// Kinds of context. software: OSMesa or software EGL, whichever exists. Mesa has no OSMesa from 25.1 on.
 enum class ContextChoice { automatic, software, egl, osmesa };
-// "auto", "software", "egl" or "osmesa".
+// Parses "auto", "software", "egl" or "osmesa".
 ContextChoice contextChoiceNamed(std::string_view name);
 
 struct ContextDescription {
@@ -29,13 +31,14 @@ class OffscreenContext {
   virtual const ContextDescription& description() const = 0;
   virtual std::shared_ptr<const Gl> gl() const = 0;
 
-  // A current GL 4.5 core context. automatic: a hardware EGL device, else OSMesa, else software EGL;
-  // software: the same without the first. Throws base::Error: memory where drivers would not find enough of
-  // it, before any is loaded; graphics with what was tried and why each failed.
+  // Creates a GL 4.5 core context and makes it current. automatic: a hardware EGL device, else OSMesa, else
+  // software EGL; software: the same without the first. Throws base::Error: memory if drivers would lack
+  // memory, before any is loaded; graphics with what was tried and why each failed.
   static std::unique_ptr<OffscreenContext> create(ContextChoice choice);
 };
 
-// For `isolux doctor`: every way to a context, whether it worked, and which one automatic takes.
+// Describes one way to create a context, for `isolux doctor`: whether it works, and whether `automatic`
+// chooses it.
 struct ContextProbe {
   std::string kind;
   bool works = false;

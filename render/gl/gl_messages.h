@@ -1,8 +1,8 @@
-// What the driver has to say about our GL calls (KHR_debug): errors would pass unseen otherwise.
+// Records the driver's error messages about GL calls (KHR_debug), which would otherwise be lost.
 //
-// Messages are kept by thread, since a context belongs to one thread and the driver reports within the call
-// at fault. GL_OUT_OF_MEMORY, which the objects look for themselves and answer (gl_objects.cpp), is forgotten
-// there.
+// Messages are stored per thread, since a context belongs to one thread and the driver reports within the
+// faulty call. The objects check for GL_OUT_OF_MEMORY themselves, handle it and remove it from the messages
+// (gl_objects.cpp).
 #pragma once
 
 #include <cstddef>
@@ -13,12 +13,12 @@ namespace isolux::render {
 
 struct Gl;
 
-// From now on errors in the current context are kept. Gl::load() calls it.
+// Starts to record errors of the current context. Called by Gl::load().
 void listenToGl(const Gl& gl);
 
-// Errors of this thread's GL calls so far, the oldest first; the first sixty-four of them.
+// Returns the errors of this thread's GL calls so far, the oldest first, at most sixty-four.
 const std::vector<std::string>& glErrors();
-// How many there were in all.
+// Returns the number of all errors.
 std::size_t glErrorCount();
 void forgetGlErrors();
 

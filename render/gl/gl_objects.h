@@ -1,5 +1,5 @@
-// Owners of GL objects: move-only, made and edited without binding (direct state access), deleted with their
-// owner. The context that made an object must be current when it is deleted.
+// Provides owners of GL objects: move-only, created and edited without binding (direct state access), deleted
+// with their owner. Requires that the context that created an object is current when it is deleted.
 #pragma once
 
 #include <memory>
@@ -22,7 +22,8 @@ namespace isolux::render {
 
 using GlPtr = std::shared_ptr<const Gl>;
 
-// An id and the table it was made with; Deleter is a static function void(const Gl&, GLuint).
+// Holds an object's id and the table it was created with; Deleter is a static function void(const Gl&,
+// GLuint).
 template <void (*Deleter)(const Gl&, GLuint)>
 class GlObject {
  public:
@@ -58,12 +59,12 @@ void deleteQuery(const Gl& gl, GLuint id);
 class Texture : public GlObject<deleteTexture> {
  public:
   Texture() = default;
-  // internalFormat: GL_RGBA32F ...; nearest filtering, clamped.
+  // Create a texture. `internalFormat`: GL_RGBA32F ...; nearest filtering, clamped.
   static Texture make2D(const GlPtr& gl, GLenum internalFormat, glm::ivec2 size);
   static Texture make3D(const GlPtr& gl, GLenum internalFormat, glm::ivec3 size, bool linear);
   glm::ivec3 size() const { return size_; }
   std::size_t bytes() const { return bytes_; }
-  // The whole image as floats, `channels` interleaved, bottom row first.
+  // Returns the whole image as floats, `channels` interleaved, bottom row first.
   std::vector<float> readFloats(int channels) const {
     return readFloats(channels, {glm::ivec2(0), glm::ivec2(size_)});
   }
@@ -74,7 +75,7 @@ class Texture : public GlObject<deleteTexture> {
       : GlObject(std::move(gl), id), size_(size), bytes_(bytes) {}
   glm::ivec3 size_{0};
   std::size_t bytes_ = 0;
-  base::MemoryBudget::Held held_;  // of a software driver, whose textures lie in our memory
+  base::MemoryBudget::Held held_;  // of a software driver, whose textures are in main memory
 };
 
 class Buffer : public GlObject<deleteBuffer> {
@@ -82,15 +83,16 @@ class Buffer : public GlObject<deleteBuffer> {
   Buffer() = default;
   explicit Buffer(const GlPtr& gl);
   void setData(const void* data, std::size_t bytes);  // reallocates; null: contents undefined
-  void write(std::size_t offset, const void* data, std::size_t bytes);  // within what setData() made
+  // Requires that the range is within what setData() allocated.
+  void write(std::size_t offset, const void* data, std::size_t bytes);
   std::size_t bytes() const { return bytes_; }
 
  private:
   std::size_t bytes_ = 0;
-  base::MemoryBudget::Held held_;  // as of textures
+  base::MemoryBudget::Held held_;  // as for textures
 };
 
-// A view of a buffer as a texture (usamplerBuffer): GL_R32UI, GL_RG32UI.
+// A buffer viewed as a texture (usamplerBuffer): GL_R32UI, GL_RG32UI.
 class BufferTexture : public GlObject<deleteTexture> {
  public:
   BufferTexture() = default;
@@ -106,7 +108,7 @@ class VertexArray : public GlObject<deleteVertexArray> {
 class Framebuffer : public GlObject<deleteFramebuffer> {
  public:
   Framebuffer() = default;
-  // Colour attachments 0.. in order. Throws base::Error{graphics} when incomplete.
+  // Takes the colour attachments 0.. in order. Throws base::Error{graphics} if incomplete.
   Framebuffer(const GlPtr& gl, const std::vector<const Texture*>& colors);
 };
 
@@ -116,15 +118,16 @@ class Query : public GlObject<deleteQuery> {
   explicit Query(const GlPtr& gl, GLenum kind = GL_TIMESTAMP);
 };
 
-// A linked vertex + fragment program; uniforms are set by name, locations cached. Setting a uniform the
-// compiler removed is allowed (it depends on defines).
+// A linked vertex and fragment program. Uniforms are set by name, locations are cached. Setting a uniform
+// that the compiler removed is allowed (it depends on defines).
 class Program : public GlObject<deleteProgram> {
  public:
   Program() = default;
-  // Names of embedded shaders. Throws std::logic_error with the compiler's log: shaders are ours.
+  // Takes names of embedded shaders. Throws std::logic_error with the compiler's log: an error in them is
+  // internal.
   Program(const GlPtr& gl, const std::string& vertex, const std::string& fragment,
           const std::string& defines = "");
-  // Of GLSL texts (shader_library.h); `words` name them in errors.
+  // Makes a program from GLSL texts (shader_library.h); `words` name them in errors.
   static Program ofTexts(const GlPtr& gl, const std::string& vertex, const std::string& fragment,
                          const std::string& words);
 
@@ -138,7 +141,7 @@ class Program : public GlObject<deleteProgram> {
   void set(const char* name, glm::ivec3 value);
   void set(const char* name, const glm::mat3& value);
   void set(const char* name, const glm::mat4& value);
-  // Binds `texture` to unit `unit` and points the sampler at it.
+  // Binds `texture` to unit `unit` and assigns the unit to the sampler.
   void setTexture(const char* name, int unit, const Texture& texture);
   void setTexture(const char* name, int unit, const BufferTexture& texture);
 

@@ -1,4 +1,4 @@
-// The images that passes draw into, by their names (render/graph/pass.h): made when first asked for, kept
+// Stores the images that passes draw into, by name (render/graph/pass.h): created when first requested, kept
 // between frames.
 #pragma once
 
@@ -15,17 +15,17 @@ namespace isolux::render {
 struct Target {
   std::vector<Texture> images;
   Framebuffer framebuffer;
-  // Beyond it, the images are known to hold what stands for nothing; of new ones nothing is known.
+  // Outside this area the images are known to hold the value for nothing. For new images the area is unknown.
   volume::PictureArea drawn;
   std::size_t bytes() const;
 };
 
 class ImagePool {
  public:
-  // The target of this name, made (anew) where there is none of this size and these formats.
-  // Throws base::Error{memory, graphics}.
+  // Returns the target of this name; creates it if there is none of this size and these formats. Throws
+  // base::Error{memory, graphics}.
   Target& make(const GlPtr& gl, const std::string& name, glm::ivec2 size, const std::vector<GLenum>& formats);
-  // What make() has made. Throws std::logic_error where it has not.
+  // Returns a target that make() created. Throws std::logic_error if there is none.
   const Target& at(const std::string& name) const;
   Target& at(const std::string& name);
   bool has(const std::string& name) const { return entries_.count(name) > 0; }

@@ -1,4 +1,4 @@
-// The GLSL sources, embedded at build from resources/shaders, with #include "file" resolved.
+// Provides the GLSL sources, embedded at build time from resources/shaders, with #include "file" resolved.
 #pragma once
 
 #include <string>
@@ -13,10 +13,11 @@ struct EmbeddedShader {
 extern const EmbeddedShader embeddedShaders[];
 extern const int embeddedShaderCount;
 
-// The file's text after #version 450 core and `defines` ("#define X 1\n..."), includes expanded once each,
-// with #line marks. Throws std::logic_error for a name that is not embedded.
+// Returns the file's text after #version 450 core and `defines` ("#define X 1\n..."), includes expanded once
+// each, with #line directives. Throws std::logic_error if the name is not embedded.
 std::string shaderSource(std::string_view name, std::string_view defines = "");
-// The same of a text that is not embedded, but may include what is: to run parts of shaders by themselves.
+// As shaderSource(), for a text that is not embedded but may include embedded files: to run parts of shaders
+// on their own.
 std::string shaderSourceOf(std::string_view text, std::string_view defines = "");
 
 }  // namespace isolux::render

@@ -1,29 +1,31 @@
-// The passes of a picture, declared: a pure function from what is asked to what must be computed. No GL.
+// Declares the passes of a frame: a pure function from the request to what must be computed. No GL.
 #pragma once
 
 #include "render/graph/pass.h"
 
 namespace isolux::render {
 
-// One declaration for each pass of the list, in its order.
+// Returns one declaration for each pass of the list, in its order.
 std::vector<PassDeclaration> declarePasses(const PassList& passes, const Asked& asked);
-// Of the renderer's list.
+// Declares the passes of the renderer's list.
 std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const FrameRequest& request,
                                            const VolumeState& volume, const BrickState& bricks = {},
                                            const LightState& light = {});
-// The images a request reads in the end. An opaque picture has no layers pass: shade writes its colour.
+// Returns the images that a request finally reads. An opaque scene has no layers pass: shade writes its
+// colour.
 std::vector<std::string> wantedImages(const FrameRequest& request, const scene::Scene& scene);
-// The deferred image comes from derivatives, or tells of them; from second ones.
+// Return whether the AOV depends on derivatives or describes them; readsHessian(): on second derivatives.
 bool readsDerivatives(Aov aov);
 bool readsHessian(Aov aov);
 bool readsEdge(Aov aov);
-// Some value of the second volume is shown.
+// Returns whether a value of the second volume is shown.
 bool readsSecond(const scene::Scene& scene, const FrameRequest& request);
-// The picture does, by its look or one of its images.
+// Return whether the frame reads them, through its look or one of its AOVs.
 bool readsDerivatives(const scene::Scene& scene, const FrameRequest& request);
 bool readsHessian(const scene::Scene& scene, const FrameRequest& request);
 bool readsEdge(const scene::Scene& scene, const FrameRequest& request);
-// Curvature and normals are of derivatives at one scale: the hessian pass writes the gradients of both.
+// Returns whether curvature and normals use derivatives at one scale: the hessian pass then writes the
+// gradients of both.
 bool sharesGradient(const scene::Scene& scene);
 
 }  // namespace isolux::render

@@ -1,7 +1,7 @@
-// Text as coverage, in the font that is part of the program (DejaVu Sans), through FreeType.
+// Renders text as coverage, in the font that is part of the program (DejaVu Sans), through FreeType.
 //
 // Text is UTF-8. Coordinates are pixels, y down, the origin of a text at its left end on the baseline.
-// The embedded font is ours: FreeType refusing it is a std::logic_error.
+// The embedded font is part of the program: if FreeType rejects it, a std::logic_error is thrown.
 #pragma once
 
 #include <functional>
@@ -22,7 +22,7 @@ class Font {
   int width(const std::string& text) const;
   int ascent() const;  // from the baseline to the top of capitals
   int lineHeight() const;
-  // Calls `plot` with a pixel and its coverage, 0..255, for every pixel the text touches.
+  // Calls `plot` with a pixel and its coverage, 0..255, for every pixel that the text touches.
   using Plot = std::function<void(glm::ivec2 pixel, int coverage)>;
   void draw(const std::string& text, glm::ivec2 origin, const Plot& plot) const;
 

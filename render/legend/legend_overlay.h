@@ -1,4 +1,4 @@
-// Puts the legend of a scene into its finished picture.
+// Draws the legend of a scene into its finished image.
 #pragma once
 
 #include <cstdint>
@@ -11,26 +11,27 @@
 
 namespace isolux::render {
 
-// The colours of look.mode's measure, as the shaders look them up: a row of samples, or a square.
+// The colours of look.mode's measure for lookup in shaders: a row of samples, or a square.
 struct MeasureColors {
   glm::ivec2 size{0};
   std::vector<glm::vec3> texels;
 };
 MeasureColors measureColors(const scene::Look& look);
 
-// Of the look's measure over this range.
+// Returns the legend of the look's measure over this range.
 Legend measureLegend(const scene::Scene& scene, glm::dvec2 range);
 
-// The lower left pixel of a legend of this size in a picture, row 0 being the lowest: in the corner asked
-// for, or in that which shows least of the surface; where they are alike, or it is little, in the lower right
-// one. `covered`: how many pixels of a rectangle show it; asked only where the corner is automatic.
+// Returns the lower left pixel of a legend of this size in an image, row 0 being the lowest. It is in the
+// requested corner, or in that which shows least of the surface. If corners are equal, or show little, it is
+// the lower right one. `covered`: returns how many pixels of a rectangle show the surface; called only if the
+// corner is automatic.
 using CoveredPixels = std::function<std::int64_t(const volume::Rectangle&)>;
 glm::ivec2 legendPlace(scene::LegendCorner corner, glm::ivec2 legend, glm::ivec2 picture,
                        const CoveredPixels& covered);
 
-// Blends the legend into a corner of `picture`, and says where it stands in the whole picture; nothing where
-// it would cover most of that. Of a tile it is not known where the rest of the surface lies: what is
-// automatic is the lower right corner.
+// Blends the legend into a corner of `picture` and returns its place in the whole image; nullopt if it would
+// cover most of that. In a tile, the rest of the surface is unknown: the automatic corner is the lower right
+// one.
 std::optional<Tile> drawLegendOver(FrameState& frame, const Target& picture, const Legend& legend);
 
 }  // namespace isolux::render

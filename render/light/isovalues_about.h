@@ -1,4 +1,4 @@
-// Isovalues of the texels about a block of the light lattice, each asked for once, and the field's shape at
+// Caches the isovalues of the texels around a block of the light lattice, and computes the field's shape at
 // the block's texels and their neighbours. No GL.
 #pragma once
 
@@ -19,7 +19,7 @@ namespace isolux::render {
 
 class IsovaluesAbout {
  public:
-  // `isovalueOf`: of a texel within the lattice, NaN where a voxel is missing.
+  // Returns the isovalue of a texel within the lattice, NaN if a voxel is missing.
   using IsovalueOf = std::function<float(glm::ivec3)>;
   IsovaluesAbout(const gi::LatticeGeometry& lattice, std::uint32_t block, IsovalueOf isovalueOf)
       : lattice_(lattice), first_(lattice.firstTexelOf(block) - kReach), isovalueOf_(std::move(isovalueOf)) {}

@@ -1,11 +1,12 @@
-// Stored light on the GPU: those blocks of the light lattices that exist, in slots of a buffer, and a page
-// table that says which slot is whose.
+// Stores baked lighting on the GPU: the existing blocks of the light lattices in slots of a buffer, and a
+// page table from blocks to slots.
 //
-// Both lattices of a side, the sky's and the lamps', have the same geometry and share slots. The inner side's
-// blocks have pages of their own behind the outer side's, once there are any. Only what has
-// changed since the last update() is uploaded. A block that finds no room is left out; light there is local.
-// Reads LightLattice from the GL thread while bakes go on. Texels are render/light/light_texel.h's, x
-// fastest, 512 a slot. Wyman et al. 2006 sec. 4.2 keeps one texture over the whole volume.
+// The two lattices of a side, of the sky and of the light sources, have the same geometry and share slots.
+// Blocks of back faces have pages of their own after those of front faces, once there are any. update()
+// uploads only what has changed since the last call. A block that does not fit is omitted; light there is
+// unshadowed. Reads LightLattice on the GL thread while bakes run. Texels are those of
+// render/light/light_texel.h, x fastest, 512 per slot. Wyman et al. 2006 sec. 4.2 keeps one texture over the
+// whole volume.
 #pragma once
 
 #include <array>
@@ -28,18 +29,19 @@ class LightAtlas {
  public:
   explicit LightAtlas(GlPtr gl);
 
-  // What the atlas holds from now on. Where that differs in kind from what it held, it starts empty.
-  // `grid` is what texels take their isovalues from, where `isovalues` or `filtered` ask for them.
+  // The contents of the atlas. If they differ in kind from the present ones, the atlas starts empty. Texels
+  // take their isovalues from `grid` if `isovalues` or `filtered` require them.
   struct Source {
     std::shared_ptr<const gi::PictureLight> light;  // null: nothing
     scene::GiPrecision precision = scene::GiPrecision::r11g11b10;
     bool isovalues = false;
-    // Light without its noise (render/light/light_filter.h); the sky's irradiance as parts of gi::OpenSky.
+    // Denoise the light (render/light/light_filter.h); the sky's irradiance is then a fraction of
+    // gi::OpenSky.
     bool filtered = false;
     std::shared_ptr<const volume::Grid> grid;
     std::size_t budgetBytes = 0;
   };
-  bool setSource(const Source& source);  // true: update() has something to do
+  bool setSource(const Source& source);  // returns whether update() has something to do
   bool stores() const { return layout_.stores(); }
   const LightTexelLayout& layout() const { return layout_; }
   const gi::LatticeGeometry& geometry() const { return geometry_; }
@@ -48,30 +50,29 @@ class LightAtlas {
   bool holdsPartsOfOpenSky() const { return source_.filtered && storesSkyIrradiance(); }
   const gi::OpenSky& openSky() const { return openSky_; }
 
-  // Uploads what has changed, at most `limitBytes` but at least one block (0: all of it). Throws
-  // base::Error{memory}.
+  // Uploads changes, at most `limitBytes` but at least one block (0: no limit). Throws base::Error{memory}.
   void update(std::size_t limitBytes);
   bool pending() const { return !queue_.empty(); }
 
-  // uLightPages and uLightTexels, in units `unit` and unit + 1; uInnerPages.
+  // Binds uLightPages and uLightTexels to the units `unit` and `unit` + 1, and sets uInnerPages.
   void bind(Program& program, int unit) const;
 
   std::size_t bytes() const { return pages_.bytes() + texels_.bytes(); }
   std::size_t resident() const { return used_ - free_.size(); }  // blocks
-  std::size_t withoutRoom() const { return left_.size(); }       // blocks that exist but do not fit
+  std::size_t withoutRoom() const { return left_.size(); }       // existing blocks that do not fit
   std::size_t uploaded() const { return uploaded_; }             // by the last update()
 
  private:
   bool storesSkyIrradiance() const {
     return layout_.sky != LightPacking::none && layout_.sky != LightPacking::codes;
   }
-  // Of one side of the surfaces. Its block b has the page first + b.
+  // One side of the surfaces. Its block b has the page first + b.
   struct Side {
     gi::StoredSide light;
     std::uint32_t first = 0;
     std::uint64_t skySeen = 0, lampsSeen = 0;  // revisions
   };
-  void start();  // empty
+  void start();  // resets to empty
   bool follow(Side& side, const gi::StoredSide& light);
   void makePages();
   void freePages(const Side& side);
@@ -82,14 +83,14 @@ class LightAtlas {
   const Side& sideOf(std::uint32_t page) const {
     return page < geometry_.blockCount() ? sides_[kOuter] : sides_[kInner];
   }
-  float isovalueOf(glm::ivec3 texel) const;  // stored units; NaN: a voxel is missing
-  // A block's texels and those about it; transfer vectors are those of `kept`.
+  float isovalueOf(glm::ivec3 texel) const;  // stored units; NaN if a voxel is missing
+  // Returns a block's texels and their neighbours; transfer vectors point into `kept`.
   std::vector<FilterTexel> texelsAbout(std::uint32_t page,
                                        std::vector<std::shared_ptr<const gi::LatticeBlock>>& kept) const;
-  bool reserve(std::size_t slots);  // room for so many, false where that is not to be had
+  bool reserve(std::size_t slots);  // allocates these slots; false if they do not fit
   std::size_t slotBytes() const;
   std::size_t mostSlots() const;
-  std::uint32_t newSlot();                                    // plus 1; 0: there is no room
+  std::uint32_t newSlot();                                    // plus 1; 0: no room
   bool pack(std::uint32_t page, std::uint32_t* words) const;  // false: nothing is lit there
   void upload(const std::vector<std::uint32_t>& pages);
 
@@ -101,13 +102,13 @@ class LightAtlas {
   std::array<Side, 2> sides_;
   std::shared_ptr<const gi::TransferBasis> basis_;
   gi::OpenSky openSky_;
-  std::deque<std::uint32_t> queue_;  // pages that wait for their upload, each once
+  std::deque<std::uint32_t> queue_;  // pages waiting for upload, each once
   std::unordered_set<std::uint32_t> queued_, left_;
   std::vector<std::uint32_t> slots_;  // of each page, plus 1; 0: none
-  std::vector<std::uint32_t> free_;   // slots that were used, plus 1
+  std::vector<std::uint32_t> free_;   // released slots, plus 1
   Buffer pages_, texels_;
   BufferTexture pagesTexture_, texelsTexture_;
-  std::size_t capacity_ = 0, used_ = 0, uploaded_ = 0;  // slots, with the free ones; blocks
+  std::size_t capacity_ = 0, used_ = 0, uploaded_ = 0;  // slots, including the free ones; blocks
   std::size_t mostBufferBytes_ = 0;
 };
 

@@ -1,10 +1,12 @@
-// How a texel of stored light is written into 32-bit words for the GPU; light_lattice.glsl reads them. No GL.
+// Packs a texel of baked lighting into 32-bit words for the GPU; light_lattice.glsl reads them. No GL.
 //
-// Word 0: the normal, three signed bytes (0: the texel has none and is never lit), and how far it is baked in
-// fifteenths: bits 24 to 27 the sky's light, 28 to 31 the lamps'. Then the sky's light: E in one word (11, 11
-// and 10 bits of float, or one float of a single channel) or two (three half floats), or the codes of a
-// compressed transfer vector. Then the lamps' irradiance likewise, then the isovalue of the texel, a float.
-// Each part only where it is stored.
+// Words, where parts that are not stored are omitted:
+//   0      the normal, three signed bytes (0: the texel has none and is never lit), and how far it is baked
+//          in fifteenths: bits 24 to 27 for the sky, 28 to 31 for the light sources
+//   then   the sky's light: E in one word (11, 11 and 10 bits of float, or one float of a single channel) or
+//          two (three half floats), or the codes of a compressed transfer vector
+//   then   the light sources' irradiance likewise
+//   then   the isovalue of the texel, a float
 #pragma once
 
 #include <cstddef>
@@ -26,8 +28,8 @@ struct LightTexelLayout {
   std::vector<gi::TransferBasis::Field> fields{};  // of codes
   int codeWords = 0;
   bool isovalue = false;
-  // Irradiance is stored as parts of these, powers of two near that of the unoccluded light: small floats
-  // hold it whatever units a light probe has.
+  // Units of the stored irradiance, powers of two near the unoccluded one: small floats then represent it
+  // whatever the units of an environment map.
   float skyUnit = 1.0f, lampsUnit = 1.0f;
 
   int wordsOf(LightPacking packing) const;
@@ -36,21 +38,22 @@ struct LightTexelLayout {
   bool operator==(const LightTexelLayout&) const = default;
 };
 
-// Of light with these contents; null: not stored. Transfer without a basis is not stored.
+// Returns the layout for light with these contents; null: not stored. Transfer without a basis is not stored.
 LightTexelLayout lightTexelLayout(const gi::LightContent* sky, const gi::LightContent* lamps,
                                   const gi::TransferBasis* basis, scene::GiPrecision precision,
                                   bool isovalue);
 
-// E as 11, 11 and 10 bits of float, rounded to nearest, between 0 and the largest such number.
+// Packs E as 11, 11 and 10 bits of float, rounded to nearest and clamped between 0 and the largest such
+// number.
 std::uint32_t packR11g11b10(glm::vec3 e);
-// Word 0. Fractions 0 .. 1; one above 0 never becomes 0.
+// Packs word 0. Fractions 0 .. 1; one above 0 never becomes 0.
 std::uint32_t packTexelState(glm::vec3 normal, float skyFraction, float lampsFraction);
 
-// The power of two nearest to an irradiance; 1 where there is none.
+// Returns the power of two nearest to an irradiance; 1 if that is 0.
 float lightUnit(double irradiance);
 
-// Of one texel: `means` are LightContent::components() numbers, `out` wordsOf(packing) words. unit: that
-// irradiance is stored as parts of.
+// Packs the light of one texel: `means` are LightContent::components() numbers, `out` wordsOf(packing) words.
+// `unit`: the unit of the stored irradiance.
 void packLight(LightPacking packing, const float* means, float unit, const gi::LightContent& content,
                const gi::TransferBasis* basis, std::uint32_t* out);
 

@@ -1,8 +1,8 @@
-// The numbers a look takes from the curvature of the surface as a whole where its settings leave them
-// automatic: ends of colour maps, the threshold of ridges, what counts as hollow. No GL; 1/mm (Gaussian
-// curvature: 1/mm^2).
+// Computes the automatic values of a look that depend on the curvature of the whole surface: ends of colour
+// maps, the threshold of ridges, the curvature of hollows. No GL; 1/mm (Gaussian curvature: 1/mm^2).
 //
-// `flat` is the curvature below which a surface counts as flat: it stands in where the surface has none.
+// `flat` is the curvature below which a surface counts as flat: it is the fallback if the surface has no
+// curvature.
 #pragma once
 
 #include <map>
@@ -16,32 +16,31 @@
 
 namespace isolux::render {
 
-// Some number that the picture shows is automatic and follows the surface.
+// Returns whether a number that the image shows is automatic and follows the surface.
 bool readsCurvatureRanges(const scene::Scene& scene);
 
-// The outer bounds of several surfaces' statistics.
+// Returns the outer bounds of several surfaces' statistics.
 volume::CurvatureStatistics outerBounds(const std::vector<volume::CurvatureStatistics>& surfaces);
 
-// Low and high end of the colour map of look.mode, of both axes for curvature_2d. Automatic: measures with a
-// sign get a range symmetric around 0, curvedness one from 0, the shape index -1 to 1. A single fixed end
-// leaves the other one automatic; for curvature_2d it fixes both.
+// Returns the low and high end of the colour map of look.mode, for both axes with curvature_2d. Automatic:
+// signed measures get a range symmetric around 0, curvedness one from 0, the shape index -1 to 1. A single
+// fixed end leaves the other one automatic; for curvature_2d it fixes both.
 glm::dvec2 measureRange(const scene::Scene& scene, const volume::CurvatureStatistics& statistics,
                         double flat);
 
-// The numbers behind settings of the look that are automatic and whose value the picture shows, by their
-// paths: ends of the range.
+// Returns the values of automatic look settings that the image shows, by their paths: ends of the range.
 std::map<std::string, double> foundNumbers(const scene::Scene& scene,
                                            const volume::CurvatureStatistics& statistics, double flat);
 
-// From which curvature on ridges (x) and valleys (y) are drawn.
+// Returns the curvatures above which ridges (x) and valleys (y) are drawn.
 glm::dvec2 ridgeThresholds(const scene::Scene& scene, const volume::CurvatureStatistics& statistics,
                            double flat);
 
-// From which length on lines of these thresholds are drawn, mm. Automatic: what is no longer than the
-// radius of the threshold's curvature is a knob, not a line.
+// Returns the minimum length of lines for these thresholds, mm. Automatic: a line no longer than the radius
+// of the threshold's curvature is a bump, not a line.
 glm::dvec2 ridgeLengths(const scene::Scene& scene, const glm::dvec2& thresholds);
 
-// A strong curvature of this surface.
+// Returns a curvature that is strong for this surface.
 double curvatureScale(const volume::CurvatureStatistics& statistics, double flat);
 
 }  // namespace isolux::render

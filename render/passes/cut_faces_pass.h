@@ -1,13 +1,12 @@
-// The faces that cuts lay open (clip.cap): where rays meet them, and the colours of the values there.
+// Draws caps (clip.cap): finds where rays meet them, and colours them by the values there.
 #pragma once
 
 #include "render/passes/frame_state.h"
 
 namespace isolux::render {
 
-// Of each ray t (mm; -1: none) and value (data units) of the cut face that it meets
-// (volume/clip/cut_faces.h), computed on the processor whoever casts the rays. Rays end there; `resolve`
-// colours what is behind all that lies in front.
+// Finds t (mm; -1: none) and the value (data units) of the cap that each ray meets (volume/clip/cut_faces.h).
+// Always runs on the CPU. Rays end at caps; `resolve` colours them behind everything in front.
 class CutFacesPass : public Pass {
  public:
   CutFacesPass() : Pass("cut faces", "", {}) {}
@@ -16,7 +15,7 @@ class CutFacesPass : public Pass {
   bool isOn(const OnProcessor&) const override { return true; }
 };
 
-// The colours of a scene's cut faces.
+// The colours of a scene's caps.
 struct CutFaceColors {
   volume::GreyWindow window;
   std::vector<glm::vec3> row;  // low to high, linear
@@ -24,9 +23,9 @@ struct CutFaceColors {
 };
 CutFaceColors cutFaceColors(const scene::Scene& scene, const volume::PreparedVolume& volume);
 
-// uCutFaces, uCutColors and uCutWindow of resolve.frag.glsl, in the units `unit` and `unit` + 1.
+// Sets uCutFaces, uCutColors and uCutWindow of resolve.frag.glsl, on the units `unit` and `unit` + 1.
 void setCutFaces(FrameState& frame, Program& program, int unit);
-// Behind the pixels of an image as large as the rays, premultiplied RGBA, bottom row first.
+// Adds the caps behind the pixels of an image as large as the rays, premultiplied RGBA, bottom row first.
 void addCutFaces(const FrameState& frame, std::vector<float>& rgba);
 
 }  // namespace isolux::render

@@ -1,11 +1,12 @@
-// Surface points to derivatives and curvature, once per pixel: the passes gradient, hessian and curvature.
+// Computes derivatives and curvature at surface points, once per pixel: the passes gradient, hessian,
+// curvature and edge.
 #pragma once
 
 #include "render/passes/frame_state.h"
 
 namespace isolux::render {
 
-// The world gradient at the surface point that normals are made of: at derivatives.normal_scale.
+// Computes the world gradient for normals at the surface point, at derivatives.normal_scale.
 class GradientPass : public Pass {
  public:
   GradientPass() : Pass(pass::gradient, "derivatives.frag.glsl", {.atHits = true, .ofCrossing = true}) {}
@@ -14,8 +15,8 @@ class GradientPass : public Pass {
   bool isOn(const OnProcessor& on) const override { return on.all; }
 };
 
-// The world gradient and Hessian from the same samples, at derivatives.scale: runs where second derivatives
-// are read, and instead of the gradient pass where both scales are the same.
+// Computes the world gradient and Hessian from the same samples, at derivatives.scale. Runs if second
+// derivatives are read, and replaces the gradient pass if both scales are equal.
 class HessianPass : public Pass {
  public:
   HessianPass() : Pass(pass::hessian, "derivatives.frag.glsl", {.atHits = true, .ofCrossing = true}) {}
@@ -25,7 +26,7 @@ class HessianPass : public Pass {
   bool isOn(const OnProcessor& on) const override { return on.all; }
 };
 
-// Principal curvatures, first direction, confidence.
+// Computes principal curvatures, first direction and confidence.
 class CurvaturePass : public Pass {
  public:
   CurvaturePass() : Pass("curvature", "curvature.frag.glsl", {.ofCrossing = true}) {}
@@ -34,8 +35,8 @@ class CurvaturePass : public Pass {
   void run(FrameState& frame) override;
 };
 
-// How far the edge of the object lies from the surface point along the outward normal, and how far the
-// gradient there stands out of noise.
+// Computes the distance of the object's edge from the surface point along the outward normal, and how far the
+// gradient there exceeds the noise.
 class EdgePass : public Pass {
  public:
   EdgePass() : Pass("edge", "edge.frag.glsl", {.ofCrossing = true}) {}

@@ -1,11 +1,12 @@
-// What light and flow add to surface points, once per pixel: the passes shadow, flow field and flow.
+// Computes shadow, occlusion and flow at surface points, once per pixel: the passes shadow, openness,
+// occlusion, flow field and flow.
 #pragma once
 
 #include "render/passes/frame_state.h"
 
 namespace isolux::render {
 
-// A second ray from each surface point to the key light.
+// Casts a second ray from each surface point towards the key light.
 class ShadowPass : public Pass {
  public:
   ShadowPass() : Pass("shadow", "shadow.frag.glsl", {.castsRays = true, .ofCrossing = true}) {}
@@ -15,10 +16,10 @@ class ShadowPass : public Pass {
   bool isOn(const OnProcessor& on) const override { return on.all; }
 };
 
-// How much of the directions around a surface point is free of what stands near it, from the picture's own
-// points [Jimenez et al. 2016, "Practical Real-Time Strategies for Accurate Indirect Occlusion"]. Of the
-// picture's cells, some rays each: along one line in the picture, which changes from cell to cell; and then
-// the mean over neighbours.
+// Computes the fraction of directions around a surface point that nearby geometry leaves open, from the
+// image's own points [Jimenez et al. 2016, "Practical Real-Time Strategies for Accurate Indirect Occlusion"].
+// Works on cells of some rays each, along one line in the image, which changes from cell to cell, and
+// averages over neighbours.
 class OpennessPass : public Pass {
  public:
   OpennessPass() : Pass("openness", "openness.frag.glsl", {.ofCrossing = true}) {}
@@ -26,7 +27,8 @@ class OpennessPass : public Pass {
   void run(FrameState& frame) override;
 };
 
-// A tile sees only a part of what stands near: it takes its part of the small picture drawn before the tiles.
+// Turns openness into occlusion. A tile contains only a part of the nearby geometry: it takes its part of the
+// small image drawn before the tiles.
 class OcclusionPass : public Pass {
  public:
   OcclusionPass() : Pass("occlusion", "occlusion.frag.glsl", {.ofCrossing = true}) {}
@@ -41,12 +43,12 @@ class OcclusionPass : public Pass {
   int crossing_ = 0;
 };
 
-// Rays per axis of a cell; 1 in the small picture before tiles.
+// Returns the rays per axis of a cell; 1 in the small image before tiles.
 int occlusionCell(const FrameRequest& request);
-// The picture's size in cells.
+// Returns the image's size in cells.
 glm::ivec2 occlusionCells(const FrameRequest& request);
 
-// The direction of the flow on screen, and noise on the surface.
+// Computes the direction of the flow on the screen, and noise on the surface.
 class FlowFieldPass : public Pass {
  public:
   FlowFieldPass() : Pass("flow field", "flow_field.frag.glsl", {.ofCrossing = true}) {}
@@ -54,7 +56,7 @@ class FlowFieldPass : public Pass {
   void run(FrameState& frame) override;
 };
 
-// Streaks along the flow field.
+// Draws streaks along the flow field.
 class FlowPass : public Pass {
  public:
   FlowPass() : Pass("flow", "flow.frag.glsl", {.ofCrossing = true}) {}

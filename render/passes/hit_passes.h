@@ -1,11 +1,11 @@
-// Rays to surface points: the passes blocks, segments, bricks, cast and refine.
+// Finds the surface points of rays: the passes blocks, segments, bricks, cast and refine.
 #pragma once
 
 #include "render/passes/frame_state.h"
 
 namespace isolux::render {
 
-// The active blocks of the isovalues, and which of their boxes can hold a surface.
+// Finds the active blocks of the isovalues, and which of their sub-blocks can contain a surface.
 class BlocksPass : public Pass {
  public:
   BlocksPass() : Pass("blocks", "", {}) {}
@@ -14,7 +14,7 @@ class BlocksPass : public Pass {
   std::optional<std::size_t> bytes(const FrameState& frame) const override;
 };
 
-// Between which depths the rays of each tile can meet anything, by projecting the active blocks.
+// Finds the depths between which the rays of each tile can meet anything, by projecting the active blocks.
 class SegmentsPass : public Pass {
  public:
   SegmentsPass() : Pass("segments", "", {}) {}
@@ -23,7 +23,7 @@ class SegmentsPass : public Pass {
   std::optional<std::size_t> bytes(const FrameState& frame) const override;
 };
 
-// Uploads of the bricks that the rays of the frame before asked for; none in a volume of one texture.
+// Uploads the bricks that the rays of the previous frame requested; does nothing for a volume in one texture.
 class BricksPass : public Pass {
  public:
   BricksPass() : Pass(pass::bricks, "", {}) {}
@@ -32,9 +32,9 @@ class BricksPass : public Pass {
   std::optional<std::size_t> bytes(const FrameState& frame) const override;
 };
 
-// The first crossing of an isovalue on each ray: exact hits are the surface points, sampled ones a bracket
-// [t0, t1] yet. In a layer: the crossing behind the one of the layer before; pixels without one are not
-// touched.
+// Finds the first crossing of an isovalue on each ray: exact hits are the surface points, sampled ones still
+// a bracket [t0, t1]. In a layer, finds the crossing behind that of the previous layer; pixels without one
+// are unchanged.
 class CastPass : public Pass {
  public:
   CastPass() : Pass(pass::cast, "cast.frag.glsl", {.castsRays = true, .ofCrossing = true}) {}
@@ -48,7 +48,7 @@ class CastPass : public Pass {
   void castBehind(FrameState& frame) const;
 };
 
-// The surface point of a sampled hit: its bracket narrowed on the exact field of hit.field.
+// Refines a sampled hit to a surface point, by narrowing its bracket on the exact field of hit.field.
 class RefinePass : public Pass {
  public:
   RefinePass() : Pass(pass::refine, "refine.frag.glsl", {.atHits = true, .ofCrossing = true}) {}
@@ -56,10 +56,10 @@ class RefinePass : public Pass {
   void run(FrameState& frame) override;
 };
 
-bool anyHit(FrameState& frame);  // of the surface points that are there
+bool anyHit(FrameState& frame);  // returns whether there is any surface point
 
-// What the shaders that cast rays are compiled with; and what trace.glsl and trace_cubic.glsl read: view,
-// volume, isovalues, block masks, what is hidden. Texture units 0, 1, 3, 14.
+// Return the defines for shaders that cast rays, and set what trace.glsl and trace_cubic.glsl read: view,
+// volume, isovalues, block masks, hidden components. Texture units 0, 1, 3, 14.
 std::string traceDefines(const FrameState& frame);
 void setTrace(FrameState& frame, Program& program);
 

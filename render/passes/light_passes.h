@@ -1,4 +1,5 @@
-// Stored light to irradiance at surface points: the passes light and irradiance, and what they share.
+// Computes irradiance at surface points from baked lighting: the passes light and irradiance, and what they
+// share.
 #pragma once
 
 #include <cstddef>
@@ -10,21 +11,22 @@
 
 namespace isolux::render {
 
-// The light of the frames on the GPU: what passes, and the renderer, read of frame.light.
+// The light of the frames on the GPU: what passes and the renderer read of frame.light.
 class FrameLight {
  public:
   explicit FrameLight(const GlPtr& gl);
 
-  // At the start of a frame: what it stores, by frame.light and the scene. `budgetBytes`: for stored light.
+  // Sets what is stored at the start of a frame, from frame.light and the scene. `budgetBytes`: for baked
+  // lighting.
   void prepare(FrameState& frame, std::size_t budgetBytes);
-  // As far as passes depend on it.
+  // Returns the state that passes depend on.
   LightState state(const FrameState& frame) const;
 
   void upload(std::size_t limitBytes);
-  // What irradiance.frag.glsl reads, and with which defines.
+  // Return the defines and set the inputs of irradiance.frag.glsl.
   std::string defines(const FrameState& frame) const;
   void bind(FrameState& frame, Program& program);
-  // The environment as a texture for what is seen behind the surface; made where it is new.
+  // Sets the environment as a background texture; creates it if it is new.
   void setBackground(FrameState& frame, Program& program, int unit);
 
   std::size_t bytes() const;  // on the GPU
@@ -40,11 +42,11 @@ class FrameLight {
   std::shared_ptr<const gi::PictureLight> factorsOf_;
   Texture background_;
   std::shared_ptr<const gi::Environment> backgroundOf_;
-  std::uint64_t storage_ = 0;  // changes with what the atlas holds
+  std::uint64_t storage_ = 0;  // changes with the contents of the atlas
   std::uint64_t unfinished_ = 0;
 };
 
-// Uploads of stored light that changed since the last frame.
+// Uploads baked lighting that changed since the last frame.
 class LightPass : public Pass {
  public:
   LightPass() : Pass("light", "", {}) {}
@@ -53,7 +55,7 @@ class LightPass : public Pass {
   std::optional<std::size_t> bytes(const FrameState& frame) const override;
 };
 
-// Stored light, looked up at the surface points; local light where nothing is stored.
+// Looks up baked lighting at the surface points, or unshadowed light where nothing is baked.
 class IrradiancePass : public Pass {
  public:
   IrradiancePass() : Pass(pass::irradiance, "irradiance.frag.glsl", {.ofCrossing = true}) {}
@@ -62,8 +64,8 @@ class IrradiancePass : public Pass {
   void run(FrameState& frame) override;
 };
 
-// 2^stops of a picture lit by stored light.
+// Returns 2^stops, the exposure factor of an image lit by baked lighting.
 float exposureOf(const scene::Scene& scene, const gi::PictureLight* light);
-void addExposure(Declaring& d);  // the result depends on it
+void addExposure(Declaring& d);  // declares that the result depends on it
 
 }  // namespace isolux::render

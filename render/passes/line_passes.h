@@ -1,11 +1,11 @@
-// Lines that follow the surface's curvature, found in the picture: the passes extrema, line field and lines.
+// Finds lines that follow the surface's curvature, in image space: the passes extrema, line field and lines.
 #pragma once
 
 #include "render/passes/frame_state.h"
 
 namespace isolux::render {
 
-// How each principal curvature changes along its own direction: 0 on ridges and valleys.
+// Computes the change of each principal curvature along its own direction: 0 on ridges and valleys.
 class ExtremaPass : public Pass {
  public:
   ExtremaPass() : Pass("extrema", "extrema.frag.glsl", {.ofCrossing = true}) {}
@@ -13,7 +13,7 @@ class ExtremaPass : public Pass {
   void run(FrameState& frame) override;
 };
 
-// Near which lines a pixel is: ridges and valleys, suggestive contours, outlines.
+// Finds the lines near each pixel: ridges and valleys, suggestive contours, outlines.
 class LineFieldPass : public Pass {
  public:
   LineFieldPass() : Pass("line field", "line_field.frag.glsl", {.ofCrossing = true}) {}
@@ -21,7 +21,7 @@ class LineFieldPass : public Pass {
   void run(FrameState& frame) override;
 };
 
-// How much of a pixel they cover: those that are long and strong enough.
+// Computes the coverage of each pixel by lines that are long and strong enough.
 class LinesPass : public Pass {
  public:
   LinesPass() : Pass("lines", "lines.frag.glsl", {.ofCrossing = true}) {}
@@ -30,7 +30,7 @@ class LinesPass : public Pass {
   void run(FrameState& frame) override;
 };
 
-// Pixels around one that decide what is drawn of its lines.
+// Returns how many pixels around one decide which lines it shows.
 double reachOfLines(const scene::Scene& scene, int heightInRays);
 
 }  // namespace isolux::render

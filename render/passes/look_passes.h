@@ -1,11 +1,11 @@
-// From surface points and their derivatives to linear colour: the passes ranges, shade and layers.
+// Computes linear colour from surface points and their derivatives: the passes ranges, shade and layers.
 #pragma once
 
 #include "render/passes/frame_state.h"
 
 namespace isolux::render {
 
-// The surface's curvature as a whole, from the volume: numbers that are automatic. Knows no view.
+// Computes automatic numbers from the curvature of the volume's whole surface; independent of the view.
 class RangesPass : public Pass {
  public:
   RangesPass() : Pass("ranges", "", {}) {}
@@ -14,7 +14,7 @@ class RangesPass : public Pass {
   void run(FrameState& frame) override;
 };
 
-// The look, linear colour, of the first crossing; of a layer, blended behind what is there.
+// Shades the first crossing in linear colour; a layer is blended behind what is drawn.
 class ShadePass : public Pass {
  public:
   ShadePass() : Pass("shade", "shade.frag.glsl", {.ofCrossing = true}) {}
@@ -26,22 +26,22 @@ class ShadePass : public Pass {
   }
 
  private:
-  Program& prepared(FrameState& frame);  // its program, with all that it reads
+  Program& prepared(FrameState& frame);  // returns its program with all its inputs set
   void setSurfaces(FrameState& frame, Program& program) const;
   void setLight(FrameState& frame, Program& program) const;
   void setMeasure(FrameState& frame, Program& program);
   void setSecond(FrameState& frame, Program& program, int unit);
   void setOverlays(FrameState& frame, Program& program) const;
 
-  // The colour map's samples, and what they were made from.
+  // The colour map's samples, and the look they were made from.
   Texture colors_;
   scene::Look colorsOf_;
   Texture secondColors_;  // of the second volume
   scene::ColorMap secondColorsOf_ = scene::ColorMap::automatic;
 };
 
-// Crossings behind transparent surfaces, one after another until nothing is seen any more: for each, all
-// passes of a crossing are drawn again, from cast to shade.
+// Draws crossings behind transparent surfaces, one after another until none is visible. For each, all passes
+// of a crossing are drawn again, from cast to shade.
 class LayersPass : public Pass {
  public:
   LayersPass() : Pass(pass::layers, "", {.castsRays = true}) {}

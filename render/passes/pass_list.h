@@ -1,11 +1,11 @@
-// The list of the renderer's passes.
+// Lists the renderer's passes.
 #pragma once
 
 #include "render/graph/pass.h"
 
 namespace isolux::render {
 
-// In the order in which they run: each after those whose images it reads.
+// Returns the passes in the order in which they run: each after those whose images it reads.
 PassList makePasses();
 
 }  // namespace isolux::render

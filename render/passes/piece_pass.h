@@ -1,12 +1,12 @@
-// Which connected piece of its isosurface each surface point belongs to (volume/pieces).
+// Determines the connected component of its isosurface that each surface point belongs to (volume/pieces).
 #pragma once
 
 #include "render/passes/frame_state.h"
 
 namespace isolux::render {
 
-// Ids as of volume::Pieces of that isosurface, 0 the largest; -1 where there is no surface. Looked up on the
-// processor whoever casts the rays. Floats: ids of 2^24 and more round.
+// Writes ids as of volume::Pieces of that isosurface, 0 the largest; -1 if there is no surface. Always runs
+// on the CPU. Ids are floats: those of 2^24 and more are rounded.
 class PiecePass : public Pass {
  public:
   PiecePass() : Pass("piece", "", {}) {}

@@ -1,9 +1,9 @@
-// What the processor computes instead of shaders (scene::Executor), for which settings, and how it comes to
-// the images that other passes read.
+// Computes passes on the CPU instead of in shaders (scene::Executor), for the settings that allow it, and
+// uploads the results as images for other passes.
 //
-// Data: points and what is known of them, gradients, Hessians and shadows of each crossing, in arrays of
-// their own; the passes cast, gradient, hessian and shadow fill them (volume/cast) and upload them as the
-// images that their shaders would draw.
+// Each crossing has arrays of its own for points and their data, gradients, Hessians and shadows. The passes
+// cast, gradient, hessian and shadow fill them (volume/cast) and upload them as the images that their shaders
+// would draw.
 #pragma once
 
 #include <map>
@@ -25,45 +25,46 @@ namespace isolux::render {
 
 struct Gl;
 
-// taken: the processor is the executor.
+// Returns which passes run on the CPU. `taken`: the CPU is the executor.
 OnProcessor onProcessor(bool taken, const scene::Scene& scene);
 
-// Whether the executor is the processor: by the setting, the kind of context and what this machine can.
+// Returns whether the CPU is the executor, from the setting, the kind of context and the machine's
+// capabilities.
 bool takesProcessor(scene::Executor executor, const Gl& gl);
 
-// The images of one crossing as they lie in memory, bottom row first.
+// The images of one crossing in memory, bottom row first.
 struct HostImages {
   // Throws base::Error{memory}.
   explicit HostImages(glm::ivec2 size);
   struct Derivatives {
     std::vector<glm::vec4> texels;
-    volume::PictureArea area;  // beyond it all are 0
+    volume::PictureArea area;  // all are 0 outside
   };
   base::MemoryBudget::Held held;
   volume::CrossingImage crossings;
-  Derivatives gradient;    // of normals, where no Hessian comes with it
-  Derivatives hessian[3];  // gradient; diagonal and mixed
+  Derivatives gradient;    // for normals, if no Hessian provides it
+  Derivatives hessian[3];  // gradient; diagonal and mixed second derivatives
   volume::ShadowImage shadow;
-  // Offsets and strengths of edges; beyond the area none and 0.
+  // Offsets and strengths of edges; outside the area none and 0.
   std::vector<glm::vec2> edges;
   volume::PictureArea edgesArea;
 };
 
 // Finds the crossings of frame.layer, or those behind frame.layerBefore, and uploads them.
 void castOnProcessor(FrameState& frame);
-// Derivatives at the points of frame.layer, uploaded to the images of `target`: gradient; with three,
-// diagonal and mixed of the Hessian too.
+// Computes derivatives at the points of frame.layer and uploads them to the images of `target`: the gradient;
+// with three images, also the diagonal and mixed entries of the Hessian.
 void deriveOnProcessor(FrameState& frame, Target& target, const FieldAt& field);
 
-// Where the edge of the object is at those points.
+// Finds the object's edge at those points.
 void edgesOnProcessor(FrameState& frame, Target& target, const FieldAt& field,
                       const volume::EdgeSearch<float>& search);
-// The same at the points that shaders have found, read back: the way to an edge leads through bricks that
-// need not be there.
+// As edgesOnProcessor(), at points that shaders have found, read back: the search for an edge may cross
+// bricks that are not resident.
 void edgesAtReadPoints(FrameState& frame, Target& target, const FieldAt& field,
                        const volume::EdgeSearch<float>& search);
 
-// Whether the key light reaches those points. opaque: a bit for each surface that stops it.
+// Computes whether the key light reaches those points. `opaque`: a bit for each surface that blocks it.
 void shadowOnProcessor(FrameState& frame, Target& target, int opaque);
 
 }  // namespace isolux::render

@@ -1,11 +1,11 @@
-// From linear colour to the picture: the passes background and resolve.
+// Computes the final image from linear colour: the passes background and resolve.
 #pragma once
 
 #include "render/passes/frame_state.h"
 
 namespace isolux::render {
 
-// The picture where no surface is seen, as long as that is the same from all sides.
+// Draws the pixels without a surface, if they do not depend on the view.
 class BackgroundPass : public Pass {
  public:
   BackgroundPass() : Pass("background", "resolve.frag.glsl", {}) {}
@@ -13,7 +13,7 @@ class BackgroundPass : public Pass {
   void run(FrameState& frame) override;
 };
 
-// Background, supersamples averaged, sRGB encoded, legend.
+// Adds the background, averages supersamples, encodes sRGB and adds the legend.
 class ResolvePass : public Pass {
  public:
   ResolvePass() : Pass("resolve", "resolve.frag.glsl", {}) {}

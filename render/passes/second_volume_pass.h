@@ -1,4 +1,4 @@
-// The second volume at the surface points (color.volume): its values, and the colours that stand for them.
+// Looks up the second volume at the surface points (color.volume), and provides its colours.
 #pragma once
 
 #include <map>
@@ -9,8 +9,8 @@
 
 namespace isolux::render {
 
-// Value and world gradient at the surface points, looked up on the processor whoever casts the rays: nothing
-// of that volume is uploaded.
+// Looks up value and world gradient at the surface points. Always runs on the CPU: nothing of that volume is
+// uploaded.
 class SecondVolumePass : public Pass {
  public:
   SecondVolumePass() : Pass("second volume", "", {.ofCrossing = true}) {}
@@ -20,13 +20,13 @@ class SecondVolumePass : public Pass {
   bool isOn(const OnProcessor&) const override { return true; }
 };
 
-// An end of its colour map follows what the surface shows.
+// Returns whether an end of its colour map is automatic and follows the surface.
 bool readsSecondRange(const scene::Scene& scene);
-// Of points of the surfaces that can be seen.
+// Returns the range over visible surface points.
 glm::dvec2 automaticSecondRange(const FrameState& frame);
-// The ends of the colour map.
+// Returns the ends of the colour map.
 glm::dvec2 secondRange(const FrameState& frame);
-// Those that were automatic, by their paths.
+// Adds those ends that were automatic, by their paths.
 void addSecondRange(const FrameState& frame, std::map<std::string, double>& found);
 
 constexpr int kSecondColors = 256;

@@ -1,8 +1,7 @@
-// The camera as the shaders want it: in voxel space, float, made in double.
+// Provides the camera for the shaders: in voxel space, as float, computed in double.
 //
-// An eye that is many times the volume's size away is left out of the arithmetic of floats: rays start on a
-// plane before the volume, whose corners are known in double precision. Near eyes keep their rays as they
-// are.
+// If the eye is many times the volume's size away, its position is not used in float arithmetic: rays start
+// on a plane in front of the volume, whose corners are known in double precision. Near eyes keep their rays.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -15,7 +14,7 @@
 namespace isolux::render {
 
 struct ViewUniforms {
-  glm::dvec3 eyeVoxel;                           // where the middle ray starts
+  glm::dvec3 eyeVoxel;                           // where the central ray starts
   glm::dvec3 rightVoxel, upVoxel, forwardVoxel;  // common.glsl
   glm::dvec3 rightWorld, upWorld, forwardWorld;
   glm::dvec2 halfExtent;
@@ -28,7 +27,7 @@ struct ViewUniforms {
 
   ViewUniforms(const scene::Camera& camera, double aspect, const volume::GridGeometry& geometry);
 
-  // The same for the processor: `picture` rays, of which those from `origin` on are cast.
+  // Returns the same view for the CPU: `picture` rays, of which those from `origin` on are cast.
   volume::PictureRays rays(glm::ivec2 picture, glm::ivec2 origin) const;
 };
 

@@ -1,8 +1,8 @@
-// Which bricks of a volume are resident, and in which slot of the cache: least recently used ones make room.
-// No GL.
+// Manages which bricks of a volume are resident, and in which slot of the cache; evicts the least recently
+// used. No GL.
 //
-// Brick b holds the voxels that lookups around cells 32 b .. 32 b + 31 need, 32 b - apron .. 32 b + 32 +
-// apron on each axis; bricks.glsl reads them. Time goes in rounds: one pass of rays over the picture.
+// Brick b contains the voxels that lookups around cells 32 b .. 32 b + 31 need, 32 b - apron .. 32 b + 32 +
+// apron on each axis; bricks.glsl reads them. Time is counted in rounds: one pass of rays over the image.
 // Hadwiger et al. 2005 sec. 3.4.
 #pragma once
 
@@ -16,20 +16,20 @@
 
 namespace isolux::render {
 
-inline constexpr int brickCells = 32;  // per axis; bricks.glsl holds the same numbers
+inline constexpr int brickCells = 32;  // per axis; bricks.glsl has the same numbers
 // Voxels that a lookup reads before its cell and behind it.
 inline constexpr int cubicApron = 1, quinticApron = 2;
 constexpr int brickTexels(int apron) {
   return brickCells + 1 + 2 * apron;
 }
 
-// Of a brick's blocks of 8^3 cells a bit each: x + 4 y + 16 z.
+// One bit for each block of 8^3 cells of a brick: x + 4 y + 16 z.
 using BlockBits = std::uint64_t;
 constexpr BlockBits blockBit(glm::ivec3 blockOfBrick) {
   return BlockBits{1} << (blockOfBrick.x + 4 * blockOfBrick.y + 16 * blockOfBrick.z);
 }
 
-// Bricks of a volume per axis; at least one.
+// Returns the bricks of a volume per axis; at least one.
 glm::ivec3 brickDims(glm::ivec3 voxels);
 
 class BrickCache {
@@ -44,18 +44,20 @@ class BrickCache {
   Round round() const { return round_; }
 
   std::optional<Slot> slotOf(Brick brick) const;
-  // Rays of this round need the brick, which is resident.
+  // Marks a resident brick as needed by rays of this round.
   void use(Brick brick);
 
-  // The round that last used what the next place() would replace; 0 while there is a free slot.
+  // Returns the round that last used the brick that the next place() would evict; 0 while there is a free
+  // slot.
   Round oldest() const;
-  // place() would find a slot.
+  // Returns whether place() would find a slot.
   bool hasPlace(Round kept) const { return oldest() < kept || resident_ < slots(); }
   struct Placement {
     Slot slot;
     std::optional<Brick> evicted;
   };
-  // Makes a brick resident that is not, as if used in this round. No slot for it: all were used since `kept`.
+  // Makes a brick resident, as if used in this round. Requires that it is not resident. Returns nullopt if
+  // all slots were used since `kept`.
   std::optional<Placement> place(Brick brick, Round kept);
 
   std::size_t slots() const { return entries_.size(); }

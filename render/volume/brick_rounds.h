@@ -1,8 +1,9 @@
-// Rays in bricks: cast, upload what they wait for, and cast those that waited again.
+// Casts rays through bricks in rounds: cast, upload the bricks that rays wait for, and cast the waiting rays
+// again.
 //
-// A pixel keeps the hit it has found, so bricks that only such pixels needed may be replaced: what is drawn
-// at the hits is drawn before. Where the bricks of all waiting rays together do not fit, parts of the picture
-// are cast one after the other: a picture is complete if the bricks of a few neighbouring rays fit.
+// A pixel keeps the hit that it has found, so bricks needed only by such pixels may be evicted; passes at the
+// hits are drawn before. If the bricks of all waiting rays do not fit together, parts of the image are cast
+// one after the other. An image is complete if the bricks of a few neighbouring rays fit.
 #pragma once
 
 #include <functional>
@@ -13,19 +14,19 @@ namespace isolux::render {
 
 class BrickRounds {
  public:
-  // Of a pass that casts rays. drawAtHits draws what needs the bricks at the hits found so far, and keeps
-  // what it drew before.
+  // Takes a pass that casts rays. `drawAtHits` draws what needs the bricks at the hits found so far, and
+  // keeps what it drew before.
   BrickRounds(FrameState& frame, Pass& pass, std::function<void()> drawAtHits);
 
-  // Rays that have not arrived.
+  // Rays without a result.
   struct Unfinished {
     std::size_t waiting = 0;  // with FrameRequest::brickUploadBytes for bricks that were not resident,
                               // otherwise for bricks that do not fit
-    std::size_t lost = 0;     // they ended at a brick that cannot be read
+    std::size_t lost = 0;     // they ended at an unreadable brick
   };
-  // The cast pass.
+  // Runs the cast pass.
   Unfinished cast();
-  // Another pass that casts rays: drawn again while it gets bricks it asked for.
+  // Runs another pass that casts rays: repeats it while requested bricks are uploaded.
   Unfinished draw();
 
  private:
@@ -37,7 +38,7 @@ class BrickRounds {
   Pass& pass_;
   Bricks& bricks_;
   std::function<void()> drawAtHits_;
-  bool complete_;    // a picture of which nothing may be missing
+  bool complete_;    // the image may not miss any part
   int largestArea_;  // rays per axis that are cast together
 };
 

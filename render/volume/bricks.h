@@ -1,11 +1,11 @@
-// A volume as bricks in a cache on the GPU: its textures, what rays ask for, and the uploads that answer.
+// Stores a volume as bricks in a cache on the GPU: its textures, the requests of rays, and the uploads.
 //
-// Rays mark the bricks they use and those they wait for (bricks.glsl); after a round of rays endRound() reads
-// the marks and serve() uploads what was asked for, replacing what was least recently used. One cache texture
-// for each channel (the samples, the coefficients of splines): a brick has the same slot in all. The brick
-// table, a texture, says which. Blocks of 8^3 cells of a brick whose lookups need voxels that the file does
-// not give are lost, and so is a brick that has no others: rays end there, and wait for nothing. Hadwiger et
-// al. 2005 sec. 3.1.
+// Rays mark the bricks they use and those they wait for (bricks.glsl). After a round of rays, endRound()
+// reads the marks and serve() uploads the requested bricks, evicting the least recently used. There is one
+// cache texture per channel (the samples, the coefficients of splines); a brick has the same slot in all. The
+// brick table, a texture, maps bricks to slots. Blocks of 8^3 cells of a brick are lost if their lookups need
+// unreadable voxels of the file; a brick of which all blocks are lost is lost too. Rays end there and do not
+// wait. Hadwiger et al. 2005 sec. 3.1.
 #pragma once
 
 #include <cstdint>
@@ -22,16 +22,16 @@ namespace isolux::render {
 
 class Bricks {
  public:
-  // Nothing is resident yet. The cache takes what fits into the budget and the driver's 3D textures, at most
-  // all bricks. Throws base::Error{memory} when not even a handful fits. `channels` outlive this. apron: as
-  // the lookups need it (brick_cache.h); programs are told by BRICK_APRON. moved: told whenever a brick has
-  // become resident, or has made room.
+  // Creates an empty cache. It takes what fits into the budget and the driver's 3D textures, at most all
+  // bricks. Throws base::Error{memory} if not even a handful fits. `channels` must outlive this. `apron`: as
+  // the lookups need it (brick_cache.h); programs get BRICK_APRON. `moved`: called whenever a brick becomes
+  // resident or is evicted.
   using Moved = std::function<void(glm::ivec3 brick, bool isResident, BlockBits lost)>;
   Bricks(GlPtr gl, std::vector<const TexelSource*> channels, int apron, std::size_t budgetBytes,
          Moved moved = {});
 
   void bind(Program& program) const;  // uBricks, texture unit 15
-  // Rays may come to lost blocks: programs are told by LOST_BLOCKS.
+  // Returns whether rays may reach lost blocks; programs then get LOST_BLOCKS.
   bool mayLoseBlocks() const { return hasBlockBits_; }
   const Texture& texture(std::size_t channel) const { return caches_[channel]; }
   int apron() const { return apron_; }
@@ -41,25 +41,25 @@ class Bricks {
   std::size_t slots() const { return cache_.slots(); }
   std::size_t resident() const { return cache_.resident(); }
   bool holdsAll() const;  // once resident, a brick stays
-  // They come from a file of which not all parts stay in memory: who asks for neighbours together has fewer
-  // read.
+  // Returns whether bricks come from a file of which not all parts stay in memory: requesting neighbours
+  // together then reads fewer parts.
   bool readsTwice() const;
 
-  // A frame has rounds of rays; what its first and later rounds use is known until the next frame's first
-  // round.
+  // Begin a frame and a round of rays. The bricks used in a frame's rounds are known until the next frame's
+  // first round.
   void beginFrame();
   void beginRound();
   void endRound();
   std::size_t waitingRays() const { return waitingRays_; }  // of the last round
-  std::size_t lostRays() const { return lostRays_; }        // of the same: those that ended at a lost block
-  std::size_t lost() const { return lost_.size(); }         // bricks with lost blocks, since this was made
-  const std::string& lostReason() const { return lostReason_; }  // of the first: one line
+  std::size_t lostRays() const { return lostRays_; }  // of the last round: those that ended at a lost block
+  std::size_t lost() const { return lost_.size(); }   // bricks with lost blocks, since construction
+  const std::string& lostReason() const { return lostReason_; }  // of the first lost brick: one line
 
-  // Uploads bricks that were asked for, at most `limitBytes` but at least one; those used since the round
-  // `kept` stay. Returns how many, with those that were lost. Throws base::Error of others than kind input.
+  // Uploads requested bricks, at most `limitBytes` but at least one; those used since the round `kept` stay.
+  // Returns their number, including lost ones. Throws base::Error of kinds other than input.
   std::size_t serve(BrickCache::Round kept, std::size_t limitBytes);
   bool canServe(BrickCache::Round kept) const;
-  // What was asked for does not fit beside what is resident.
+  // Returns whether the requested bricks do not fit in addition to the resident ones.
   bool wouldReplace() const { return cache_.resident() + wanted_.size() > cache_.slots(); }
   void forgetWanted() { wanted_.clear(); }
   BrickCache::Round thisRound() const { return cache_.round(); }
@@ -72,10 +72,10 @@ class Bricks {
 
  private:
   glm::ivec3 brickAt(BrickCache::Brick brick) const;
-  enum class Entry { absent, resident, lost, partlyLost };  // bricks.glsl holds the same numbers
+  enum class Entry { absent, resident, lost, partlyLost };  // bricks.glsl has the same numbers
   void setEntry(BrickCache::Brick brick, Entry entry) const;
-  BlockBits fetch(BrickCache::Brick brick);           // its texels; what of it is lost
-  BlockBits blocksOf(BrickCache::Brick brick) const;  // that hold cells of the volume
+  BlockBits fetch(BrickCache::Brick brick);           // loads its texels; returns the lost blocks
+  BlockBits blocksOf(BrickCache::Brick brick) const;  // those that contain cells of the volume
   void upload(BrickCache::Brick brick, BrickCache::Slot slot);
 
   GlPtr gl_;
@@ -85,7 +85,7 @@ class Bricks {
   glm::ivec3 dims_, slotDims_;
   BrickCache cache_;
   std::vector<Texture> caches_;
-  bool hasBlockBits_;  // the table has a second half: of each brick which blocks are lost
+  bool hasBlockBits_;  // the table has a second half: the lost blocks of each brick
   Texture table_;
   Buffer use_;  // waiting rays, lost rays, then a mark for each brick
   std::vector<std::uint32_t> marks_;

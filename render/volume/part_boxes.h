@@ -1,9 +1,9 @@
-// Of a volume that stays in its file, which boxes of its resident bricks an isosurface can cross
-// (volume/skip/box_bounds.h): made of a brick's voxels when it comes, 16 KiB each.
+// Provides the sub-blocks of resident bricks that an isosurface can cross (volume/skip/box_bounds.h), for an
+// out-of-core volume. They are computed from a brick's voxels when it is loaded, 16 KiB each.
 //
-// Of bricks that have not come every box of an active block may hold a surface. A ray that has its answer has
-// waited for each brick in which it came to such a box, so it has stepped over the boxes that it steps over
-// in memory, and its hit is the same, bit for bit.
+// In bricks that are not loaded, every sub-block of an active block may contain a surface. A ray with a
+// result has waited for each brick in which it reached such a sub-block. It has therefore skipped the same
+// sub-blocks as in memory, and its hit is bit-identical.
 #pragma once
 
 #include <cstdint>
@@ -24,10 +24,10 @@ namespace isolux::render {
 
 class PartBoxes {
  public:
-  // Bricks are those of brick_cache.h; blocks have 8 cells per axis.
+  // Uses the bricks of brick_cache.h; blocks have 8 cells per axis.
   explicit PartBoxes(std::shared_ptr<const volume::Grid> grid);
 
-  // The brick is on the graphics card from now on, or no longer. Of its lost blocks any box may hold a
+  // Records that the brick is now on the GPU, or no longer. Any sub-block of its lost blocks may contain a
   // surface. Throws base::Error{memory}.
   void moved(glm::ivec3 brick, bool isResident, BlockBits lost = 0);
   void clear() { boxes_.clear(); }
@@ -37,7 +37,8 @@ class PartBoxes {
     glm::ivec3 low, size;
     std::vector<std::uint64_t> masks;  // BoxBounds::masks()
   };
-  // Of a resident brick, for surfaces of these values as blocks hold them; of another one: no blocks.
+  // Returns the masks of a resident brick for surfaces of these values, in the blocks' units; no blocks if it
+  // is not resident.
   Blocks masks(glm::ivec3 brick, std::span<const float> storedIsovalues,
                const volume::ActiveBlocks& active) const;
   std::vector<glm::ivec3> resident() const;

@@ -1,5 +1,5 @@
-// The start depths of a picture's rays (volume/cast/start_depths.h) as shaders that cast rays read them, and
-// the tiles whose rays can meet anything, to draw those alone.
+// Provides the start depths of a frame's rays (volume/cast/start_depths.h) to shaders that cast rays, and
+// draws only the tiles whose rays can meet anything.
 #pragma once
 
 #include <optional>
@@ -14,19 +14,19 @@ class RayStarts {
  public:
   explicit RayStarts(const GlPtr& gl);
 
-  // log2 of a tile's pixels per axis: at most 256 tiles along the longer side, so that large pictures cost
-  // no more.
+  // Returns log2 of a tile's pixels per axis: at most 256 tiles along the longer side, so that large images
+  // cost no more.
   static int tileShift(glm::ivec2 size);
 
-  // Uploads the depths of tiles of 1 << shift pixels, of a picture of `size`.
+  // Uploads the depths of tiles of 1 << shift pixels, for an image of `size`.
   void update(const volume::StartDepths& depths, int shift, glm::ivec2 size);
-  void clear(glm::ivec2 size);  // nothing can be met
-  // What draw() draws.
+  void clear(glm::ivec2 size);  // no ray can meet anything
+  // Returns the area that draw() draws.
   const volume::PictureArea& area() const { return area_; }
 
-  // Sets what start.glsl and fullscreen.vert.glsl (TILES) read, on texture unit `unit`.
+  // Sets the inputs of start.glsl and fullscreen.vert.glsl (TILES), on texture unit `unit`.
   void bind(Program& program, int unit) const;
-  // Draws the pixels of those tiles with the program in use, as points: squares without a diagonal, at which
+  // Draws the pixels of those tiles with the current program, as points: squares without a diagonal, at which
   // groups of pixels would be drawn twice. Changes the viewport.
   void draw() const;
   std::size_t bytes() const { return depths_.bytes() + buffer_.bytes(); }

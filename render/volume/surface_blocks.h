@@ -1,5 +1,5 @@
-// Which blocks, boxes and cells of a field of hits can hold the shown isosurfaces: on the processor, and as
-// the texture that shaders skip empty space by.
+// Determines which blocks, sub-blocks and cells of a hit field can contain the shown isosurfaces: in main
+// memory, and as the texture by which shaders skip empty space.
 #pragma once
 
 #include <memory>
@@ -19,34 +19,35 @@ namespace isolux::render {
 
 class SurfaceBlocks {
  public:
-  // Blocks and boxes are the field's, and live as long as this. No boxes: the volume stays in its file, and
-  // what is known of them is in `parts`, which lives as long, too.
+  // `blocks` and `boxes` are the field's and must outlive this. If `boxes` is null, the volume is
+  // out-of-core, and `parts` provides the sub-blocks; it must outlive this, too.
   SurfaceBlocks(GlPtr gl, std::shared_ptr<const volume::PreparedVolume> volume, scene::Field field,
                 std::shared_ptr<const volume::MinMaxBlocks> blocks,
                 std::shared_ptr<const volume::BoxBounds> boxes, const PartBoxes* parts);
 
   scene::Field field() const { return field_; }
-  // What of the surfaces is hidden; empty where all is shown.
+  // The hidden components of the surfaces; empty if all are shown.
   struct Hidden {
     std::vector<volume::PartlyShown> surfaces;
     std::vector<volume::HiddenOfSurface> voxels;  // of some of them
   };
-  // For surfaces of these values, as blocks hold them: in time proportional to what changes.
+  // Activates the blocks for surfaces of these values, in the blocks' units, in time proportional to the
+  // change.
   void activate(std::vector<float> storedIsovalues, Hidden hidden);
 
   const volume::ActiveBlocks& active() const { return active_; }
   const volume::MinMaxBlocks& blocks() const { return active_.blocks(); }
   std::span<const std::uint64_t> masks() const { return masks_; }
-  std::size_t activeBricks() const;  // bricks that hold an active block
+  std::size_t activeBricks() const;  // bricks with an active block
 
-  // What `parts` knows of a brick has changed.
+  // Updates the masks after a change of a brick in `parts`.
   void updateMasks(glm::ivec3 brick);
 
-  // GpuVolume::prepareMasks() and bindMasks().
+  // See GpuVolume::prepareMasks() and bindMasks().
   void prepareMasks(const scene::Hit& hit);
   void bindMasks(Program& program, const scene::Hit& hit, int unit);
 
-  // GpuVolume::bindHidden().
+  // See GpuVolume::bindHidden().
   void bindHidden(Program& program, int unit);
 
   std::size_t textureBytes() const { return texture_.bytes() + hiddenTexture_.bytes(); }
@@ -67,11 +68,11 @@ class SurfaceBlocks {
   const PartBoxes* parts_;
   std::vector<std::uint64_t> masks_;
   std::vector<float> storedIsovalues_;         // of the masks
-  mutable std::optional<std::size_t> bricks_;  // counted when asked for
+  mutable std::optional<std::size_t> bricks_;  // computed at the first call
   Texture texture_;                            // RG32UI
   Hidden hidden_;
   std::uint64_t hiddenKey_ = 0;
-  Texture hiddenTexture_;  // hidden.glsl; none while nobody has asked for it
+  Texture hiddenTexture_;  // hidden.glsl; none until it is used
   enum class Uploaded { nothing, boxes, cells };
   Uploaded uploaded_ = Uploaded::nothing;  // of these surfaces
 };

@@ -1,4 +1,4 @@
-// A volume on the GPU, in the smallest format that holds its voxels exactly.
+// Stores a volume on the GPU in the smallest format that holds its voxels exactly.
 #pragma once
 
 #include <cstddef>
@@ -12,19 +12,19 @@
 
 namespace isolux::render {
 
-// Voxels as texels: stored = texel * scale + offset, where texel is what the shader fetches:
+// Provides voxels as texels: stored = texel * scale + offset, where texel is what the shader fetches:
 //   int8, uint8   R8   (int8 biased by 128)      scale 255
 //   int16, uint16 R16  (int16 biased by 32768)   scale 65535
 //   float32       R32F multiplied by a power of two that brings the largest magnitude near 1 (exact).
-//                 Where all values lie within a factor of two of one another, their middle is subtracted
+//                 If all values are within a factor of two of one another, their middle is subtracted
 //                 first (exact, Sterbenz 1974): of 1e6 + small, filters and sums keep the small part.
 // Keeps pointers to the voxels it is made from.
 class TexelSource {
  public:
-  // Where the grid's voxels stay in a file, copyBox() waits for them and throws base::Error{input}.
+  // If the grid's voxels stay in a file, copyBox() waits for them and throws base::Error{input}.
   explicit TexelSource(const volume::Grid& grid);
-  // Coefficients on the axes of a grid (volume::interpolatingCoefficients): texels are those of their values,
-  // as of a float32 volume, and offset() is theirs.
+  // Takes coefficients on the axes of a grid (volume::interpolatingCoefficients): texels are those of their
+  // values, as of a float32 volume, and offset() is theirs.
   TexelSource(const volume::Coefficients& coefficients, glm::ivec3 dims);
 
   glm::ivec3 dims() const { return dims_; }
@@ -35,11 +35,11 @@ class TexelSource {
   std::size_t texelBytes() const;
   std::size_t bytes() const;  // of all texels
 
-  // The texels of voxels first .. first + size - 1, x fastest; beyond the border the border voxel repeats.
-  // unknown: as BrickSource::copyBox().
+  // Copies the texels of voxels first .. first + size - 1, x fastest; beyond the border the border voxel
+  // repeats. `unknown`: as for BrickSource::copyBox().
   void copyBox(glm::ivec3 first, glm::ivec3 size, void* texels,
                std::vector<volume::DamagedPart>* unknown = nullptr) const;
-  // Null: they are in memory. Else who reads ahead what copyBox() will be asked for.
+  // Returns what reads ahead for copyBox(); null if the voxels are in memory.
   volume::BrickSource* parts() const { return parts_.get(); }
 
  private:
@@ -48,7 +48,7 @@ class TexelSource {
                   void* texels) const;
 
   glm::ivec3 dims_;
-  std::shared_ptr<volume::BrickSource> parts_;  // of voxels of this type, or:
+  std::shared_ptr<volume::BrickSource> parts_;  // voxels of this type, or:
   volume::VoxelType partsType_ = volume::VoxelType::uint8;
   const volume::VoxelArray* voxels_ = nullptr;  // or:
   const std::vector<float>* coefficients_ = nullptr;
@@ -57,8 +57,8 @@ class TexelSource {
   int exponent_ = 0;
 };
 
-// The whole volume as one texture. Throws base::Error{memory} when an axis exceeds the driver's limit or the
-// bytes the budget.
+// Uploads the whole volume as one texture. Throws base::Error{memory} if an axis exceeds the driver's limit
+// or the bytes exceed the budget.
 Texture uploadWhole(const GlPtr& gl, const TexelSource& source, std::size_t budgetBytes);
 
 }  // namespace isolux::render

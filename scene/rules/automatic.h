@@ -12,42 +12,43 @@
 
 namespace isolux::scene {
 
-// What automatic settings may depend on.
+// Facts about the volume that automatic settings may depend on.
 struct VolumeFacts {
-  glm::dvec3 boundsMinMm{0.0}, boundsMaxMm{0.0};  // world box of what there is to see
+  glm::dvec3 boundsMinMm{0.0}, boundsMaxMm{0.0};  // world box of the visible part
   double suggestedIsovalue = 0.0;                 // data units, volume::suggestIsovalue()
-  // Ascending: those that each show something of its own, volume::suggestIsovalues().
+  // Ascending: each shows something of its own, volume::suggestIsovalues().
   std::vector<double> suggestedIsovalues{};
-  std::optional<double> csgIsovalue = std::nullopt;  // of the second volume, where there is one
+  std::optional<double> csgIsovalue = std::nullopt;  // of the second volume, if any
   double minimum = 0.0, maximum = 0.0;               // data units
-  // Data units: what neighbouring voxels differ by where they differ (90 % quantile).
+  // Data units: the 90 % quantile of the differences of neighbouring voxels that differ.
   double typicalStep = 0.0;
   WorldAxes axes = WorldAxes::zUp;
   glm::dvec3 spacingMm{1.0};
   double contrastIsovalue = 0.0;  // data units, volume::contrastIsovalue()
-  // Points that the isosurface of suggestedIsovalue lies within the hull of, world mm: what a first picture
-  // frames, seen from toEye (unit) with `up` at its top. Empty: not known, and the box is framed.
+  // Points whose hull contains the isosurface of suggestedIsovalue, world mm; a first image frames them, seen
+  // from toEye (unit) with `up` at its top. Empty: unknown, and the box is framed.
   std::vector<glm::dvec3> outlineMm{};
   glm::dvec3 toEye{0.0}, up{0.0};
 };
 
-// Every optional of the result has a value, but those that depend on the surface itself (ranges of colour
-// maps, the ridge threshold; noise and scales of derivatives, which volume::DerivativeChoices fills in), the
-// fog's colour and the exposure, which stay automatic for the renderer, those
-// of the bake's own business (gi.environment_share), and the isovalue
-// of a second volume that is not there. Further isosurfaces take the suggestion that is next outside
-// the first, else next inside, and where all are taken a quarter of the way each to the innermost value. An
-// explicit setting is never changed. An automatic camera frames what camera.frames says for pictures of any
-// aspect ratio >= 1: the outline, or the box from the front (frontOf(): a patient faces the viewer, patient
-// left at the right) and slightly above. Lamps stand by the front.
+// Fills in every optional, with these exceptions:
+//   - those that depend on the surface itself: ranges of colour maps, the ridge threshold; noise and scales
+//     of derivatives, which volume::DerivativeChoices fills in;
+//   - the fog's colour and the exposure, which the renderer chooses;
+//   - gi.environment_share, which the bake chooses;
+//   - the isovalue of a second volume if there is none.
+// Further isosurfaces take the next suggestion outside the first, else the next inside. If all are taken,
+// each goes a quarter of the way to the innermost value. An explicit setting is never changed. An automatic
+// camera frames what camera.frames says for images of any aspect ratio >= 1: the outline, or the box. It
+// shows the box from the front (frontOf(): a patient faces the viewer, patient left at the right) and
+// slightly above. Light sources are placed relative to the front.
 Scene resolve(Scene scene, const VolumeFacts& facts);
 
-// Same direction and up, framing what camera.frames says as resolve() does.
+// Returns the camera with the same direction and up, framing what camera.frames says as resolve() does.
 Camera framed(const Camera& camera, const VolumeFacts& facts);
 
-// A resolved camera that framed() has made, made for this room instead: how far what is seen may reach across
-// and up from the middle of the picture, in halves of its height. Any other camera as it is: somebody has
-// chosen what it shows.
+// Returns a resolved camera of framed(), adapted to `room`: the largest extent across and up from the middle
+// of the image, in halves of its height. Returns any other camera unchanged: the user has chosen its view.
 Camera fittedTo(const Camera& camera, const VolumeFacts& facts, glm::dvec2 room);
 
 }  // namespace isolux::scene

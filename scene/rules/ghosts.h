@@ -1,5 +1,5 @@
-// The first surface at its isovalue plus and minus multiples of the noise, as transparent isosurfaces beside
-// it (isosurface.ghost).
+// Adds uncertainty surfaces: the first surface at its isovalue plus and minus multiples of the noise, as
+// transparent isosurfaces (isosurface.ghost).
 #pragma once
 
 #include <vector>
@@ -8,15 +8,15 @@
 
 namespace isolux::scene {
 
-// Further isosurfaces that are not shown become the ghosts, in their order and colours: first that above the
-// isovalue.
-// With one of them free there is that ghost alone, with none there is none; nor is there without noise.
-// isosurface.value and derivatives.noise are known.
+// Turns further isosurfaces that are not shown into uncertainty surfaces, in their order and colours: first
+// the one above the isovalue. With one of them free, only that one is added, with none free or without noise
+// none. Requires that isosurface.value and derivatives.noise are known.
 void addGhosts(Scene& scene);
-// How many of the two found no further isosurface free.
+// Returns how many of the two uncertainty surfaces found no free further isosurface.
 int ghostsWithoutRoom(const Scene& scene);
 
-// Isovalues (data units) of all that can be seen, ghosts among them; the first surface's comes first.
+// Returns the isovalues (data units) of all visible surfaces, including uncertainty surfaces; the first
+// surface's comes first.
 std::vector<double> seenIsovalues(Scene scene);
 
 }  // namespace isolux::scene

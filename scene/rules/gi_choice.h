@@ -1,8 +1,8 @@
-// What global illumination a scene calls for: the least that gives its picture, and why.
+// Chooses the global illumination of a scene: the least that produces its image, and the reason.
 //
-// A pure function of the Scene (resolved or not). Who plans the bake, the renderer, `--explain`
-// and the settings that act all ask here, so that they agree. Wyman et al. 2006 has irradiance, transfer and
-// vicinity as separate choices of its user.
+// A pure function of the Scene (resolved or not). The bake planner, the renderer, `--explain` and the rules
+// of active settings all call it, so that they agree. Wyman et al. 2006 has irradiance, transfer and vicinity
+// as separate choices of its user.
 #pragma once
 
 #include <string>
@@ -12,15 +12,15 @@
 namespace isolux::scene {
 
 struct GiChoice {
-  bool wanted = false;  // a look reads stored light
-  // What is stored of the sky's light: off, irradiance, transfer, vicinity or shadow; never automatic.
+  bool wanted = false;  // a look reads baked lighting
+  // What is baked of the sky's light: off, irradiance, transfer, vicinity or shadow; never automatic.
   GiMode sky = GiMode::off;
-  bool unitSky = false;  // stored under a sky of radiance 1; its colour is laid on in the picture
-  int channels = 3;      // of what is stored of the sky: 1 where light stays grey
-  bool onShown = false;  // texels are lit where the shown isosurface passes them, not each on its own
-  bool lamps = false;    // lamps shine: their irradiance is stored beside the sky's
-  int bounces = 0;       // that are traced
-  std::string reason;    // one clause a decision, joined by "; "
+  bool unitSky = false;  // baked under a sky of radiance 1; the frame multiplies by its colour
+  int channels = 3;      // of the sky's baked light: 1 if it stays grey
+  bool onShown = false;  // texels are lit on the displayed isosurface, not each on its own
+  bool lamps = false;    // there are light sources: their irradiance is baked in addition to the sky's
+  int bounces = 0;       // traced
+  std::string reason;    // one clause per decision, joined by "; "
 };
 
 GiChoice giChoiceOf(const Scene& scene);

@@ -1,65 +1,66 @@
-// What a scene's look needs and shows: facts that follow from several settings at once.
+// Derives from several settings what a scene's look needs and shows.
 //
 // Pure functions of the Scene, resolved or not. Rules of relevance, passes of the renderer and the light all
-// ask here, so that they agree.
+// call them, so that they agree.
 #pragma once
 
 #include "scene/scene.h"
 
 namespace isolux::scene {
 
-// The mode gives a colour that a shading is laid over.
+// Returns whether the mode gives a colour that look.shading is applied to.
 bool isColored(LookMode mode);
-// Colours stand for numbers: of one dimension, or the (kappa1, kappa2) square of curvature_2d.
+// Returns whether colours show numbers: of one dimension, or the (kappa1, kappa2) square of curvature_2d.
 bool isMeasure(LookMode mode);
-// Shows a raw quantity, with nothing laid over it.
+// Returns whether the look shows a raw quantity without shading and overlays.
 bool isPlain(const Scene& scene);
 
-// The shading that applies: the mode's own, look.shading under modes that give a colour, else unlit.
+// Returns the active shading: the mode's own, look.shading under modes that give a colour, else unlit.
 Shading shadingOf(const Scene& scene);
-// Light of the surface points comes from global illumination: stored, or local where nothing is.
+// Returns whether surface points are lit by global illumination: baked, or unshadowed where nothing is baked.
 bool usesGi(const Scene& scene);
-// The same scene under lights that need not be stored, for pictures before stored light is there.
+// Returns the same scene under lights that need no baking, for frames before the light is baked.
 Scene withoutGi(Scene scene);
-// Whether the key light brightens anything, so that its shadow is seen.
+// Returns whether the key light brightens anything, so that its shadow is visible.
 bool keyLightActs(const Scene& scene);
-// Whether the key light's shadow is drawn.
+// Returns whether the key light's shadow is drawn.
 bool showsShadow(const Scene& scene);
-// Whether what stands near keeps light away: it does from large soft lights, which these shadings stand for.
+// Returns whether nearby geometry occludes light; it does for shadings that approximate large soft lights.
 bool showsOcclusion(const Scene& scene);
-// Whether streaks along the curvature are drawn.
+// Returns whether streaks along the curvature are drawn.
 bool showsFlow(const Scene& scene);
-// Whether a second volume colours the surface.
+// Returns whether a second volume colours the surface.
 bool showsSecondVolume(const Scene& scene);
 bool showsLegend(const Scene& scene);
-// Strength of the silhouette: tone shading is meant to be seen with outlines (Gooch et al. 1998).
+// Returns the strength of the silhouette: tone shading is designed for outlines (Gooch et al. 1998).
 double contoursOf(const Scene& scene);
-// Some line that curvature says where to draw: ridges and valleys, silhouettes, suggestive contours.
+// Returns whether lines from curvature are drawn: ridges and valleys, silhouettes, suggestive contours.
 bool drawsLines(const Scene& scene);
 
-// Pictures at rest may take hits of the B-spline through the samples instead of trilinear ones.
+// Returns whether idle images may use hits of the interpolating B-spline instead of trilinear ones.
 bool mayRefineHits(const Scene& scene);
 
 bool needsGradient(const Scene& scene);
 bool needsCurvature(const Scene& scene);
-bool needsEdge(const Scene& scene);  // how far the object's edge lies from the surface
-// Derivatives at derivatives.scale, and the noise they are judged by.
+bool needsEdge(const Scene& scene);  // the distance of the object's edge from the surface
+// Returns whether derivatives at derivatives.scale are needed, and the noise that they are judged by.
 bool needsSecondDerivatives(const Scene& scene);
 
-// Scales, mm, of the derivatives that curvature comes from and of those that normals are made of
-// (derivatives.scale, derivatives.normal_scale). 0: none, by the setting, because the field has none, or
-// because what is automatic is not known yet.
+// Return the scales σ, mm, of the derivatives for curvature and for normals (derivatives.scale,
+// derivatives.normal_scale). 0: none, by the setting, because the field has none, or because the automatic
+// value is unknown yet.
 double derivativesScale(const Scene& scene);
 double normalScale(const Scene& scene);
-// The look reads derivatives at no scale; and those are made of filtered fetches, which a scale has not.
+// Return whether the look reads unscaled derivatives, and whether these use filtered fetches, which scaled
+// ones do not have.
 bool readsUnscaled(const Scene& scene);
 bool fetchesFast(const Scene& scene);
 
-// A plane or the box cuts an isosurface that is shown; and the faces that it lays open show values.
+// Return whether a plane or the box clips a shown isosurface, and whether the resulting caps show values.
 bool cutsSurfaces(const Scene& scene);
 bool showsCutFaces(const Scene& scene);
 
-// Some surface lets through what lies behind it. One of opacity 0 is not there.
+// Returns whether a surface is partly transparent. One of opacity 0 does not count.
 bool isTransparent(const Scene& scene);
 
 }  // namespace isolux::scene

@@ -1,7 +1,7 @@
-// Which settings act in a scene, and why the others do not.
+// Determines which settings are active in a scene, and why others are not.
 //
-// One table of rules, from a setting's path to a condition on the scene. The window hides what does not act,
-// and anything else that explains a scene can say the same.
+// One table of rules maps a setting's path to a condition on the scene. The window hides inactive settings;
+// other explanations of a scene use the same text.
 #pragma once
 
 #include <string_view>
@@ -12,10 +12,10 @@
 
 namespace isolux::scene {
 
-// Empty when the setting of this path acts, that is, when changing it can change the picture, the memory or
-// the time it takes; else one clause that says why not: "hits are exact". `scene` may have automatic members.
+// Returns "" if the setting of this path is active: changing it can change the image, the memory or the time.
+// Otherwise returns one clause with the reason: "hits are exact". `scene` may have automatic members.
 std::string_view whyInactive(std::string_view path, const Scene& scene);
-// All that it can answer, for who translates.
+// Returns all possible reasons, for translation.
 std::vector<std::string_view> inactiveReasons();
 
 }  // namespace isolux::scene

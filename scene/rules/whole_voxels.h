@@ -1,4 +1,4 @@
-// What of a scene cannot be drawn of a volume whose voxels stay in its file (memory.voxels).
+// Checks which parts of a scene cannot be drawn for an out-of-core volume (memory.voxels).
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace isolux::scene {
 
-// The first thing that needs all voxels in memory, and what to set instead: one line; nothing: all of the
-// scene can be drawn. `resolved` derivatives' scales count where they are known.
+// Returns the first feature that needs all voxels in memory and what to set instead, in one line; nullopt if
+// the whole scene can be drawn. Scales of `resolved` derivatives count if they are known.
 std::optional<std::string> needsWholeVoxels(const Scene& resolved);
 
 }  // namespace isolux::scene

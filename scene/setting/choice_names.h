@@ -1,4 +1,4 @@
-// The names of what settings choose among, as they are typed after --set and stand in sessions.
+// Provides the names of enumeration values as used after --set and in sessions.
 #pragma once
 
 #include <span>
@@ -14,7 +14,7 @@ struct Named {
   std::string_view name;
 };
 
-// All values of an enumeration of scene/choices.h or scene/machine.h, in the order in which users are offered
+// Returns all values of an enumeration of scene/choices.h or scene/machine.h, in the order in which users see
 // them.
 template <class T>
 std::span<const Named<T>> choicesOf();

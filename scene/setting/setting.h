@@ -1,4 +1,4 @@
-// What is known of one setting: path, type, range, unit and meaning, and how to read and write it.
+// Describes a setting: path, type, range, unit and meaning, and how to read and write it.
 #pragma once
 
 #include <functional>
@@ -9,9 +9,12 @@
 
 namespace isolux::scene {
 
-// pair, vector, quaternion: two, three, four numbers; points: a list of CurvaturePoint, each [kappa1, kappa2,
-// r, g, b]; positions: a list of any length of world points [x, y, z]; planes: a list of ClipPlane, each [px,
-// py, pz, nx, ny, nz]; marks: a list of Mark, each an object
+// Types of settings.
+//   pair, vector, quaternion   two, three, four numbers
+//   points      a list of CurvaturePoint, each [kappa1, kappa2, r, g, b]
+//   positions   a list of any length of world points [x, y, z]
+//   planes      a list of ClipPlane, each [px, py, pz, nx, ny, nz]
+//   marks       a list of Mark, each an object
 enum class SettingType {
   number,
   integer,
@@ -26,24 +29,24 @@ enum class SettingType {
   planes,
   marks
 };
-// Numbers in a pair, vector or quaternion; 0 for other types.
+// Returns the number of components of a pair, vector or quaternion; 0 for other types.
 std::size_t componentsOf(SettingType type);
 
 struct SettingInfo {
   std::string path;
   SettingType type = SettingType::number;
-  std::string unit;                     // "mm", "degrees", "data units", "" where none
+  std::string unit;                     // "mm", "degrees", "data units", or ""
   std::string meaning;                  // one sentence
   double minimum = 0.0, maximum = 0.0;  // of numbers, integers and vector components, inclusive
   bool mayBeAutomatic = false;          // accepts "auto" (an empty optional)
   std::vector<std::string> choices;     // of a choice
 };
 
-// A member of an Owner: of a Scene, or of a Machine.
+// A setting stored in a member of an Owner: a Scene or a Machine.
 template <class Owner>
 struct SettingOf : SettingInfo {
   std::function<nlohmann::json(const Owner&)> get;         // "auto" for an empty optional
-  std::function<void(Owner&, const nlohmann::json&)> set;  // throws Error when type, range or choice is wrong
+  std::function<void(Owner&, const nlohmann::json&)> set;  // throws Error for a wrong type, range or choice
 
   auto defaultValue() const { return get(Owner{}); }
 };

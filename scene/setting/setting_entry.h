@@ -1,4 +1,4 @@
-// Makes settings from members: for the lists of scene/settings.cpp and scene/machine.cpp.
+// Creates settings from members, for the lists of scene/settings.cpp and scene/machine.cpp.
 #pragma once
 
 #include <algorithm>
@@ -73,10 +73,10 @@ struct Range {
   double minimum, maximum;
 };
 inline constexpr Range noRange{0.0, 0.0};           // texts and choices
-inline constexpr Range positionRange{-1e13, 1e13};  // mm: 4096 voxels of 1e9 mm and their camera
+inline constexpr Range positionRange{-1e13, 1e13};  // mm: 4096 voxels of 1e9 mm and a camera for them
 inline constexpr Range unitRange{0.0, 1.0};
 
-// `member` returns the member of an Owner or const Owner by reference.
+// Creates a setting. `member` returns the member of an Owner or const Owner by reference.
 template <class Owner, class Member>
 SettingOf<Owner> entry(const std::string& path, Member member, Range range, const std::string& unit,
                        const std::string& meaning) {
@@ -89,7 +89,7 @@ SettingOf<Owner> entry(const std::string& path, Member member, Range range, cons
           }};
 }
 
-// Refuses values of the setting for which holds() is false.
+// Adds a check to a setting: values for which holds() is false are rejected with `reason`.
 template <class Owner, class Member, class Holds>
 SettingOf<Owner> onlyWhere(SettingOf<Owner> setting, Member member, Holds holds, const char* reason) {
   setting.set = [checked = setting.set, member, holds, reason, name = setting.path](
@@ -102,7 +102,7 @@ SettingOf<Owner> onlyWhere(SettingOf<Owner> setting, Member member, Holds holds,
   return setting;
 }
 
-// A direction: a vector that must not be (nearly) zero.
+// Creates a direction: a vector that must not be (nearly) zero.
 template <class Owner, class Member>
 SettingOf<Owner> directionEntry(const std::string& path, Member member, const std::string& unit,
                                 const std::string& meaning) {
@@ -111,7 +111,7 @@ SettingOf<Owner> directionEntry(const std::string& path, Member member, const st
                           "a direction must not be zero");
 }
 
-// A rotation: a quaternion that must not be (nearly) zero.
+// Creates a rotation: a quaternion that must not be (nearly) zero.
 template <class Owner, class Member>
 SettingOf<Owner> rotationEntry(const std::string& path, Member member, const std::string& meaning) {
   const auto holds = [](const glm::dvec4& q) { return !(glm::length(q) < 1e-6); };
@@ -119,7 +119,7 @@ SettingOf<Owner> rotationEntry(const std::string& path, Member member, const std
                           holds, "a rotation must not be zero");
 }
 
-// A range: the first number must not be above the second.
+// Creates a range: the first number must not be above the second.
 template <class Owner, class Member>
 SettingOf<Owner> bandEntry(const std::string& path, Member member, const std::string& unit,
                            const std::string& meaning) {
@@ -128,7 +128,7 @@ SettingOf<Owner> bandEntry(const std::string& path, Member member, const std::st
                           "the lower end must not be above the upper end");
 }
 
-// Of a member whose type is an enumeration of scene/choices.h.
+// Creates a choice from a member whose type is an enumeration of scene/choices.h.
 template <class Owner, class Member>
 SettingOf<Owner> choiceEntry(const std::string& path, Member member, const std::string& meaning) {
   using T = std::remove_cvref_t<decltype(member(std::declval<const Owner&>()))>;
@@ -153,7 +153,7 @@ SettingOf<Owner> choiceEntry(const std::string& path, Member member, const std::
 
 }  // namespace isolux::scene
 
-// A member's name cannot stand in parentheses.
+// A member's name cannot be in parentheses.
 // NOLINTBEGIN(bugprone-macro-parentheses)
 #define ISOLUX_MEMBER(name)  \
   [](auto& owner) -> auto& { \

@@ -1,5 +1,5 @@
-// Values of settings as JSON, checked against what is known of the setting. Errors are base::Error of kind
-// usage that name the path.
+// Converts values of settings to and from JSON and checks them against the setting's description. Errors are
+// base::Error of kind usage that name the path.
 #pragma once
 
 #include <optional>
@@ -16,11 +16,12 @@
 
 namespace isolux::scene {
 
+// Throws base::Error{usage} that names `path` and `reason`.
 [[noreturn]] void refuse(const std::string& path, const std::string& reason);
-// "VALUE is not allowed here; allowed is ..."
+// Throws "VALUE is not allowed here; allowed is ...".
 [[noreturn]] void refuseValue(const SettingInfo& setting, const nlohmann::json& value);
 
-// A finite number in the setting's range; `whole` is what a refusal shows.
+// Returns a finite number in the setting's range. Throws otherwise, showing `whole`.
 double checkedNumber(const SettingInfo& setting, const nlohmann::json& value, const nlohmann::json& whole);
 
 void assignChecked(const SettingInfo& setting, double& member, const nlohmann::json& value);

@@ -1,10 +1,10 @@
-// Continuous fields from samples: trilinear, tri-cubic B-spline, and the tri-quintic one at a scale; value
-// and derivatives, in double precision.
+// Evaluates continuous fields from samples: trilinear, tri-cubic B-spline, and tri-quintic at a scale σ;
+// value and derivatives, in double precision.
 //
-// The CPU reference for what the shaders do. Positions are voxel coordinates inside [0, n-1]; outside they
-// are clamped. Derivatives are per voxel; GridGeometry carries them to world: g_w = A^-T g_v, H_w = A^-T H_v
+// The CPU reference for the shaders. Positions are voxel coordinates inside [0, n-1]; outside they are
+// clamped. Derivatives are per voxel; GridGeometry transforms them to world: g_w = A^-T g_v, H_w = A^-T H_v
 // A^-1. Values are data units. A missing voxel among the samples of a lookup (8 or 64) makes its result NaN.
-// Samples beyond the border repeat the border sample (clamp), on CPU and GPU alike.
+// Samples beyond the border repeat the border sample (clamp), on CPU and GPU.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -23,12 +23,12 @@ struct FieldSample {
 };
 
 FieldSample sampleTrilinear(const Grid& grid, glm::dvec3 voxel);  // hessian: only the mixed terms are not 0
-FieldSample sampleCubic(const Grid& grid, glm::dvec3 voxel);  // B-spline of the samples themselves (smooths)
-// The spline that passes through the samples: interpolatingCoefficients(grid).
+FieldSample sampleCubic(const Grid& grid, glm::dvec3 voxel);  // the samples are the coefficients (smoothing)
+// Evaluates the spline that interpolates the samples: interpolatingCoefficients(grid).
 FieldSample sampleCubic(const Coefficients& coefficients, const Grid& grid, glm::dvec3 voxel);
 
-// The field at a scale. Unlike the others it goes on beyond the border by point reflection, and is a number
-// where voxels are missing, too.
+// Evaluates the field at a scale σ. Unlike the others it continues beyond the border by point reflection, and
+// is finite also where voxels are missing.
 FieldSample sampleScaled(const ScaledField& scaled, const Grid& grid, glm::dvec3 voxel);
 
 glm::dvec3 worldGradient(const GridGeometry& geometry, glm::dvec3 voxelGradient);

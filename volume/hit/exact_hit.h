@@ -1,9 +1,9 @@
-// First hit of a ray with the trilinear isosurface, exactly: the double-precision reference of every other
-// hit finder.
+// Finds the exact first hit of a ray with the trilinear isosurface: the double-precision reference for all
+// other hit finders.
 //
-// The ray is walked cell by cell; in each cell the cubic along the ray is solved for its first root, so that
-// no crossing is missed: thin sheets, double crossings, rays along axes and through corners included. Cells
-// with a missing corner hold no surface.
+// The ray is traversed cell by cell; in each cell the cubic along the ray is solved for its first root. No
+// crossing is missed: thin sheets, double crossings, rays along axes and through corners included. Cells with
+// a missing corner contain no surface.
 #pragma once
 
 #include <optional>
@@ -23,11 +23,11 @@ struct RayHit {
   bool entering = false;    // f rises through the isovalue along the ray
 };
 
-// origin and direction in voxel space (direction need not be unit, not zero); first crossing with t in
-// [tMinimum, tMaximum]. A crossing is a change of (f >= isovalue); touching without crossing is no hit.
-// A ray that starts on the surface does not hit it there. Not finite or zero rays hit nothing. Where a ray
-// runs in a plane between two cells, one of them decides (only missing voxels make that matter). `hidden`: of
-// this isovalue; (f >= isovalue) is then what is seen.
+// Returns the first crossing with t in [tMinimum, tMaximum]. `origin` and `direction` are in voxel space;
+// `direction` need not be unit. A crossing is a change of (f >= isovalue); touching without crossing is no
+// hit. A ray that starts on the surface does not hit it there. A non-finite or zero ray hits nothing. If a
+// ray runs in a plane between two cells, one of them decides (this matters only with missing voxels).
+// `hidden`: of this isovalue; (f >= isovalue) is then restricted to visible components.
 std::optional<RayHit> firstHit(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
                                glm::dvec3 origin, glm::dvec3 direction, double tMinimum = 0.0,
                                double tMaximum = std::numeric_limits<double>::infinity(),

@@ -1,6 +1,6 @@
-// Random access to the bytes of one file, or of memory, with every read checked against the size.
+// Provides random access to the bytes of a file or of memory; every read is checked against the size.
 //
-// Offsets and sizes in bytes. Reads past the end and files that are missing, not regular or not readable
+// Offsets and sizes in bytes. Reads past the end, and files that are missing, not regular or not readable,
 // throw base::Error{input}. Reading is const and safe from several threads.
 #pragma once
 
@@ -19,11 +19,11 @@ class Bytes {
  public:
   virtual ~Bytes() = default;
 
-  const std::string& name() const { return name_; }  // as errors name it
+  const std::string& name() const { return name_; }  // the name in errors
   std::uint64_t size() const { return size_; }
-  // Fills `out` from `offset`, or throws "the file ends after N bytes".
+  // Fills `out` from `offset`. Throws "the file ends after N bytes".
   void read(std::uint64_t offset, std::span<std::byte> out) const;
-  // The first bytes, at most `most`.
+  // Returns the first bytes, at most `most`.
   std::string head(std::size_t most) const;
 
  protected:
@@ -46,7 +46,7 @@ class FileBytes final : public Bytes {
   int descriptor_ = -1;
 };
 
-// Bytes that live elsewhere: tests and fuzzers.
+// Bytes in memory owned by the caller, for tests and fuzzers.
 class MemoryBytes final : public Bytes {
  public:
   MemoryBytes(std::string name, std::span<const std::byte> bytes);
@@ -56,11 +56,11 @@ class MemoryBytes final : public Bytes {
   std::span<const std::byte> bytes_;
 };
 
-// Opens a data file that a header names; the argument is the name as it stands in the header.
+// Opens a data file that a header names; `name` is as written in the header.
 using OpenBeside = std::function<std::unique_ptr<Bytes>(const std::string& name)>;
 
-// Opens names in the folder of `header`. Absolute names and names with ".." are refused: a header must not
-// reach files outside its own folder.
+// Returns a function that opens names in the folder of `header`. Absolute names and names with ".." are
+// rejected: a header must not reach files outside its own folder.
 OpenBeside openBeside(const std::filesystem::path& header);
 
 }  // namespace isolux::volume
