@@ -90,11 +90,13 @@ struct ClipPlane {
   bool operator==(const ClipPlane&) const = default;
 };
 
-// What is cut away of isosurfaces: all that lies beyond one of the planes or outside the box (volume/clip).
+// What is cut away of isosurfaces: all that lies beyond one of the planes, outside the box, or in one of the
+// boxes that are removed (volume/clip).
 struct Clip {
   std::vector<ClipPlane> planes;               // at most kClipPlanes
   std::vector<glm::dvec3> box;                 // none, or two opposite corners, mm, before it is turned
   glm::dvec4 boxRotation{1.0, 0.0, 0.0, 0.0};  // quaternion (w, x, y, z) about its centre; any length
+  std::vector<glm::dvec3> removed;             // two opposite corners of each box, mm; at most kRemovedBoxes
   ClipCap cap = ClipCap::inside;
   bool operator==(const Clip&) const = default;
 };
@@ -320,6 +322,7 @@ struct Picture {
 constexpr int kExtraIsosurfaces = 3;
 constexpr int kLamps = 3;
 constexpr std::size_t kClipPlanes = 6;
+constexpr std::size_t kRemovedBoxes = 8;
 
 struct Scene {
   Source source;

@@ -53,7 +53,9 @@ double normalScale(const Scene& scene);
 bool readsUnscaled(const Scene& scene);
 bool fetchesFast(const Scene& scene);
 
-// A plane or the box cuts an isosurface that is shown; and the faces that it lays open show values.
+// There is a plane or a box to cut with; it cuts an isosurface that is shown; and the faces that it lays open
+// show values.
+bool hasCuts(const Clip& clip);
 bool cutsSurfaces(const Scene& scene);
 bool showsCutFaces(const Scene& scene);
 
