@@ -46,9 +46,11 @@ void hitOne(const Question& question, glm::dvec3 origin, glm::dvec3 given, std::
   const glm::dvec3 from(question.voxelFromWorld * glm::dvec4(origin, 1.0)),
       along(question.voxelFromWorld * glm::dvec4(direction, 0.0));
   const double isovalue = question.surface.isovalue;
-  const volume::ClipRegion::Stretch kept = question.cut.stretchOf(isovalue, from, along);
-  const auto hit = firstHit(question.prepared.grid(), *question.prepared.blocks, isovalue, from, along,
-                            std::max(0.0, kept.begin), kept.end);
+  std::optional<volume::RayHit> hit;
+  for (const auto& [begin, end] : question.cut.stretchesOf(isovalue, {from, along})) {
+    hit = firstHit(question.prepared.grid(), *question.prepared.blocks, isovalue, from, along, begin, end);
+    if (hit) break;
+  }
   if (!hit) return;
   hits.t[i] = hit->t;
   hits.position[i] = origin + direction * hit->t;

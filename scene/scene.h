@@ -92,12 +92,13 @@ struct ClipPlane {
   bool operator==(const ClipPlane&) const = default;
 };
 
-// The clip planes and clip box of isosurfaces: everything beyond a plane or outside the box is clipped
-// (volume/clip).
+// The clip planes and boxes of isosurfaces: everything beyond a plane, outside the clip box, or inside a
+// removed box is clipped (volume/clip).
 struct Clip {
   std::vector<ClipPlane> planes;               // at most kClipPlanes
   std::vector<glm::dvec3> box;                 // none, or two opposite corners, mm, before it is turned
   glm::dvec4 boxRotation{1.0, 0.0, 0.0, 0.0};  // quaternion (w, x, y, z) about its centre; any length
+  std::vector<glm::dvec3> removed;             // two opposite corners of each box, mm; at most kRemovedBoxes
   ClipCap cap = ClipCap::inside;
   bool operator==(const Clip&) const = default;
 };
@@ -322,6 +323,7 @@ struct Picture {
 constexpr int kExtraIsosurfaces = 3;
 constexpr int kLamps = 3;
 constexpr std::size_t kClipPlanes = 6;
+constexpr std::size_t kRemovedBoxes = 8;
 
 struct Scene {
   Source source;

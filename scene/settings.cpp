@@ -136,6 +136,16 @@ std::vector<Setting> makeSettings() {
       "a box has two corners"));
   add(rotationEntry<Scene>("clip.box_rotation", ISOLUX_MEMBER(clip.boxRotation),
                            "How the box is turned about its centre."));
+  add(onlyWhere<Scene>(
+      entry<Scene>(
+          "clip.removed", ISOLUX_MEMBER(clip.removed), positionRange, "mm",
+          "Two opposite corners \"x,y,z; x,y,z\" of each of up to eight boxes in which everything is cut "
+          "away; they may lie far outside the volume."),
+      ISOLUX_MEMBER(clip.removed),
+      [](const std::vector<glm::dvec3>& corners) {
+        return corners.size() % 2 == 0 && corners.size() <= 2 * kRemovedBoxes;
+      },
+      "a box has two corners, and there are at most eight boxes"));
   add(choiceEntry<Scene>(
       "clip.cap", ISOLUX_MEMBER(clip.cap),
       "What cut faces show: nothing, the voxels' values where the inside was cut, or the values "

@@ -58,6 +58,10 @@ HiddenStructure hiddenStructure(render::Renderer& renderer, const scene::Scene& 
   const glm::dmat4 wholeFromLevel =
       glm::inverse(whole.geometry.worldFromVoxel) * level.grid().geometry().worldFromVoxel;
   const volume::SurfaceCut cut(drawn, whole.geometry);
+  // Of those that are cut the same is left; of another, all.
+  double leastCut = isovalues.empty() ? 0.0 : isovalues.front();
+  for (const double isovalue : isovalues)
+    if (!cut.cuts(isovalue)) leastCut = isovalue;
   volume::parallelSteps(
       static_cast<std::size_t>(size.y), progress, {0.0, 1.0, "looking for what the level hides"},
       [&](std::size_t y) {
@@ -72,17 +76,11 @@ HiddenStructure hiddenStructure(render::Renderer& renderer, const scene::Scene& 
             ray.tMaximum =
                 glm::dot(glm::dvec3(wholeFromLevel * glm::dvec4(hit, 1.0)) - ray.origin, ray.direction) /
                 glm::dot(ray.direction, ray.direction);
-          // What is kept of any of the isosurfaces.
-          volume::ClipRegion::Stretch kept{ray.tMaximum, ray.tMinimum};
-          for (const double isovalue : isovalues) {
-            const volume::ClipRegion::Stretch one = cut.stretchOf(isovalue, ray.origin, ray.direction);
-            if (one.empty()) continue;
-            kept.begin = std::min(kept.begin, one.begin);
-            kept.end = std::max(kept.end, one.end);
+          for (const auto& [begin, end] : cut.stretchesOf(leastCut, ray)) {
+            ray.tMinimum = begin;
+            ray.tMaximum = end;
+            if (begin < end && gaps.on(ray)) out.hides[i] = 1;
           }
-          ray.tMinimum = std::max(ray.tMinimum, kept.begin);
-          ray.tMaximum = std::min(ray.tMaximum, kept.end);
-          out.hides[i] = ray.tMinimum < ray.tMaximum && gaps.on(ray) ? 1 : 0;
         }
       });
   return out;

@@ -90,12 +90,15 @@ class PictureJudge {
     volume::Ray ray = rayAt(at);
     if (faces_)
       if (const auto face = faces_->at(ray)) ray.tMaximum = face->t;
-    std::array<volume::RaySurface, scene::kExtraIsosurfaces + 1> surfaces;
+    constexpr std::size_t mostStretches = volume::ClipRegion::kMostRemoved + 1;
+    std::array<volume::RaySurface, (scene::kExtraIsosurfaces + 1) * mostStretches> surfaces;
     std::size_t count = 0;
-    for (const double isovalue : isovalues_) {
-      const auto kept = cut_.stretchOf(isovalue, ray.origin, ray.direction);
-      surfaces[count++] = {isovalue, volume::hiddenAt(hidden_, isovalue), kept.begin, kept.end};
-    }
+    volume::Ray whole = ray;
+    whole.tMinimum = -std::numeric_limits<double>::infinity();
+    whole.tMaximum = std::numeric_limits<double>::infinity();
+    for (const double isovalue : isovalues_)
+      for (const auto& [begin, end] : cut_.stretchesOf(isovalue, whole))
+        surfaces[count++] = {isovalue, volume::hiddenAt(hidden_, isovalue), begin, end};
     return volume::encloseHit(source_, {surfaces.data(), count}, rays_, {at.x, drawn_.size.y - at.y}, ray,
                               view_.rayStartMm, fieldErrorElsewhere);
   }

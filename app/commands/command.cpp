@@ -250,7 +250,10 @@ void requireSource(const std::string& path, const SceneOptions& options) {
 void refuseCuts(const scene::Scene& scene, const char* command) {
   if (scene.isosurface.clipped && scene::cutsSurfaces(scene))
     throw Error(
-        ErrorKind::usage, "", scene.clip.planes.empty() ? "clip.box" : "clip.planes",
+        ErrorKind::usage, "",
+        !scene.clip.planes.empty() ? "clip.planes"
+        : !scene.clip.box.empty()  ? "clip.box"
+                                   : "clip.removed",
         std::string(command) + " knows no cuts; --set isosurface.clipped=false takes the whole isosurface");
 }
 

@@ -60,9 +60,11 @@ ordered_json hitJson(const volume::PreparedVolume& prepared, const volume::Surfa
   const glm::dmat4 voxelFromWorld = prepared.grid().geometry().voxelFromWorld();
   const glm::dvec3 from(voxelFromWorld * glm::dvec4(origin, 1.0)),
       along(voxelFromWorld * glm::dvec4(direction, 0.0));
-  const volume::ClipRegion::Stretch kept = cut.stretchOf(surface.isovalue, from, along);
-  const auto hit = volume::firstHit(prepared.grid(), *prepared.blocks, surface.isovalue, from, along,
-                                    std::max(0.0, kept.begin), kept.end);
+  std::optional<volume::RayHit> hit;
+  for (const auto& [begin, end] : cut.stretchesOf(surface.isovalue, {from, along})) {
+    hit = volume::firstHit(prepared.grid(), *prepared.blocks, surface.isovalue, from, along, begin, end);
+    if (hit) break;
+  }
   if (!hit) return nullptr;
   const glm::dvec3 world = origin + direction * hit->t;
   ordered_json json;

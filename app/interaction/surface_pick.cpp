@@ -29,17 +29,19 @@ std::optional<volume::RayHit> hitOf(const volume::PreparedVolume& volume, scene:
                                     volume::Ray ray, const volume::HiddenPieces& hidden,
                                     const volume::SurfaceCut& cut) {
   const volume::Grid& grid = volume.grid();
-  const volume::ClipRegion::Stretch kept = cut.stretchOf(isovalue, ray.origin, ray.direction);
-  ray.tMinimum = std::max(ray.tMinimum, kept.begin);
-  ray.tMaximum = std::min(ray.tMaximum, kept.end);
-  if (!(ray.tMinimum <= ray.tMaximum)) return std::nullopt;
   const auto cubic = volume.cubicFields->find(field);
-  if (!cubic)
-    return volume::firstHit(grid, *volume.blocks, isovalue, ray.origin, ray.direction, ray.tMinimum,
-                            ray.tMaximum, hidden);
-  return cubic->coefficients
-             ? volume::firstHitCubic(*cubic->coefficients, grid, cubic->blocks, isovalue, ray, hidden).hit
-             : volume::firstHitCubic(grid, cubic->blocks, isovalue, ray, hidden).hit;
+  for (const auto& [begin, end] : cut.stretchesOf(isovalue, ray)) {
+    ray.tMinimum = begin;
+    ray.tMaximum = end;
+    const auto hit =
+        !cubic
+            ? volume::firstHit(grid, *volume.blocks, isovalue, ray.origin, ray.direction, begin, end, hidden)
+        : cubic->coefficients
+            ? volume::firstHitCubic(*cubic->coefficients, grid, cubic->blocks, isovalue, ray, hidden).hit
+            : volume::firstHitCubic(grid, cubic->blocks, isovalue, ray, hidden).hit;
+    if (hit) return hit;
+  }
+  return std::nullopt;
 }
 
 }  // namespace

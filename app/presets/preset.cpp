@@ -34,9 +34,10 @@ constexpr std::array<NeedInfo, 8> kNeeds{
     {PresetNeed::simulation, "simulation", "it is known to be of another kind than a simulation"},
     {PresetNeed::white_matter, "white_matter", "no white matter of a T1 scan is found in it"}};
 
-constexpr std::array<const char*, 12> kOfVolume{
-    "source.",     "camera.eye", "camera.target",     "camera.up",      "pieces.hidden", "pieces.only",
-    "clip.planes", "clip.box",   "clip.box_rotation", "slice.position", "marks.",        "color."};
+constexpr std::array<const char*, 13> kOfVolume{
+    "source.",        "camera.eye",  "camera.target", "camera.up",         "pieces.hidden",
+    "pieces.only",    "clip.planes", "clip.box",      "clip.box_rotation", "clip.removed",
+    "slice.position", "marks.",      "color."};
 constexpr std::array<const char*, 11> kReset{"isosurface.",
                                              "isosurface2.",
                                              "isosurface3.",

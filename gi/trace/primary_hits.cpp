@@ -66,17 +66,19 @@ glm::dvec2 PrimaryHits::ndcOf(glm::ivec2 pixel) const {
 
 std::optional<volume::RayHit> PrimaryHits::cast(double isovalue, volume::Ray ray) const {
   const volume::Grid& grid = volume_->grid();
-  const volume::ClipRegion::Stretch kept = cut_.stretchOf(isovalue, ray.origin, ray.direction);
-  ray.tMinimum = std::max(ray.tMinimum, kept.begin);
-  ray.tMaximum = std::min(ray.tMaximum, kept.end);
-  if (!(ray.tMinimum <= ray.tMaximum)) return std::nullopt;
   const volume::HiddenPieces hidden = volume::hiddenAt(hidden_, isovalue);
-  if (!cubic_)
-    return volume::firstHit(grid, *volume_->blocks, isovalue, ray.origin, ray.direction, ray.tMinimum,
-                            ray.tMaximum, hidden);
-  if (field_ == scene::Field::cubic)
-    return volume::firstHitCubic(grid, cubic_->blocks, isovalue, ray, hidden).hit;
-  return volume::firstHitCubic(*cubic_->coefficients, grid, cubic_->blocks, isovalue, ray, hidden).hit;
+  for (const auto& [begin, end] : cut_.stretchesOf(isovalue, ray)) {
+    ray.tMinimum = begin;
+    ray.tMaximum = end;
+    const std::optional<volume::RayHit> hit =
+        !cubic_ ? volume::firstHit(grid, *volume_->blocks, isovalue, ray.origin, ray.direction, begin, end,
+                                   hidden)
+        : field_ == scene::Field::cubic
+            ? volume::firstHitCubic(grid, cubic_->blocks, isovalue, ray, hidden).hit
+            : volume::firstHitCubic(*cubic_->coefficients, grid, cubic_->blocks, isovalue, ray, hidden).hit;
+    if (hit) return hit;
+  }
+  return std::nullopt;
 }
 
 std::optional<PrimaryHit> PrimaryHits::at(glm::ivec2 pixel) const {

@@ -69,6 +69,7 @@ SettingsDict = TypedDict("SettingsDict", {
     "clip.planes": Sequence[Any] | str,  # Up to six planes "px,py,pz nx,ny,nz; ...", a point and a normal each: what lies on the side that the normal points to is cut away.
     "clip.box": Sequence[Any] | str,  # Two opposite corners "x,y,z; x,y,z" of a box outside which everything is cut away; none cuts nothing.
     "clip.box_rotation": Sequence[Any] | str,  # How the box is turned about its centre.
+    "clip.removed": Sequence[Any] | str,  # Two opposite corners "x,y,z; x,y,z" of each of up to eight boxes in which everything is cut away; they may lie far outside the volume.
     "clip.cap": Literal["none", "inside", "whole"],  # What cut faces show: nothing, the voxels' values where the inside was cut, or the values of the whole face.
     "slice.level": float | Literal["auto"] | None,  # The value shown as middle grey in slices and on cut faces; auto is found from the volume.
     "slice.width": float | Literal["auto"] | None,  # How far values reach from black to white there; auto is found from the volume.

@@ -129,7 +129,7 @@ Declaring& Declaring::cuts() {
   std::array<bool, scene::kExtraIsosurfaces> clipped{};
   for (std::size_t i = 0; i < clipped.size(); ++i)
     clipped[i] = s.extraIsosurfaces[i].shown && s.extraIsosurfaces[i].clipped;
-  settings({"clip.planes", "clip.box", "clip.box_rotation"});
+  settings({"clip.planes", "clip.box", "clip.box_rotation", "clip.removed"});
   return input("cuts", 1, s.isosurface.clipped, clipped);
 }
 

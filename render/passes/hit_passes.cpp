@@ -214,7 +214,10 @@ std::string traceDefines(const FrameState& frame) {
   if (hit.method == scene::HitMethod::exact) defines += "#define EXACT\n";
   if (hit.field != scene::Field::trilinear) defines += "#define CUBIC\n";
   if (!frame.hidden.empty()) defines += "#define HIDDEN\n";
-  if (frame.cut.cuts()) defines += "#define CLIP " + std::to_string(frame.cut.region().faces().size()) + "\n";
+  const volume::ClipRegion& region = frame.cut.region();
+  if (region.cuts()) defines += "#define CLIP " + std::to_string(region.faces().size()) + "\n";
+  if (!region.removed().empty())
+    defines += "#define REMOVED " + std::to_string(region.removed().size()) + "\n";
   return defines;
 }
 
@@ -233,6 +236,12 @@ void setCut(const FrameState& frame, Program& p) {
   const auto faces = frame.cut.region().faces();
   for (std::size_t i = 0; i < faces.size(); ++i)
     p.set(("uClip[" + std::to_string(i) + "]").c_str(), glm::vec4(faces[i]));
+  const auto removed = frame.cut.region().removed();
+  for (std::size_t i = 0; i < removed.size(); ++i) {
+    p.set(("uRemovedLow[" + std::to_string(i) + "]").c_str(), glm::vec3(removed[i].low));
+    p.set(("uRemovedHigh[" + std::to_string(i) + "]").c_str(), glm::vec3(removed[i].high));
+  }
+  if (!removed.empty()) p.set("uRemovedAxes", glm::mat3(frame.cut.region().axes()));
   p.set("uClipped", frame.clippedBits());
 }
 

@@ -121,8 +121,12 @@ bool fetchesFast(const Scene& scene) {
          readsUnscaled(scene);
 }
 
+bool hasCuts(const Clip& clip) {
+  return !clip.planes.empty() || !clip.box.empty() || !clip.removed.empty();
+}
+
 bool cutsSurfaces(const Scene& scene) {
-  if (scene.clip.planes.empty() && scene.clip.box.empty()) return false;
+  if (!hasCuts(scene.clip)) return false;
   const auto isCut = [](const ExtraIsosurface& extra) { return extra.shown && extra.clipped; };
   return scene.isosurface.clipped ||
          std::any_of(scene.extraIsosurfaces.begin(), scene.extraIsosurfaces.end(), isCut);

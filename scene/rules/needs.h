@@ -56,7 +56,9 @@ double normalScale(const Scene& scene);
 bool readsUnscaled(const Scene& scene);
 bool fetchesFast(const Scene& scene);
 
-// Return whether a plane or the box clips a shown isosurface, and whether the resulting caps show values.
+// Return whether there is a clip plane, a clip box or a removed box; whether one of them clips a shown
+// isosurface; and whether the resulting caps show values.
+bool hasCuts(const Clip& clip);
 bool cutsSurfaces(const Scene& scene);
 bool showsCutFaces(const Scene& scene);
 

@@ -134,8 +134,8 @@ constexpr Rule rules[] = {
     {"pieces.", showsSurface, "no isosurface is shown"},
     {"pieces.depth", [](const Scene& s) { return s.pieces.within.has_value(); },
      "pieces are shown wherever they lie"},
-    {"isosurface.clipped isosurface#.clipped clip.cap",
-     [](const Scene& s) { return !s.clip.planes.empty() || !s.clip.box.empty(); }, "nothing is cut away"},
+    {"isosurface.clipped isosurface#.clipped clip.cap", [](const Scene& s) { return hasCuts(s.clip); },
+     "nothing is cut away"},
     {"clip.box_rotation", [](const Scene& s) { return !s.clip.box.empty(); }, "no box cuts anything"},
 
     {"slice.slab_mode", [](const Scene& s) { return s.slice.slab > 0.0; }, "slices have no thickness"},

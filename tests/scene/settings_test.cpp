@@ -83,7 +83,7 @@ TEST(Settings, CoversEveryMemberOfScene) {
   [[maybe_unused]] const auto& [method, hitField, rate, nearFactor, nearThreshold, refinements] = hit;
   [[maybe_unused]] const auto& [field, fetch, noise, scale, normalScale] = derivatives;
   [[maybe_unused]] const auto& [keep, smallest, hidden, only, within, depth] = pieces;
-  [[maybe_unused]] const auto& [planes, box, boxRotation, cap] = clip;
+  [[maybe_unused]] const auto& [planes, box, boxRotation, removed, cap] = clip;
   [[maybe_unused]] const auto& [level, width, sliceMap, sliceField, slab, slabMode, convention, sliceContours,
                                 noiseBand, slicePosition] = slice;
   [[maybe_unused]] const auto& [search, contrast] = edge;
@@ -110,7 +110,7 @@ TEST(Settings, CoversEveryMemberOfScene) {
   [[maybe_unused]] const auto& [supersampling, restHits, pictureExposure, metering, letters, scaleBar,
                                 isovalue, caveats, transparent, pixelRatio] = picture;
   EXPECT_EQ(settings().size(),
-            12u + 15 + 3 * 7 + 6 + 4 + 10 + 1 + 6 + 5 + 2 + 13 + 36 + 7 + 8 + 9 + 3 * 8 + 16 + 6 + 10);
+            12u + 15 + 3 * 7 + 6 + 5 + 10 + 1 + 6 + 5 + 2 + 13 + 36 + 7 + 8 + 9 + 3 * 8 + 16 + 6 + 10);
 }
 
 TEST(Settings, PatternsCoverPathsGroupsAndItemsOfLists) {

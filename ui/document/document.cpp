@@ -78,6 +78,7 @@ void makeAutomatic(scene::Scene& scene) {
   scene.clip.planes.clear();
   scene.clip.box.clear();
   scene.clip.boxRotation = scene::Clip{}.boxRotation;
+  scene.clip.removed.clear();
   scene.pieces.hidden.clear();
   scene.pieces.only.clear();
   scene.slice.position.reset();

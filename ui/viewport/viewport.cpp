@@ -144,6 +144,7 @@ void Viewport::takeRemedy() {
   if (offered_ == Remedy::cuts) {
     edit.scene.clip.planes.clear();
     edit.scene.clip.box.clear();
+    edit.scene.clip.removed.clear();
   }
   Q_EMIT edited(edit);
 }

@@ -40,9 +40,16 @@ struct CastView {
   // Of each surface, where pieces of any are hidden.
   std::span<const ShownCells> shown;
   bool insideIsAbove = true;  // of pieces: stored values above the isovalue
-  // CastField::region: kept is where dot(face, (p, 1)) <= 0; clipped and rayEnds as there.
+  // CastField::region: kept is where dot(face, (p, 1)) <= 0, less boxes along `axes`; clipped and rayEnds as
+  // there.
   std::array<glm::vec4, ClipRegion::kMostFaces> faces{};
   std::size_t faceCount = 0;
+  struct Removed {
+    glm::vec3 low, high;
+  };
+  std::array<Removed, ClipRegion::kMostRemoved> removed{};
+  std::size_t removedCount = 0;
+  glm::mat3 axes{1.0f};
   int clipped = 0;
   const float* rayEnds = nullptr;
 };

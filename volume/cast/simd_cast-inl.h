@@ -120,9 +120,10 @@ HWY_INLINE Crossings firstOfPacket(const CastView& view, const CrossingFinder<Ce
                                    const CastTarget& target, glm::ivec2 pixel) {
   if (!view.rayEnds) return findKept(view, finder, ray, begin, end, alive, carried, inside);
   const VF ends = endsAt(view, target, pixel);
-  // Surfaces that are all cut lie behind the faces that rays end at.
+  // Surfaces that are all cut lie behind the faces that rays end at, where rays enter the region once.
   const int all = (1 << view.surfaces) - 1;
-  if ((view.clipped & all) == all) alive = hn::And(alive, hn::Ge(ends, hn::Set(F(), kInfinity)));
+  if ((view.clipped & all) == all && view.removedCount == 0)
+    alive = hn::And(alive, hn::Ge(ends, hn::Set(F(), kInfinity)));
   alive = hn::And(alive, hn::Lt(begin, ends));
   Crossings crossing =
       findKept(view, finder, ray, begin, hn::Min(end, ends), alive, hn::And(carried, alive), inside);

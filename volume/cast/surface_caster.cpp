@@ -101,8 +101,12 @@ SurfaceCaster::SurfaceCaster(const CastField& field, std::span<const double> sto
     view.shown = shown_;
     view.insideIsAbove = (field.inside == scene::Inside::above) == (grid.slope() > 0.0);
   }
-  if (field.region)
+  if (field.region) {
     for (const glm::dvec4& face : field.region->faces()) view.faces[view.faceCount++] = glm::vec4(face);
+    for (const ClipRegion::Removed& box : field.region->removed())
+      view.removed[view.removedCount++] = {glm::vec3(box.low), glm::vec3(box.high)};
+    view.axes = glm::mat3(field.region->axes());
+  }
   view.clipped = field.clipped;
   view.rayEnds = field.rayEnds.empty() ? nullptr : field.rayEnds.data();
 }

@@ -68,15 +68,16 @@ bool CutFaces::isInside(const glm::dvec3& voxel) const {
 
 std::optional<CutFace> CutFaces::at(const Ray& ray) const {
   if (!cut_.cuts() || !ray.valid()) return std::nullopt;
-  const ClipRegion::Stretch kept = cut_.region().stretchOf(ray.origin, ray.direction);
-  if (kept.empty() || !(kept.begin > ray.tMinimum) || kept.begin > ray.tMaximum) return std::nullopt;
-  if (!stretchOfDomain(grid_.dims(), ray).holds(kept.begin)) return std::nullopt;
-  const glm::dvec3 voxel =
-      glm::clamp(ray.origin + kept.begin * ray.direction, glm::dvec3(0.0), glm::dvec3(grid_.dims() - 1));
-  if (cap_ == scene::ClipCap::inside && !isInside(voxel)) return std::nullopt;
-  const double value = values_.valueAt(grid_, voxel);
-  if (std::isnan(value)) return std::nullopt;
-  return CutFace{kept.begin, value};
+  const ClipRegion::Stretch domain = stretchOfDomain(grid_.dims(), ray);
+  for (const auto& [t, end] : cut_.region().stretchesOf(ray.origin, ray.direction)) {
+    if (!(t > ray.tMinimum) || t > ray.tMaximum || !domain.holds(t)) continue;
+    const glm::dvec3 voxel =
+        glm::clamp(ray.origin + t * ray.direction, glm::dvec3(0.0), glm::dvec3(grid_.dims() - 1));
+    if (cap_ == scene::ClipCap::inside && !isInside(voxel)) continue;
+    const double value = values_.valueAt(grid_, voxel);
+    if (!std::isnan(value)) return CutFace{t, value};
+  }
+  return std::nullopt;
 }
 
 }  // namespace isolux::volume

@@ -1,10 +1,10 @@
 // The faces that cuts lay open, as a viewer's rays meet them, and the voxels' values there.
 //
 // A ray meets a face where it enters the kept region (volume/clip/clip_region.h) within the volume, in front
-// of the viewer. With ClipCap::inside the face is there where an opaque isosurface that is cut has its
-// inside; with ClipCap::whole wherever the volume has values; with ClipCap::none nowhere. Values are those of
-// slice.field, sides those of hit.field; hidden pieces are no inside. Double precision; const members from
-// any thread.
+// of the viewer; where removed boxes let it enter more than once, at the first of these that shows a value.
+// With ClipCap::inside the face is there where an opaque isosurface that is cut has its inside; with
+// ClipCap::whole wherever the volume has values; with ClipCap::none nowhere. Values are those of slice.field,
+// sides those of hit.field; hidden pieces are no inside. Double precision; const members from any thread.
 #pragma once
 
 #include <memory>

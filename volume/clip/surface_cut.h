@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "volume/clip/clip_region.h"
+#include "volume/hit/cell_walk.h"
 
 namespace isolux::volume {
 
@@ -20,9 +21,10 @@ class SurfaceCut {
   const ClipRegion& region() const { return region_; }  // voxel coordinates
   // What is kept of the isosurface: the region, or all of space.
   bool cuts(double isovalue) const;
-  ClipRegion::Stretch stretchOf(double isovalue, const glm::dvec3& origin,
-                                const glm::dvec3& direction) const {
-    return cuts(isovalue) ? region_.stretchOf(origin, direction) : ClipRegion::Stretch{};
+  // In t of the ray, between its ends.
+  ClipRegion::Stretches stretchesOf(double isovalue, const Ray& ray) const {
+    const ClipRegion& region = cuts(isovalue) ? region_ : kWhole;
+    return region.stretchesOf(ray.origin, ray.direction, {ray.tMinimum, ray.tMaximum});
   }
   bool keeps(double isovalue, const glm::dvec3& voxel) const {
     return !cuts(isovalue) || region_.contains(voxel);
@@ -34,6 +36,7 @@ class SurfaceCut {
     double isovalue;  // data units
     bool clipped;
   };
+  static inline const ClipRegion kWhole{};
   ClipRegion region_;
   std::vector<Surface> surfaces_;
   bool alike_ = true;  // all are cut

@@ -49,6 +49,12 @@ const Kernels* kernelsOf(TracerTarget target) {
   return kernels || target != TracerTarget::automatic ? kernels : &scalarKernels();
 }
 
+View otherSideOf(View view) {
+  view.scale = -view.scale;
+  view.insideIsOfPieces = !view.insideIsOfPieces;
+  return view;
+}
+
 }  // namespace
 
 }  // namespace tracing
@@ -187,67 +193,82 @@ std::vector<TracerTarget> IsosurfaceTracer::availableTargets() {
   return list;
 }
 
-void IsosurfaceTracer::keep(std::span<const TraceRay> rays, std::vector<TraceRay>& kept,
-                            std::vector<float>& begins) const {
-  kept.assign(rays.begin(), rays.end());
-  begins.assign(rays.size(), 0.0f);
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    TraceRay& ray = kept[i];
-    const glm::dvec3 origin(ray.origin), direction(ray.direction);
-    const ClipRegion::Stretch within =
-        cut_.stretchOf(grid_->valueOfStored(static_cast<double>(ray.isovalue)), origin, direction);
-    const double begin = std::max(within.begin, 0.0),
-                 end = std::min(within.end, static_cast<double>(ray.tMaximum));
-    if (!(begin < end)) {
-      ray.tMaximum = -1.0f;  // nothing is met
-      continue;
+void IsosurfaceTracer::KeptRays::clear() {
+  rays.clear();
+  of.clear();
+  begins.clear();
+}
+
+// Light that comes in again through the face of a removed box may be inside the surface there, and then the
+// surface stops it where it leaves.
+template <class Trace>
+void IsosurfaceTracer::forKept(std::span<const TraceRay> rays, const Trace& trace) const {
+  const bool comesBack = !cut_.region().removed().empty();
+  KeptRays kept;
+  for (const Entered entered : {Entered::inside, Entered::outside}) {
+    if (entered == Entered::outside && !comesBack) return;
+    kept.clear();
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const TraceRay& ray = rays[i];
+      const glm::dvec3 origin(ray.origin), direction(ray.direction);
+      if (!(ray.tMaximum > 0.0f)) continue;
+      for (const auto& [begin, end] :
+           cut_.stretchesOf(grid_->valueOfStored(static_cast<double>(ray.isovalue)),
+                            {origin, direction, 0.0, static_cast<double>(ray.tMaximum)})) {
+        if (!(begin < end) || (entered == Entered::outside && begin == 0.0)) continue;
+        kept.rays.push_back(ray);
+        if (begin > 0.0) kept.rays.back().origin = glm::vec3(origin + begin * direction);
+        kept.rays.back().tMaximum = static_cast<float>(end - begin);
+        kept.of.push_back(i);
+        kept.begins.push_back(static_cast<float>(begin));
+      }
     }
-    if (begin > 0.0) ray.origin = glm::vec3(origin + begin * direction);
-    ray.tMaximum = static_cast<float>(end - begin);
-    begins[i] = static_cast<float>(begin);
+    trace(kept, entered);
   }
 }
 
-void IsosurfaceTracer::entriesOf(std::span<const TraceRay> rays, std::span<float> t) const {
+void IsosurfaceTracer::entriesOf(std::span<const TraceRay> rays, Entered entered, std::span<float> t) const {
   forViews(rays, t, [&](const tracing::View& view, std::span<const TraceRay> of, std::span<float> result) {
-    kernels_->firstEntries(view, of.data(), of.size(), result.data());
+    kernels_->firstEntries(entered == Entered::inside ? view : tracing::otherSideOf(view), of.data(),
+                           of.size(), result.data());
   });
 }
 
-void IsosurfaceTracer::anyOf(std::span<const TraceRay> rays, std::span<std::uint8_t> hit) const {
+void IsosurfaceTracer::anyOf(std::span<const TraceRay> rays, Entered entered,
+                             std::span<std::uint8_t> hit) const {
   forViews(rays, hit,
            [&](const tracing::View& view, std::span<const TraceRay> of, std::span<std::uint8_t> result) {
-             kernels_->anyEntries(view, of.data(), of.size(), result.data());
+             kernels_->anyEntries(entered == Entered::inside ? view : tracing::otherSideOf(view), of.data(),
+                                  of.size(), result.data());
            });
 }
 
 void IsosurfaceTracer::firstEntries(std::span<const TraceRay> rays, std::span<float> t) const {
   assert(rays.size() == t.size());
-  if (!view_->traceable()) {
-    std::fill(t.begin(), t.end(), std::numeric_limits<float>::infinity());
-  } else if (!cut_.cuts()) {
-    entriesOf(rays, t);
-  } else {
-    std::vector<TraceRay> kept;
-    std::vector<float> begins;
-    keep(rays, kept, begins);
-    entriesOf(kept, t);
-    for (std::size_t i = 0; i < t.size(); ++i) t[i] += begins[i];
-  }
+  if (view_->traceable() && !cut_.cuts()) return entriesOf(rays, Entered::inside, t);
+  std::fill(t.begin(), t.end(), std::numeric_limits<float>::infinity());
+  if (!view_->traceable()) return;
+  std::vector<float> found;
+  forKept(rays, [&](const KeptRays& kept, Entered entered) {
+    found.resize(kept.rays.size());
+    entriesOf(kept.rays, entered, found);
+    for (std::size_t i = 0; i < found.size(); ++i)
+      t[kept.of[i]] = std::min(t[kept.of[i]], kept.begins[i] + found[i]);
+  });
 }
 
 void IsosurfaceTracer::anyEntries(std::span<const TraceRay> rays, std::span<std::uint8_t> hit) const {
   assert(rays.size() == hit.size());
-  if (!view_->traceable()) {
-    std::fill(hit.begin(), hit.end(), std::uint8_t{0});
-  } else if (!cut_.cuts()) {
-    anyOf(rays, hit);
-  } else {
-    std::vector<TraceRay> kept;
-    std::vector<float> begins;
-    keep(rays, kept, begins);
-    anyOf(kept, hit);
-  }
+  if (view_->traceable() && !cut_.cuts()) return anyOf(rays, Entered::inside, hit);
+  std::fill(hit.begin(), hit.end(), std::uint8_t{0});
+  if (!view_->traceable()) return;
+  std::vector<std::uint8_t> found;
+  forKept(rays, [&](const KeptRays& kept, Entered entered) {
+    found.resize(kept.rays.size());
+    anyOf(kept.rays, entered, found);
+    for (std::size_t i = 0; i < found.size(); ++i)
+      if (found[i] != 0) hit[kept.of[i]] = 1;
+  });
 }
 
 void IsosurfaceTracer::gradients(std::span<const glm::vec3> voxels, std::span<glm::vec3> gradients) const {

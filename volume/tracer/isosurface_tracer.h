@@ -92,13 +92,24 @@ class IsosurfaceTracer {
  private:
   // Of rays of one isovalue, or of all others.
   struct HidingView;
+  // What is kept of rays, each stretch a ray of its own: which of the rays it is of, and where on it it
+  // begins.
+  struct KeptRays {
+    std::vector<TraceRay> rays;
+    std::vector<std::size_t> of;
+    std::vector<float> begins;
+    void clear();
+  };
 
   void takeHidden(std::vector<std::shared_ptr<const tracing::HiddenTable>> tables);
   const tracing::View& viewOf(float isovalue) const;
-  // The same rays within what is kept of their isosurfaces, and where they begin then.
-  void keep(std::span<const TraceRay> rays, std::vector<TraceRay>& kept, std::vector<float>& begins) const;
-  void entriesOf(std::span<const TraceRay> rays, std::span<float> t) const;
-  void anyOf(std::span<const TraceRay> rays, std::span<std::uint8_t> hit) const;
+  // Calls trace(kept, side) with the rays within what is kept of their isosurfaces; then with those stretches
+  // that lie behind removed boxes, of the other side.
+  template <class Trace>
+  void forKept(std::span<const TraceRay> rays, const Trace& trace) const;
+  enum class Entered { inside, outside };
+  void entriesOf(std::span<const TraceRay> rays, Entered entered, std::span<float> t) const;
+  void anyOf(std::span<const TraceRay> rays, Entered entered, std::span<std::uint8_t> hit) const;
   template <class Result, class Trace>
   void forViews(std::span<const TraceRay> rays, std::span<Result> results, const Trace& trace) const;
 

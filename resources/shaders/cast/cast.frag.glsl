@@ -7,7 +7,7 @@
 // of it. BEHIND: the next crossing behind the one in uSurface. CUBIC: of the B-spline of uField. Pixels that are not
 // drawn (TILES of fullscreen.vert.glsl) have no crossing.
 //
-// CLIP: surfaces are cut (clip.glsl). CUT_FACES: rays end at the faces that are shown.
+// CLIP, REMOVED: surfaces are cut (clip.glsl). CUT_FACES: rays end at the faces that are shown.
 //
 // BRICKS: a ray that comes to a brick that is not resident ends there and waits, in vain if it is lost: 128 in what is
 // known, 1 in the last channel of a bracket. AGAIN: only the rays that waited.
@@ -143,19 +143,23 @@ vec4 march(vec3 origin, vec3 direction, float t, float tEnd, int surfaces) {
 #endif
 
 #ifndef EXACT
-// As far as cuts leave the surfaces: before, within and behind the kept region. Samples at its ends are common.
+// As far as cuts leave the surfaces: outside the kept region and within it, by turns. Samples at the ends of its
+// stretches are common.
 vec4 marchKept(vec3 origin, vec3 direction, float t, float tEnd) {
 #ifdef CLIP
-  vec2 kept = keptOf(origin, direction);
-  if (kept.x > kept.y) kept = vec2(never);
-  vec3 ends = vec3(min(kept.x, tEnd), min(kept.y, tEnd), tEnd);
-  for (int part = 0; part < 3; ++part) {
-    int surfaces = part == 1 ? allSurfaces : allSurfaces & ~uClipped;
-    if (surfaces != 0 && t < ends[part]) {
-      vec4 bracket = march(origin, direction, t, ends[part], surfaces);
+  Kept kept = keptOf(origin, direction);
+  vec2 stretch = stretchBehind(kept, t);
+  const int most = 64;  // more than there are parts
+  for (int part = 0; part < most && t < tEnd; ++part) {
+    bool none = stretch.x >= stretch.y, within = !none && stretch.x <= t;
+    float end = min(tEnd, within ? stretch.y : none ? never : stretch.x);
+    int surfaces = within ? allSurfaces : allSurfaces & ~uClipped;
+    if (surfaces != 0 && t < end) {
+      vec4 bracket = march(origin, direction, t, end, surfaces);
       if (bracket.x <= bracket.y) return bracket;
     }
-    t = max(t, ends[part]);
+    t = end;
+    if (within) stretch = end < kept.between.y ? stretchBehind(kept, end) : vec2(never);
   }
   return nothing;
 #else
@@ -201,8 +205,12 @@ bool castRay() {
 #endif
 #ifdef CUT_FACES
   float face = texelFetch(uCutFaces, pixel, 0).r;
-  // Surfaces that are all cut lie behind it.
-  if (face >= 0.0 && (uClipped == allSurfaces || t >= face)) return writesNothing;
+#ifdef REMOVED
+  bool first = false;
+#else
+  bool first = uClipped == allSurfaces;  // surfaces that are all cut lie behind it
+#endif
+  if (face >= 0.0 && (first || t >= face)) return writesNothing;
   if (face >= 0.0) tEnd = min(tEnd, face);
 #endif
 

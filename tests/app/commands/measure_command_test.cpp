@@ -44,12 +44,14 @@ void expectWithinError(const json& measured, double truth) {
 
 // What knows whole isosurfaces only says so, and how to have one; cuts that touch nothing are none.
 TEST(MeasureCommand, CutsAreRefusedWithTheWayOut) {
-  const std::string plane = "clip.planes=0,0,0 0,0,1", box = "clip.box=-5,-5,-5; 5,5,5";
+  const std::string plane = "clip.planes=0,0,0 0,0,1", box = "clip.box=-5,-5,-5; 5,5,5",
+                    corner = "clip.removed=0,0,0; 9,9,9";
   const std::vector<std::vector<std::string>> commands = {{"measure", "phantom:ball:24"},
                                                           {"mesh", "phantom:ball:24", "--out", "ball.stl"},
                                                           {"study", "phantom:ball:24", "--out", "study"}};
   for (const std::vector<std::string>& command : commands)
-    for (const auto& [cut, setting] : {std::pair{plane, "clip.planes"}, std::pair{box, "clip.box"}}) {
+    for (const auto& [cut, setting] :
+         {std::pair{plane, "clip.planes"}, std::pair{box, "clip.box"}, std::pair{corner, "clip.removed"}}) {
       std::vector<std::string> words = command;
       words.insert(words.end(), {"--set", cut});
       expectRefused(2, words, "isosurface.clipped=false");

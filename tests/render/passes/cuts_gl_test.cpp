@@ -71,6 +71,40 @@ Seen seenOf(const scene::Ray& ray, bool capped) {
   return seen;
 }
 
+// The same with an octant of the ball removed: roots beside it, and where the ray leaves it within the ball.
+const glm::dvec3 kCorner{middle() + glm::dvec3(1.0, -0.5, 1.5)};
+Seen seenBesideCorner(const scene::Ray& ray, bool capped, bool orthographic = false) {
+  Seen seen;
+  const glm::dvec3 from = ray.origin - middle();
+  const double b = glm::dot(from, ray.direction), rest = b * b - glm::dot(from, from) + kRadius * kRadius;
+  seen.close = std::abs(rest) < 8.0;
+  if (rest < 0.0) return seen;
+  const double roots[2] = {-b - std::sqrt(rest), -b + std::sqrt(rest)};
+  glm::dvec3 planes;
+  double begin = -1e9, end = 1e9;
+  for (int axis = 0; axis < 3; ++axis) {
+    planes[axis] = (kCorner[axis] - ray.origin[axis]) / ray.direction[axis];
+    if (ray.direction[axis] > 0.0)
+      begin = std::max(begin, planes[axis]);
+    else
+      end = std::min(end, planes[axis]);
+  }
+  for (const double root : roots) {
+    const glm::dvec3 at = ray.origin + root * ray.direction - kCorner;
+    seen.close = seen.close || std::abs(std::min({at.x, at.y, at.z})) < 0.4;  // its border
+  }
+  const bool removes = begin < end;
+  if (std::abs(begin - end) < 0.6) seen.close = true;  // to an edge of the box
+  const bool face = capped && removes && end > roots[0] && end < roots[1];
+  for (const double root : roots) {
+    if (face && end < root) break;
+    const bool before = orthographic || root > 0.0;  // the eye
+    if (before && !seen.hit && !(removes && root >= begin && root < end)) seen.hit = root;
+  }
+  if (face && !seen.hit) seen.face = end;
+  return seen;
+}
+
 class CutsGlTest : public ExecutorsGlTest {
  protected:
   render::ColorImage colors(scene::Scene scene, int supersampling = 1, bool linear = false) {
@@ -120,6 +154,68 @@ TEST_P(CutsGlTest, EveryPixelSeesTheBallThatIsLeft) {
           EXPECT_GT(hits, 50) << setting;
         }
       }
+}
+
+TEST_P(CutsGlTest, EveryPixelSeesTheBallWithoutItsCorner) {
+  for (const char* setting : {"hit.field=trilinear", "hit.field=cubic_interpolating", "hit.method=sampled",
+                              "camera.projection=orthographic", "clip.planes=0,0,900 0,0,1"})
+    for (const scene::ClipCap cap : {scene::ClipCap::none, scene::ClipCap::inside})
+      for (const glm::dvec3& toward : {glm::dvec3(25, 30, 40), glm::dvec3(-40, 20, 6), glm::dvec3(6, 5, 7)}) {
+        scene::Scene scene = assigned({setting}, view(toward));
+        // As one box, and as two that touch.
+        const glm::dvec3 far = kCorner + glm::dvec3(1e4), between(kCorner.x + 4.0, kCorner.y, kCorner.z);
+        scene.clip.removed = {far, kCorner};
+        if (toward.x < 0.0) scene.clip.removed = {kCorner, {between.x, far.y, far.z}, between, far};
+        scene.clip.cap = cap;
+        const Images seen = images(ball(), scene, kSize);
+        int hits = 0, compared = 0;
+        for (int i = 0; i < kSize.x * kSize.y; ++i) {
+          const scene::Ray ray = this->ray({i % kSize.x, i / kSize.x}, kSize);
+          const Seen expected = seenBesideCorner(ray, cap == scene::ClipCap::inside,
+                                                 scene.camera.projection == scene::Projection::orthographic);
+          if (expected.close) continue;
+          const auto pixel = static_cast<std::size_t>(i);
+          ++compared;
+          ASSERT_EQ(seen.hit.values[pixel] == 1.0f, expected.hit.has_value())
+              << setting << ' ' << static_cast<int>(cap) << ", pixel " << i % kSize.x << ' ' << i / kSize.x;
+          if (!expected.hit) continue;
+          ++hits;
+          ASSERT_LT(glm::distance(at(seen.position, pixel), ray.origin + *expected.hit * ray.direction),
+                    0.25);
+        }
+        EXPECT_GT(compared, 4000) << setting;
+        if (cap == scene::ClipCap::none || toward.x != 6.0) {
+          EXPECT_GT(hits, 50) << setting;
+        }
+      }
+}
+
+// Three faces meet in the corner: all pixels between its borders show the values there, without a crack.
+TEST_P(CutsGlTest, FacesThatMeetInACornerShowTheirValues) {
+  scene::Scene scene = view({25, 30, 40});
+  scene.clip.removed = {kCorner, kCorner + glm::dvec3(1e4)};
+  scene.slice.level = 94.0;
+  scene.slice.width = 10.0;
+  scene.look.backgroundTop = scene.look.backgroundBottom = {1.0, 0.0, 0.0};
+  const render::ColorImage picture = colors(scene);
+  const render::CutFaceColors expectedColors = render::cutFaceColors(scene_, *ball());
+  const glm::dmat4 voxelFromWorld = slanted().voxelFromWorld();
+  int faces = 0;
+  for (int i = 0; i < kSize.x * kSize.y; ++i) {
+    const scene::Ray ray = this->ray({i % kSize.x, i / kSize.x}, kSize);
+    const Seen seen = seenBesideCorner(ray, true);
+    if (seen.close || !seen.face) continue;
+    ++faces;
+    const glm::dvec3 at = ray.origin + *seen.face * ray.direction;
+    const double value =
+        volume::sampleTrilinear(ball()->grid(), glm::dvec3(voxelFromWorld * glm::dvec4(at, 1.0))).value;
+    const glm::vec3 color = expectedColors.at(static_cast<float>(value));
+    for (int c = 0; c < 3; ++c)
+      ASSERT_NEAR(picture.rgba[static_cast<std::size_t>(4 * i + c)],
+                  255.0 * base::encodeSrgb(static_cast<double>(color[c])), 1.6)
+          << i % kSize.x << ' ' << i / kSize.x;
+  }
+  EXPECT_GT(faces, 800);
 }
 
 // With the plane before the eye's side the face is a disc of the values that trilinear sampling gives there.
@@ -290,7 +386,7 @@ TEST_P(CutsGlTest, TransparentSurfacesLieBeforeTheFace) {
   EXPECT_NEAR(value(), 1.0, 0.01);
 }
 
-// What is cut away throws no shadow: a ball over a plate, with the ball's part above the plane gone.
+// What is cut away throws no shadow: a ball over a plate, with the ball above the plane, or in the box, gone.
 TEST_P(CutsGlTest, WhatIsCutAwayThrowsNoShadow) {
   const auto plate = prepared(gridOfVoxels(unitGeometry({40, 40, 40}), [](glm::dvec3 p) {
     return std::max(8.0 - p.z, 7.0 - glm::distance(p, glm::dvec3(19.5, 19.5, 26.0)));
@@ -312,8 +408,12 @@ TEST_P(CutsGlTest, WhatIsCutAwayThrowsNoShadow) {
     return renderer_->readColor();
   };
   const auto whole = picture();
-  scene.clip.planes = {{{0, 0, 15}, {0, 0, 1}}};  // the ball is gone
+  scene.clip.removed = {{0, 0, 15}, {99, 99, 99}};  // the ball is gone
+  const auto removed = picture();
+  scene.clip.removed.clear();
+  scene.clip.planes = {{{0, 0, 15}, {0, 0, 1}}};  // in the same way
   const auto cut = picture();
+  EXPECT_EQ(removed.rgba, cut.rgba);
   const auto flat =
       prepared(gridOfVoxels(unitGeometry({40, 40, 40}), [](glm::dvec3 p) { return 8.0 - p.z; }));
   renderer_->setVolume(flat);

@@ -27,7 +27,7 @@ const std::map<std::string, const char*> kValues = {
 
     {"isosurface.value", "0.3"},        {"isosurface2.value", "0.6"},    {"isosurface3.value", "-0.6"},
     {"edge.contrast", "1e6"},           {"hit.near_threshold", "0"},     {"look.colormap", "inferno"},
-    {"clip.planes", "0,0,2 0.1,0.2,1"}, {"clip.box", "-6,-7,-8; 7,6,5"},
+    {"clip.planes", "0,0,2 0.1,0.2,1"}, {"clip.box", "-6,-7,-8; 7,6,5"}, {"clip.removed", "0,-1,1; 90,90,90"},
 };
 
 // Another valid value of the setting, far enough from that of the scene to be seen.

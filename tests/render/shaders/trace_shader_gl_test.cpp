@@ -157,7 +157,7 @@ TEST_F(TraceShaderGlTest, TheIsovalueIsTakenOffFirst) {
 
 TEST_F(TraceShaderGlTest, ARayAlongACutIsKeptByItsSide) {
   useFunctions({"common.glsl", "field.glsl", "trace.glsl", "clip.glsl"},
-               "result.xy = keptOf(given(0).xyz, given(1).xyz);", "#define CLIP 1\n");
+               "result.xy = keptOf(given(0).xyz, given(1).xyz).between;", "#define CLIP 1\n");
   setInput(0, {{3, 3, 1, 0}, {3, 3, 7, 0}, {3, 3, 4, 0}, {3, 3, 1, 0}});
   setInput(1, {{1, 0, 0, 0}, {1, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 1, 0}});
   set("uClip[0]", glm::vec4(0, 0, 1, -4));  // z <= 4 is kept

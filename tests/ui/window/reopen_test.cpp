@@ -130,6 +130,7 @@ TEST_F(ReopenTest, AnotherVolumeIsShownWhole) {
   edit.scene.extraIsosurfaces[0].value = 1e6;
   edit.scene.clip.planes = {{glm::dvec3(0.0), glm::dvec3(0.0, 0.0, 1.0)}};
   edit.scene.clip.box = {glm::dvec3(-1.0), glm::dvec3(1.0)};
+  edit.scene.clip.removed = {glm::dvec3(0.0), glm::dvec3(1.0)};
   edit.scene.pieces.hidden = {glm::dvec3(0.0)};
   edit.scene.slice.position = glm::dvec3(500.0);
   edit.scene.slice.width = 1.0;

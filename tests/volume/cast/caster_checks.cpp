@@ -70,16 +70,8 @@ SurfaceCaster Prepared::caster(TracerTarget target, std::span<const float> rayEn
   return {of, stored, blocks().dims(), masks_, target};
 }
 
-CubicHit Prepared::firstHit(double isovalue, const Ray& whole) const {
+CubicHit Prepared::wholeHit(double isovalue, const Ray& ray) const {
   const HiddenPieces hidden = hiddenOf(isovalue);
-  Ray ray = whole;
-  const auto k = std::find(isovalues.begin(), isovalues.end(), isovalue) - isovalues.begin();
-  if ((clipped_ >> k & 1) != 0) {
-    const ClipRegion::Stretch kept = region_.stretchOf(ray.origin, ray.direction);
-    ray.tMinimum = std::max(ray.tMinimum, kept.begin);
-    ray.tMaximum = std::min(ray.tMaximum, kept.end);
-    if (!(ray.tMinimum <= ray.tMaximum)) return {};
-  }
   if (!cubic_) {
     const auto hit = volume::firstHit(*grid_, blocks(), isovalue, ray.origin, ray.direction, ray.tMinimum,
                                       ray.tMaximum, hidden);
@@ -88,6 +80,21 @@ CubicHit Prepared::firstHit(double isovalue, const Ray& whole) const {
   if (cubic_->coefficients)
     return firstHitCubic(*cubic_->coefficients, *grid_, blocks(), isovalue, ray, hidden);
   return firstHitCubic(*grid_, blocks(), isovalue, ray, hidden);
+}
+
+CubicHit Prepared::firstHit(double isovalue, const Ray& whole) const {
+  const auto k = std::find(isovalues.begin(), isovalues.end(), isovalue) - isovalues.begin();
+  const bool cut = (clipped_ >> k & 1) != 0;
+  CubicHit found = wholeHit(isovalue, whole);
+  Ray ray = whole;
+  bool certain = found.certain;
+  while (cut && found.hit && !region_.contains(found.hit->voxel)) {
+    ray.tMinimum = found.hit->t + 1e-7;
+    found = wholeHit(isovalue, ray);
+    certain = certain && found.certain;
+  }
+  found.certain = certain;
+  return found;
 }
 
 PictureRays view(int k, glm::ivec3 dims) {

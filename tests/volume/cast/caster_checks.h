@@ -33,13 +33,15 @@ class Prepared {
   const volume::Grid& grid() const { return *grid_; }
   const volume::MinMaxBlocks& blocks() const { return cubic_ ? cubic_->blocks : *blocks_; }
   volume::SurfaceCaster caster(volume::TracerTarget target, std::span<const float> rayEnds = {}) const;
-  // By the reference of the field.
+  // By the reference of the field: of a surface that is cut the first of all crossings that the region
+  // contains.
   volume::CubicHit firstHit(double isovalue, const volume::Ray& ray) const;
 
   const std::vector<double> isovalues;
 
  private:
   volume::HiddenPieces hiddenOf(double isovalue) const;
+  volume::CubicHit wholeHit(double isovalue, const volume::Ray& ray) const;
 
   base::Progress progress_;
   std::shared_ptr<const volume::Grid> grid_;

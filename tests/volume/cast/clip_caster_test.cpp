@@ -1,4 +1,4 @@
-// Hits of surfaces that are cut: those of the reference between the ends of the kept region, on every target.
+// Hits of surfaces that are cut: the first of the reference's that the kept region contains, on every target.
 #include <gtest/gtest.h>
 
 #include "tests/support/volumes.h"
@@ -22,6 +22,50 @@ ClipRegion boxOf(double size) {
   clip.boxRotation = {0.9, 0.2, -0.3, 0.1};
   clip.planes = {{glm::dvec3(0.5 * size), {-1.0, 0.2, 0.1}}};
   return ClipRegion(clip);
+}
+
+// A corner is gone.
+ClipRegion cornerOf(double size) {
+  scene::Clip clip;
+  clip.removed = {glm::dvec3(0.5 * size, 0.55 * size, 0.45 * size), glm::dvec3(1e6)};
+  return ClipRegion(clip);
+}
+// Boxes that touch, overlap, have no thickness and lie alone; a plane and a box beside them.
+ClipRegion withoutBoxes(double size) {
+  scene::Clip clip;
+  const double corners[][6] = {{0.1, 0.1, 0.2, 0.4, 0.6, 0.5},    {0.4, 0.1, 0.2, 0.6, 0.6, 0.5},
+                               {0.5, 0.2, 0.4, 0.8, 0.5, 0.9},    {0.2, 0.7, 0.6, 0.7, 0.7, 0.9},
+                               {0.65, 0.75, 0.1, 0.9, 0.95, 0.3}, {-9.0, -9.0, 0.3, 0.15, 0.4, 0.35},
+                               {0.3, 0.8, 0.55, 0.45, 9.0, 9.0},  {0.45, 0.8, 0.55, 0.6, 0.9, 0.8}};
+  for (const double(&c)[6] : corners) {
+    clip.removed.push_back(size * glm::dvec3(c[0], c[1], c[2]));
+    clip.removed.push_back(size * glm::dvec3(c[3], c[4], c[5]));
+  }
+  clip.planes = {{glm::dvec3(0.9 * size), {1.0, 0.4, 0.3}}};
+  clip.box = {glm::dvec3(0.02 * size), glm::dvec3(0.97 * size)};
+  return ClipRegion(clip);
+}
+
+TEST(ClipCaster, HitsAreTheReferencesBesideRemovedBoxes) {
+  for (const scene::Field field :
+       {scene::Field::trilinear, scene::Field::cubic, scene::Field::cubic_interpolating}) {
+    Prepared volume(test::phantomGrid("gyroid", 32), {0.1}, field);
+    const int views = field == scene::Field::trilinear ? 8 : 4;  // in the fourth the eye is in the volume
+    volume.cut(cornerOf(31.0), 1);
+    expectFirstHits(volume, "corner", views);
+    volume.cut(withoutBoxes(31.0), 1);
+    expectFirstHits(volume, "boxes", views);
+  }
+  Prepared several(test::phantomGrid("gyroid", 32), {0.1, -0.4, 0.6});
+  for (const int clipped : {1, 5, 6, 7}) {
+    several.cut(withoutBoxes(31.0), clipped);
+    expectFirstHits(several, "some are cut", 4);
+  }
+  Prepared noise(test::phantomGrid("noise", 28), {0.0, 0.3});
+  for (const int clipped : {2, 3}) {
+    noise.cut(withoutBoxes(27.0), clipped);
+    expectFirstHits(noise, "noise", 4);
+  }
 }
 
 TEST(ClipCaster, HitsAreTheReferencesWithinTheKeptRegion) {
@@ -52,6 +96,8 @@ TEST(ClipCaster, GapsAndHolesStayWhatTheyAre) {
   expectFirstHits(volume, "holes", 4);
   volume.cut(boxOf(31.0), 2);
   expectFirstHits(volume, "holes, one is cut", 4);
+  volume.cut(withoutBoxes(31.0), 3);
+  expectFirstHits(volume, "holes, boxes", 4);
 }
 
 // Where rays end sooner, nothing is found behind; where they do not, all is as before.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
@@ -99,6 +100,59 @@ TEST(CutFaces, AreSeenFromTheSideThatIsCutAwayOnly) {
   EXPECT_FALSE(ball.faces().at(ball.ray(ball.middle, below)));
   // The eye stands in the volume, in the part that is cut away.
   EXPECT_TRUE(ball.faces().at(ball.ray(ball.middle + glm::dvec3(0, 0, 3), ball.middle)));
+}
+
+// The faces of a removed corner: where a ray from it leaves it, through whichever of the three.
+TEST(CutFaces, LieOnTheFacesOfARemovedBox) {
+  for (const scene::ClipCap cap : {scene::ClipCap::inside, scene::ClipCap::whole}) {
+    BallScene ball;
+    ball.scene.clip.cap = cap;
+    ball.scene.clip.planes.clear();
+    ball.scene.clip.removed = {ball.middle, ball.middle + glm::dvec3(1000)};
+    const CutFaces faces = ball.faces();
+    int seen[3] = {}, none = 0;
+    for (std::uint64_t i = 0; i < 3000; ++i) {
+      const glm::dvec3 eye = ball.middle + test::randomPoint(2 * i, glm::dvec3(0.5), glm::dvec3(30)),
+                       to = ball.middle + test::randomPoint(2 * i + 1, glm::dvec3(-9), glm::dvec3(6));
+      const Ray ray = ball.ray(eye, to);
+      double t = std::numeric_limits<double>::infinity();
+      int through = 0;
+      for (int axis = 0; axis < 3; ++axis) {
+        const double at = (ball.middle[axis] - eye[axis]) / (to[axis] - eye[axis]);
+        if (to[axis] < eye[axis] && at < t) t = at, through = axis;
+      }
+      const glm::dvec3 at = ray.origin + t * ray.direction;
+      const bool within = std::isfinite(t) && glm::all(glm::greaterThanEqual(at, glm::dvec3(0))) &&
+                          glm::all(glm::lessThanEqual(at, glm::dvec3(ball.dims - 1)));
+      const double value = within ? trilinearOf(ball.grid, at) : 0.0;
+      const bool expected = within && (cap == scene::ClipCap::whole || value >= 50.0);
+      const auto face = faces.at(ray);
+      ASSERT_EQ(face.has_value(), expected) << i;
+      none += !expected;
+      if (!face) continue;
+      ++seen[through];
+      EXPECT_NEAR(face->t, t, 1e-9);
+      EXPECT_NEAR(face->value, value, 1e-6);
+    }
+    for (const int count : seen) EXPECT_GT(count, 50);
+    EXPECT_GT(none, 100);
+  }
+}
+
+// Outside of the ball no face is shown; behind a second box there is one.
+TEST(CutFaces, TheFirstThatShowsAValueEndsTheRay) {
+  BallScene ball;
+  ball.scene.clip.planes.clear();
+  const glm::dvec3 eye = ball.middle + glm::dvec3(0, 0, 12);
+  ball.scene.clip.removed = {ball.middle + glm::dvec3(-9, -9, 7), ball.middle + glm::dvec3(9, 9, 8),
+                             ball.middle + glm::dvec3(-9, -9, 2), ball.middle + glm::dvec3(9, 9, 6)};
+  const auto face = ball.faces().at(ball.ray(eye, eye - glm::dvec3(0, 0, 1)));
+  ASSERT_TRUE(face);
+  EXPECT_NEAR(face->t, 10.0, 1e-9);
+  ball.scene.clip.cap = scene::ClipCap::whole;
+  const auto whole = ball.faces().at(ball.ray(eye, eye - glm::dvec3(0, 0, 1)));
+  ASSERT_TRUE(whole);
+  EXPECT_NEAR(whole->t, 5.0, 1e-9);
 }
 
 TEST(CutFaces, FollowWhatIsInsideOpaqueAndCut) {
