@@ -317,8 +317,7 @@ scene::Scene resolvedSceneOf(const std::string& path, const SceneOptions& option
                              const volume::PreparedVolume& volume, glm::ivec2 size,
                              base::Progress& progress) {
   scene::Scene scene = sceneOf(path, options, volume);
-  scene.camera = wishedCamera(options.camera, scene, volume,
-                              static_cast<double>(size.x) / static_cast<double>(size.y), progress);
+  scene.camera = wishedCamera(options.camera, scene, volume, size, progress);
   return scene::resolve(std::move(scene), volume.facts);
 }
 

@@ -42,6 +42,7 @@ LegendImage drawLegend(const Legend& legend, int pictureHeight);
 // As large as suits a picture of this size: smaller, as long as it can be read, where it would take more than
 // two fifths of its width or half its height. Empty where it would still take most of one.
 LegendImage legendFor(const Legend& legend, glm::ivec2 picture);
+glm::ivec2 legendSizeFor(const Legend& legend, glm::ivec2 picture);  // of the same; 0: empty
 
 // Multiples of 1, 2 or 5 times a power of ten within [low, high], about `count` of them, ascending; the value
 // itself where low and high coincide.

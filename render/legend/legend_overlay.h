@@ -21,6 +21,10 @@ MeasureColors measureColors(const scene::Look& look);
 // Of the look's measure over this range.
 Legend measureLegend(const scene::Scene& scene, glm::dvec2 range);
 
+// How much of a picture of this size its legend may take, in pixels; 0: it gets none. Before the picture is
+// drawn ends of the range and scale may be unknown: numbers are taken to be as wide as they get.
+glm::ivec2 legendReserve(const scene::Scene& scene, glm::ivec2 picture);
+
 // The lower left pixel of a legend of this size in a picture, row 0 being the lowest: in the corner asked
 // for, or in that which shows least of the surface; where they are alike, or it is little, in the lower right
 // one. `covered`: how many pixels of a rectangle show it; asked only where the corner is automatic.

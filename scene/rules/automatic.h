@@ -7,6 +7,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include "scene/framing.h"
 #include "scene/scene.h"
 #include "scene/world_axes.h"
 
@@ -51,9 +52,8 @@ Scene resolve(Scene scene, const VolumeFacts& facts);
 // Same direction and up, framing what camera.frames says as resolve() does.
 Camera framed(const Camera& camera, const VolumeFacts& facts);
 
-// A resolved camera that framed() has made, made for this room instead: how far what is seen may reach across
-// and up from the middle of the picture, in halves of its height. Any other camera as it is: somebody has
-// chosen what it shows.
-Camera fittedTo(const Camera& camera, const VolumeFacts& facts, glm::dvec2 room);
+// A resolved camera that framed() has made, made for these rooms instead. Any other camera as it is: the user
+// has chosen it.
+Camera fittedTo(const Camera& camera, const VolumeFacts& facts, const Rooms& rooms);
 
 }  // namespace isolux::scene
