@@ -59,7 +59,9 @@ struct SceneOptions {
 
   bool waitsForVolume() const { return !preset.empty() || camera.any(); }
 };
-std::shared_ptr<SceneOptions> addSceneOptions(CLI::App& parser);
+// Short forms of settings that a slice does not depend on are taken there, too, but not listed in its help.
+enum class Draws { surface, slice };
+std::shared_ptr<SceneOptions> addSceneOptions(CLI::App& parser, Draws draws = Draws::surface);
 // --preset, --shift; with cameras: --view, --azimuth, --elevation, --roll, --zoom, --fit.
 void addVolumeOptions(CLI::App& parser, const std::shared_ptr<SceneOptions>& options, bool cameras = true);
 // --threads N, in force as long as the returned value lives in the parser's callbacks.
