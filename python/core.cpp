@@ -257,8 +257,7 @@ std::shared_ptr<Picture> Core::draw(const PictureWish& wish, base::Progress& pro
   const scene::Machine machine = app::machineOf(wish.scene);
   if (machine != own.machine) own.renderer->setMachine(own.machine = machine);
   picture->size = wish.size ? *wish.size : app::pictureSize(std::nullopt, path_, wish.scene);
-  const double aspect = static_cast<double>(picture->size.x) / picture->size.y;
-  scene.camera = app::wishedCamera(wish.scene.camera, scene, *prepared_, aspect, progress);
+  scene.camera = app::wishedCamera(wish.scene.camera, scene, *prepared_, picture->size, progress);
   const scene::Scene given = scene;
   const scene::Derivatives& asked = given.derivatives;
   scene = scene::resolve(std::move(scene), prepared_->facts);

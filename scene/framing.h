@@ -7,38 +7,48 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <span>
+#include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "scene/camera.h"
 
 namespace isolux::scene {
 
-// Returns the directions (world, of any length) along which to measure a set, for images of this aspect
-// (width / height) seen in the camera's direction.
-constexpr int framingDirectionCount = 6;
-using FramingDirections = std::array<glm::dvec3, framingDirectionCount>;
-FramingDirections framingDirections(const Camera& camera, double aspect);
+// A rectangle of the image that the framed set may fill: relative to the middle of the image, in halves of
+// its height, y up.
+struct Room {
+  glm::dvec2 low{-1.0}, high{1.0};
+  bool operator==(const Room&) const = default;
+};
+// The free rectangles, at least one, the most central first; the framed set fills one of them.
+using Rooms = std::vector<Room>;
+Rooms wholePicture(double aspect);  // width / height
 
-// Returns the camera with the same direction and up, as near as the whole set is in the image with a margin
-// of 4 % of its half size, centred. The target is at the middle of the set's depth. `farthest`: the largest
-// dot product of each direction with a point of the set. Returns the camera unchanged if a number is not
-// finite.
-Camera framing(const Camera& camera, double aspect,
-               const std::array<double, framingDirectionCount>& farthest);
+// Returns the directions (world, of any length) along which to measure a set, for images with these rooms
+// seen in the camera's direction.
+constexpr std::size_t framingDirectionCount = 6;  // of each room
+std::vector<glm::dvec3> framingDirections(const Camera& camera, const Rooms& rooms);
 
-// As above for points, framed within `room`: the largest extent across and up from the middle of the image,
-// in halves of its height; {aspect, 1}: the whole image.
-Camera framing(const Camera& camera, glm::dvec2 room, std::span<const glm::dvec3> pointsMm);
+// Returns the camera with the same direction and up, as near as the whole set lies in one of the rooms with a
+// margin of 4 % of its half size, centred. The target is at the middle of the set's depth. It uses the first
+// room that shows the set within 2 % of the largest size. `farthest`: the largest dot product of each
+// direction with a point of the set. Returns the camera unchanged if a number is not finite.
+Camera framing(const Camera& camera, const Rooms& rooms, std::span<const double> farthest);
+Camera framing(const Camera& camera, const Rooms& rooms, std::span<const glm::dvec3> pointsMm);  // of these
 
 // Returns the camera with the same direction and up, aimed at the centre of a ball that fits the image with
-// that margin, however the camera is turned about it.
-Camera framingBall(const Camera& camera, double aspect, glm::dvec3 centreMm, double radiusMm);
+// that margin, however the camera is turned about it: within the part of a room around the image's middle.
+Camera framingBall(const Camera& camera, const Rooms& rooms, glm::dvec3 centreMm, double radiusMm);
 
-// Returns a camera that fitted() has made of this box, moved back until the box fits `room`: the largest
-// extent across and up from the middle of the image, in halves of its height. Returns any other camera
-// unchanged: the user has chosen its view.
-Camera fittedTo(const Camera& camera, glm::dvec3 boundsMinMm, glm::dvec3 boundsMaxMm, glm::dvec2 room);
+std::array<glm::dvec3, 8> cornersOf(glm::dvec3 boundsMinMm, glm::dvec3 boundsMaxMm);
+
+// Returns a camera that fitted() has made of this box, moved back until the box lies in the room. If the room
+// is not around the image's middle, or there are several, it returns framing() of the box. Returns any other
+// camera unchanged: the user has chosen its view.
+Camera fittedTo(const Camera& camera, glm::dvec3 boundsMinMm, glm::dvec3 boundsMaxMm, const Rooms& rooms);
 
 }  // namespace isolux::scene

@@ -144,6 +144,25 @@ std::vector<std::uint8_t> hatchedPixels(const PictureErrors& errors, const Overl
   return hatched;
 }
 
+glm::ivec2 overlayReserve(const OverlayWish& wish, glm::ivec2 picture) {
+  if (!wish.asked) return glm::ivec2(0);
+  render::Legend legend;
+  legend.quantity = "Errors";
+  if (wish.colors) {  // over three decades: numbers are no wider over others
+    legend.quantity = overlaidOf(*wish.colors).title;
+    legend.unit = overlaidOf(*wish.colors).unit;
+    legend.logarithmic = true;
+    legend.low = 0.002;
+    legend.high = 2.0;
+    legend.colors = {glm::vec3(0.0F), glm::vec3(1.0F)};
+  }
+  for (const Limit& limit : wish.limits)
+    legend.hatched.push_back((wish.colors ? "above " : std::string(nameOf(limit.quantity)) + " above ") +
+                             errorText(limit.quantity, limit.most));
+  legend.hatched.emplace_back("or not certain");
+  return render::legendSizeFor(legend, picture);
+}
+
 std::optional<render::Tile> paintErrors(const PictureErrors& errors, const OverlayWish& wish,
                                         double shortestEdgeMm, scene::LegendCorner corner,
                                         const std::optional<render::Tile>& taken, render::ColorImage& image) {

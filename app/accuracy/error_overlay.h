@@ -30,6 +30,9 @@ std::string overlayNames();
 std::vector<std::uint8_t> hatchedPixels(const PictureErrors& errors, const OverlayWish& wish,
                                         double shortestEdgeMm);
 
+// How large the legend may become in a picture of this size, in pixels; 0: there is none.
+glm::ivec2 overlayReserve(const OverlayWish& wish, glm::ivec2 picture);
+
 // Colours of the logarithm of a bound (cividis), as bright as the picture is there; hatching; and a legend in
 // the corner that look.legend_corner says. Says where the legend stands, as render::FrameReport has it; none
 // where there is no room for one, and on a picture that shows no bound. Throws Error{usage} of light where

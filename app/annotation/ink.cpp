@@ -5,6 +5,8 @@
 
 #include <glm/common.hpp>
 
+#include "base/color.h"
+
 namespace isolux::app {
 
 namespace {
@@ -69,6 +71,19 @@ void Ink::blendOver(render::ColorImage& image, int rim, bool bright) const {
       if (spread[at] == 0) continue;
       blendOnto(&image.rgba[4 * at], bright ? 0.0 : 255.0, kRimAlpha * spread[at] / 255.0);
       blendOnto(&image.rgba[4 * at], bright ? kBright : kDark, ink_[at] / 255.0);
+    }
+}
+
+void fillWith(render::ColorImage& image, glm::ivec2 from, glm::ivec2 to, const glm::dvec3& color) {
+  from = glm::max(from, glm::ivec2(0));
+  to = glm::min(to, image.size);
+  for (int y = from.y; y < to.y; ++y)
+    for (int x = from.x; x < to.x; ++x) {
+      std::uint8_t* const pixel =
+          &image.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size.x) +
+                           static_cast<std::size_t>(x))];
+      for (int i = 0; i < 3; ++i) pixel[i] = base::screenByte(color[i]);
+      pixel[3] = 255;
     }
 }
 

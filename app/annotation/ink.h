@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 #include "render/graph/frame.h"
 #include "render/legend/font.h"
@@ -34,5 +35,8 @@ class Ink {
   glm::ivec2 size_, low_{1 << 30}, high_{-1};
   std::vector<std::uint8_t> ink_;
 };
+
+// Opaque, in a linear colour; `to` excluded.
+void fillWith(render::ColorImage& image, glm::ivec2 from, glm::ivec2 to, const glm::dvec3& color);
 
 }  // namespace isolux::app

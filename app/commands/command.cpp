@@ -58,7 +58,7 @@ void addEnvironment(const std::string& value, std::vector<std::string>& assignme
 
 }  // namespace
 
-std::shared_ptr<SceneOptions> addSceneOptions(CLI::App& parser) {
+std::shared_ptr<SceneOptions> addSceneOptions(CLI::App& parser, Draws draws) {
   auto options = std::make_shared<SceneOptions>();
   // trigger_on_parse: each occurrence is handled as it is met, so that their order is that of the line.
   const auto add = [&](const char* name, const std::function<void(const std::string&)>& handle,
@@ -67,6 +67,11 @@ std::shared_ptr<SceneOptions> addSceneOptions(CLI::App& parser) {
         ->type_name(type)
         ->trigger_on_parse()
         ->group("Scene");
+  };
+  const auto addOfSurface = [&](const char* name, const std::function<void(const std::string&)>& handle,
+                                const char* type, const char* help) {
+    add(name, handle, type, help);
+    if (draws == Draws::slice) parser.get_option(name)->group("");  // hidden
   };
   const auto assign = [options](const char* path) {
     return
@@ -81,17 +86,17 @@ std::shared_ptr<SceneOptions> addSceneOptions(CLI::App& parser) {
       ->type_name("FILE")
       ->group("Scene");
   add("--isovalue", assign("isosurface.value"), "VALUE", "Short for --set isosurface.value=VALUE");
-  add("--look", assign("look.mode"), "MODE", "Short for --set look.mode=MODE");
-  add(
+  addOfSurface("--look", assign("look.mode"), "MODE", "Short for --set look.mode=MODE");
+  addOfSurface(
       "--environment", [options](const std::string& value) { addEnvironment(value, options->assignments); },
       "NAME|FILE",
       "The light around everything: studio, window, overcast or sunset, or a light probe (.hdr, .exr)");
-  add(
+  addOfSurface(
       "--camera", [options](const std::string& value) { addCamera(value, options->assignments); },
       "\"EYE TARGET UP FOV\"",
       "\"ex,ey,ez tx,ty,tz ux,uy,uz fov\": world mm (x left, y back, z up), vertical degrees");
-  add("--executor", assign("picture.executor"), "NAME",
-      "What computes hits and derivatives: auto, gpu, cpu; short for --set picture.executor=NAME");
+  addOfSurface("--executor", assign("picture.executor"), "NAME",
+               "What computes hits and derivatives: auto, gpu, cpu; short for --set picture.executor=NAME");
   add("--raw", assign("source.raw"), "TEXT",
       "How to read a file without header: \"WxHxD TYPE [little|big] [spacing x,y,z] [header BYTES]\"");
   add("--time-step", assign("source.time_step"), "N",
@@ -320,8 +325,7 @@ scene::Scene resolvedSceneOf(const std::string& path, const SceneOptions& option
                              const volume::PreparedVolume& volume, glm::ivec2 size,
                              base::Progress& progress) {
   scene::Scene scene = sceneOf(path, options, volume);
-  scene.camera = wishedCamera(options.camera, scene, volume,
-                              static_cast<double>(size.x) / static_cast<double>(size.y), progress);
+  scene.camera = wishedCamera(options.camera, scene, volume, size, progress);
   return scene::resolve(std::move(scene), volume.facts);
 }
 

@@ -61,7 +61,10 @@ struct SceneOptions {
 
   bool waitsForVolume() const { return !preset.empty() || camera.any(); }
 };
-std::shared_ptr<SceneOptions> addSceneOptions(CLI::App& parser);
+// Short forms of settings that a slice does not depend on are accepted there, too, but not listed in its
+// help.
+enum class Draws { surface, slice };
+std::shared_ptr<SceneOptions> addSceneOptions(CLI::App& parser, Draws draws = Draws::surface);
 // Adds --preset, --shift; with cameras: --view, --azimuth, --elevation, --roll, --zoom, --fit.
 void addVolumeOptions(CLI::App& parser, const std::shared_ptr<SceneOptions>& options, bool cameras = true);
 // Adds --threads N. The limit is in force while the parser lives.

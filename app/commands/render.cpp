@@ -239,20 +239,20 @@ class RenderRun {
     renderer_->setMachine(machine_);
   }
 
-  double aspect() const {
-    return static_cast<double>(request_.size.x) / static_cast<double>(request_.size.y);
-  }
-
   // Not resolved, but for the camera of a series: one for all of it, that of its first picture.
   scene::Scene startingScene(const std::string& path) {
     scene::Scene scene = sceneOf(path, *options_.scene, *prepared_);
     if (plan_.sweep) plan_.sweep->apply(scene, 0);
     const CameraWish& wish = options_.scene->camera;
+    const bool automatic = !scene.camera.eye;
+    scene::Scene framed = scene;
+    if (overlay_.colors) framed.look.legend = false;  // the overlay has its own
+    const glm::ivec2 legend = overlayReserve(overlay_, request_.size);
     if (options_.turntable > 0)
-      scene.camera = turntableStart(wish, !scene.camera.eye, scene::resolve(scene, prepared_->facts),
-                                    *prepared_, aspect(), progress_);
+      scene.camera = turntableStart(wish, automatic, scene::resolve(framed, prepared_->facts), *prepared_,
+                                    request_.size, progress_, legend);
     else
-      scene.camera = wishedCamera(wish, scene, *prepared_, aspect(), progress_);
+      scene.camera = wishedCamera(wish, framed, *prepared_, request_.size, progress_, legend);
     return scene;
   }
 

@@ -136,7 +136,7 @@ ordered_json statsJson(const SliceOptions& options, const scene::Scene& scene, c
                     {"field", scene::setting("slice.field").get(scene)},
                     {"slab_mm", scene.slice.slab},
                     {"slab_mode", scene::setting("slice.slab_mode").get(scene)}};
-  json["convention"] = words.convention;
+  json["convention"] = conventionText(scene.slice.convention, prepared.volume.axes);
   json["letters"] = {{"left", words.letters.left},
                      {"right", words.letters.right},
                      {"top", words.letters.top},
@@ -163,12 +163,9 @@ void runSlice(const SliceOptions& options, base::Progress& progress) {
   const auto prepared = loadWithProgressBar(scene.source, progress);
   scene = scene::resolve(std::move(scene), prepared->facts);
   const volume::GridGeometry& geometry = prepared->grid().geometry();
-  const scene::WorldAxes axes = prepared->volume.axes;
   const ProgressBar bar(progress);
   const SliceContent content = sliceContent(*prepared, scene, planeOf(options, scene, *prepared), progress);
-  const SliceWords words{lettersOf(content.plane, axes), placeText(content.plane, axes),
-                         conventionText(scene.slice.convention, axes),
-                         windowText(content, scene.slice, prepared->volume.unit), rulerOf(content.plane)};
+  const SliceWords words = wordsOf(content, content.plane, scene.slice, prepared->volume);
   if (isExr(options.out)) {
     writeExr(content.plane.size, {{"value", content.values.values}}, options.out, "");
   } else {
@@ -204,7 +201,8 @@ Command makeSlice(CLI::App& program) {
       ->type_name("MM");
   parser
       ->add_option("--out", options->out,
-                   "A new .png (grey values through level and width, isocontours, letters, ruler), or a .exr "
+                   "A new .png (grey values through level and width, isocontours with their "
+                   "isovalues, letters, ruler), or a .exr "
                    "with one channel `value`")
       ->type_name("FILE")
       ->required();
@@ -216,7 +214,7 @@ Command makeSlice(CLI::App& program) {
       ->add_option("--stats", options->stats,
                    "Write where the pixels lie, level, width and contours to a JSON file")
       ->type_name("FILE");
-  options->scene = addSceneOptions(*parser);
+  options->scene = addSceneOptions(*parser, Draws::slice);
   addThreadsOption(*parser);
   parser->footer(
       "What a slice shows is in the settings of slice. (`isolux settings`). No graphics context is needed.\n"

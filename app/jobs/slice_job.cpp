@@ -53,10 +53,7 @@ void SliceJob::draw(Work& work) {
   drawn.contourWidth *= order.pixelRatio / order.coarse;
   work.picture = enlarged(slicePicture(content, drawn, volume.grid->geometry(), work.progress), order.coarse,
                           order.plane.size);
-  drawWords({lettersOf(order.plane, volume.axes), placeText(order.plane, volume.axes),
-             conventionText(scene.slice.convention, volume.axes),
-             windowText(content, scene.slice, volume.unit), rulerOf(order.plane)},
-            work.picture, order.pixelRatio);
+  drawWords(wordsOf(content, order.plane, scene.slice, volume), work.picture, order.pixelRatio);
 }
 
 void SliceJob::run(Work& work) {

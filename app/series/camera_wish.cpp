@@ -1,10 +1,9 @@
 #include "app/series/camera_wish.h"
 
-#include <algorithm>
-
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "app/annotation/free_rooms.h"
 #include "base/error.h"
 #include "scene/framing.h"
 #include "scene/named_camera.h"
@@ -15,27 +14,20 @@ namespace isolux::app {
 
 namespace {
 
-constexpr double kBetweenLetters = 0.88;  // of the picture's width and height
-
-scene::Camera framedSurface(const scene::Scene& resolved, const volume::PreparedVolume& volume, double aspect,
-                            base::Progress& progress) {
+scene::Camera framedSurface(const scene::Scene& resolved, const volume::PreparedVolume& volume,
+                            const scene::Rooms& rooms, base::Progress& progress) {
   const scene::Camera& camera = resolved.camera;
-  const scene::FramingDirections directions = scene::framingDirections(camera, aspect);
-  const auto reach = volume::surfaceReach(volume, resolved, directions, progress);
-  if (!reach) return camera;
-  std::array<double, scene::framingDirectionCount> farthest{};
-  std::copy(reach->begin(), reach->end(), farthest.begin());
-  return scene::framing(camera, aspect, farthest);
+  const auto reach =
+      volume::surfaceReach(volume, resolved, scene::framingDirections(camera, rooms), progress);
+  return reach ? scene::framing(camera, rooms, *reach) : camera;
 }
 
-// What an automatic camera frames, for a picture that is not square.
-scene::Camera framedOutline(const scene::Scene& resolved, const volume::PreparedVolume& volume, double aspect,
-                            base::Progress& progress) {
+// What an automatic camera frames.
+scene::Camera framedOutline(const scene::Scene& resolved, const volume::PreparedVolume& volume,
+                            const scene::Rooms& rooms, base::Progress& progress) {
   const auto outline = volume::surfaceOutline(volume, resolved, false, progress);
-  const double part = resolved.picture.letters ? kBetweenLetters : 1.0;
-  return outline.pointsMm.empty()
-             ? resolved.camera
-             : scene::framing(resolved.camera, part * glm::dvec2(aspect, 1.0), outline.pointsMm);
+  return outline.pointsMm.empty() ? resolved.camera
+                                  : scene::framing(resolved.camera, rooms, outline.pointsMm);
 }
 
 // By name and turned: everything but how near.
@@ -51,32 +43,42 @@ scene::Camera directedCamera(const CameraWish& wish, const scene::Scene& resolve
 }  // namespace
 
 scene::Camera wishedCamera(const CameraWish& wish, const scene::Scene& scene,
-                           const volume::PreparedVolume& volume, double aspect, base::Progress& progress) {
+                           const volume::PreparedVolume& volume, glm::ivec2 size, base::Progress& progress,
+                           glm::ivec2 overlayLegend) {
   const bool automatic = !scene.camera.eye && !scene.camera.target;
   if (!automatic && !wish.any()) return scene.camera;
   const scene::VolumeFacts& facts = volume.facts;
   scene::Scene directed = scene::resolve(scene, facts);
   directed.camera = directedCamera(wish, directed, facts);
-  if (wish.fit == Framing::volume)
-    directed.camera = scene::fitted(directed.camera, facts.boundsMinMm, facts.boundsMaxMm);
-  else if (wish.fit == Framing::surface)
-    directed.camera = framedSurface(directed, volume, aspect, progress);
-  else if (automatic && directed.camera.frames == scene::Frames::surface)
-    directed.camera = framedOutline(directed, volume, aspect, progress);
+  const scene::Rooms rooms = freeRooms(directed, volume, size, {}, overlayLegend);
+  if (wish.fit == Framing::volume) {
+    const glm::dvec3 low = facts.boundsMinMm, high = facts.boundsMaxMm;
+    directed.camera = rooms == scene::wholePicture(static_cast<double>(size.x) / size.y)
+                          ? scene::fitted(directed.camera, low, high)
+                          : scene::framing(directed.camera, rooms, scene::cornersOf(low, high));
+  } else if (wish.fit == Framing::surface) {
+    directed.camera = framedSurface(directed, volume, rooms, progress);
+  } else if (automatic && directed.camera.frames == scene::Frames::surface) {
+    directed.camera = framedOutline(directed, volume, rooms, progress);
+  }
   return wish.zoom == 1.0 ? directed.camera : scene::zoomed(directed.camera, wish.zoom);
 }
 
 scene::Camera turntableStart(const CameraWish& wish, bool automatic, const scene::Scene& resolved,
-                             const volume::PreparedVolume& volume, double aspect, base::Progress& progress) {
+                             const volume::PreparedVolume& volume, glm::ivec2 size, base::Progress& progress,
+                             glm::ivec2 overlayLegend) {
   const scene::VolumeFacts& facts = volume.facts;
-  scene::Camera camera = directedCamera(wish, resolved, facts);
+  scene::Scene directed = resolved;
+  directed.camera = directedCamera(wish, resolved, facts);
+  scene::Camera camera = directed.camera;
   const bool staysPut = !wish.fit && !automatic && wish.view.empty();
   if (!staysPut) {
     const volume::Ball box{0.5 * (facts.boundsMinMm + facts.boundsMaxMm),
                            0.5 * glm::length(facts.boundsMaxMm - facts.boundsMinMm)};
     const volume::Ball ball =
         wish.fit == Framing::volume ? box : volume::surfaceBall(volume, resolved, progress).value_or(box);
-    camera = scene::framingBall(camera, aspect, ball.centreMm, ball.radiusMm);
+    camera = scene::framingBall(camera, freeRooms(directed, volume, size, {}, overlayLegend), ball.centreMm,
+                                ball.radiusMm);
   }
   return wish.zoom == 1.0 ? camera : scene::zoomed(camera, wish.zoom);
 }

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include <glm/vec2.hpp>
+
 #include "base/progress.h"
 #include "scene/scene.h"
 #include "volume/prepared_volume.h"
@@ -25,18 +27,21 @@ struct CameraWish {
   }
 };
 
-// The view, turned, then framed, then zoomed. aspect: width by height of the picture. Where the wish does not
+// The view, turned, then framed in what a picture of this size has free (freeRooms()), then zoomed.
+// overlayLegend: as there. Where the wish does not
 // say what is framed, a camera that was automatic frames what its camera.frames says, and a view by name of
 // another the volume's box; a surface that is not there leaves the camera where it is. Throws base::Error:
 // usage for a view of no such name; interrupted, memory.
 scene::Camera wishedCamera(const CameraWish& wish, const scene::Scene& scene,
-                           const volume::PreparedVolume& volume, double aspect, base::Progress& progress);
+                           const volume::PreparedVolume& volume, glm::ivec2 size, base::Progress& progress,
+                           glm::ivec2 overlayLegend = glm::ivec2(0));
 
 // The camera that a turntable starts from: its target stands still and what is framed stays in the picture
 // all the way round. Without a wish for it, of a camera that was automatic the surface is framed, another
 // stays where it is.
 scene::Camera turntableStart(const CameraWish& wish, bool automatic, const scene::Scene& resolved,
-                             const volume::PreparedVolume& volume, double aspect, base::Progress& progress);
+                             const volume::PreparedVolume& volume, glm::ivec2 size, base::Progress& progress,
+                             glm::ivec2 overlayLegend = glm::ivec2(0));
 // Of so many views, the one by this index: turned counterclockwise about the volume's up, as seen from above.
 scene::Camera turntableCamera(const scene::Camera& start, scene::WorldAxes axes, int index, int count);
 

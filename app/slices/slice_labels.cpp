@@ -134,6 +134,11 @@ std::string conventionText(scene::Convention convention, scene::WorldAxes axes) 
   return convention == scene::Convention::radiological ? "radiological" : "neurological";
 }
 
+bool showsLeftAndRight(const SliceLetters& letters) {
+  return (letters.left + letters.right + letters.top + letters.bottom).find_first_of("LR") !=
+         std::string::npos;
+}
+
 std::string windowText(const SliceContent& content, const scene::Slice& slice, const std::string& unit) {
   std::string text = "level " + signedText(content.window.level, 4) + " \u00b7 width " +
                      base::shortText(content.window.width, 4) + (unit.empty() ? "" : " " + unit);
@@ -154,10 +159,52 @@ Ruler rulerOf(const volume::SlicePlane& plane) {
   return ruler;
 }
 
-SliceWordPlaces placesOf(const SliceWords& words, glm::ivec2 size, double pixelRatio) {
+SliceWords wordsOf(const SliceContent& content, const volume::SlicePlane& plane, const scene::Slice& slice,
+                   const volume::Volume& volume) {
+  SliceWords words;
+  words.letters = lettersOf(plane, volume.axes);
+  words.place = placeText(plane, volume.axes);
+  if (volume.axes != scene::WorldAxes::anatomical || showsLeftAndRight(words.letters))
+    words.convention = conventionText(slice.convention, volume.axes);
+  words.window = windowText(content, slice, volume.unit);
+  words.ruler = rulerOf(plane);
+  if (slice.contourWidth > 0.0)
+    for (const SurfaceOnSlice& surface : content.surfaces)
+      words.key.push_back(
+          {signedText(surface.isovalue, 5) + (volume.unit.empty() ? "" : " " + volume.unit), surface.color});
+  return words;
+}
+
+namespace {
+
+int keyIndent(const render::Font& font) {
+  return font.ascent() + font.ascent() / 2;
+}
+
+// Lines one below the other that end at the right margin. None where there is no room.
+std::vector<WrittenText> placedKey(const std::vector<KeyLine>& key, const Measures& m, glm::ivec2 size,
+                                   FreePlaces& free) {
+  if (key.empty()) return {};
+  int wide = 0;
+  for (const KeyLine& line : key) wide = std::max(wide, keyIndent(m.small) + m.small.width(line.text));
+  const int high = m.small.ascent() + m.small.lineHeight() * (static_cast<int>(key.size()) - 1);
+  const auto box = free.place({glm::dvec2(size.x - m.margin - wide, m.margin), glm::dvec2(wide, high)}, 1);
+  std::vector<WrittenText> lines;
+  for (std::size_t i = 0; box && i < key.size(); ++i)
+    lines.push_back({key[i].text,
+                     {box->low + glm::dvec2(0.0, static_cast<double>(i) * m.small.lineHeight()),
+                      glm::dvec2(wide, m.small.ascent())}});
+  return lines;
+}
+
+struct PlacedWords {
   SliceWordPlaces places;
-  if (size.y < kLowestWithLetters || size.x < kLowestWithLetters) return places;
-  const Measures m(size, pixelRatio);
+  int crowded = 0;  // letters that no place is free for
+};
+
+PlacedWords placedWords(const SliceWords& words, glm::ivec2 size, const Measures& m, bool withKey) {
+  PlacedWords result;
+  SliceWordPlaces& places = result.places;
   FreePlaces free({glm::dvec2(m.margin), glm::dvec2(size - 2 * m.margin)}, std::max(2, m.margin / 2));
   const auto take = [&](std::vector<WrittenText> texts) {
     for (WrittenText& text : texts) {
@@ -176,17 +223,29 @@ SliceWordPlaces placesOf(const SliceWords& words, glm::ivec2 size, double pixelR
     const std::vector<std::string> lines = wrapped(words.window, m.small, beside);
     const int high = m.small.ascent() + m.small.lineHeight() * (static_cast<int>(lines.size()) - 1);
     take(stacked(lines, m.small, {m.margin, size.y - m.margin - high}));
+    if (withKey) places.key = placedKey(words.key, m, size, free);
   }
   const int high = m.large.ascent();
   const auto letter = [&](const std::string& text, glm::dvec2 part, int axis) {  // of the room there is
     const glm::dvec2 extent(m.large.width(text), high), room = glm::dvec2(size - 2 * m.margin) - extent;
     const TextBox wanted{glm::floor(glm::dvec2(m.margin) + part * room), extent};
-    return WrittenText{text, free.place(wanted, axis).value_or(wanted)};
+    const std::optional<TextBox> box = free.place(wanted, axis);
+    result.crowded += box ? 0 : 1;
+    return WrittenText{text, box.value_or(wanted)};
   };
   const SliceLetters& letters = words.letters;
   places.letters = {letter(letters.left, {0.0, 0.5}, 1), letter(letters.right, {1.0, 0.5}, 1),
                     letter(letters.top, {0.5, 0.0}, 0), letter(letters.bottom, {0.5, 1.0}, 0)};
-  return places;
+  return result;
+}
+
+}  // namespace
+
+SliceWordPlaces placesOf(const SliceWords& words, glm::ivec2 size, double pixelRatio) {
+  if (size.y < kLowestWithLetters || size.x < kLowestWithLetters) return {};
+  const Measures m(size, pixelRatio);
+  PlacedWords with = placedWords(words, size, m, true), without = placedWords(words, size, m, false);
+  return with.crowded > without.crowded ? without.places : with.places;
 }
 
 glm::dvec2 letterBorder(const SliceLetters& letters, glm::ivec2 size, double pixelRatio) {
@@ -207,7 +266,18 @@ void drawWords(const SliceWords& words, render::ColorImage& image, double pixelR
   for (const WrittenText& letter : places.letters) write(letter, m.large);
   for (const WrittenText& text : places.texts) write(text, m.small);
   if (least >= kLowestWithWords) drawRuler(words.ruler, m.small, m.margin, ink, image.size);
+  const int sample = m.small.ascent();
+  for (const WrittenText& line : places.key) {
+    const glm::ivec2 low(line.box.low);
+    ink.fill(low, low + sample);
+    ink.text(m.small, line.text, low + glm::ivec2(keyIndent(m.small), sample));
+  }
   ink.blendOver(image, least >= 400 ? 2 : 1);
+  const int rim = std::max(1, sample / 8);
+  for (std::size_t i = 0; i < places.key.size(); ++i) {
+    const glm::ivec2 low(places.key[i].box.low);
+    fillWith(image, low + rim, low + sample - rim, words.key[i].color);
+  }
 }
 
 }  // namespace isolux::app

@@ -24,6 +24,8 @@ SliceLetters lettersOf(const volume::SlicePlane& plane, scene::WorldAxes axes);
 std::string placeText(const volume::SlicePlane& plane, scene::WorldAxes axes);
 // "radiological", "neurological"; "orientation not stated".
 std::string conventionText(scene::Convention convention, scene::WorldAxes axes);
+// Whether left and right of the patient are seen, which the convention is about: not on a sagittal slice.
+bool showsLeftAndRight(const SliceLetters& letters);
 // "level 40 · width 400 HU", and the slab: "mean of 5 mm".
 std::string windowText(const SliceContent& content, const scene::Slice& slice, const std::string& unit);
 
@@ -34,16 +36,26 @@ struct Ruler {
 };
 Ruler rulerOf(const volume::SlicePlane& plane);  // about a fifth of the width; a round number
 
-struct SliceWords {
-  SliceLetters letters;
-  std::string place, convention, window;
-  Ruler ruler;
+// Which curve is which isosurface's.
+struct KeyLine {
+  std::string text;       // "300 HU"
+  glm::dvec3 color{0.0};  // linear RGB
 };
 
+struct SliceWords {
+  SliceLetters letters;
+  std::string place, convention, window;  // no convention where it makes no difference
+  Ruler ruler;
+  std::vector<KeyLine> key;  // of the curves that are drawn
+};
+SliceWords wordsOf(const SliceContent& content, const volume::SlicePlane& plane, const scene::Slice& slice,
+                   const volume::Volume& volume);
+
 // Arranges all that stands in a picture of this size, as large as it allows: what is too wide is broken
-// between words, and a letter that would touch a text stands beside it on its edge. Pictures with a side
-// below 160 pixels have the letters alone, those below 48 nothing. `pixelRatio`: how many pixels are one of a
-// screen at 100 %; texts are no smaller than they are there.
+// between words, and a letter that would touch a text stands beside it on its edge. The key stands at the
+// upper right, else below what is there; where it has no room it is left out. Pictures with a side below 160
+// pixels have the letters alone, those below 48 nothing. `pixelRatio`: how many pixels are one of a screen at
+// 100 %; texts are no smaller than they are there.
 struct WrittenText {
   std::string text;
   TextBox box;  // down to the baseline
@@ -51,6 +63,7 @@ struct WrittenText {
 struct SliceWordPlaces {
   std::vector<WrittenText> letters;  // left, right, top, bottom
   std::vector<WrittenText> texts;
+  std::vector<WrittenText> key;  // the boxes with the samples of colours, squares as high as the text
 };
 SliceWordPlaces placesOf(const SliceWords& words, glm::ivec2 size, double pixelRatio = 1.0);
 // How wide the strips at the picture's sides are, and how high those at its top and bottom, that the letters

@@ -1,6 +1,7 @@
 #include "app/study_report/study_plot.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -29,6 +30,13 @@ std::string costLabel(const Knob& knob, const Panel& panel) {
   std::string passes;
   for (const char* const pass : panel.passes) passes += (passes.empty() ? "" : " + ") + std::string(pass);
   return "time of " + passes + ", ms";
+}
+
+// "Paths per texel: head"
+std::string titleOf(const Knob& knob, const std::string& subject) {
+  std::string title = knob.label;
+  title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+  return title + ": " + subject;
 }
 
 // Of a logarithmic axis of errors.
@@ -94,9 +102,8 @@ std::string plotScript(const KnobStudy& study, const std::string& subject, const
     fields = fields || setting.fieldErrors.has_value();
   }
   std::ostringstream out;
-  out << "picture = " << gnuplotText(picture)
-      << "\ntitle = " << gnuplotText(std::string(knob.setting) + " of " + subject)
-      << "\nseries = " << gnuplotText(knob.field ? "against the same field" : knob.label)
+  out << "picture = " << gnuplotText(picture) << "\ntitle = " << gnuplotText(titleOf(knob, subject))
+      << "\nseries = " << gnuplotText(knob.field ? "against the same field" : "each value")
       << "\njoined = " << (knob.sampled || knob.ordered) << "\nbars = " << (knob.measure == Measure::light)
       << "\ncomparison = " << comparison << "\nfields = " << fields << "\narray xlabels[2] = ["
       << gnuplotText(costLabel(knob, panels[0])) << ", " << gnuplotText(costLabel(knob, panels[1]))

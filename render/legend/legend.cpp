@@ -162,13 +162,17 @@ struct LinesBelow {
   }
 };
 
+// Pixels are left out where only the size is asked for.
+enum class Want { size, image };
+
 // What is said, without colours.
-LegendImage drawLines(const Legend& legend, int pictureHeight) {
+LegendImage drawLines(const Legend& legend, int pictureHeight, Want want) {
   const Measures m(pictureHeight);
   const Font font(m.text);
   const LinesBelow below{legend, m, font};
   const glm::ivec2 size(2 * m.pad + std::max(font.width(legend.quantity), below.width()),
                         2 * m.pad + font.lineHeight() + below.height());
+  if (want == Want::size) return {size, {}};
   Canvas canvas(size);
   canvas.panel(static_cast<float>(m.pad) * 0.8f);
   canvas.text(font, legend.quantity, {m.pad, m.pad + font.ascent()});
@@ -176,7 +180,7 @@ LegendImage drawLines(const Legend& legend, int pictureHeight) {
   return canvas.image();
 }
 
-LegendImage drawBar(const Legend& legend, int pictureHeight) {
+LegendImage drawBar(const Legend& legend, int pictureHeight, Want want) {
   const Measures m(pictureHeight);
   const Font font(m.text);
   const int length = std::max(pictureHeight * 30 / 100, 4 * m.text);
@@ -188,6 +192,7 @@ LegendImage drawBar(const Legend& legend, int pictureHeight) {
   const int widest = std::max({font.width(title), beside + 2 * m.line, below.width()});
   const glm::ivec2 size(2 * m.pad + widest, 2 * m.pad + font.lineHeight() + m.gap + m.line + length +
                                                 m.text / 2 + below.height());
+  if (want == Want::size) return {size, {}};
   Canvas canvas(size);
   canvas.panel(static_cast<float>(m.pad) * 0.8f);
   below.draw(canvas, size.y);
@@ -222,7 +227,7 @@ void drawTriangle(Canvas& canvas, const Legend& legend, glm::ivec2 top, int leng
     }
 }
 
-LegendImage drawSquare(const Legend& legend, int pictureHeight) {
+LegendImage drawSquare(const Legend& legend, int pictureHeight, Want want) {
   const Measures m(pictureHeight);
   const Font font(m.text);
   const int length = std::max(pictureHeight * 20 / 100, 6 * m.text);
@@ -240,6 +245,7 @@ LegendImage drawSquare(const Legend& legend, int pictureHeight) {
                 m.pad + lines.width()}) +
           m.pad,
       below + font.lineHeight() + m.gap + font.lineHeight() + m.pad - m.gap + lines.height());
+  if (want == Want::size) return {size, {}};
   Canvas canvas(size);
   canvas.panel(static_cast<float>(m.pad) * 0.8f);
   lines.draw(canvas, size.y);
@@ -265,26 +271,39 @@ LegendImage drawSquare(const Legend& legend, int pictureHeight) {
   return canvas.image();
 }
 
-}  // namespace
-
-LegendImage drawLegend(const Legend& legend, int pictureHeight) {
-  if (legend.colors.empty()) return drawLines(legend, pictureHeight);
+LegendImage legendOf(const Legend& legend, int pictureHeight, Want want) {
+  if (legend.colors.empty()) return drawLines(legend, pictureHeight, want);
   assert(std::isfinite(legend.low) && std::isfinite(legend.high) && legend.colors.size() >= 2);
-  return legend.quantityVertical.empty() ? drawBar(legend, pictureHeight) : drawSquare(legend, pictureHeight);
+  return legend.quantityVertical.empty() ? drawBar(legend, pictureHeight, want)
+                                         : drawSquare(legend, pictureHeight, want);
 }
 
-LegendImage legendFor(const Legend& legend, glm::ivec2 picture) {
+LegendImage legendFor(const Legend& legend, glm::ivec2 picture, Want want) {
   constexpr int readable = 36 * 9;  // the height whose text is smallest
   int height = std::min(picture.y, 2 * picture.x);
-  LegendImage image = drawLegend(legend, height);
+  glm::ivec2 size = legendOf(legend, height, Want::size).size;
   const auto takes = [&](double width, double height) {
-    return image.size.x > width * picture.x || image.size.y > height * picture.y;
+    return size.x > width * picture.x || size.y > height * picture.y;
   };
   while (takes(0.4, 0.5) && height > readable) {
     height = std::max(readable, height - std::max(36, height / 12));
-    image = drawLegend(legend, height);
+    size = legendOf(legend, height, Want::size).size;
   }
-  return takes(0.65, 0.65) ? LegendImage{} : image;
+  return takes(0.65, 0.65) ? LegendImage{} : legendOf(legend, height, want);
+}
+
+}  // namespace
+
+LegendImage drawLegend(const Legend& legend, int pictureHeight) {
+  return legendOf(legend, pictureHeight, Want::image);
+}
+
+LegendImage legendFor(const Legend& legend, glm::ivec2 picture) {
+  return legendFor(legend, picture, Want::image);
+}
+
+glm::ivec2 legendSizeFor(const Legend& legend, glm::ivec2 picture) {
+  return legendFor(legend, picture, Want::size).size;
 }
 
 Hatch hatchAt(glm::ivec2 pixel, int lineWidth) {

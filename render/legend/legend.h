@@ -41,6 +41,7 @@ LegendImage drawLegend(const Legend& legend, int pictureHeight);
 // Draws the legend at a size for this image: smaller, while legible, if it would cover more than two fifths
 // of the width or half the height. Returns an empty image if it would still cover most of either.
 LegendImage legendFor(const Legend& legend, glm::ivec2 picture);
+glm::ivec2 legendSizeFor(const Legend& legend, glm::ivec2 picture);  // of the same; 0: empty
 
 // Returns multiples of 1, 2 or 5 times a power of ten within [low, high], about `count` of them, ascending;
 // the value itself if low and high coincide.

@@ -1,7 +1,11 @@
 #include "render/legend/legend_overlay.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <filesystem>
+
+#include <glm/common.hpp>
 
 #include "base/number_text.h"
 #include "render/legend/legend.h"
@@ -26,6 +30,47 @@ Legend measureLegend(const scene::Scene& scene, glm::dvec2 range) {
   if (scale > 0.0 && !info.readsEdge) legend.note = "scale " + base::shortText(scale, 2) + " mm";
   legend.colors = measureColors(look).texels;
   return legend;
+}
+
+namespace {
+
+// Of the second volume, which may not have been read yet.
+Legend expectedSecondLegend(const scene::Scene& scene, glm::dvec2 range) {
+  Legend legend;
+  legend.quantity = std::filesystem::path(scene.color.volume).filename().string();
+  legend.unit = "HU";  // about as wide as any
+  legend.low = range.x;
+  legend.high = range.y;
+  legend.note = scene.color.below > 0.0 ? "largest within 0.00 mm" : "";
+  legend.colors = {glm::vec3(0.0F), glm::vec3(1.0F)};
+  return legend;
+}
+
+// Those that make the widest numbers, for ends that are automatic.
+std::array<glm::dvec2, 3> widestRanges(const scene::Look& look) {
+  std::array<glm::dvec2, 3> ranges{glm::dvec2(-0.0102, 0.0102), {-9e-5, 9e-5}, {-9e4, 9e4}};
+  const scene::LookInfo& info = scene::lookInfo(look.mode);
+  for (glm::dvec2& range : ranges) {
+    if (info.range == scene::LookRange::unit) range = {-1.0, 1.0};
+    if (info.range == scene::LookRange::fromZero) range.x = 0.0;
+    if (look.rangeLow) range.x = *look.rangeLow;
+    if (look.rangeHigh) range.y = *look.rangeHigh;
+  }
+  return ranges;
+}
+
+}  // namespace
+
+glm::ivec2 legendReserve(const scene::Scene& scene, glm::ivec2 picture) {
+  if (!scene::showsLegend(scene)) return glm::ivec2(0);
+  glm::ivec2 most(0);
+  for (const glm::dvec2& range : widestRanges(scene.look)) {
+    const bool measure = scene::isMeasure(scene.look.mode);
+    Legend legend = measure ? measureLegend(scene, range) : expectedSecondLegend(scene, range);
+    if (measure && legend.note.empty() && !scene.derivatives.scale) legend.note = "scale 0.00 mm";
+    most = glm::max(most, legendSizeFor(legend, picture));
+  }
+  return most;
 }
 
 namespace {

@@ -21,6 +21,10 @@ MeasureColors measureColors(const scene::Look& look);
 // Returns the legend of the look's measure over this range.
 Legend measureLegend(const scene::Scene& scene, glm::dvec2 range);
 
+// Returns the size that the legend of an image of this size may take, in pixels; 0: it has none. Before the
+// image is drawn, ends of the range and scale may be unknown: the widest numbers are assumed.
+glm::ivec2 legendReserve(const scene::Scene& scene, glm::ivec2 picture);
+
 // Returns the lower left pixel of a legend of this size in an image, row 0 being the lowest. It is in the
 // requested corner, or in that which shows least of the surface. If corners are equal, or show little, it is
 // the lower right one. `covered`: returns how many pixels of a rectangle show the surface; called only if the

@@ -87,18 +87,18 @@ bool framesOutline(const Camera& camera, const VolumeFacts& facts) {
 }  // namespace
 
 Camera framed(const Camera& camera, const VolumeFacts& facts) {
-  return framesOutline(camera, facts) ? framing(camera, glm::dvec2(1.0), facts.outlineMm)
+  return framesOutline(camera, facts) ? framing(camera, wholePicture(1.0), facts.outlineMm)
                                       : fitted(camera, facts.boundsMinMm, facts.boundsMaxMm);
 }
 
-Camera fittedTo(const Camera& camera, const VolumeFacts& facts, glm::dvec2 room) {
-  if (!framesOutline(camera, facts)) return fittedTo(camera, facts.boundsMinMm, facts.boundsMaxMm, room);
-  if (!(room.x > 0.0 && room.y > 0.0) || !camera.eye || !camera.target) return camera;
+Camera fittedTo(const Camera& camera, const VolumeFacts& facts, const Rooms& rooms) {
+  if (!framesOutline(camera, facts)) return fittedTo(camera, facts.boundsMinMm, facts.boundsMaxMm, rooms);
+  if (!camera.eye || !camera.target) return camera;
   const Camera square = framed(camera, facts);
   const double roundings = 1e-9 * glm::distance(*square.eye, *square.target);
   const bool chosen = !(glm::distance(*camera.eye, *square.eye) <= roundings &&
                         glm::distance(*camera.target, *square.target) <= roundings);
-  return chosen ? camera : framing(camera, room, facts.outlineMm);
+  return chosen ? camera : framing(camera, rooms, facts.outlineMm);
 }
 
 Scene resolve(Scene scene, const VolumeFacts& facts) {

@@ -7,6 +7,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include "scene/framing.h"
 #include "scene/scene.h"
 #include "scene/world_axes.h"
 
@@ -47,8 +48,8 @@ Scene resolve(Scene scene, const VolumeFacts& facts);
 // Returns the camera with the same direction and up, framing what camera.frames says as resolve() does.
 Camera framed(const Camera& camera, const VolumeFacts& facts);
 
-// Returns a resolved camera of framed(), adapted to `room`: the largest extent across and up from the middle
-// of the image, in halves of its height. Returns any other camera unchanged: the user has chosen its view.
-Camera fittedTo(const Camera& camera, const VolumeFacts& facts, glm::dvec2 room);
+// Returns a resolved camera of framed(), adapted to these rooms. Returns any other camera unchanged: the user
+// has chosen its view.
+Camera fittedTo(const Camera& camera, const VolumeFacts& facts, const Rooms& rooms);
 
 }  // namespace isolux::scene

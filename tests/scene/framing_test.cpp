@@ -30,14 +30,8 @@ std::vector<glm::dvec3> cloud(unsigned seed, glm::dvec3 centre, glm::dvec3 size)
   return points;
 }
 
-std::array<double, framingDirectionCount> farthestOf(const std::vector<glm::dvec3>& points,
-                                                     const FramingDirections& directions) {
-  std::array<double, framingDirectionCount> farthest{};
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    farthest[i] = -std::numeric_limits<double>::infinity();
-    for (const glm::dvec3& p : points) farthest[i] = std::max(farthest[i], glm::dot(p, directions[i]));
-  }
-  return farthest;
+Rooms roomOf(glm::dvec2 half) {
+  return {{-half, half}};
 }
 
 // Where points appear: the largest and smallest of each axis, 1 at the picture's border.
@@ -65,7 +59,7 @@ TEST(Framing, AllPointsLieInThePictureAndTouchTheMarginOfTheTighterAxis) {
       for (const glm::dvec3& size : {glm::dvec3(100), glm::dvec3(300, 5, 5), glm::dvec3(5, 5, 200)}) {
         const Camera before = obliqueCamera(projection);
         const auto points = cloud(7, {-50, 300, 20}, size);
-        const Camera after = framing(before, aspect, farthestOf(points, framingDirections(before, aspect)));
+        const Camera after = framing(before, wholePicture(aspect), points);
         const Extent e = extentIn(after, aspect, points);
         const double border = 1.0 / 1.04;
         EXPECT_GE(e.low.x, -border - 1e-9);
@@ -86,10 +80,14 @@ TEST(Framing, AllPointsLieInThePictureAndTouchTheMarginOfTheTighterAxis) {
 TEST(Framing, TheTargetIsInTheMiddleOfTheDepth) {
   const Camera before = obliqueCamera(Projection::perspective);
   const auto points = cloud(3, {10, 20, 30}, {40, 90, 10});
-  const auto farthest = farthestOf(points, framingDirections(before, 1.5));
-  const Camera after = framing(before, 1.5, farthest);
+  const Camera after = framing(before, wholePicture(1.5), points);
   const glm::dvec3 back = frameOf(after).back;
-  EXPECT_NEAR(glm::dot(*after.target, back), (farthest[4] - farthest[5]) / 2.0, 1e-9);
+  double nearest = -1e9, farthest = 1e9;
+  for (const glm::dvec3& p : points) {
+    nearest = std::max(nearest, glm::dot(p, back));
+    farthest = std::min(farthest, glm::dot(p, back));
+  }
+  EXPECT_NEAR(glm::dot(*after.target, back), (nearest + farthest) / 2.0, 1e-9);
 }
 
 TEST(Framing, ABallFitsFromEverySide) {
@@ -99,12 +97,39 @@ TEST(Framing, ABallFitsFromEverySide) {
       std::vector<glm::dvec3> ball;
       for (const glm::dvec3& p : cloud(1, {0, 0, 0}, {2, 2, 2}))
         ball.push_back(centre + 25.0 * glm::normalize(p));
-      const Camera camera = framingBall(obliqueCamera(projection), aspect, centre, 25.0);
+      const Camera camera = framingBall(obliqueCamera(projection), wholePicture(aspect), centre, 25.0);
       const Extent e = extentIn(camera, aspect, ball);
       const double most = std::max({-e.low.x, -e.low.y, e.high.x, e.high.y});
       EXPECT_LE(most, 1.0 / 1.04 + 1e-9);
       EXPECT_GE(most, 0.85);
     }
+}
+
+// Off the middle of the picture: all of it lies in the room, and touches its margin along one axis.
+TEST(Framing, PointsLieInARoomOffTheMiddle) {
+  for (const Projection projection : {Projection::perspective, Projection::orthographic})
+    for (const Room& room : {Room{{-1.5, -1.0}, {0.7, 1.0}}, Room{{-0.2, -0.9}, {1.4, 0.1}}})
+      for (const glm::dvec3& size : {glm::dvec3(100), glm::dvec3(300, 5, 5), glm::dvec3(5, 5, 200)}) {
+        const auto points = cloud(7, {-50, 300, 20}, size);
+        const Extent e = extentIn(framing(obliqueCamera(projection), {room}, points), 1.0, points);
+        const glm::dvec2 air = 0.5 * (room.high - room.low) * (1.0 - 1.0 / 1.04);
+        const glm::dvec2 below = e.low - (room.low + air), above = room.high - air - e.high;
+        for (const double within : {below.x, below.y, above.x, above.y}) EXPECT_GE(within, -1e-9);
+        EXPECT_LE(std::min(std::max(below.x, above.x), std::max(below.y, above.y)), 1e-9);
+        EXPECT_NEAR(below.x, above.x, projection == Projection::perspective ? 0.2 : 1e-9) << "centred";
+      }
+}
+
+TEST(Framing, TakesTheRoomThatShowsMostAndOfAlikeOnesTheFirst) {
+  const Camera before = obliqueCamera(Projection::perspective);
+  const Room middle{{-1.0, -1.0}, {1.0, 1.0}}, aside{{-1.6, -1.0}, {1.0, 1.0}},
+      small{{-0.5, -0.5}, {0.5, 0.5}};
+  for (const glm::dvec3& size : {glm::dvec3(5, 5, 200), glm::dvec3(300, 5, 5)}) {
+    const auto points = cloud(7, {-50, 300, 20}, size);
+    const Room& best =
+        size.z > size.x ? middle : aside;  // the width of a column is no matter to what is high
+    EXPECT_EQ(framing(before, {small, middle, aside}, points), framing(before, {best}, points));
+  }
 }
 
 // From voxels of 1e-9 mm to voxels of 1e9 mm: the same picture.
@@ -113,13 +138,13 @@ TEST(Framing, ScalesWithWhatIsFramed) {
     for (const double scale : {1e-9, 1e-6, 1e7, 1e9}) {
       const Camera camera = obliqueCamera(projection);
       auto points = cloud(7, {-5, 30, 20}, {100, 90, 80});
-      const Camera one = framing(camera, 1.5, farthestOf(points, framingDirections(camera, 1.5)));
+      const Camera one = framing(camera, wholePicture(1.5), points);
       for (glm::dvec3& p : points) p *= scale;
-      const Camera scaled = framing(camera, 1.5, farthestOf(points, framingDirections(camera, 1.5)));
+      const Camera scaled = framing(camera, wholePicture(1.5), points);
       EXPECT_NEAR(glm::distance(*scaled.eye / scale, *one.eye), 0.0, 1e-9) << scale;
       EXPECT_NEAR(glm::distance(*scaled.target / scale, *one.target), 0.0, 1e-9) << scale;
-      const Camera ball = framingBall(camera, 1.5, {0, 0, 0}, 25.0);
-      const Camera scaledBall = framingBall(camera, 1.5, {0, 0, 0}, 25.0 * scale);
+      const Camera ball = framingBall(camera, wholePicture(1.5), {0, 0, 0}, 25.0);
+      const Camera scaledBall = framingBall(camera, wholePicture(1.5), {0, 0, 0}, 25.0 * scale);
       EXPECT_NEAR(glm::distance(*scaledBall.eye / scale, *ball.eye), 0.0, 1e-9) << scale;
     }
 }
@@ -128,8 +153,9 @@ TEST(Framing, NumbersThatAreNoneLeaveTheCamera) {
   const Camera camera = obliqueCamera(Projection::perspective);
   std::array<double, framingDirectionCount> farthest{};
   farthest[2] = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(framing(camera, 1.0, farthest), camera);
-  EXPECT_EQ(framingBall(camera, 1.0, {0, 0, 0}, std::numeric_limits<double>::quiet_NaN()), camera);
+  EXPECT_EQ(framing(camera, wholePicture(1.0), farthest), camera);
+  EXPECT_EQ(framingBall(camera, wholePicture(1.0), {0, 0, 0}, std::numeric_limits<double>::quiet_NaN()),
+            camera);
 }
 
 // A view that nobody has chosen is cut off in no picture.
@@ -141,11 +167,11 @@ TEST(Framing, AFittedCameraIsFittedToNarrowPicturesToo) {
   for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
     const Camera fit = fitted(obliqueCamera(projection), low, high);
     for (const double across : {1.0, 1.7, 0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
-      EXPECT_EQ(fittedTo(fit, low, high, {across, 1.0}), fit) << across;
-    const Extent between = extentIn(fittedTo(fit, low, high, {2.0, 0.8}), 1.0, corners);
+      EXPECT_EQ(fittedTo(fit, low, high, wholePicture(across)), fit) << across;
+    const Extent between = extentIn(fittedTo(fit, low, high, roomOf({2.0, 0.8})), 1.0, corners);
     EXPECT_LE(std::max(-between.low.y, between.high.y), 0.8 + 1e-9);
     for (const double aspect : {0.9, 0.5, 0.2}) {
-      const Camera narrow = fittedTo(fit, low, high, {aspect, 1.0});
+      const Camera narrow = fittedTo(fit, low, high, wholePicture(aspect));
       const Extent e = extentIn(narrow, aspect, corners);
       EXPECT_GE(e.low.x, -1.0 - 1e-9);
       EXPECT_LE(e.high.x, 1.0 + 1e-9);
@@ -155,7 +181,7 @@ TEST(Framing, AFittedCameraIsFittedToNarrowPicturesToo) {
       EXPECT_NEAR(aspect < 0.5 ? reaches : 1.0, 1.0, 1e-9) << "no farther than needed";
     }
     for (const Camera& chosen : {orbited(fit, 0.1, 0.0), zoomed(fit, 1.1), panned(fit, {0.1, 0.0})})
-      EXPECT_EQ(fittedTo(chosen, low, high, {0.5, 0.5}), chosen);
+      EXPECT_EQ(fittedTo(chosen, low, high, roomOf({0.5, 0.5})), chosen);
   }
 }
 

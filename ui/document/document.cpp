@@ -127,14 +127,22 @@ scene::Scene Document::resolved(const scene::Scene& scene) const {
   scene::Scene resolved = scene::resolve(scene, facts_);
   if (!volume_) return resolved;
   volume_->derivativeChoices->completeIfChosen(resolved);
-  resolved.camera = scene::fittedTo(resolved.camera, facts_, fittingRoom_);
+  resolved.camera =
+      scene::fittedTo(resolved.camera, facts_, app::freeRooms(resolved, *volume_, pixels_, letters_));
   return resolved;
 }
 
-void Document::setFittingRoom(glm::dvec2 room) {
+void Document::setPicture(glm::ivec2 pixels, const app::Edges& letters) {
   const scene::Camera before = resolvedScene().camera;
-  fittingRoom_ = room;
+  pixels_ = pixels;
+  letters_ = letters;
   if (!(resolvedScene().camera == before)) announce();
+}
+
+scene::Camera Document::cameraOf(glm::ivec2 pixels, const app::Edges& letters) const {
+  const scene::Scene resolved = scene::resolve(scene(), facts_);
+  if (!volume_) return resolved.camera;
+  return scene::fittedTo(resolved.camera, facts_, app::freeRooms(resolved, *volume_, pixels, letters));
 }
 
 scene::Camera Document::camera() const {

@@ -16,6 +16,7 @@
 #include <QString>
 #include <QTimer>
 
+#include "app/annotation/free_rooms.h"
 #include "app/documents/autosave.h"
 #include "app/documents/recording.h"
 #include "app/documents/unsaved_work.h"
@@ -41,13 +42,15 @@ class Document : public QObject {
   // shownScene() with automatic settings filled in from the volume, as far as they are known.
   scene::Scene resolvedScene() const { return resolved(shownScene()); }
   scene::Scene resolved(const scene::Scene& scene) const;
-  // Says how much room the window's picture has, as scene::fittedTo() has it: a view that nobody has turned,
-  // moved or zoomed shows all of the volume in there.
-  void setFittingRoom(glm::dvec2 room);
-  // The resolved scene's, before it is fitted to that room.
+  // Says how large the window's picture is, and what its letters take: a view that the user has not turned,
+  // moved or zoomed is fitted to what is free (app::freeRooms()).
+  void setPicture(glm::ivec2 pixels, const app::Edges& letters);
+  // The view that a picture of this size has.
+  scene::Camera cameraOf(glm::ivec2 pixels, const app::Edges& letters) const;
+  // The resolved scene's, before it is fitted.
   scene::Camera camera() const;
-  // Tells what automatic settings depend on. Automatic views frame the surface that was shown when it was last
-  // exchanged in one go (loaded, by a preset, shown or hidden): they stay while its isovalue is dragged.
+  // Tells what automatic settings depend on. Automatic views frame the surface that was shown when it was
+  // last exchanged in one go (loaded, by a preset, shown or hidden): they stay while its isovalue is dragged.
   const scene::VolumeFacts& facts() const { return facts_; }
   void frameShown();  // from now on the surface that is shown now
   void announce();    // says both again: more of what is automatic is known
@@ -154,7 +157,8 @@ class Document : public QObject {
   std::unique_ptr<app::Recorder> recorder_;
   QString recordingFile_;
 
-  glm::dvec2 fittingRoom_{1.0};
+  glm::ivec2 pixels_{1};  // of the window's picture
+  app::Edges letters_;
   scene::FlowClock flow_;
   QElapsedTimer sinceFlowMoved_;
 };

@@ -103,9 +103,9 @@ class Viewport : public QWidget {
   };
   render::StillPicture picture(const StillWish& wish);
   render::StillPicture picture() { return picture(StillWish{}); }
-  // Between the letters at the sides of a picture of this size, where views are fitted to, as
-  // scene::fittedTo() has it. `ratio`: pixels to one of a screen at 100 %.
-  static glm::dvec2 fittingRoom(glm::ivec2 pixels, double ratio);
+  // What the letters at the sides of a picture of this size take: views are fitted between them. `ratio`:
+  // pixels to one of a screen at 100 %.
+  static app::Edges letterEdges(glm::ivec2 pixels, double ratio);
   glm::ivec2 pixelSize() const;  // of the screen
   const ViewportOverlay* overlay() const { return overlay_; }
   const QImage& shown() const { return image_; }  // the pixels on screen, without letters and scale

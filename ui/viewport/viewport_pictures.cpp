@@ -119,10 +119,9 @@ void Viewport::resizeEvent(QResizeEvent* event) {
   Q_EMIT resized();
 }
 
-glm::dvec2 Viewport::fittingRoom(glm::ivec2 pixels, double ratio) {
-  const double letter = std::min(std::max(34.0 * ratio, 0.06 * pixels.x), 0.3 * pixels.x);
-  const double line = std::min(26.0 * ratio, 0.1 * pixels.y);
-  return {(pixels.x - 2.0 * letter) / pixels.y, 1.0 - 2.0 * line / pixels.y};
+app::Edges Viewport::letterEdges(glm::ivec2 pixels, double ratio) {
+  return {std::min(std::max(34.0 * ratio, 0.06 * pixels.x), 0.3 * pixels.x),
+          std::min(26.0 * ratio, 0.1 * pixels.y)};
 }
 
 glm::ivec2 Viewport::pixelSize() const {

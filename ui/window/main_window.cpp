@@ -207,7 +207,8 @@ void MainWindow::connectDocument() {
   connect(viewport_, &Viewport::failed, this, showError);
 
   connect(viewport_, &Viewport::resized, document_, [this] {
-    document_->setFittingRoom(Viewport::fittingRoom(viewport_->pixelSize(), viewport_->devicePixelRatioF()));
+    const glm::ivec2 pixels = viewport_->pixelSize();
+    document_->setPicture(pixels, Viewport::letterEdges(pixels, viewport_->devicePixelRatioF()));
   });
   viewport_->setFacts([this]() -> const scene::VolumeFacts& {
     document_->frameShown();

@@ -107,9 +107,8 @@ scene::Scene MainWindow::pictureScene(const PictureWish& wish) const {
 }
 
 scene::Camera MainWindow::pictureCamera(QSize pixels, double ratio) const {
-  if (!document_->volume()) return document_->camera();
-  return scene::fittedTo(document_->camera(), document_->facts(),
-                         Viewport::fittingRoom({pixels.width(), pixels.height()}, ratio));
+  const glm::ivec2 size(pixels.width(), pixels.height());
+  return document_->cameraOf(size, Viewport::letterEdges(size, ratio));
 }
 
 // Drawn as the kept wish says, with everything on it.

@@ -156,5 +156,41 @@ TEST_F(SliceCommand, RefusesInOneLine) {
   EXPECT_EQ(filesIn(folder_), std::vector<std::string>{});
 }
 
+TEST_F(SliceCommand, HelpListsWhatASliceDependsOn) {
+  const RunResult help = run({"--help"});
+  EXPECT_EQ(help.exitCode, 0);
+  for (const char* const listed : {"--plane", "--set", "--isovalue", "--session", "--raw"})
+    EXPECT_THAT(help.out, HasSubstr(listed));
+  for (const char* const hidden : {"--look", "--camera", "--environment", "--executor"})
+    EXPECT_THAT(help.out, testing::Not(HasSubstr(hidden)));
+  // Lines of before still work.
+  EXPECT_EQ(run({"phantom:ball:16", "--plane", "axial", "--out", "a.png", "--look", "tone", "--camera",
+                 "0,-9,0 0,0,0 0,0,1 30"})
+                .exitCode,
+            0);
+}
+
+TEST_F(SliceCommand, APictureSaysWhichCurveHasWhichIsovalue) {
+  const std::vector<std::string> line{"phantom:head:24",     "--plane", "axial",
+                                      "--size",              "240x200", "--set",
+                                      "isosurface2.shown=1", "--set",   "isosurface2.value=-300"};
+  const auto picture = [&](const char* name, const char* more) {
+    std::vector<std::string> all = line;
+    all.insert(all.end(), {"--out", name, "--set", more});
+    EXPECT_EQ(run(all).exitCode, 0);
+    return app::readPng(folder_ / name);
+  };
+  const render::ColorImage with = picture("with.png", "isosurface2.albedo=0,1,0"),
+                           without = picture("without.png", "slice.contour_width=0");
+  int green = 0;
+  for (int y = 0; y < 50; ++y)
+    for (int x = 160; x < 240; ++x) {
+      const auto at = 4 * static_cast<std::size_t>(y * 240 + x);
+      green += with.rgba[at] == 0 && with.rgba[at + 1] == 255 && with.rgba[at + 2] == 0;
+      EXPECT_FALSE(without.rgba[at] == 0 && without.rgba[at + 1] == 255);
+    }
+  EXPECT_GT(green, 15) << "a sample at the upper right";
+}
+
 }  // namespace
 }  // namespace isolux::test

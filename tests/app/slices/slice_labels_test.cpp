@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "base/color.h"
+#include "scene/rules/automatic.h"
+#include "volume/prepared_volume.h"
+
 namespace isolux::test {
 namespace {
 
@@ -15,6 +19,7 @@ app::SliceWords words(bool oblique) {
   words.convention = oblique ? "orientation not stated" : "radiological";
   words.window = "level 1040 · width 2233 HU · maximum of 12.5 mm";
   words.ruler = {50.0, 0.0, "50 mm"};
+  words.key = {{"−300 HU", {1.0, 0.8, 0.6}}, {"1240.5 HU", {0.2, 0.5, 1.0}}};
   return words;
 }
 
@@ -31,6 +36,8 @@ TEST(SliceLabels, StandClearOfEachOtherAndInThePicture) {
         ASSERT_EQ(places.letters.size(), 4u);
         std::vector<app::WrittenText> texts = places.texts;
         texts.insert(texts.end(), places.letters.begin(), places.letters.end());
+        texts.insert(texts.end(), places.key.begin(), places.key.end());
+        EXPECT_TRUE(places.key.size() == 2 || (places.key.empty() && base.x < 300)) << "where there is room";
         for (std::size_t i = 0; i < texts.size(); ++i) {
           const app::TextBox& box = texts[i].box;
           EXPECT_TRUE(box.low.x >= 0.0 && box.low.y >= 0.0 && box.high().x <= size.x &&
@@ -61,6 +68,50 @@ TEST(SliceLabels, StandInTheMiddleOfTheirEdgesWhereThereIsRoom) {
     const app::TextBox& box = places.letters[i].box;
     EXPECT_NEAR(box.low.x + box.high().x, size.x, 2.0);
   }
+}
+
+TEST(SliceLabels, TheKeyHasTheColoursOfTheCurves) {
+  render::ColorImage image{{400, 300}, std::vector<std::uint8_t>(std::size_t{4} * 400 * 300, 90)};
+  const app::SliceWords all = words(false);
+  app::drawWords(all, image);
+  const auto places = app::placesOf(all, image.size);
+  ASSERT_EQ(places.key.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const app::TextBox& box = places.key[i].box;
+    EXPECT_EQ(places.key[i].text, all.key[i].text);
+    EXPECT_GT(box.low.x, 200.0) << "at the upper right";
+    EXPECT_LT(box.high().y, 100.0);
+    const glm::ivec2 middle(box.low + 0.5 * box.size.y);
+    const std::uint8_t* const pixel = &image.rgba[4 * static_cast<std::size_t>(middle.y * 400 + middle.x)];
+    for (int c = 0; c < 3; ++c) EXPECT_EQ(pixel[c], base::screenByte(all.key[i].color[c]));
+  }
+}
+
+TEST(SliceLabels, TheConventionIsSaidWhereLeftAndRightAreSeen) {
+  base::Progress progress;
+  scene::Scene scene;
+  scene.source.path = "phantom:head:24";
+  const auto prepared = volume::loadVolume(scene.source, progress);
+  scene = scene::resolve(scene, prepared->facts);
+  scene.extraIsosurfaces[0].shown = true;
+  scene.extraIsosurfaces[0].value = -300.0;
+  const auto wordsOn = [&](volume::SliceDirection direction) {
+    const volume::GridGeometry& geometry = prepared->grid().geometry();
+    const volume::SliceFrame frame =
+        volume::sliceFrame(direction, prepared->volume.axes, scene.slice.convention);
+    const volume::SlicePlane plane =
+        volume::fittedSlice(geometry, frame, app::slicePosition(scene, geometry), {80, 60});
+    return app::wordsOf(app::sliceContent(*prepared, scene, plane, progress), plane, scene.slice,
+                        prepared->volume);
+  };
+  EXPECT_EQ(wordsOn(volume::SliceDirection::axial).convention, "radiological");
+  EXPECT_EQ(wordsOn(volume::SliceDirection::coronal).convention, "radiological");
+  const app::SliceWords sagittal = wordsOn(volume::SliceDirection::sagittal);
+  EXPECT_EQ(sagittal.convention, "");
+  ASSERT_EQ(sagittal.key.size(), 2u);
+  EXPECT_EQ(sagittal.key[1].text, "−300 HU");
+  scene.slice.contourWidth = 0.0;
+  EXPECT_TRUE(wordsOn(volume::SliceDirection::axial).key.empty()) << "no curves";
 }
 
 }  // namespace

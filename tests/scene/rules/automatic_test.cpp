@@ -90,11 +90,11 @@ TEST(Automatic, ACameraFramesTheOutlineFromItsSide) {
   EXPECT_LT(glm::distance(*camera.eye, *camera.target) * tangent, 13.0) << "10 mm fill half of the height";
   const Camera again = framed(camera, facts);
   EXPECT_LT(glm::distance(*again.eye, *camera.eye) + glm::distance(*again.target, *camera.target), 1e-9);
-  const Camera wide = fittedTo(camera, facts, {0.5, 1.0});
+  const Camera wide = fittedTo(camera, facts, wholePicture(0.5));
   EXPECT_GT(glm::distance(*wide.eye, *wide.target), 1.5 * glm::distance(*camera.eye, *camera.target));
   Scene chosen;
   chosen.camera = zoomed(camera, 1.5);
-  EXPECT_EQ(fittedTo(chosen.camera, facts, {0.5, 1.0}), chosen.camera) << "somebody has chosen it";
+  EXPECT_EQ(fittedTo(chosen.camera, facts, wholePicture(0.5)), chosen.camera) << "somebody has chosen it";
 }
 
 TEST(Automatic, OfSessionsOfBeforeIsAsItWas) {
