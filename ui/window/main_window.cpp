@@ -133,7 +133,7 @@ void MainWindow::makePanels() {
   for (const PanelInfo& info : panels()) {
     auto* dock = new QDockWidget(QObject::tr(info.title), this);
     Panel* const panel = info.make(dock);
-    dock->setObjectName(info.title);
+    dock->setObjectName(info.name);
     dock->setWidget(panel);
     addDockWidget(Qt::RightDockWidgetArea, dock);
     if (!panels_.empty()) tabifyDockWidget(panels_.back().dock, dock);
