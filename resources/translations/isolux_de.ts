@@ -7353,7 +7353,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Raum</translation>
     </message>
     <message>
-        <source>accessibility</source>
+        <source>crevice shading</source>
         <translation>Zugänglichkeit</translation>
     </message>
     <message>
@@ -7385,7 +7385,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Grundlicht</translation>
     </message>
     <message>
-        <source>ambient variation</source>
+        <source>hemisphere lighting</source>
         <translation>Verlauf von oben</translation>
     </message>
     <message>
@@ -7433,15 +7433,15 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Geschnitten</translation>
     </message>
     <message>
-        <source>color</source>
+        <source>colour</source>
         <translation>Farbe</translation>
     </message>
     <message>
-        <source>colormap</source>
+        <source>colour map</source>
         <translation>Farbskala</translation>
     </message>
     <message>
-        <source>component</source>
+        <source>channel</source>
         <translation>Komponente</translation>
     </message>
     <message>
@@ -7453,7 +7453,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Komponenten</translation>
     </message>
     <message>
-        <source>contour color</source>
+        <source>contour colour</source>
         <translation>Konturfarbe</translation>
     </message>
     <message>
@@ -7477,15 +7477,15 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Werte werden gezählt</translation>
     </message>
     <message>
-        <source>csg</source>
+        <source>boolean operation</source>
         <translation>Verknüpfung</translation>
     </message>
     <message>
-        <source>csg path</source>
+        <source>second volume</source>
         <translation>Zweites Volumen</translation>
     </message>
     <message>
-        <source>csg value</source>
+        <source>second isovalue</source>
         <translation>Zweiter Isowert</translation>
     </message>
     <message>
@@ -7557,7 +7557,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Einblenden</translation>
     </message>
     <message>
-        <source>fetch</source>
+        <source>voxel access</source>
         <translation>Lesen</translation>
     </message>
     <message>
@@ -7569,19 +7569,19 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Nebel</translation>
     </message>
     <message>
-        <source>fog color</source>
+        <source>fog colour</source>
         <translation>Nebelfarbe</translation>
     </message>
     <message>
-        <source>fov</source>
+        <source>field of view</source>
         <translation>Bildwinkel</translation>
     </message>
     <message>
-        <source>ghost</source>
+        <source>uncertainty surfaces</source>
         <translation>Rauschflächen</translation>
     </message>
     <message>
-        <source>ghost opacity</source>
+        <source>uncertainty opacity</source>
         <translation>Deckkraft der Rauschflächen</translation>
     </message>
     <message>
@@ -7609,11 +7609,11 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Aufbau</translation>
     </message>
     <message>
-        <source>fill</source>
+        <source>fill light</source>
         <translation>Aufhelllicht</translation>
     </message>
     <message>
-        <source>rim</source>
+        <source>rim light</source>
         <translation>Kantenlicht</translation>
     </message>
     <message>
@@ -7633,7 +7633,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Oben</translation>
     </message>
     <message>
-        <source>inner tint</source>
+        <source>back-face tint</source>
         <translation>Tönung innen</translation>
     </message>
     <message>
@@ -7657,63 +7657,63 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Isolinien</translation>
     </message>
     <message>
-        <source>isosurface2 albedo</source>
+        <source>isosurface 2 albedo</source>
         <translation>Isofläche 2: Farbe</translation>
     </message>
     <message>
-        <source>isosurface2 clipped</source>
+        <source>isosurface 2 clipped</source>
         <translation>Isofläche 2: Geschnitten</translation>
     </message>
     <message>
-        <source>isosurface2 opacity</source>
+        <source>isosurface 2 opacity</source>
         <translation>Isofläche 2: Deckkraft</translation>
     </message>
     <message>
-        <source>isosurface2 shown</source>
+        <source>isosurface 2 shown</source>
         <translation>Isofläche 2: Gezeigt</translation>
     </message>
     <message>
-        <source>isosurface2 value</source>
+        <source>isosurface 2 value</source>
         <translation>Isofläche 2: Wert</translation>
     </message>
     <message>
-        <source>isosurface3 albedo</source>
+        <source>isosurface 3 albedo</source>
         <translation>Isofläche 3: Farbe</translation>
     </message>
     <message>
-        <source>isosurface3 clipped</source>
+        <source>isosurface 3 clipped</source>
         <translation>Isofläche 3: Geschnitten</translation>
     </message>
     <message>
-        <source>isosurface3 opacity</source>
+        <source>isosurface 3 opacity</source>
         <translation>Isofläche 3: Deckkraft</translation>
     </message>
     <message>
-        <source>isosurface3 shown</source>
+        <source>isosurface 3 shown</source>
         <translation>Isofläche 3: Gezeigt</translation>
     </message>
     <message>
-        <source>isosurface3 value</source>
+        <source>isosurface 3 value</source>
         <translation>Isofläche 3: Wert</translation>
     </message>
     <message>
-        <source>isosurface4 albedo</source>
+        <source>isosurface 4 albedo</source>
         <translation>Isofläche 4: Farbe</translation>
     </message>
     <message>
-        <source>isosurface4 clipped</source>
+        <source>isosurface 4 clipped</source>
         <translation>Isofläche 4: Geschnitten</translation>
     </message>
     <message>
-        <source>isosurface4 opacity</source>
+        <source>isosurface 4 opacity</source>
         <translation>Isofläche 4: Deckkraft</translation>
     </message>
     <message>
-        <source>isosurface4 shown</source>
+        <source>isosurface 4 shown</source>
         <translation>Isofläche 4: Gezeigt</translation>
     </message>
     <message>
-        <source>isosurface4 value</source>
+        <source>isosurface 4 value</source>
         <translation>Isofläche 4: Wert</translation>
     </message>
     <message>
@@ -7721,99 +7721,99 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Behalten</translation>
     </message>
     <message>
-        <source>lamp1 angle</source>
+        <source>light 1 angle</source>
         <translation>Lampe 1: Winkel</translation>
     </message>
     <message>
-        <source>lamp1 color</source>
+        <source>light 1 colour</source>
         <translation>Lampe 1: Farbe</translation>
     </message>
     <message>
-        <source>lamp1 direction</source>
+        <source>light 1 direction</source>
         <translation>Lampe 1: Richtung</translation>
     </message>
     <message>
-        <source>lamp1 intensity</source>
+        <source>light 1 intensity</source>
         <translation>Lampe 1: Helligkeit</translation>
     </message>
     <message>
-        <source>lamp1 kind</source>
+        <source>light 1 kind</source>
         <translation>Lampe 1: Art</translation>
     </message>
     <message>
-        <source>lamp1 position</source>
+        <source>light 1 position</source>
         <translation>Lampe 1: Position</translation>
     </message>
     <message>
-        <source>lamp1 radius</source>
+        <source>light 1 radius</source>
         <translation>Lampe 1: Radius</translation>
     </message>
     <message>
-        <source>lamp1 shown</source>
+        <source>light 1 shown</source>
         <translation>Lampe 1: Gezeigt</translation>
     </message>
     <message>
-        <source>lamp2 angle</source>
+        <source>light 2 angle</source>
         <translation>Lampe 2: Winkel</translation>
     </message>
     <message>
-        <source>lamp2 color</source>
+        <source>light 2 colour</source>
         <translation>Lampe 2: Farbe</translation>
     </message>
     <message>
-        <source>lamp2 direction</source>
+        <source>light 2 direction</source>
         <translation>Lampe 2: Richtung</translation>
     </message>
     <message>
-        <source>lamp2 intensity</source>
+        <source>light 2 intensity</source>
         <translation>Lampe 2: Helligkeit</translation>
     </message>
     <message>
-        <source>lamp2 kind</source>
+        <source>light 2 kind</source>
         <translation>Lampe 2: Art</translation>
     </message>
     <message>
-        <source>lamp2 position</source>
+        <source>light 2 position</source>
         <translation>Lampe 2: Position</translation>
     </message>
     <message>
-        <source>lamp2 radius</source>
+        <source>light 2 radius</source>
         <translation>Lampe 2: Radius</translation>
     </message>
     <message>
-        <source>lamp2 shown</source>
+        <source>light 2 shown</source>
         <translation>Lampe 2: Gezeigt</translation>
     </message>
     <message>
-        <source>lamp3 angle</source>
+        <source>light 3 angle</source>
         <translation>Lampe 3: Winkel</translation>
     </message>
     <message>
-        <source>lamp3 color</source>
+        <source>light 3 colour</source>
         <translation>Lampe 3: Farbe</translation>
     </message>
     <message>
-        <source>lamp3 direction</source>
+        <source>light 3 direction</source>
         <translation>Lampe 3: Richtung</translation>
     </message>
     <message>
-        <source>lamp3 intensity</source>
+        <source>light 3 intensity</source>
         <translation>Lampe 3: Helligkeit</translation>
     </message>
     <message>
-        <source>lamp3 kind</source>
+        <source>light 3 kind</source>
         <translation>Lampe 3: Art</translation>
     </message>
     <message>
-        <source>lamp3 position</source>
+        <source>light 3 position</source>
         <translation>Lampe 3: Position</translation>
     </message>
     <message>
-        <source>lamp3 radius</source>
+        <source>light 3 radius</source>
         <translation>Lampe 3: Radius</translation>
     </message>
     <message>
-        <source>lamp3 shown</source>
+        <source>light 3 shown</source>
         <translation>Lampe 3: Gezeigt</translation>
     </message>
     <message>
@@ -7857,10 +7857,6 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Phantom wird erzeugt</translation>
     </message>
     <message>
-        <source>map</source>
-        <translation>Farbskala</translation>
-    </message>
-    <message>
         <source>measuring distances</source>
         <translation>Abstände werden gemessen</translation>
     </message>
@@ -7897,7 +7893,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Rauschen</translation>
     </message>
     <message>
-        <source>noise band</source>
+        <source>uncertainty band</source>
         <translation>Rauschband</translation>
     </message>
     <message>
@@ -7965,11 +7961,11 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Verfeinerungen</translation>
     </message>
     <message>
-        <source>rest hits</source>
+        <source>hits at rest</source>
         <translation>Treffer in Ruhe</translation>
     </message>
     <message>
-        <source>ridge color</source>
+        <source>ridge colour</source>
         <translation>Farbe der Grate</translation>
     </message>
     <message>
@@ -8045,11 +8041,11 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Art der dicken Schicht</translation>
     </message>
     <message>
-        <source>smallest</source>
+        <source>minimum volume</source>
         <translation>Kleinstes</translation>
     </message>
     <message>
-        <source>space</source>
+        <source>reference frame</source>
         <translation>Bezug</translation>
     </message>
     <message>
@@ -8113,7 +8109,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Oben</translation>
     </message>
     <message>
-        <source>valley color</source>
+        <source>valley colour</source>
         <translation>Farbe der Täler</translation>
     </message>
     <message>
@@ -8173,31 +8169,31 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Durchsichtig</translation>
     </message>
     <message>
-        <source>facing opacity</source>
+        <source>view-dependent opacity</source>
         <translation>Deckkraft von vorn</translation>
     </message>
     <message>
-        <source>isosurface2 facing opacity</source>
+        <source>isosurface 2 view-dependent opacity</source>
         <translation>Isofläche 2: Deckkraft von vorn</translation>
     </message>
     <message>
-        <source>isosurface2 name</source>
+        <source>isosurface 2 name</source>
         <translation>Isofläche 2: Name</translation>
     </message>
     <message>
-        <source>isosurface3 facing opacity</source>
+        <source>isosurface 3 view-dependent opacity</source>
         <translation>Isofläche 3: Deckkraft von vorn</translation>
     </message>
     <message>
-        <source>isosurface3 name</source>
+        <source>isosurface 3 name</source>
         <translation>Isofläche 3: Name</translation>
     </message>
     <message>
-        <source>isosurface4 facing opacity</source>
+        <source>isosurface 4 view-dependent opacity</source>
         <translation>Isofläche 4: Deckkraft von vorn</translation>
     </message>
     <message>
-        <source>isosurface4 name</source>
+        <source>isosurface 4 name</source>
         <translation>Isofläche 4: Name</translation>
     </message>
     <message>
@@ -8205,7 +8201,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Isowert</translation>
     </message>
     <message>
-        <source>letters</source>
+        <source>orientation labels</source>
         <translation>Buchstaben</translation>
     </message>
     <message>
@@ -8361,7 +8357,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Vorschlag</translation>
     </message>
     <message>
-        <source>frames</source>
+        <source>framing</source>
         <translation>Ausschnitt</translation>
     </message>
     <message>
