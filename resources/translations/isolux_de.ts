@@ -33,7 +33,7 @@
     </message>
     <message>
         <source>Default: %1</source>
-        <translation>Vorgabe: %1</translation>
+        <translation>Standard: %1</translation>
     </message>
     <message>
         <source> big endian</source>
@@ -165,7 +165,7 @@
     </message>
     <message>
         <source>Settings</source>
-        <translation>Optionen</translation>
+        <translation>Einstellungen</translation>
     </message>
     <message>
         <source>Measurements</source>
@@ -453,7 +453,7 @@
     </message>
     <message>
         <source>&amp;Thickness</source>
-        <translation>&amp;Dicke</translation>
+        <translation>Di&amp;cke</translation>
     </message>
     <message>
         <source>Measure from the surface through the inside</source>
@@ -493,7 +493,7 @@
     </message>
     <message>
         <source>Looks</source>
-        <translation>Stile</translation>
+        <translation>Darstellungen</translation>
     </message>
     <message>
         <source>Cut</source>
@@ -1490,7 +1490,7 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
     </message>
     <message>
         <source>Bo&amp;x</source>
-        <translation>Qua&amp;der</translation>
+        <translation>Quade&amp;r</translation>
     </message>
     <message>
         <source>&amp;Align to the axes</source>
@@ -1653,7 +1653,7 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
     </message>
     <message>
         <source>DICOM browser</source>
-        <translation>DICOM-Übersicht</translation>
+        <translation>DICOM-Browser</translation>
     </message>
     <message>
         <source>Search patients, descriptions, dates, modalities</source>
@@ -1701,7 +1701,7 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
     </message>
     <message>
         <source>Spacing</source>
-        <translation>Abstand</translation>
+        <translation>Voxelabstand</translation>
     </message>
     <message>
         <source>Kernel</source>
@@ -2136,7 +2136,7 @@ Strg+Rad: Wertachse zoomen, Ziehen mit der mittleren Taste: verschieben</transla
     </message>
     <message>
         <source>Looks</source>
-        <translation>Stile</translation>
+        <translation>Darstellungen</translation>
     </message>
     <message>
         <source>Shift</source>
@@ -2175,7 +2175,7 @@ Strg+Rad: Wertachse zoomen, Ziehen mit der mittleren Taste: verschieben</transla
     <name>isolux::ui::MainWindow</name>
     <message>
         <source>%1 (%2 in the Volume panel)</source>
-        <translation>%1 (%2 im Reiter Volumen)</translation>
+        <translation>%1 (%2 im Bedienfeld Volumen)</translation>
     </message>
     <message>
         <source>also</source>
@@ -2459,11 +2459,11 @@ Strg+Rad: Wertachse zoomen, Ziehen mit der mittleren Taste: verschieben</transla
     </message>
     <message>
         <source>&amp;Find a setting</source>
-        <translation>Option &amp;suchen</translation>
+        <translation>Einstellung &amp;suchen</translation>
     </message>
     <message>
         <source>Find a setting by its name</source>
-        <translation>Eine Option nach ihrem Namen suchen</translation>
+        <translation>Eine Einstellung nach ihrem Namen suchen</translation>
     </message>
     <message>
         <source>Set memory, threads and speed for this computer</source>
@@ -2607,7 +2607,7 @@ Strg+Rad: Wertachse zoomen, Ziehen mit der mittleren Taste: verschieben</transla
     </message>
     <message>
         <source>&amp;List the pieces</source>
-        <translation>Teile auf&amp;listen</translation>
+        <translation>Teile aufli&amp;sten</translation>
     </message>
     <message>
         <source>&amp;Presets</source>
@@ -2675,7 +2675,7 @@ Strg+Rad: Wertachse zoomen, Ziehen mit der mittleren Taste: verschieben</transla
     </message>
     <message>
         <source>&amp;DICOM browser…</source>
-        <translation>&amp;DICOM-Übersicht …</translation>
+        <translation>&amp;DICOM-Browser …</translation>
     </message>
     <message>
         <source>Choose from the patients, studies and series of a folder or disc</source>
@@ -2683,7 +2683,7 @@ Strg+Rad: Wertachse zoomen, Ziehen mit der mittleren Taste: verschieben</transla
     </message>
     <message>
         <source>Export &amp;mesh…</source>
-        <translation>&amp;Netz exportieren …</translation>
+        <translation>Netz e&amp;xportieren …</translation>
     </message>
     <message>
         <source>Export the isosurface as triangles, for 3-D printing and simulation</source>
@@ -2907,7 +2907,7 @@ Strg+Rad: Wertachse zoomen, Ziehen mit der mittleren Taste: verschieben</transla
     </message>
     <message>
         <source>&amp;Preferences…</source>
-        <translation>&amp;Einstellungen…</translation>
+        <translation>&amp;Programmeinstellungen …</translation>
     </message>
     <message>
         <source>Link the views of all windows; untick it in a window to leave that window out</source>
@@ -3600,7 +3600,7 @@ Ein Werkzeug aus dem Menü Messen wählen, dann auf die Oberfläche klicken: Pin
     <name>isolux::ui::PreferencesDialog</name>
     <message>
         <source>Preferences</source>
-        <translation>Einstellungen</translation>
+        <translation>Programmeinstellungen</translation>
     </message>
     <message>
         <source>auto</source>
@@ -3910,7 +3910,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Find a setting</source>
-        <translation>Option suchen</translation>
+        <translation>Einstellung suchen</translation>
     </message>
     <message>
         <source>No effective settings: %1</source>
@@ -3918,7 +3918,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Settings of the scene</source>
-        <translation>Optionen der Szene</translation>
+        <translation>Einstellungen der Szene</translation>
     </message>
 </context>
 <context>
@@ -4630,7 +4630,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     <name>passes</name>
     <message>
         <source>cached</source>
-        <translation>behalten</translation>
+        <translation>zwischengespeichert</translation>
     </message>
     <message>
         <source>ran</source>
@@ -4638,7 +4638,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>skipped</source>
-        <translation>entfallen</translation>
+        <translation>ausgelassen</translation>
     </message>
 </context>
 <context>
@@ -6398,7 +6398,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Ambient</source>
-        <translation>Grundlicht</translation>
+        <translation>Umgebungslicht</translation>
     </message>
     <message>
         <source>Hemisphere lighting</source>
@@ -6526,7 +6526,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Component bits</source>
-        <translation>Bits je Komponente</translation>
+        <translation>Bit je Komponente</translation>
     </message>
     <message>
         <source>Components</source>
@@ -6606,7 +6606,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Directional</source>
-        <translation>Fern</translation>
+        <translation>Fern (gerichtet)</translation>
     </message>
     <message>
         <source>Edge offset</source>
@@ -6630,11 +6630,11 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Extent</source>
-        <translation>Umfang</translation>
+        <translation>Umfang der Berechnung</translation>
     </message>
     <message>
         <source>Eye</source>
-        <translation>Auge</translation>
+        <translation>Augpunkt</translation>
     </message>
     <message>
         <source>Fade</source>
@@ -6714,7 +6714,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Headlight</source>
-        <translation>Kopflicht</translation>
+        <translation>Kameralicht</translation>
     </message>
     <message>
         <source>Hidden</source>
@@ -6722,7 +6722,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>High</source>
-        <translation>Oben</translation>
+        <translation>Obere Grenze</translation>
     </message>
     <message>
         <source>Inferno</source>
@@ -6774,7 +6774,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Keep</source>
-        <translation>Behalten</translation>
+        <translation>Größte behalten</translation>
     </message>
     <message>
         <source>Kind</source>
@@ -6798,7 +6798,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Lattice scale</source>
-        <translation>Gitterfeinheit</translation>
+        <translation>Gitterauflösung</translation>
     </message>
     <message>
         <source>Layers</source>
@@ -6818,7 +6818,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Level</source>
-        <translation>Fensterlage</translation>
+        <translation>Fenstermitte</translation>
     </message>
     <message>
         <source>Environment map</source>
@@ -6834,7 +6834,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Low</source>
-        <translation>Unten</translation>
+        <translation>Untere Grenze</translation>
     </message>
     <message>
         <source>Lower left</source>
@@ -6878,7 +6878,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Metering</source>
-        <translation>Belichtung nach</translation>
+        <translation>Belichtungsmessung</translation>
     </message>
     <message>
         <source>Method</source>
@@ -6906,7 +6906,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Near threshold</source>
-        <translation>Schwelle der Nähe</translation>
+        <translation>Schwelle nahe dem Isowert</translation>
     </message>
     <message>
         <source>Nearest</source>
@@ -6962,7 +6962,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Path</source>
-        <translation>Weg</translation>
+        <translation>Dateipfad</translation>
     </message>
     <message>
         <source>Perspective</source>
@@ -6994,7 +6994,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Preparing</source>
-        <translation>Vorbereitung</translation>
+        <translation>Wird vorbereitet</translation>
     </message>
     <message>
         <source>Projection</source>
@@ -7086,7 +7086,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Roulette depth</source>
-        <translation>Roulette ab</translation>
+        <translation>Roulette ab Reflexion</translation>
     </message>
     <message>
         <source>SH order</source>
@@ -7118,11 +7118,11 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Search</source>
-        <translation>Suchweite</translation>
+        <translation>Suchstrecke</translation>
     </message>
     <message>
         <source>Sequence</source>
-        <translation>Folge</translation>
+        <translation>Zahlenfolge</translation>
     </message>
     <message>
         <source>Series</source>
@@ -7150,7 +7150,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Shininess</source>
-        <translation>Glanzschärfe</translation>
+        <translation>Glanzexponent</translation>
     </message>
     <message>
         <source>Shown</source>
@@ -7166,11 +7166,11 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Slab</source>
-        <translation>Schichtdicke</translation>
+        <translation>Dicke der Schicht</translation>
     </message>
     <message>
         <source>Slab mode</source>
-        <translation>Art der dicken Schicht</translation>
+        <translation>Projektion der dicken Schicht</translation>
     </message>
     <message>
         <source>Minimum volume</source>
@@ -7190,7 +7190,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Specular</source>
-        <translation>Glanz</translation>
+        <translation>Glanzlicht</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -7354,11 +7354,11 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>crevice shading</source>
-        <translation>Zugänglichkeit</translation>
+        <translation>Vertiefungsschattierung</translation>
     </message>
     <message>
         <source>adaptive</source>
-        <translation>Anpassung bei Bewegung</translation>
+        <translation>geringere Auflösung bei Bewegung</translation>
     </message>
     <message>
         <source>albedo</source>
@@ -7378,15 +7378,15 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>albedo source</source>
-        <translation>Farbe aus</translation>
+        <translation>Farbquelle</translation>
     </message>
     <message>
         <source>ambient</source>
-        <translation>Grundlicht</translation>
+        <translation>Umgebungslicht</translation>
     </message>
     <message>
         <source>hemisphere lighting</source>
-        <translation>Verlauf von oben</translation>
+        <translation>Hemisphärenlicht</translation>
     </message>
     <message>
         <source>animate</source>
@@ -7442,11 +7442,11 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>channel</source>
-        <translation>Komponente</translation>
+        <translation>Kanal</translation>
     </message>
     <message>
         <source>component bits</source>
-        <translation>Bits je Komponente</translation>
+        <translation>Bit je Komponente</translation>
     </message>
     <message>
         <source>components</source>
@@ -7478,7 +7478,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>boolean operation</source>
-        <translation>Verknüpfung</translation>
+        <translation>Boolesche Operation</translation>
     </message>
     <message>
         <source>second volume</source>
@@ -7522,7 +7522,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>environment moves</source>
-        <translation>Umgebung: Bewegt sich</translation>
+        <translation>Umgebung: Drehbar</translation>
     </message>
     <message>
         <source>environment rotation</source>
@@ -7534,11 +7534,11 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>environment visible</source>
-        <translation>Umgebung: Als Hintergrund</translation>
+        <translation>Umgebung: Als Hintergrund zeigen</translation>
     </message>
     <message>
         <source>executor</source>
-        <translation>Rechenwerk</translation>
+        <translation>Gerät für das Ray-Casting</translation>
     </message>
     <message>
         <source>exposure</source>
@@ -7546,11 +7546,11 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>extent</source>
-        <translation>Umfang</translation>
+        <translation>Umfang der Berechnung</translation>
     </message>
     <message>
         <source>eye</source>
-        <translation>Auge</translation>
+        <translation>Augpunkt</translation>
     </message>
     <message>
         <source>fade</source>
@@ -7558,7 +7558,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>voxel access</source>
-        <translation>Lesen</translation>
+        <translation>Voxelzugriff</translation>
     </message>
     <message>
         <source>field</source>
@@ -7578,11 +7578,11 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>uncertainty surfaces</source>
-        <translation>Rauschflächen</translation>
+        <translation>Unsicherheitsflächen</translation>
     </message>
     <message>
         <source>uncertainty opacity</source>
-        <translation>Deckkraft der Rauschflächen</translation>
+        <translation>Deckkraft der Unsicherheitsflächen</translation>
     </message>
     <message>
         <source>gpu budget mb</source>
@@ -7602,7 +7602,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>headlight</source>
-        <translation>Kopflicht</translation>
+        <translation>Kameralicht</translation>
     </message>
     <message>
         <source>setup</source>
@@ -7630,11 +7630,11 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>high</source>
-        <translation>Oben</translation>
+        <translation>Obere Grenze</translation>
     </message>
     <message>
         <source>back-face tint</source>
-        <translation>Tönung innen</translation>
+        <translation>Rückseitentönung</translation>
     </message>
     <message>
         <source>inside</source>
@@ -7718,107 +7718,107 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>keep</source>
-        <translation>Behalten</translation>
+        <translation>Größte behalten</translation>
     </message>
     <message>
         <source>light 1 angle</source>
-        <translation>Lampe 1: Winkel</translation>
+        <translation>Lichtquelle 1: Winkel</translation>
     </message>
     <message>
         <source>light 1 colour</source>
-        <translation>Lampe 1: Farbe</translation>
+        <translation>Lichtquelle 1: Farbe</translation>
     </message>
     <message>
         <source>light 1 direction</source>
-        <translation>Lampe 1: Richtung</translation>
+        <translation>Lichtquelle 1: Richtung</translation>
     </message>
     <message>
         <source>light 1 intensity</source>
-        <translation>Lampe 1: Helligkeit</translation>
+        <translation>Lichtquelle 1: Helligkeit</translation>
     </message>
     <message>
         <source>light 1 kind</source>
-        <translation>Lampe 1: Art</translation>
+        <translation>Lichtquelle 1: Art</translation>
     </message>
     <message>
         <source>light 1 position</source>
-        <translation>Lampe 1: Position</translation>
+        <translation>Lichtquelle 1: Position</translation>
     </message>
     <message>
         <source>light 1 radius</source>
-        <translation>Lampe 1: Radius</translation>
+        <translation>Lichtquelle 1: Radius</translation>
     </message>
     <message>
         <source>light 1 shown</source>
-        <translation>Lampe 1: Gezeigt</translation>
+        <translation>Lichtquelle 1: Gezeigt</translation>
     </message>
     <message>
         <source>light 2 angle</source>
-        <translation>Lampe 2: Winkel</translation>
+        <translation>Lichtquelle 2: Winkel</translation>
     </message>
     <message>
         <source>light 2 colour</source>
-        <translation>Lampe 2: Farbe</translation>
+        <translation>Lichtquelle 2: Farbe</translation>
     </message>
     <message>
         <source>light 2 direction</source>
-        <translation>Lampe 2: Richtung</translation>
+        <translation>Lichtquelle 2: Richtung</translation>
     </message>
     <message>
         <source>light 2 intensity</source>
-        <translation>Lampe 2: Helligkeit</translation>
+        <translation>Lichtquelle 2: Helligkeit</translation>
     </message>
     <message>
         <source>light 2 kind</source>
-        <translation>Lampe 2: Art</translation>
+        <translation>Lichtquelle 2: Art</translation>
     </message>
     <message>
         <source>light 2 position</source>
-        <translation>Lampe 2: Position</translation>
+        <translation>Lichtquelle 2: Position</translation>
     </message>
     <message>
         <source>light 2 radius</source>
-        <translation>Lampe 2: Radius</translation>
+        <translation>Lichtquelle 2: Radius</translation>
     </message>
     <message>
         <source>light 2 shown</source>
-        <translation>Lampe 2: Gezeigt</translation>
+        <translation>Lichtquelle 2: Gezeigt</translation>
     </message>
     <message>
         <source>light 3 angle</source>
-        <translation>Lampe 3: Winkel</translation>
+        <translation>Lichtquelle 3: Winkel</translation>
     </message>
     <message>
         <source>light 3 colour</source>
-        <translation>Lampe 3: Farbe</translation>
+        <translation>Lichtquelle 3: Farbe</translation>
     </message>
     <message>
         <source>light 3 direction</source>
-        <translation>Lampe 3: Richtung</translation>
+        <translation>Lichtquelle 3: Richtung</translation>
     </message>
     <message>
         <source>light 3 intensity</source>
-        <translation>Lampe 3: Helligkeit</translation>
+        <translation>Lichtquelle 3: Helligkeit</translation>
     </message>
     <message>
         <source>light 3 kind</source>
-        <translation>Lampe 3: Art</translation>
+        <translation>Lichtquelle 3: Art</translation>
     </message>
     <message>
         <source>light 3 position</source>
-        <translation>Lampe 3: Position</translation>
+        <translation>Lichtquelle 3: Position</translation>
     </message>
     <message>
         <source>light 3 radius</source>
-        <translation>Lampe 3: Radius</translation>
+        <translation>Lichtquelle 3: Radius</translation>
     </message>
     <message>
         <source>light 3 shown</source>
-        <translation>Lampe 3: Gezeigt</translation>
+        <translation>Lichtquelle 3: Gezeigt</translation>
     </message>
     <message>
         <source>lattice scale</source>
-        <translation>Gitterfeinheit</translation>
+        <translation>Gitterauflösung</translation>
     </message>
     <message>
         <source>layers</source>
@@ -7842,7 +7842,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>level</source>
-        <translation>Fensterlage</translation>
+        <translation>Fenstermitte</translation>
     </message>
     <message>
         <source>list</source>
@@ -7850,7 +7850,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>low</source>
-        <translation>Unten</translation>
+        <translation>Untere Grenze</translation>
     </message>
     <message>
         <source>making the phantom</source>
@@ -7866,7 +7866,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>metering</source>
-        <translation>Belichtung nach</translation>
+        <translation>Belichtungsmessung</translation>
     </message>
     <message>
         <source>method</source>
@@ -7878,7 +7878,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>motion target</source>
-        <translation>Bilddauer bei Bewegung</translation>
+        <translation>Bildzeit bei Bewegung</translation>
     </message>
     <message>
         <source>near factor</source>
@@ -7886,7 +7886,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>near threshold</source>
-        <translation>Schwelle der Nähe</translation>
+        <translation>Schwelle nahe dem Isowert</translation>
     </message>
     <message>
         <source>noise</source>
@@ -7894,7 +7894,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>uncertainty band</source>
-        <translation>Rauschband</translation>
+        <translation>Unsicherheitsband</translation>
     </message>
     <message>
         <source>normal scale</source>
@@ -7910,7 +7910,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>path</source>
-        <translation>Weg</translation>
+        <translation>Dateipfad</translation>
     </message>
     <message>
         <source>planes</source>
@@ -7926,7 +7926,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>preparing</source>
-        <translation>Vorbereitung</translation>
+        <translation>wird vorbereitet</translation>
     </message>
     <message>
         <source>projection</source>
@@ -7990,7 +7990,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>roulette depth</source>
-        <translation>Roulette ab</translation>
+        <translation>Roulette ab Reflexion</translation>
     </message>
     <message>
         <source>samples</source>
@@ -8002,11 +8002,11 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>search</source>
-        <translation>Suchweite</translation>
+        <translation>Suchstrecke</translation>
     </message>
     <message>
         <source>sequence</source>
-        <translation>Folge</translation>
+        <translation>Zahlenfolge</translation>
     </message>
     <message>
         <source>series</source>
@@ -8030,27 +8030,27 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>shininess</source>
-        <translation>Glanzschärfe</translation>
+        <translation>Glanzexponent</translation>
     </message>
     <message>
         <source>slab</source>
-        <translation>Schichtdicke</translation>
+        <translation>Dicke der Schicht</translation>
     </message>
     <message>
         <source>slab mode</source>
-        <translation>Art der dicken Schicht</translation>
+        <translation>Projektion der dicken Schicht</translation>
     </message>
     <message>
         <source>minimum volume</source>
-        <translation>Kleinstes</translation>
+        <translation>Mindestvolumen</translation>
     </message>
     <message>
         <source>reference frame</source>
-        <translation>Bezug</translation>
+        <translation>Bezugssystem</translation>
     </message>
     <message>
         <source>specular</source>
-        <translation>Glanz</translation>
+        <translation>Glanzlicht</translation>
     </message>
     <message>
         <source>speed</source>
@@ -8170,11 +8170,11 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>view-dependent opacity</source>
-        <translation>Deckkraft von vorn</translation>
+        <translation>Blickabhängige Deckkraft</translation>
     </message>
     <message>
         <source>isosurface 2 view-dependent opacity</source>
-        <translation>Isofläche 2: Deckkraft von vorn</translation>
+        <translation>Isofläche 2: Blickabhängige Deckkraft</translation>
     </message>
     <message>
         <source>isosurface 2 name</source>
@@ -8182,7 +8182,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>isosurface 3 view-dependent opacity</source>
-        <translation>Isofläche 3: Deckkraft von vorn</translation>
+        <translation>Isofläche 3: Blickabhängige Deckkraft</translation>
     </message>
     <message>
         <source>isosurface 3 name</source>
@@ -8190,7 +8190,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>isosurface 4 view-dependent opacity</source>
-        <translation>Isofläche 4: Deckkraft von vorn</translation>
+        <translation>Isofläche 4: Blickabhängige Deckkraft</translation>
     </message>
     <message>
         <source>isosurface 4 name</source>
@@ -8202,7 +8202,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>orientation labels</source>
-        <translation>Buchstaben</translation>
+        <translation>Orientierungsbuchstaben</translation>
     </message>
     <message>
         <source>looking for series</source>
@@ -8222,7 +8222,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>transparent</source>
-        <translation>durchsichtig</translation>
+        <translation>Durchsichtig</translation>
     </message>
     <message>
         <source>Bands of spherical harmonics</source>
@@ -8318,7 +8318,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Indexing</source>
-        <translation>Erfassen der Voxel</translation>
+        <translation>Voxel werden erfasst</translation>
     </message>
     <message>
         <source>Memory</source>
@@ -8330,11 +8330,11 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Around damage</source>
-        <translation>Um Beschädigtes herum</translation>
+        <translation>Unlesbare Blöcke überspringen</translation>
     </message>
     <message>
         <source>around damage</source>
-        <translation>um Beschädigtes herum</translation>
+        <translation>unlesbare Blöcke überspringen</translation>
     </message>
     <message>
         <source>Caveats</source>
@@ -8358,7 +8358,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>framing</source>
-        <translation>Ausschnitt</translation>
+        <translation>Bildausschnitt</translation>
     </message>
     <message>
         <source>suggestion</source>
@@ -8418,7 +8418,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Labels</source>
-        <translation>Labels</translation>
+        <translation>Segmentierung (Labels)</translation>
     </message>
     <message>
         <source>MR</source>
