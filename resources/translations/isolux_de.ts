@@ -2718,7 +2718,7 @@ Strg+Rad: Wertachse zoomen, Ziehen mit der mittleren Taste: verschieben</transla
         <translation>Name, Kennung und Geburtsdatum als „anonym“ zeigen</translation>
     </message>
     <message>
-        <source>&amp;Guided tour</source>
+        <source>Guided &amp;tour</source>
         <translation>&amp;Rundgang</translation>
     </message>
     <message>

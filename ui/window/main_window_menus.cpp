@@ -202,7 +202,7 @@ void MainWindow::nameViews() {
 
 void MainWindow::makeHelpMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&Help"));
-  QAction* explore = newAction(menu, tr("&Guided tour"), "", {}, tr("Take a two-minute tour of the window"));
+  QAction* explore = newAction(menu, tr("Guided &tour"), "", {}, tr("Take a two-minute tour of the window"));
   connect(explore, &QAction::triggered, this, &MainWindow::startTour);
   QAction* help =
       newAction(menu, tr("&Mouse and keys"), "", QKeySequence::HelpContents, tr("Mouse and keys"));
