@@ -12,28 +12,28 @@
         <translation>Grafikspeicher</translation>
     </message>
     <message>
-        <source>Volume on the graphics card</source>
-        <translation>Volumen auf der Grafikkarte</translation>
+        <source>Volume storage on the GPU</source>
+        <translation>Volumenspeicherung auf der Grafikkarte</translation>
     </message>
     <message>
-        <source>Threads that compute light</source>
-        <translation>Threads für die Lichtberechnung</translation>
+        <source>CPU threads for lighting</source>
+        <translation>CPU-Threads für die Beleuchtung</translation>
     </message>
     <message>
-        <source>Coarser pictures in motion</source>
-        <translation>Gröbere Bilder bei Bewegung</translation>
+        <source>Lower resolution in motion</source>
+        <translation>Geringere Auflösung bei Bewegung</translation>
     </message>
     <message>
-        <source>Time of a picture in motion</source>
-        <translation>Zeit je Bild bei Bewegung</translation>
+        <source>Frame time in motion</source>
+        <translation>Bildzeit bei Bewegung</translation>
     </message>
     <message>
-        <source>Hits and derivatives computed by</source>
-        <translation>Treffer und Ableitungen durch</translation>
+        <source>Ray casting device</source>
+        <translation>Gerät für das Ray-Casting</translation>
     </message>
     <message>
         <source>Default: %1</source>
-        <translation>Vorgabe: %1</translation>
+        <translation>Standard: %1</translation>
     </message>
     <message>
         <source> big endian</source>
@@ -44,8 +44,8 @@
         <translation>, Kopf %1 Byte</translation>
     </message>
     <message>
-        <source>is not written: the name of a picture ends in .png or .exr</source>
-        <translation>wird nicht geschrieben: Der Name eines Bildes endet auf .png oder .exr</translation>
+        <source>unknown image format; use .png or .exr</source>
+        <translation>unbekanntes Bildformat; .png oder .exr verwenden</translation>
     </message>
     <message>
         <source>%1 phantom</source>
@@ -56,7 +56,7 @@
         <translation>Umgebung drehen</translation>
     </message>
     <message>
-        <source>Choose light probe</source>
+        <source>Choose environment map</source>
         <translation>Umgebungsbild wählen</translation>
     </message>
     <message>
@@ -64,8 +64,8 @@
         <translation>Licht wählen</translation>
     </message>
     <message>
-        <source>a large soft light from the upper left, a weak one at the right, and a rim from behind</source>
-        <translation>ein großes weiches Licht von links oben, ein schwaches von rechts und ein Streiflicht von hinten</translation>
+        <source>a large soft light from the upper left, a weak light from the right and a rim light from behind</source>
+        <translation>ein großes weiches Licht von links oben, ein schwaches von rechts und ein Kantenlicht von hinten</translation>
     </message>
     <message>
         <source>daylight through one window at the left of a room</source>
@@ -92,16 +92,16 @@
         <translation>Byte</translation>
     </message>
     <message>
-        <source>1 mark</source>
-        <translation>1 Marke</translation>
+        <source>1 measurement</source>
+        <translation>1 Messung</translation>
     </message>
     <message>
-        <source>%1 marks</source>
-        <translation>%1 Marken</translation>
+        <source>%1 measurements</source>
+        <translation>%1 Messungen</translation>
     </message>
     <message>
-        <source>One colour</source>
-        <translation>Eine Farbe</translation>
+        <source>Single colour</source>
+        <translation>Einfarbig</translation>
     </message>
     <message>
         <source>not measured: %1</source>
@@ -120,8 +120,8 @@
         <translation>Licht angehalten</translation>
     </message>
     <message>
-        <source>Light: preparing</source>
-        <translation>Licht: wird vorbereitet</translation>
+        <source>Light: preparing…</source>
+        <translation>Licht: wird vorbereitet …</translation>
     </message>
     <message>
         <source>Light: %1</source>
@@ -140,7 +140,7 @@
         <translation>Kein Licht</translation>
     </message>
     <message>
-        <source>Stored: %1</source>
+        <source>Baked: %1</source>
         <translation>Gespeichert: %1</translation>
     </message>
     <message>
@@ -160,16 +160,16 @@
         <translation>%1 Strahlen/s</translation>
     </message>
     <message>
-        <source>light was at %1</source>
-        <translation>Licht war bei %1</translation>
+        <source>light %1 complete</source>
+        <translation>Licht zu %1 fertig</translation>
     </message>
     <message>
         <source>Settings</source>
-        <translation>Optionen</translation>
+        <translation>Einstellungen</translation>
     </message>
     <message>
-        <source>Marks</source>
-        <translation>Marken</translation>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
     </message>
     <message>
         <source>Volume</source>
@@ -180,8 +180,8 @@
         <translation>Teile</translation>
     </message>
     <message>
-        <source>Passes</source>
-        <translation>Ablauf</translation>
+        <source>Performance</source>
+        <translation>Leistung</translation>
     </message>
     <message>
         <source>Look</source>
@@ -204,8 +204,8 @@
         <translation>Licht</translation>
     </message>
     <message>
-        <source>Lamps</source>
-        <translation>Lampen</translation>
+        <source>Lights</source>
+        <translation>Lichtquellen</translation>
     </message>
     <message>
         <source>Global illumination</source>
@@ -224,8 +224,8 @@
         <translation>Weitere Isoflächen</translation>
     </message>
     <message>
-        <source>Hit</source>
-        <translation>Treffer</translation>
+        <source>Hit finding</source>
+        <translation>Treffersuche</translation>
     </message>
     <message>
         <source>Derivatives</source>
@@ -236,11 +236,11 @@
         <translation>Kamera</translation>
     </message>
     <message>
-        <source>Picture</source>
+        <source>Image</source>
         <translation>Bild</translation>
     </message>
     <message>
-        <source>Light probe</source>
+        <source>Environment map</source>
         <translation>Umgebungsbild</translation>
     </message>
     <message>
@@ -252,12 +252,12 @@
         <translation>Eingebautes Licht</translation>
     </message>
     <message>
-        <source>Shown behind</source>
-        <translation>Als Hintergrund</translation>
+        <source>Show as background</source>
+        <translation>Als Hintergrund zeigen</translation>
     </message>
     <message>
-        <source>Lamp %1</source>
-        <translation>Lampe %1</translation>
+        <source>Light %1</source>
+        <translation>Lichtquelle %1</translation>
     </message>
     <message>
         <source>Colour</source>
@@ -268,8 +268,8 @@
         <translation>Isofläche %1</translation>
     </message>
     <message>
-        <source>Colour from</source>
-        <translation>Farbe aus</translation>
+        <source>Colour source</source>
+        <translation>Farbquelle</translation>
     </message>
     <message>
         <source>SH order</source>
@@ -288,7 +288,7 @@
         <translation>, %1 × %1 Strahlen je Pixel</translation>
     </message>
     <message>
-        <source> (%1° off)</source>
+        <source> (tilted by %1°)</source>
         <translation> (um %1° gekippt)</translation>
     </message>
     <message>
@@ -328,16 +328,16 @@
         <translation>Pin: auf die Oberfläche klicken</translation>
     </message>
     <message>
-        <source>Distance: click two points; with Shift, more follow</source>
-        <translation>Abstand: zwei Punkte anklicken; mit Umschalt folgen weitere</translation>
+        <source>Distance: click two points; Shift adds more</source>
+        <translation>Abstand: zwei Punkte anklicken; Umschalt fügt weitere hinzu</translation>
     </message>
     <message>
-        <source>Along the surface: click two points; with Shift, more follow</source>
-        <translation>Entlang der Oberfläche: zwei Punkte anklicken; mit Umschalt folgen weitere</translation>
+        <source>Geodesic distance: click two points; Shift adds more</source>
+        <translation>Geodätischer Abstand: zwei Punkte anklicken; Umschalt fügt weitere hinzu</translation>
     </message>
     <message>
-        <source>Angle: click three points, the middle one second; with Shift at the third, two lines of two</source>
-        <translation>Winkel: drei Punkte anklicken, den mittleren als zweiten; mit Umschalt beim dritten zwei Geraden aus je zwei Punkten</translation>
+        <source>Angle: click three points, the vertex second; Shift at the third measures between two lines</source>
+        <translation>Winkel: drei Punkte anklicken, den Scheitel als zweiten; Umschalt beim dritten misst zwischen zwei Geraden</translation>
     </message>
     <message>
         <source>Circle: click three points</source>
@@ -348,40 +348,40 @@
         <translation>Dicke: auf die Oberfläche klicken</translation>
     </message>
     <message>
-        <source>Piece: click on one</source>
-        <translation>Teil: eines anklicken</translation>
+        <source>Piece: click on a piece</source>
+        <translation>Teil: auf ein Teil klicken</translation>
     </message>
     <message>
-        <source>Preparing the volume (%1): %2 %; until then another field is shown</source>
-        <translation>Volumen wird vorbereitet (%1): %2 %; bis dahin wird ein anderes Feld gezeigt</translation>
+        <source>Preparing the volume (%1): %2 %; a substitute field is shown</source>
+        <translation>Volumen wird vorbereitet (%1): %2 %; gezeigt wird ein Ersatzfeld</translation>
     </message>
     <message>
-        <source>Loading: %1 % of the picture is missing</source>
+        <source>Loading: %1 % of the image is missing</source>
         <translation>Laden: %1 % des Bildes fehlen</translation>
     </message>
     <message>
-        <source>%1 % of the picture is missing: memory.gpu_budget_mb is too small for this view</source>
-        <translation>%1 % des Bildes fehlen: memory.gpu_budget_mb ist für diese Ansicht zu klein</translation>
+        <source>%1 % of the image is missing; raise Graphics memory (memory.gpu_budget_mb)</source>
+        <translation>%1 % des Bildes fehlen; Grafikspeicher (memory.gpu_budget_mb) erhöhen</translation>
     </message>
     <message>
-        <source>there is not enough memory for this picture</source>
-        <translation>der Speicher reicht für dieses Bild nicht aus</translation>
+        <source>not enough memory for this image</source>
+        <translation>nicht genug Speicher für dieses Bild</translation>
     </message>
     <message>
-        <source>a mistake in Isolux itself: %1</source>
-        <translation>ein Fehler in Isolux selbst: %1</translation>
+        <source>internal error: %1</source>
+        <translation>interner Fehler: %1</translation>
     </message>
     <message>
-        <source>a mistake in Isolux itself</source>
-        <translation>ein Fehler in Isolux selbst</translation>
+        <source>internal error</source>
+        <translation>interner Fehler</translation>
     </message>
     <message>
-        <source>Isolux needs OpenGL 4.5. `isolux doctor` says what this machine offers.</source>
-        <translation>Isolux braucht OpenGL 4.5. `isolux doctor` sagt, was dieser Rechner bietet.</translation>
+        <source>Isolux requires OpenGL 4.5. `isolux doctor` lists what this computer offers.</source>
+        <translation>Isolux benötigt OpenGL 4.5. `isolux doctor` zeigt, was dieser Rechner bietet.</translation>
     </message>
     <message>
-        <source>It is tried again when something changes: undo the last step, or choose other settings.</source>
-        <translation>Bei der nächsten Änderung folgt ein neuer Versuch: den letzten Schritt rückgängig machen oder andere Optionen wählen.</translation>
+        <source>To try again, undo the last step or change a setting.</source>
+        <translation>Zum erneuten Versuch den letzten Schritt rückgängig machen oder eine Einstellung ändern.</translation>
     </message>
     <message>
         <source>Open a volume with Ctrl+O, or drop a file or folder here</source>
@@ -404,11 +404,11 @@
         <translation>Rohe Voxel (*.raw *.bin *.img *.dat)</translation>
     </message>
     <message>
-        <source>Marks for 3D Slicer (*.mrk.json)</source>
-        <translation>Marken für 3D Slicer (*.mrk.json)</translation>
+        <source>3D Slicer markups (*.mrk.json)</source>
+        <translation>Markups für 3D Slicer (*.mrk.json)</translation>
     </message>
     <message>
-        <source>Table of what they say (*.csv)</source>
+        <source>Table of measured values (*.csv)</source>
         <translation>Tabelle der Messwerte (*.csv)</translation>
     </message>
     <message>
@@ -416,56 +416,56 @@
         <translation>&amp;Pin</translation>
     </message>
     <message>
-        <source>Keep a point of the surface: position, value, curvature, edge</source>
-        <translation>Einen Punkt der Oberfläche festhalten: Position, Wert, Krümmung, Kante</translation>
+        <source>Mark a point on the surface: position, value, curvature, edge</source>
+        <translation>Einen Punkt der Oberfläche markieren: Position, Wert, Krümmung, Kante</translation>
     </message>
     <message>
         <source>&amp;Distance</source>
         <translation>&amp;Abstand</translation>
     </message>
     <message>
-        <source>Straight from point to point</source>
-        <translation>Gerade von Punkt zu Punkt</translation>
+        <source>Measure straight from point to point</source>
+        <translation>Gerade von Punkt zu Punkt messen</translation>
     </message>
     <message>
-        <source>Along the &amp;surface</source>
-        <translation>Entlang der &amp;Oberfläche</translation>
+        <source>Geode&amp;sic distance</source>
+        <translation>Geo&amp;dätischer Abstand</translation>
     </message>
     <message>
-        <source>The shortest way along the surface</source>
-        <translation>Der kürzeste Weg entlang der Oberfläche</translation>
+        <source>Measure the shortest path found along the surface</source>
+        <translation>Den kürzesten gefundenen Weg entlang der Oberfläche messen</translation>
     </message>
     <message>
         <source>&amp;Angle</source>
         <translation>&amp;Winkel</translation>
     </message>
     <message>
-        <source>At the second of three points, or between two lines</source>
-        <translation>Am zweiten von drei Punkten oder zwischen zwei Geraden</translation>
+        <source>Measure at the second of three points, or between two lines</source>
+        <translation>Am zweiten von drei Punkten oder zwischen zwei Geraden messen</translation>
     </message>
     <message>
         <source>&amp;Circle</source>
         <translation>&amp;Kreis</translation>
     </message>
     <message>
-        <source>Through three points: radius and centre</source>
-        <translation>Durch drei Punkte: Radius und Mittelpunkt</translation>
+        <source>Measure radius and centre of a circle through three points</source>
+        <translation>Radius und Mittelpunkt eines Kreises durch drei Punkte messen</translation>
     </message>
     <message>
         <source>&amp;Thickness</source>
-        <translation>&amp;Dicke</translation>
+        <translation>Di&amp;cke</translation>
     </message>
     <message>
-        <source>From the surface through the inside</source>
-        <translation>Von der Oberfläche durch das Innere</translation>
+        <source>Measure from the surface through the inside</source>
+        <translation>Von der Oberfläche durch das Innere messen</translation>
     </message>
     <message>
         <source>Pi&amp;ece</source>
         <translation>&amp;Teil</translation>
     </message>
     <message>
-        <source>Volume and area of the connected piece</source>
-        <translation>Volumen und Fläche des zusammenhängenden Teils</translation>
+        <source>Measure volume and area of a piece (connected component)</source>
+        <translation>Volumen und Fläche eines Teils (zusammenhängende Komponente) messen</translation>
     </message>
     <message>
         <source>Edge</source>
@@ -488,12 +488,12 @@
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Stopping …</source>
+        <source>Stopping…</source>
         <translation>Wird angehalten …</translation>
     </message>
     <message>
         <source>Looks</source>
-        <translation>Stile</translation>
+        <translation>Darstellungen</translation>
     </message>
     <message>
         <source>Cut</source>
@@ -504,20 +504,20 @@
         <translation>Fadenkreuz bewegen</translation>
     </message>
     <message>
-        <source>Add an isosurface at the value here, %1</source>
-        <translation>Isofläche beim Wert an dieser Stelle hinzufügen, %1</translation>
+        <source>Add isosurface at this value, %1</source>
+        <translation>Isofläche bei diesem Wert hinzufügen, %1</translation>
     </message>
     <message>
         <source>Add isosurface</source>
         <translation>Isofläche hinzufügen</translation>
     </message>
     <message>
-        <source>Change level and width</source>
-        <translation>Fensterlage und -breite ändern</translation>
+        <source>Change window level and width</source>
+        <translation>Fenstermitte und -breite ändern</translation>
     </message>
     <message>
-        <source>Level and width</source>
-        <translation>Fensterlage und -breite</translation>
+        <source>Window level and width</source>
+        <translation>Fenstermitte und -breite</translation>
     </message>
     <message>
         <source>Automatic</source>
@@ -548,28 +548,28 @@
         <translation>Schräg …</translation>
     </message>
     <message>
-        <source>Thick slice</source>
-        <translation>Dicke Schicht</translation>
+        <source>Slab</source>
+        <translation>Dicke Schicht (Slab)</translation>
     </message>
     <message>
-        <source>Change thick slice</source>
+        <source>Change slab</source>
         <translation>Dicke Schicht ändern</translation>
     </message>
     <message>
-        <source>The plane alone</source>
-        <translation>Nur die Ebene</translation>
+        <source>None (plane only)</source>
+        <translation>Keine (nur die Ebene)</translation>
     </message>
     <message>
-        <source>Mean</source>
-        <translation>Mittel</translation>
+        <source>Average</source>
+        <translation>Mittelwert</translation>
     </message>
     <message>
-        <source>Maximum</source>
-        <translation>Maximum</translation>
+        <source>Maximum (MIP)</source>
+        <translation>Maximum (MIP)</translation>
     </message>
     <message>
-        <source>Minimum</source>
-        <translation>Minimum</translation>
+        <source>Minimum (MinIP)</source>
+        <translation>Minimum (MinIP)</translation>
     </message>
     <message>
         <source>Convention</source>
@@ -600,28 +600,28 @@
         <translation>Ganze Schicht zeigen</translation>
     </message>
     <message>
-        <source>&amp;Picture alone</source>
-        <translation>Nur das &amp;Bild</translation>
+        <source>&amp;3-D view</source>
+        <translation>&amp;3D-Ansicht</translation>
     </message>
     <message>
-        <source>The picture without slices</source>
-        <translation>Das Bild ohne Schichten</translation>
+        <source>Show the 3-D view without slices</source>
+        <translation>Die 3D-Ansicht ohne Schichten zeigen</translation>
     </message>
     <message>
-        <source>Picture and &amp;slices</source>
-        <translation>Bild und &amp;Schichten</translation>
+        <source>3-D view and &amp;slices</source>
+        <translation>3D-Ansicht und &amp;Schichten</translation>
     </message>
     <message>
-        <source>Axial, coronal and sagittal slice beside the picture</source>
-        <translation>Axiale, koronale und sagittale Schicht neben dem Bild</translation>
+        <source>Show axial, coronal and sagittal slices next to the 3-D view</source>
+        <translation>Axiale, koronale und sagittale Schicht neben der 3D-Ansicht zeigen</translation>
     </message>
     <message>
         <source>Slices &amp;alone</source>
         <translation>&amp;Nur Schichten</translation>
     </message>
     <message>
-        <source>The three slices without the picture</source>
-        <translation>Die drei Schichten ohne das Bild</translation>
+        <source>Show the three slices without the 3-D view</source>
+        <translation>Die drei Schichten ohne die 3D-Ansicht zeigen</translation>
     </message>
     <message>
         <source>Accuracy</source>
@@ -636,7 +636,7 @@
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>not bounded</source>
+        <source>unbounded</source>
         <translation>unbegrenzt</translation>
     </message>
     <message>
@@ -644,40 +644,40 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>depth at most %1 mm off</source>
-        <translation>Tiefe höchstens %1 mm daneben</translation>
+        <source>depth error ≤ %1 mm</source>
+        <translation>Tiefenfehler ≤ %1 mm</translation>
     </message>
     <message>
-        <source>depth at most %1 voxels off</source>
-        <translation>Tiefe höchstens %1 Voxel daneben</translation>
+        <source>depth error ≤ %1 voxels</source>
+        <translation>Tiefenfehler ≤ %1 Voxel</translation>
     </message>
     <message>
-        <source>at most %1 % of pixels missed</source>
-        <translation>höchstens %1 % der Pixel verfehlt</translation>
+        <source>missed pixels ≤ %1 %</source>
+        <translation>verfehlte Pixel ≤ %1 %</translation>
     </message>
     <message>
-        <source>normals at most %1° off</source>
-        <translation>Normalen höchstens %1° daneben</translation>
+        <source>normal error ≤ %1°</source>
+        <translation>Normalenfehler ≤ %1°</translation>
     </message>
     <message>
-        <source>curvature at most %1 % off</source>
-        <translation>Krümmung höchstens %1 % daneben</translation>
+        <source>curvature error ≤ %1 %</source>
+        <translation>Krümmungsfehler ≤ %1 %</translation>
     </message>
     <message>
-        <source>light at most %1 % off</source>
-        <translation>Licht höchstens %1 % daneben</translation>
+        <source>light error ≤ %1 %</source>
+        <translation>Lichtfehler ≤ %1 %</translation>
     </message>
     <message>
-        <source>%1 % not certain</source>
-        <translation>%1 % nicht sicher</translation>
+        <source>%1 % of pixels uncertain</source>
+        <translation>%1 % der Pixel unsicher</translation>
     </message>
     <message>
-        <source>Nothing is seen · %1</source>
-        <translation>Nichts zu sehen · %1</translation>
+        <source>Nothing visible · %1</source>
+        <translation>Nichts sichtbar · %1</translation>
     </message>
     <message>
-        <source>Nothing is seen for certain · %1</source>
-        <translation>Nichts sicher zu sehen · %1</translation>
+        <source>No certain pixels · %1</source>
+        <translation>Keine sicheren Pixel · %1</translation>
     </message>
     <message>
         <source>Depth ± %1</source>
@@ -704,96 +704,102 @@
         <translation>Licht ± %1</translation>
     </message>
     <message>
-        <source>mm of depth</source>
-        <translation>mm der Tiefe</translation>
+        <source>mm (depth)</source>
+        <translation>mm (Tiefe)</translation>
     </message>
     <message>
-        <source>voxels of depth</source>
-        <translation>Voxel der Tiefe</translation>
+        <source>voxels (depth)</source>
+        <translation>Voxel (Tiefe)</translation>
     </message>
     <message>
-        <source>% of pixels missed</source>
-        <translation>% der Pixel verfehlt</translation>
+        <source>% (missed pixels)</source>
+        <translation>% (verfehlte Pixel)</translation>
     </message>
     <message>
-        <source>degrees of normals</source>
-        <translation>Grad der Normalen</translation>
+        <source>degrees (normals)</source>
+        <translation>Grad (Normalen)</translation>
     </message>
     <message>
-        <source>% of curvature</source>
-        <translation>% der Krümmung</translation>
+        <source>% (curvature)</source>
+        <translation>% (Krümmung)</translation>
     </message>
     <message>
-        <source>% of light</source>
-        <translation>% des Lichts</translation>
+        <source>% (light)</source>
+        <translation>% (Licht)</translation>
     </message>
     <message>
-        <source>The settings as they are do it.</source>
-        <translation>Die Einstellungen reichen so, wie sie sind.</translation>
+        <source>The current settings already meet this.</source>
+        <translation>Die aktuellen Einstellungen reichen dafür.</translation>
     </message>
     <message>
-        <source>A picture takes about %1 ms: %2</source>
-        <translation>Ein Bild dauert etwa %1 ms: %2</translation>
+        <source>Render time about %1 ms; %2</source>
+        <translation>Renderzeit etwa %1 ms; %2</translation>
     </message>
     <message>
-        <source>This picture reads no stored light, so there is nothing to choose</source>
-        <translation>Dieses Bild liest kein gespeichertes Licht, es gibt also nichts zu wählen</translation>
+        <source>This image uses no baked light; nothing to choose</source>
+        <translation>Dieses Bild verwendet kein gespeichertes Licht; nichts zu wählen</translation>
     </message>
     <message>
-        <source>This picture reads no curvature that stands clear of the noise, so there is nothing to choose</source>
-        <translation>Dieses Bild liest keine Krümmung, die sich vom Rauschen abhebt, es gibt also nichts zu wählen</translation>
+        <source>This image uses no significant curvature; nothing to choose</source>
+        <translation>Dieses Bild verwendet keine signifikante Krümmung; nichts zu wählen</translation>
     </message>
     <message>
-        <source>This picture has no such error, so there is nothing to choose</source>
-        <translation>Dieses Bild hat keinen solchen Fehler, es gibt also nichts zu wählen</translation>
+        <source>This image has no such error; nothing to choose</source>
+        <translation>Dieses Bild hat keinen solchen Fehler; nichts zu wählen</translation>
     </message>
     <message>
-        <source>Nothing of the first isosurface is seen, so nothing is chosen</source>
-        <translation>Von der ersten Isofläche ist nichts zu sehen, also wird nichts gewählt</translation>
+        <source>The first isosurface is not visible; nothing to choose</source>
+        <translation>Die erste Isofläche ist nicht sichtbar; nichts zu wählen</translation>
     </message>
     <message>
-        <source>no pixels missed</source>
-        <translation>keine Pixel verfehlt</translation>
+        <source>no missed pixels</source>
+        <translation>keine verfehlten Pixel</translation>
     </message>
     <message>
-        <source>Depth ± %1 by noise and sampling</source>
-        <translation>Tiefe ± %1 durch Rauschen und Abtastung</translation>
+        <source>Depth ± %1 (noise, discretisation)</source>
+        <translation>Tiefe ± %1 (Rauschen, Diskretisierung)</translation>
     </message>
     <message>
-        <source>by arithmetic ± %1</source>
-        <translation>durch Rechnung ± %1</translation>
+        <source>rounding ± %1</source>
+        <translation>Rundung ± %1</translation>
     </message>
     <message>
-        <source>How far the surface on screen may be from the object&apos;s own, by the noise of the samples and the distance between them, and from the same view in double precision, by arithmetic: 99 % of what is seen keeps these bounds, of light %2 %.
-A pixel is not certain where a rounding may show another surface, as along edges.
-One ray through the middle of each pixel, %1 pixels.</source>
-        <translation>Wie weit die Fläche auf dem Bildschirm von der des Objekts entfernt sein kann, durch das Rauschen der Abtastwerte und ihren Abstand, und von derselben Ansicht in doppelter Genauigkeit, durch Rechnung: 99 % des Sichtbaren halten diese Schranken ein, vom Licht %2 %.
-Ein Pixel ist ungewiss, wo eine Rundung eine andere Fläche zeigen kann, etwa an Kanten.
-Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
+        <source>Error bounds of the visible surface. Noise and discretisation: against the object itself. Rounding: against the same view in double precision.
+99 % of visible pixels keep these bounds (light: %2 %).
+A pixel is uncertain if rounding may change the surface that it shows, for example along edges.
+Computed with one ray through the centre of each pixel, %1 pixels.</source>
+        <translation>Fehlerschranken der sichtbaren Fläche. Rauschen und Diskretisierung: gegenüber dem Objekt selbst. Rundung: gegenüber derselben Ansicht in doppelter Genauigkeit.
+99 % der sichtbaren Pixel halten diese Schranken ein (Licht: %2 %).
+Ein Pixel ist unsicher, wenn Rundung die gezeigte Fläche ändern kann, etwa an Kanten.
+Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
     </message>
     <message>
         <source>Noise turns a typical normal by up to %1°.</source>
         <translation>Rauschen dreht eine typische Normale um bis zu %1°.</translation>
     </message>
     <message>
-        <source>Computing light was stopped at %1</source>
+        <source>Light computation stopped at %1</source>
         <translation>Lichtberechnung bei %1 angehalten</translation>
     </message>
     <message>
-        <source>Computing light is paused at %1</source>
+        <source>Light computation paused at %1</source>
         <translation>Lichtberechnung bei %1 pausiert</translation>
     </message>
     <message>
-        <source>Light is about to be computed</source>
+        <source>Light computation starts soon</source>
         <translation>Die Lichtberechnung beginnt gleich</translation>
     </message>
     <message>
-        <source>Light is being computed: %1, %2 left</source>
-        <translation>Das Licht wird berechnet: %1, noch %2</translation>
+        <source>Computing light: %1, %2 left</source>
+        <translation>Licht wird berechnet: %1, noch %2</translation>
     </message>
     <message>
-        <source>Light is being computed: %1</source>
-        <translation>Das Licht wird berechnet: %1</translation>
+        <source>Computing light: %1</source>
+        <translation>Licht wird berechnet: %1</translation>
+    </message>
+    <message>
+        <source>Rotatable</source>
+        <translation>Drehbar</translation>
     </message>
 </context>
 <context>
@@ -850,268 +856,348 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
 <context>
     <name>help</name>
     <message>
-        <source>&lt;b&gt;1 2 3 4 5 6&lt;/b&gt;</source>
-        <translation>&lt;b&gt;1 2 3 4 5 6&lt;/b&gt;</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Ctrl+F&lt;/b&gt;</source>
-        <translation>&lt;b&gt;Strg+F&lt;/b&gt;</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Ctrl+left drag&lt;/b&gt;</source>
-        <translation>&lt;b&gt;Strg+Ziehen links&lt;/b&gt;</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Ctrl+wheel&lt;/b&gt;, &lt;b&gt;middle drag&lt;/b&gt;</source>
-        <translation>&lt;b&gt;Strg+Mausrad&lt;/b&gt;, &lt;b&gt;Ziehen Mitte&lt;/b&gt;</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Double click&lt;/b&gt;</source>
-        <translation>&lt;b&gt;Doppelklick&lt;/b&gt;</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Drag the line&lt;/b&gt;</source>
-        <translation>&lt;b&gt;Linie ziehen&lt;/b&gt;</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;F11&lt;/b&gt;, &lt;b&gt;Esc&lt;/b&gt;</source>
-        <translation>&lt;b&gt;F11&lt;/b&gt;, &lt;b&gt;Esc&lt;/b&gt;</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;F4&lt;/b&gt;</source>
-        <translation>&lt;b&gt;F4&lt;/b&gt;</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;L&lt;/b&gt;, &lt;b&gt;Shift+L&lt;/b&gt;</source>
-        <translation>&lt;b&gt;L&lt;/b&gt;, &lt;b&gt;Umschalt+L&lt;/b&gt;</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Lamp handles&lt;/b&gt;</source>
-        <translation>&lt;b&gt;Griffe der Lampen&lt;/b&gt;</translation>
+        <source>3-D view</source>
+        <translation>3D-Ansicht</translation>
     </message>
     <message>
         <source>&lt;b&gt;Left drag&lt;/b&gt;</source>
         <translation>&lt;b&gt;Ziehen links&lt;/b&gt;</translation>
     </message>
     <message>
+        <source>rotate</source>
+        <translation>drehen</translation>
+    </message>
+    <message>
         <source>&lt;b&gt;Middle drag&lt;/b&gt;, &lt;b&gt;Shift+left drag&lt;/b&gt;</source>
         <translation>&lt;b&gt;Ziehen Mitte&lt;/b&gt;, &lt;b&gt;Umschalt+Ziehen links&lt;/b&gt;</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;P&lt;/b&gt;, &lt;b&gt;M&lt;/b&gt;, &lt;b&gt;Shift+M&lt;/b&gt;</source>
-        <translation>&lt;b&gt;P&lt;/b&gt;, &lt;b&gt;M&lt;/b&gt;, &lt;b&gt;Umschalt+M&lt;/b&gt;</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;R&lt;/b&gt;, &lt;b&gt;F&lt;/b&gt;, &lt;b&gt;O&lt;/b&gt;</source>
-        <translation>&lt;b&gt;R&lt;/b&gt;, &lt;b&gt;F&lt;/b&gt;, &lt;b&gt;O&lt;/b&gt;</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Right click&lt;/b&gt;, &lt;b&gt;menu key&lt;/b&gt;</source>
-        <translation>&lt;b&gt;Rechtsklick&lt;/b&gt;, &lt;b&gt;Menütaste&lt;/b&gt;</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Right drag&lt;/b&gt;, &lt;b&gt;wheel&lt;/b&gt;</source>
-        <translation>&lt;b&gt;Ziehen rechts&lt;/b&gt;, &lt;b&gt;Mausrad&lt;/b&gt;</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Shift+right drag&lt;/b&gt;</source>
-        <translation>&lt;b&gt;Umschalt+Ziehen rechts&lt;/b&gt;</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Space&lt;/b&gt;</source>
-        <translation>&lt;b&gt;Leertaste&lt;/b&gt;</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Wheel&lt;/b&gt;, &lt;b&gt;arrow keys&lt;/b&gt;</source>
-        <translation>&lt;b&gt;Mausrad&lt;/b&gt;, &lt;b&gt;Pfeiltasten&lt;/b&gt;</translation>
-    </message>
-    <message>
-        <source>Histogram</source>
-        <translation>Histogramm</translation>
-    </message>
-    <message>
-        <source>Picture</source>
-        <translation>Bild</translation>
-    </message>
-    <message>
-        <source>centre on the point of the surface</source>
-        <translation>auf den Punkt der Oberfläche zentrieren</translation>
-    </message>
-    <message>
-        <source>choose the isovalue</source>
-        <translation>Isowert wählen</translation>
-    </message>
-    <message>
-        <source>drag; with Ctrl, or by the wheel, nearer and farther (global illumination)</source>
-        <translation>ziehen; mit Strg oder dem Mausrad näher und ferner (globale Beleuchtung)</translation>
-    </message>
-    <message>
-        <source>find a setting</source>
-        <translation>Option suchen</translation>
-    </message>
-    <message>
-        <source>fine steps; with Shift ten times larger</source>
-        <translation>feine Schritte; mit Umschalt zehnmal größer</translation>
-    </message>
-    <message>
-        <source>from anterior, posterior, left, right, superior, inferior (front, back, +X, −X, up, down where the file states no orientation)</source>
-        <translation>von anterior, posterior, links, rechts, superior, inferior (vorn, hinten, +X, −X, oben, unten, wo die Datei keine Orientierung angibt)</translation>
-    </message>
-    <message>
-        <source>full screen, and back</source>
-        <translation>Vollbild und zurück</translation>
-    </message>
-    <message>
-        <source>hide or keep the piece of the surface under the pointer</source>
-        <translation>das Teil der Oberfläche unter dem Zeiger ausblenden oder behalten</translation>
-    </message>
-    <message>
-        <source>let the flow move, or stand still</source>
-        <translation>Strömung bewegen oder anhalten</translation>
-    </message>
-    <message>
-        <source>next and previous look</source>
-        <translation>nächste und vorige Darstellung</translation>
     </message>
     <message>
         <source>pan</source>
         <translation>verschieben</translation>
     </message>
     <message>
-        <source>pin, distance, distance along the surface: clicks set points; Backspace takes the last back, Esc ends</source>
-        <translation>Pin, Abstand, Abstand entlang der Oberfläche: Klicks setzen Punkte; die Rücktaste nimmt den letzten zurück, Esc beendet</translation>
-    </message>
-    <message>
-        <source>reset the view, fit the volume, orthographic</source>
-        <translation>Ansicht zurücksetzen, Volumen einpassen, orthographisch</translation>
-    </message>
-    <message>
-        <source>roll</source>
-        <translation>rollen</translation>
-    </message>
-    <message>
-        <source>rotate</source>
-        <translation>drehen</translation>
-    </message>
-    <message>
-        <source>suggested isovalue</source>
-        <translation>vorgeschlagener Isowert</translation>
-    </message>
-    <message>
-        <source>turn the light probe (global illumination)</source>
-        <translation>das Umgebungsbild drehen (globale Beleuchtung)</translation>
+        <source>&lt;b&gt;Right drag&lt;/b&gt;, &lt;b&gt;wheel&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Ziehen rechts&lt;/b&gt;, &lt;b&gt;Mausrad&lt;/b&gt;</translation>
     </message>
     <message>
         <source>zoom</source>
         <translation>zoomen</translation>
     </message>
     <message>
-        <source>zoom and move the axis of values</source>
-        <translation>die Achse der Werte zoomen und verschieben</translation>
+        <source>&lt;b&gt;Ctrl+left drag&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Strg+Ziehen links&lt;/b&gt;</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Alt+click&lt;/b&gt;, &lt;b&gt;right click&lt;/b&gt;</source>
-        <translation>&lt;b&gt;Alt+Klick&lt;/b&gt;, &lt;b&gt;Rechtsklick&lt;/b&gt;</translation>
+        <source>roll</source>
+        <translation>rollen</translation>
     </message>
     <message>
         <source>&lt;b&gt;Arrows&lt;/b&gt;, &lt;b&gt;Shift+arrows&lt;/b&gt;</source>
         <translation>&lt;b&gt;Pfeile&lt;/b&gt;, &lt;b&gt;Umschalt+Pfeile&lt;/b&gt;</translation>
     </message>
     <message>
-        <source>&lt;b&gt;C&lt;/b&gt;, &lt;b&gt;Shift+C&lt;/b&gt;, &lt;b&gt;Shift+X&lt;/b&gt;</source>
-        <translation>&lt;b&gt;C&lt;/b&gt;, &lt;b&gt;Umschalt+C&lt;/b&gt;, &lt;b&gt;Umschalt+X&lt;/b&gt;</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Click on the cube&lt;/b&gt;</source>
-        <translation>&lt;b&gt;Klick auf den Würfel&lt;/b&gt;</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Click&lt;/b&gt;, &lt;b&gt;drag&lt;/b&gt;, &lt;b&gt;arrows&lt;/b&gt;</source>
-        <translation>&lt;b&gt;Klick&lt;/b&gt;, &lt;b&gt;Ziehen&lt;/b&gt;, &lt;b&gt;Pfeile&lt;/b&gt;</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Ctrl+0&lt;/b&gt;, &lt;b&gt;Ctrl+1 …&lt;/b&gt;, &lt;b&gt;F6&lt;/b&gt;</source>
-        <translation>&lt;b&gt;Strg+0&lt;/b&gt;, &lt;b&gt;Strg+1 …&lt;/b&gt;, &lt;b&gt;F6&lt;/b&gt;</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Ctrl+C&lt;/b&gt;, &lt;b&gt;Ctrl+E&lt;/b&gt;</source>
-        <translation>&lt;b&gt;Strg+C&lt;/b&gt;, &lt;b&gt;Strg+E&lt;/b&gt;</translation>
+        <source>rotate by 5°, pan</source>
+        <translation>um 5° drehen, verschieben</translation>
     </message>
     <message>
         <source>&lt;b&gt;Ctrl+left, right&lt;/b&gt;, &lt;b&gt;+ −&lt;/b&gt;</source>
         <translation>&lt;b&gt;Strg+links, rechts&lt;/b&gt;, &lt;b&gt;+ −&lt;/b&gt;</translation>
     </message>
     <message>
+        <source>roll by 5°, zoom</source>
+        <translation>um 5° rollen, zoomen</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Double click&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Doppelklick&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>centre the surface point</source>
+        <translation>Oberflächenpunkt zentrieren</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Click on the cube&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Klick auf den Würfel&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>view from that side</source>
+        <translation>Ansicht von dieser Seite</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;1 2 3 4 5 6&lt;/b&gt;</source>
+        <translation>&lt;b&gt;1 2 3 4 5 6&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>view from anterior, posterior, left, right, superior, inferior (unknown orientation: front, back, +X, −X, above, below)</source>
+        <translation>Ansicht von anterior, posterior, links, rechts, superior, inferior (Orientierung unbekannt: vorn, hinten, +X, −X, oben, unten)</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;R&lt;/b&gt;, &lt;b&gt;F&lt;/b&gt;, &lt;b&gt;O&lt;/b&gt;</source>
+        <translation>&lt;b&gt;R&lt;/b&gt;, &lt;b&gt;F&lt;/b&gt;, &lt;b&gt;O&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>reset view, zoom to fit, orthographic</source>
+        <translation>Ansicht zurücksetzen, einpassen, orthographisch</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;L&lt;/b&gt;, &lt;b&gt;Shift+L&lt;/b&gt;</source>
+        <translation>&lt;b&gt;L&lt;/b&gt;, &lt;b&gt;Umschalt+L&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>next, previous look</source>
+        <translation>nächste, vorige Darstellung</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Space&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Leertaste&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>animate the flow, stop it</source>
+        <translation>Strömung bewegen, anhalten</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Right click&lt;/b&gt;, &lt;b&gt;Menu key&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Rechtsklick&lt;/b&gt;, &lt;b&gt;Menütaste&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>hide or keep the piece under the pointer</source>
+        <translation>Teil unter dem Zeiger ausblenden oder behalten</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;P&lt;/b&gt;, &lt;b&gt;M&lt;/b&gt;, &lt;b&gt;Shift+M&lt;/b&gt;</source>
+        <translation>&lt;b&gt;P&lt;/b&gt;, &lt;b&gt;M&lt;/b&gt;, &lt;b&gt;Umschalt+M&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>pin, distance, geodesic distance</source>
+        <translation>Pin, Abstand, geodätischer Abstand</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Click&lt;/b&gt;, &lt;b&gt;Shift+click&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Klick&lt;/b&gt;, &lt;b&gt;Umschalt+Klick&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>set a point, add more points (measuring)</source>
+        <translation>Punkt setzen, weitere Punkte hinzufügen (beim Messen)</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Backspace&lt;/b&gt;, &lt;b&gt;Esc&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Rücktaste&lt;/b&gt;, &lt;b&gt;Esc&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>remove the last point, end measuring</source>
+        <translation>letzten Punkt entfernen, Messen beenden</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;C&lt;/b&gt;, &lt;b&gt;Shift+C&lt;/b&gt;, &lt;b&gt;Shift+X&lt;/b&gt;</source>
+        <translation>&lt;b&gt;C&lt;/b&gt;, &lt;b&gt;Umschalt+C&lt;/b&gt;, &lt;b&gt;Umschalt+X&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>clip plane facing the viewer, reverse the last plane, remove all</source>
+        <translation>Schnittebene senkrecht zur Blickrichtung, letzte Ebene umkehren, alle entfernen</translation>
+    </message>
+    <message>
         <source>&lt;b&gt;Handles of cuts&lt;/b&gt;</source>
         <translation>&lt;b&gt;Griffe der Schnitte&lt;/b&gt;</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Middle drag&lt;/b&gt;, &lt;b&gt;Ctrl+wheel&lt;/b&gt;, &lt;b&gt;double click&lt;/b&gt;</source>
-        <translation>&lt;b&gt;Ziehen (Mitte)&lt;/b&gt;, &lt;b&gt;Strg+Rad&lt;/b&gt;, &lt;b&gt;Doppelklick&lt;/b&gt;</translation>
+        <source>drag: move, turn (Ctrl: snap; Esc: cancel); wheel: step by a voxel; right click: menu</source>
+        <translation>Ziehen: bewegen, drehen (Strg: einrasten; Esc: abbrechen); Mausrad: um ein Voxel weiter; Rechtsklick: Menü</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Right drag&lt;/b&gt;, &lt;b&gt;right click&lt;/b&gt;</source>
-        <translation>&lt;b&gt;Ziehen (rechts)&lt;/b&gt;, &lt;b&gt;Rechtsklick&lt;/b&gt;</translation>
+        <source>&lt;b&gt;Handles of lights&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Griffe der Lichtquellen&lt;/b&gt;</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Wheel&lt;/b&gt;, &lt;b&gt;page keys&lt;/b&gt;</source>
-        <translation>&lt;b&gt;Rad&lt;/b&gt;, &lt;b&gt;Bildtasten&lt;/b&gt;</translation>
+        <source>drag: move (Ctrl, wheel: distance); outline: radius</source>
+        <translation>Ziehen: bewegen (Strg, Mausrad: Entfernung); Umriss: Radius</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Shift+right drag&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Umschalt+Ziehen rechts&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>turn the environment</source>
+        <translation>Umgebung drehen</translation>
     </message>
     <message>
         <source>Slices</source>
         <translation>Schichten</translation>
     </message>
     <message>
-        <source>a voxel farther</source>
-        <translation>ein Voxel weiter</translation>
+        <source>&lt;b&gt;Click&lt;/b&gt;, &lt;b&gt;drag&lt;/b&gt;, &lt;b&gt;arrows&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Klick&lt;/b&gt;, &lt;b&gt;Ziehen&lt;/b&gt;, &lt;b&gt;Pfeile&lt;/b&gt;</translation>
     </message>
     <message>
-        <source>copy the picture, save it</source>
-        <translation>Bild kopieren, speichern</translation>
+        <source>move the crosshair (or click the surface)</source>
+        <translation>Fadenkreuz bewegen (oder auf die Fläche klicken)</translation>
     </message>
     <message>
-        <source>cut: plane facing the viewer, flip the last plane, remove all cuts</source>
-        <translation>schneiden: Ebene senkrecht zur Blickrichtung, letzte Ebene umkehren, alle Schnitte entfernen</translation>
+        <source>&lt;b&gt;Wheel&lt;/b&gt;, &lt;b&gt;Page Up&lt;/b&gt;, &lt;b&gt;Page Down&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Mausrad&lt;/b&gt;, &lt;b&gt;Bild auf&lt;/b&gt;, &lt;b&gt;Bild ab&lt;/b&gt;</translation>
     </message>
     <message>
-        <source>drag to move or turn planes and box; with Ctrl to axes; Esc puts it back; right click for more</source>
-        <translation>ziehen bewegt oder dreht Ebenen und Quader; mit Strg auf Achsen; Esc stellt zurück; Rechtsklick für mehr</translation>
+        <source>step by a voxel (moves the cut that the slice shows)</source>
+        <translation>um ein Voxel weiter (bewegt den Schnitt, den die Schicht zeigt)</translation>
     </message>
     <message>
-        <source>from that side</source>
-        <translation>von dieser Seite</translation>
+        <source>&lt;b&gt;Right drag&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Ziehen rechts&lt;/b&gt;</translation>
     </message>
     <message>
-        <source>level and width; which plane, thick slice, windows of CT</source>
-        <translation>Fensterlage und -breite; welche Ebene, dicke Schicht, CT-Fenster</translation>
+        <source>level (vertical) and width (horizontal)</source>
+        <translation>Fenstermitte (senkrecht) und -breite (waagerecht)</translation>
     </message>
     <message>
-        <source>move the crosshair; a click on the surface does, too</source>
-        <translation>Fadenkreuz bewegen; ein Klick auf die Fläche auch</translation>
+        <source>plane, slab, CT windows, contours</source>
+        <translation>Ebene, dicke Schicht, CT-Fenster, Konturen</translation>
     </message>
     <message>
-        <source>one more isosurface there</source>
-        <translation>dort eine weitere Isofläche</translation>
+        <source>&lt;b&gt;Middle drag&lt;/b&gt;, &lt;b&gt;Shift+left drag&lt;/b&gt;, &lt;b&gt;Shift+arrows&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Ziehen Mitte&lt;/b&gt;, &lt;b&gt;Umschalt+Ziehen links&lt;/b&gt;, &lt;b&gt;Umschalt+Pfeile&lt;/b&gt;</translation>
     </message>
     <message>
-        <source>pan, zoom, the whole</source>
-        <translation>verschieben, vergrößern, das Ganze</translation>
+        <source>&lt;b&gt;Ctrl+wheel&lt;/b&gt;, &lt;b&gt;+ −&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Strg+Mausrad&lt;/b&gt;, &lt;b&gt;+ −&lt;/b&gt;</translation>
     </message>
     <message>
-        <source>picture and slices, slices alone, the picture alone</source>
-        <translation>Bild und Schichten, nur Schichten, nur das Bild</translation>
+        <source>&lt;b&gt;Double click&lt;/b&gt;, &lt;b&gt;Home&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Doppelklick&lt;/b&gt;, &lt;b&gt;Pos1&lt;/b&gt;</translation>
     </message>
     <message>
-        <source>roll by 5 degrees, zoom</source>
-        <translation>um 5 Grad rollen, vergrößern</translation>
+        <source>whole slice</source>
+        <translation>ganze Schicht</translation>
     </message>
     <message>
-        <source>to the picture, to the panels, to the next part of the window</source>
-        <translation>zum Bild, zu den Feldern, zum nächsten Teil des Fensters</translation>
+        <source>Histogram</source>
+        <translation>Histogramm</translation>
     </message>
     <message>
-        <source>turn by 5 degrees, pan</source>
-        <translation>um 5 Grad drehen, verschieben</translation>
+        <source>&lt;b&gt;Drag&lt;/b&gt;, &lt;b&gt;click&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Ziehen&lt;/b&gt;, &lt;b&gt;Klick&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>set the isovalue</source>
+        <translation>Isowert setzen</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Wheel&lt;/b&gt;, &lt;b&gt;arrows&lt;/b&gt;, &lt;b&gt;Page Up&lt;/b&gt;, &lt;b&gt;Page Down&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Mausrad&lt;/b&gt;, &lt;b&gt;Pfeile&lt;/b&gt;, &lt;b&gt;Bild auf&lt;/b&gt;, &lt;b&gt;Bild ab&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>fine steps (Shift: tenfold)</source>
+        <translation>feine Schritte (Umschalt: zehnfach)</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Alt+click&lt;/b&gt;, &lt;b&gt;right click&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Alt+Klick&lt;/b&gt;, &lt;b&gt;Rechtsklick&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>add an isosurface, menu</source>
+        <translation>Isofläche hinzufügen, Menü</translation>
+    </message>
+    <message>
+        <source>suggested isovalue</source>
+        <translation>vorgeschlagener Isowert</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Ctrl+wheel&lt;/b&gt;, &lt;b&gt;middle drag&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Strg+Mausrad&lt;/b&gt;, &lt;b&gt;Ziehen Mitte&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>zoom, pan the value axis</source>
+        <translation>Wertachse zoomen, verschieben</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Ctrl+N&lt;/b&gt;, &lt;b&gt;Ctrl+O&lt;/b&gt;, &lt;b&gt;Ctrl+Shift+O&lt;/b&gt;, &lt;b&gt;Ctrl+Shift+D&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Strg+N&lt;/b&gt;, &lt;b&gt;Strg+O&lt;/b&gt;, &lt;b&gt;Strg+Umschalt+O&lt;/b&gt;, &lt;b&gt;Strg+Umschalt+D&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>new window, open a file, a folder, DICOM browser</source>
+        <translation>neues Fenster, Datei öffnen, Ordner öffnen, DICOM-Browser</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Ctrl+S&lt;/b&gt;, &lt;b&gt;Ctrl+Shift+S&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Strg+S&lt;/b&gt;, &lt;b&gt;Strg+Umschalt+S&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>save session, save as</source>
+        <translation>Sitzung speichern, speichern unter</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Ctrl+E&lt;/b&gt;, &lt;b&gt;Ctrl+C&lt;/b&gt;, &lt;b&gt;Ctrl+Shift+C&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Strg+E&lt;/b&gt;, &lt;b&gt;Strg+C&lt;/b&gt;, &lt;b&gt;Strg+Umschalt+C&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>save the image, copy it, copy its command line</source>
+        <translation>Bild speichern, kopieren, Befehlszeile kopieren</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Ctrl+R&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Strg+R&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>start, stop recording</source>
+        <translation>Aufzeichnung beginnen, beenden</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Ctrl+Z&lt;/b&gt;, &lt;b&gt;Ctrl+Shift+Z&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Strg+Z&lt;/b&gt;, &lt;b&gt;Strg+Umschalt+Z&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>undo, redo</source>
+        <translation>rückgängig, wiederholen</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Ctrl+F&lt;/b&gt;, &lt;b&gt;Ctrl+,&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Strg+F&lt;/b&gt;, &lt;b&gt;Strg+,&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>find a setting, preferences</source>
+        <translation>Einstellung suchen, Programmeinstellungen</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Delete&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Entf&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>delete selected measurements (panel &lt;i&gt;Measurements&lt;/i&gt;)</source>
+        <translation>gewählte Messungen löschen (Bedienfeld &lt;i&gt;Messungen&lt;/i&gt;)</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;F4&lt;/b&gt;</source>
+        <translation>&lt;b&gt;F4&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>next layout: 3-D view, with slices, slices alone</source>
+        <translation>nächste Anordnung: 3D-Ansicht, mit Schichten, nur Schichten</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Ctrl+0&lt;/b&gt;, &lt;b&gt;Ctrl+1 … 7&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Strg+0&lt;/b&gt;, &lt;b&gt;Strg+1 … 7&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>go to the 3-D view, to a panel</source>
+        <translation>zur 3D-Ansicht, zu einem Bedienfeld</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;F6&lt;/b&gt;, &lt;b&gt;Shift+F6&lt;/b&gt;</source>
+        <translation>&lt;b&gt;F6&lt;/b&gt;, &lt;b&gt;Umschalt+F6&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>next, previous part of the window</source>
+        <translation>nächster, voriger Teil des Fensters</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;F1&lt;/b&gt;, &lt;b&gt;F11&lt;/b&gt;, &lt;b&gt;Ctrl+Q&lt;/b&gt;</source>
+        <translation>&lt;b&gt;F1&lt;/b&gt;, &lt;b&gt;F11&lt;/b&gt;, &lt;b&gt;Strg+Q&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>help, full screen (Esc: back), quit</source>
+        <translation>Hilfe, Vollbild (Esc: zurück), beenden</translation>
     </message>
 </context>
 <context>
@@ -1125,98 +1211,98 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>The present setting</source>
-        <translation>Die jetzige Einstellung</translation>
+        <source>Current setting</source>
+        <translation>Aktuelle Einstellung</translation>
     </message>
     <message>
-        <source>The default</source>
-        <translation>Die Vorgabe</translation>
+        <source>Default</source>
+        <translation>Standard</translation>
     </message>
 </context>
 <context>
     <name>isolux::ui::AccuracyPanel</name>
     <message>
-        <source>time to compute the light, s</source>
-        <translation>Zeit für die Lichtberechnung, s</translation>
+        <source>light computation time, s</source>
+        <translation>Zeit der Lichtberechnung, s</translation>
     </message>
     <message>
-        <source>time to read the light, ms</source>
-        <translation>Zeit zum Lesen des Lichts, ms</translation>
+        <source>light lookup time, ms</source>
+        <translation>Lesezeit des Lichts, ms</translation>
     </message>
     <message>
         <source>graphics memory, MiB</source>
         <translation>Grafikspeicher, MiB</translation>
     </message>
     <message>
-        <source>time of these passes, ms</source>
-        <translation>Zeit dieser Schritte, ms</translation>
+        <source>render time of these passes, ms</source>
+        <translation>Renderzeit dieser Durchgänge, ms</translation>
     </message>
     <message>
-        <source>error of the depth, voxels</source>
-        <translation>Fehler der Tiefe, Voxel</translation>
+        <source>depth error, voxels</source>
+        <translation>Tiefenfehler, Voxel</translation>
     </message>
     <message>
-        <source>error of the normal, degrees</source>
-        <translation>Fehler der Normale, Grad</translation>
+        <source>normal error, degrees</source>
+        <translation>Normalenfehler, Grad</translation>
     </message>
     <message>
-        <source>relative error of the curvature</source>
-        <translation>relativer Fehler der Krümmung</translation>
+        <source>relative curvature error</source>
+        <translation>relativer Krümmungsfehler</translation>
     </message>
     <message>
-        <source>relative error of the light</source>
-        <translation>relativer Fehler des Lichts</translation>
+        <source>relative light error</source>
+        <translation>relativer Lichtfehler</translation>
     </message>
     <message>
-        <source>Square: the present setting. Ring: the default. Dashed line: no other value is as accurate in less time. Click a point to use it.</source>
-        <translation>Quadrat: die jetzige Einstellung. Ring: die Vorgabe. Gestrichelt: Kein anderer Wert ist in weniger Zeit so genau. Ein Klick auf einen Punkt übernimmt ihn.</translation>
+        <source>Square: current setting. Ring: default. Dashed line: no other value is as accurate in less time. Click a point to use its value.</source>
+        <translation>Quadrat: aktuelle Einstellung. Ring: Standard. Gestrichelt: kein anderer Wert ist in weniger Zeit so genau. Ein Klick auf einen Punkt übernimmt dessen Wert.</translation>
     </message>
     <message>
-        <source>Setting that trades accuracy for time</source>
-        <translation>Option, die Genauigkeit gegen Zeit tauscht</translation>
+        <source>Quality setting (accuracy against time)</source>
+        <translation>Qualitätseinstellung (Genauigkeit gegen Zeit)</translation>
     </message>
     <message>
-        <source>What accuracy costs in time is shown here: open a volume.</source>
-        <translation>Hier steht, was Genauigkeit an Zeit kostet: ein Volumen öffnen.</translation>
+        <source>Open a volume to plot its accuracy against render time.</source>
+        <translation>Ein Volumen öffnen, um seine Genauigkeit gegen die Renderzeit aufzutragen.</translation>
     </message>
     <message>
-        <source>Measuring … %1 %</source>
+        <source>Measuring… %1 %</source>
         <translation>Messung … %1 %</translation>
     </message>
     <message>
-        <source>Measured when the window rests</source>
-        <translation>Gemessen wird, wenn das Fenster ruht</translation>
+        <source>Waiting until the window is idle</source>
+        <translation>Warten, bis das Fenster ruht</translation>
     </message>
     <message>
-        <source>The plot is of an earlier view or scene</source>
-        <translation>Das Diagramm gilt für eine frühere Ansicht oder Szene</translation>
+        <source>This chart belongs to an earlier view or scene</source>
+        <translation>Das Diagramm gehört zu einer früheren Ansicht oder Szene</translation>
     </message>
     <message>
-        <source>Measured on the processor in %1 × %2 pixels of this view, against double precision</source>
-        <translation>Auf dem Prozessor in %1 × %2 Pixeln dieser Ansicht gemessen, gegen doppelte Genauigkeit</translation>
+        <source>Measured on the CPU at %1 × %2 pixels of this view, against double precision</source>
+        <translation>Auf der CPU mit %1 × %2 Pixeln dieser Ansicht gemessen, gegenüber doppelter Genauigkeit</translation>
     </message>
     <message>
         <source>Change %1</source>
         <translation>%1 ändern</translation>
     </message>
     <message>
-        <source>time of the picture, ms</source>
-        <translation>Zeit des Bildes, ms</translation>
+        <source>render time, ms</source>
+        <translation>Renderzeit, ms</translation>
     </message>
     <message>
-        <source>error at edges, parts of the range</source>
-        <translation>Fehler an Rändern, Teile des Bereichs</translation>
+        <source>error at edges, fraction of the range</source>
+        <translation>Fehler an Rändern, Anteil des Bereichs</translation>
     </message>
     <message>
-        <source>Measuring the picture on screen …</source>
-        <translation>Das Bild auf dem Schirm wird gemessen …</translation>
+        <source>Measuring the image on screen…</source>
+        <translation>Das Bild auf dem Bildschirm wird gemessen …</translation>
     </message>
 </context>
 <context>
     <name>isolux::ui::AppearanceRows</name>
     <message>
-        <source>From the next start of Isolux on.</source>
-        <translation>Ab dem nächsten Start von Isolux.</translation>
+        <source>Takes effect after a restart.</source>
+        <translation>Wird nach einem Neustart wirksam.</translation>
     </message>
     <message>
         <source>Dark</source>
@@ -1227,24 +1313,24 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>Hell</translation>
     </message>
     <message>
-        <source>As the system</source>
-        <translation>Wie das System</translation>
+        <source>System default</source>
+        <translation>Systemstandard</translation>
     </message>
     <message>
-        <source>Colours of the window</source>
-        <translation>Farben des Fensters</translation>
+        <source>Theme</source>
+        <translation>Farbschema</translation>
     </message>
     <message>
-        <source>The picture&apos;s own background is a setting of the scene.</source>
-        <translation>Der Hintergrund des Bildes selbst ist eine Option der Szene.</translation>
+        <source>The background of the image is a setting of the scene.</source>
+        <translation>Der Hintergrund des Bildes ist eine Einstellung der Szene.</translation>
     </message>
     <message>
-        <source>Size of texts and controls</source>
-        <translation>Größe von Texten und Bedienelementen</translation>
+        <source>Text and control size</source>
+        <translation>Größe von Text und Bedienelementen</translation>
     </message>
     <message>
-        <source>Beside the scale of the screen itself.</source>
-        <translation>Zusätzlich zur Skalierung des Bildschirms.</translation>
+        <source>Multiplies the scaling of the screen.</source>
+        <translation>Multipliziert die Skalierung des Bildschirms.</translation>
     </message>
 </context>
 <context>
@@ -1277,7 +1363,7 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>Gewählten Punkt entfernen</translation>
     </message>
     <message>
-        <source>%1 of the selected point, in parts of the range</source>
+        <source>%1 of the selected point, as a fraction of the range</source>
         <translation>%1 des gewählten Punktes, als Anteil des Bereichs</translation>
     </message>
 </context>
@@ -1315,20 +1401,20 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>&amp;Griffe zeigen</translation>
     </message>
     <message>
-        <source>Planes and box have handles in the picture, to drag</source>
-        <translation>Ebenen und Quader haben im Bild Griffe zum Ziehen</translation>
+        <source>Show handles of planes and box in the 3-D view</source>
+        <translation>Griffe von Ebenen und Quader in der 3D-Ansicht zeigen</translation>
     </message>
     <message>
         <source>&amp;Remove all cuts</source>
         <translation>Alle Schnitte &amp;entfernen</translation>
     </message>
     <message>
-        <source>Nothing is cut away any more</source>
-        <translation>Nichts wird mehr weggeschnitten</translation>
+        <source>Remove all planes and boxes</source>
+        <translation>Alle Ebenen und Quader entfernen</translation>
     </message>
     <message>
-        <source>A plane through the crosshair, or the middle of what is looked at; what lies before it is cut away</source>
-        <translation>Eine Ebene durch das Fadenkreuz oder die Mitte des Betrachteten; was davor liegt, wird weggeschnitten</translation>
+        <source>Add a plane through the crosshair or the view’s target, and cut away what is in front of it</source>
+        <translation>Eine Ebene durch das Fadenkreuz oder das Ziel der Ansicht hinzufügen und wegschneiden, was davor liegt</translation>
     </message>
     <message>
         <source>Plane facing the &amp;viewer</source>
@@ -1339,27 +1425,27 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>Ebene durch &amp;drei Punkte</translation>
     </message>
     <message>
-        <source>Through the points of the mark that is chosen in the list, or the last three points that were marked</source>
-        <translation>Durch die Punkte der in der Liste gewählten Marke oder die drei zuletzt markierten Punkte</translation>
+        <source>Add a plane through the points of the selected measurement, or the last three points set</source>
+        <translation>Eine Ebene durch die Punkte der gewählten Messung oder die drei zuletzt gesetzten Punkte hinzufügen</translation>
     </message>
     <message>
         <source>&amp;Box</source>
         <translation>&amp;Quader</translation>
     </message>
     <message>
-        <source>What lies outside the box is cut away</source>
-        <translation>Was außerhalb des Quaders liegt, wird weggeschnitten</translation>
+        <source>Add a box and cut away everything outside it</source>
+        <translation>Einen Quader hinzufügen und alles außerhalb wegschneiden</translation>
     </message>
     <message>
-        <source>&amp;Flip the last plane</source>
+        <source>Revers&amp;e last plane</source>
         <translation>Letzte Ebene &amp;umkehren</translation>
     </message>
     <message>
-        <source>The other side of the plane is cut away</source>
-        <translation>Die andere Seite der Ebene wird weggeschnitten</translation>
+        <source>Cut away the other side of the plane</source>
+        <translation>Die andere Seite der Ebene wegschneiden</translation>
     </message>
     <message>
-        <source>Flip plane %1</source>
+        <source>Reverse plane %1</source>
         <translation>Ebene %1 umkehren</translation>
     </message>
     <message>
@@ -1367,7 +1453,7 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>Ebene &amp;%1</translation>
     </message>
     <message>
-        <source>&amp;Flip</source>
+        <source>Revers&amp;e</source>
         <translation>&amp;Umkehren</translation>
     </message>
     <message>
@@ -1375,8 +1461,8 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>An der nächsten &amp;Achse ausrichten</translation>
     </message>
     <message>
-        <source>Its normal becomes an axis of the world</source>
-        <translation>Ihre Normale wird eine Achse der Welt</translation>
+        <source>Align its normal with an axis</source>
+        <translation>Ihre Normale an einer Achse ausrichten</translation>
     </message>
     <message>
         <source>Align plane %1</source>
@@ -1387,8 +1473,8 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>Zum &amp;Betrachter drehen</translation>
     </message>
     <message>
-        <source>Its normal points to the viewer</source>
-        <translation>Ihre Normale zeigt zum Betrachter</translation>
+        <source>Turn its normal towards the viewer</source>
+        <translation>Ihre Normale zum Betrachter drehen</translation>
     </message>
     <message>
         <source>Turn plane %1 to the viewer</source>
@@ -1399,72 +1485,72 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>&amp;Entfernen</translation>
     </message>
     <message>
-        <source>The plane cuts nothing any more</source>
-        <translation>Die Ebene schneidet nichts mehr weg</translation>
+        <source>Remove this plane</source>
+        <translation>Diese Ebene entfernen</translation>
     </message>
     <message>
         <source>Bo&amp;x</source>
-        <translation>Qua&amp;der</translation>
+        <translation>Quade&amp;r</translation>
     </message>
     <message>
         <source>&amp;Align to the axes</source>
         <translation>An den &amp;Achsen ausrichten</translation>
     </message>
     <message>
-        <source>The box is not turned any more</source>
-        <translation>Der Quader ist nicht mehr gedreht</translation>
+        <source>Turn the box back to the axes</source>
+        <translation>Den Quader auf die Achsen zurückdrehen</translation>
     </message>
     <message>
         <source>Align the box</source>
         <translation>Quader ausrichten</translation>
     </message>
     <message>
-        <source>The box cuts nothing any more</source>
-        <translation>Der Quader schneidet nichts mehr weg</translation>
+        <source>Remove this box</source>
+        <translation>Diesen Quader entfernen</translation>
     </message>
     <message>
-        <source>Cut f&amp;aces show</source>
-        <translation>Schnitt&amp;flächen zeigen</translation>
+        <source>Cut &amp;faces</source>
+        <translation>Schnitt&amp;flächen</translation>
     </message>
     <message>
         <source>Change cut faces</source>
         <translation>Schnittflächen ändern</translation>
     </message>
     <message>
-        <source>&amp;Nothing</source>
-        <translation>&amp;Nichts</translation>
+        <source>&amp;None</source>
+        <translation>&amp;Keine</translation>
     </message>
     <message>
-        <source>The cut stays open: inner sides of surfaces are seen</source>
-        <translation>Der Schnitt bleibt offen: Innenseiten der Flächen sind zu sehen</translation>
+        <source>Leave the cut open and show the back faces of surfaces</source>
+        <translation>Den Schnitt offen lassen und die Rückseiten der Flächen zeigen</translation>
     </message>
     <message>
-        <source>The values &amp;inside</source>
-        <translation>Die Werte &amp;innen</translation>
+        <source>Values &amp;inside</source>
+        <translation>Werte &amp;innen</translation>
     </message>
     <message>
-        <source>Values of the voxels where the inside of a surface was cut</source>
-        <translation>Werte der Voxel, wo das Innere einer Fläche geschnitten ist</translation>
+        <source>Show voxel values where the inside of a surface is cut</source>
+        <translation>Voxelwerte zeigen, wo das Innere einer Fläche geschnitten ist</translation>
     </message>
     <message>
-        <source>The &amp;whole slice</source>
-        <translation>Die &amp;ganze Schicht</translation>
+        <source>&amp;Whole slice</source>
+        <translation>&amp;Ganze Schicht</translation>
     </message>
     <message>
-        <source>Values of the voxels on the whole face</source>
-        <translation>Werte der Voxel auf der ganzen Schnittfläche</translation>
+        <source>Show voxel values on the whole cut face</source>
+        <translation>Voxelwerte auf der ganzen Schnittfläche zeigen</translation>
     </message>
     <message>
-        <source>&amp;Surfaces that are cut</source>
-        <translation>&amp;Flächen, die geschnitten werden</translation>
+        <source>Cut s&amp;urfaces</source>
+        <translation>Geschnittene F&amp;lächen</translation>
     </message>
     <message>
         <source>Isosurface &amp;%1</source>
         <translation>Isofläche &amp;%1</translation>
     </message>
     <message>
-        <source>Whether planes and box cut this surface</source>
-        <translation>Ob Ebenen und Quader diese Fläche schneiden</translation>
+        <source>Let planes and box cut this surface</source>
+        <translation>Ebenen und Quader diese Fläche schneiden lassen</translation>
     </message>
     <message>
         <source>&amp;Axial plane</source>
@@ -1495,16 +1581,16 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>Erst ein Volumen öffnen.</translation>
     </message>
     <message>
-        <source>There are %1 planes, as many as can be: remove one first.</source>
-        <translation>Es gibt schon %1 Ebenen, mehr gehen nicht: erst eine entfernen.</translation>
+        <source>At most %1 planes are possible: remove one first.</source>
+        <translation>Höchstens %1 Ebenen sind möglich: erst eine entfernen.</translation>
     </message>
     <message>
         <source>Nothing is cut: add a plane or a box first.</source>
         <translation>Nichts ist geschnitten: erst eine Ebene oder einen Quader hinzufügen.</translation>
     </message>
     <message>
-        <source>Mark three points first, with the tools of the Measure menu.</source>
-        <translation>Erst drei Punkte markieren, mit den Werkzeugen des Menüs Messen.</translation>
+        <source>Set three points first, with a tool of the Measure menu.</source>
+        <translation>Erst drei Punkte setzen, mit einem Werkzeug des Menüs Messen.</translation>
     </message>
     <message>
         <source>There is a box already: drag its faces.</source>
@@ -1527,8 +1613,8 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>Ebene durch drei Punkte</translation>
     </message>
     <message>
-        <source>The three points lie on a line, and many planes go through a line: mark another point beside it.</source>
-        <translation>Die drei Punkte liegen auf einer Geraden, durch die viele Ebenen gehen: einen weiteren Punkt daneben markieren.</translation>
+        <source>The three points lie on a line: set another point off that line.</source>
+        <translation>Die drei Punkte liegen auf einer Geraden: einen weiteren Punkt abseits davon setzen.</translation>
     </message>
     <message>
         <source>Remove plane %1</source>
@@ -1558,8 +1644,8 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
 <context>
     <name>isolux::ui::DicomBrowser</name>
     <message>
-        <source>&amp;Hide who the patients are</source>
-        <translation>&amp;Patienten anonymisieren</translation>
+        <source>&amp;Hide patient data</source>
+        <translation>&amp;Patientendaten verbergen</translation>
     </message>
     <message>
         <source>&amp;Stop</source>
@@ -1567,7 +1653,7 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
     </message>
     <message>
         <source>DICOM browser</source>
-        <translation>DICOM-Übersicht</translation>
+        <translation>DICOM-Browser</translation>
     </message>
     <message>
         <source>Search patients, descriptions, dates, modalities</source>
@@ -1582,12 +1668,12 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>&amp;Ordner …</translation>
     </message>
     <message>
-        <source>Look through another folder or disc</source>
-        <translation>Einen anderen Ordner oder Datenträger durchsehen</translation>
+        <source>Search another folder or disc</source>
+        <translation>Einen anderen Ordner oder Datenträger durchsuchen</translation>
     </message>
     <message>
-        <source>Names, ids and birth dates are shown as “anonymous”, here and in the window</source>
-        <translation>Namen, Kennungen und Geburtsdaten erscheinen hier und im Fenster als „anonym“</translation>
+        <source>Show names, IDs and birth dates as “anonymous”, here and in the window</source>
+        <translation>Namen, Kennungen und Geburtsdaten hier und im Fenster als „anonym“ zeigen</translation>
     </message>
     <message>
         <source>Patients, studies and series</source>
@@ -1615,19 +1701,19 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
     </message>
     <message>
         <source>Spacing</source>
-        <translation>Abstand</translation>
+        <translation>Voxelabstand</translation>
     </message>
     <message>
         <source>Kernel</source>
         <translation>Kernel</translation>
     </message>
     <message>
-        <source>Notes</source>
-        <translation>Hinweise</translation>
+        <source>Warnings</source>
+        <translation>Warnungen</translation>
     </message>
     <message>
-        <source>Look through a folder or disc</source>
-        <translation>Einen Ordner oder Datenträger durchsehen</translation>
+        <source>Search a folder or disc</source>
+        <translation>Einen Ordner oder Datenträger durchsuchen</translation>
     </message>
     <message>
         <source>anonymous %1</source>
@@ -1638,7 +1724,7 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>Ohne Namen</translation>
     </message>
     <message>
-        <source>id %1</source>
+        <source>ID %1</source>
         <translation>Kennung %1</translation>
     </message>
     <message>
@@ -1654,8 +1740,8 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>Kann nicht geöffnet werden: %1</translation>
     </message>
     <message>
-        <source>Evenly spaced slices; nothing to note.</source>
-        <translation>Gleichmäßig verteilte Schichten; keine Hinweise.</translation>
+        <source>Evenly spaced slices; no warnings.</source>
+        <translation>Gleichmäßig verteilte Schichten; keine Warnungen.</translation>
     </message>
     <message>
         <source>(folder hidden)</source>
@@ -1674,12 +1760,12 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>Keine DICOM-Bilder in diesem Ordner.</translation>
     </message>
     <message>
-        <source>still looking</source>
-        <translation>noch nicht alles durchgesehen</translation>
+        <source>search in progress</source>
+        <translation>Suche läuft</translation>
     </message>
     <message>
-        <source>not all could be read</source>
-        <translation>nicht alles war lesbar</translation>
+        <source>some could not be read</source>
+        <translation>einige waren nicht lesbar</translation>
     </message>
     <message>
         <source>%1 of %2 files could not be read</source>
@@ -1693,8 +1779,8 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
 <context>
     <name>isolux::ui::Document</name>
     <message>
-        <source>is a recording: isolux replay %1 --out FOLDER makes pictures of it</source>
-        <translation>ist eine Aufzeichnung: isolux replay %1 --out ORDNER macht Bilder daraus</translation>
+        <source>is a recording; render it with isolux replay %1 --out FOLDER</source>
+        <translation>ist eine Aufzeichnung; Bilder daraus macht isolux replay %1 --out ORDNER</translation>
     </message>
     <message>
         <source>Keep the volume</source>
@@ -1721,20 +1807,20 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>Strömung bewegen</translation>
     </message>
     <message>
-        <source>The volume could not be loaded, and no reason was given. The one before is still open.</source>
-        <translation>Das Volumen konnte nicht geladen werden; ein Grund ist nicht bekannt. Das vorige ist weiter offen.</translation>
+        <source>The volume could not be loaded (unknown reason). The previous volume is still open.</source>
+        <translation>Das Volumen konnte nicht geladen werden (Grund unbekannt). Das vorige ist weiter offen.</translation>
     </message>
     <message>
-        <source>The recording stopped: %1. What was recorded until then is kept.</source>
-        <translation>Die Aufzeichnung endete: %1. Was bis dahin aufgezeichnet war, bleibt erhalten.</translation>
+        <source>Recording stopped: %1. The file contains everything up to that point.</source>
+        <translation>Die Aufzeichnung endete: %1. Die Datei enthält alles bis dahin.</translation>
     </message>
     <message>
         <source>Coarser level</source>
         <translation>Gröbere Stufe</translation>
     </message>
     <message>
-        <source>Open around damage</source>
-        <translation>Um Beschädigtes herum öffnen</translation>
+        <source>Skip unreadable chunks</source>
+        <translation>Unlesbare Blöcke überspringen</translation>
     </message>
     <message>
         <source>Reset all settings</source>
@@ -1744,26 +1830,26 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
 <context>
     <name>isolux::ui::DocumentKeeper</name>
     <message>
-        <source>The recording %1 holds what was done until then; it is not continued</source>
-        <translation>Die Aufzeichnung %1 enthält alles bis dahin; sie wird nicht fortgesetzt</translation>
+        <source>The recording %1 ends there and is not continued</source>
+        <translation>Die Aufzeichnung %1 endet dort und wird nicht fortgesetzt</translation>
     </message>
     <message>
-        <source>The document cannot be autosaved: %1. Save the session; autosaving is tried again every minute.</source>
-        <translation>Das Dokument kann nicht selbsttätig gesichert werden: %1. Bitte die Sitzung speichern; das Sichern wird jede Minute wieder versucht.</translation>
+        <source>Autosave failed: %1. Save the session; Isolux tries again every minute.</source>
+        <translation>Automatisches Sichern fehlgeschlagen: %1. Bitte die Sitzung speichern; Isolux versucht es jede Minute erneut.</translation>
     </message>
 </context>
 <context>
     <name>isolux::ui::EnvironmentPreview</name>
     <message>
-        <source>Light probe</source>
+        <source>Environment map</source>
         <translation>Umgebungsbild</translation>
     </message>
     <message>
-        <source>Drag to turn the environment about the vertical axis. The cross is where you look.</source>
+        <source>Drag to turn the environment about the vertical axis. The cross marks the view direction.</source>
         <translation>Ziehen dreht die Umgebung um die senkrechte Achse. Das Kreuz zeigt die Blickrichtung.</translation>
     </message>
     <message>
-        <source>Loading the environment …</source>
+        <source>Loading the environment…</source>
         <translation>Umgebung wird geladen …</translation>
     </message>
 </context>
@@ -1778,44 +1864,44 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>Licht</translation>
     </message>
     <message>
-        <source>Errors shown in the picture</source>
+        <source>Errors shown in the image</source>
         <translation>Im Bild gezeigte Fehler</translation>
     </message>
     <message>
-        <source>Lays bounds of this error over the finished picture, as colours. Hatched is what may err by more than is entered above for it, and what is not certain</source>
-        <translation>Legt Schranken dieses Fehlers als Farben über das fertige Bild. Schraffiert ist, was um mehr abweichen kann, als oben dafür eingegeben ist, und was nicht sicher ist</translation>
+        <source>Overlays the bounds of this error on the final image as colours. Hatched pixels may exceed the limit entered above, or are uncertain</source>
+        <translation>Legt die Schranken dieses Fehlers als Farben über das fertige Bild. Schraffierte Pixel können die oben eingegebene Grenze überschreiten oder sind unsicher</translation>
     </message>
     <message>
-        <source>Errors in the picture</source>
-        <translation>Fehler im Bild</translation>
+        <source>Error overlay</source>
+        <translation>Fehleranzeige im Bild</translation>
     </message>
     <message>
-        <source>No light is stored for this picture, or a surface is transparent: the look Global illumination stores some</source>
-        <translation>Für dieses Bild ist kein Licht gespeichert, oder eine Fläche ist durchsichtig: der Stil Globale Beleuchtung speichert welches</translation>
+        <source>This image has no baked light, or a surface is transparent; the look Global illumination bakes light</source>
+        <translation>Dieses Bild hat kein gespeichertes Licht, oder eine Fläche ist durchsichtig; die Darstellung Globale Beleuchtung speichert Licht</translation>
     </message>
     <message>
-        <source>Depth, by noise and sampling</source>
-        <translation>Tiefe, durch Rauschen und Abtastung</translation>
+        <source>Depth (noise, discretisation)</source>
+        <translation>Tiefe (Rauschen, Diskretisierung)</translation>
     </message>
     <message>
-        <source>Normals, by noise</source>
-        <translation>Normalen, durch Rauschen</translation>
+        <source>Normals (noise)</source>
+        <translation>Normalen (Rauschen)</translation>
     </message>
     <message>
-        <source>Curvature, by noise</source>
-        <translation>Krümmung, durch Rauschen</translation>
+        <source>Curvature (noise)</source>
+        <translation>Krümmung (Rauschen)</translation>
     </message>
     <message>
-        <source>Depth, by arithmetic</source>
-        <translation>Tiefe, durch Rechnung</translation>
+        <source>Depth (rounding)</source>
+        <translation>Tiefe (Rundung)</translation>
     </message>
     <message>
-        <source>Normals, by arithmetic</source>
-        <translation>Normalen, durch Rechnung</translation>
+        <source>Normals (rounding)</source>
+        <translation>Normalen (Rundung)</translation>
     </message>
     <message>
-        <source>Curvature, by arithmetic</source>
-        <translation>Krümmung, durch Rechnung</translation>
+        <source>Curvature (rounding)</source>
+        <translation>Krümmung (Rundung)</translation>
     </message>
 </context>
 <context>
@@ -1829,11 +1915,11 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>Datei wählen</translation>
     </message>
     <message>
-        <source>Choose a light probe</source>
+        <source>Choose an environment map</source>
         <translation>Umgebungsbild wählen</translation>
     </message>
     <message>
-        <source>Light probes (*.hdr *.exr);;Images (*.hdr *.exr *.png *.jpg *.jpeg *.tif *.tiff);;All files (*)</source>
+        <source>Environment maps (*.hdr *.exr);;Images (*.hdr *.exr *.png *.jpg *.jpeg *.tif *.tiff);;All files (*)</source>
         <translation>Umgebungsbilder (*.hdr *.exr);;Bilder (*.hdr *.exr *.png *.jpg *.jpeg *.tif *.tiff);;Alle Dateien (*)</translation>
     </message>
 </context>
@@ -1848,7 +1934,7 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>Hier erscheint das Histogramm des Volumens</translation>
     </message>
     <message>
-        <source>Add an isosurface at %1</source>
+        <source>Add isosurface at %1</source>
         <translation>Isofläche bei %1 hinzufügen</translation>
     </message>
     <message>
@@ -1867,24 +1953,24 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>Isowert</translation>
     </message>
     <message>
-        <source>The exact isovalue. Arrow keys change it by the step of the histogram.</source>
-        <translation>Der genaue Isowert. Pfeiltasten ändern ihn um den Schritt des Histogramms.</translation>
+        <source>Exact isovalue. Arrow keys change it by one histogram step.</source>
+        <translation>Genauer Isowert. Pfeiltasten ändern ihn um einen Schritt des Histogramms.</translation>
     </message>
     <message>
         <source>Suggested</source>
         <translation>Vorschlag</translation>
     </message>
     <message>
-        <source>Back to the isovalue found from the histogram (also: double click on the histogram)</source>
-        <translation>Zurück zum Isowert, der aus dem Histogramm folgt (auch: Doppelklick auf das Histogramm)</translation>
+        <source>Use the isovalue suggested by the histogram (also: double click on the histogram)</source>
+        <translation>Den vom Histogramm vorgeschlagenen Isowert verwenden (auch: Doppelklick auf das Histogramm)</translation>
     </message>
     <message>
         <source>Whole range</source>
         <translation>Ganzer Bereich</translation>
     </message>
     <message>
-        <source>Show the whole range of values again</source>
-        <translation>Wieder den ganzen Wertebereich zeigen</translation>
+        <source>Show the whole range of values</source>
+        <translation>Den ganzen Wertebereich zeigen</translation>
     </message>
     <message>
         <source>Set isovalue</source>
@@ -1898,29 +1984,29 @@ Ein Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <source>The surface is where the volume has this value.
 
 Drag the line on the histogram (counts are logarithmic).
-Wheel or arrow keys: fine steps (Shift: ten times larger)
+Wheel or arrow keys: fine steps (Shift: tenfold)
 Double click: suggested isovalue
-Alt+click or right click: one more isosurface there
-Ctrl+wheel: zoom the axis, middle drag: move it</source>
+Alt+click or right click: add an isosurface there
+Ctrl+wheel: zoom the value axis, middle drag: pan it</source>
         <translation>Die Fläche liegt dort, wo das Volumen diesen Wert hat.
 
 Die Linie im Histogramm ziehen (die Anzahlen sind logarithmisch).
-Rad oder Pfeiltasten: feine Schritte (Umschalt: zehnmal größer)
+Rad oder Pfeiltasten: feine Schritte (Umschalt: zehnfach)
 Doppelklick: vorgeschlagener Isowert
-Alt+Klick oder Rechtsklick: dort eine weitere Isofläche
-Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translation>
+Alt+Klick oder Rechtsklick: dort eine Isofläche hinzufügen
+Strg+Rad: Wertachse zoomen, Ziehen mit der mittleren Taste: verschieben</translation>
     </message>
     <message>
         <source>Add surface</source>
         <translation>Fläche hinzufügen</translation>
     </message>
     <message>
-        <source>One more isosurface: outside those there are, where the histogram suggests one (also: Alt+click on the histogram)</source>
-        <translation>Eine weitere Isofläche: außerhalb der vorhandenen, wo das Histogramm eine vorschlägt (auch: Alt+Klick ins Histogramm)</translation>
+        <source>Add an isosurface outside the present ones, where the histogram suggests one (also: Alt+click on the histogram)</source>
+        <translation>Eine Isofläche außerhalb der vorhandenen hinzufügen, wo das Histogramm eine vorschlägt (auch: Alt+Klick ins Histogramm)</translation>
     </message>
     <message>
-        <source>There are %1 isosurfaces already</source>
-        <translation>Es gibt schon %1 Isoflächen</translation>
+        <source>At most %1 isosurfaces are possible</source>
+        <translation>Höchstens %1 Isoflächen sind möglich</translation>
     </message>
     <message>
         <source>Add isosurface</source>
@@ -1930,59 +2016,59 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
 <context>
     <name>isolux::ui::LevelMarks</name>
     <message>
-        <source>What the overview hides is known from the volume’s index, which the command “isolux index” makes.</source>
-        <translation>Was die Übersicht verbirgt, ist aus dem Index des Volumens bekannt, den der Befehl „isolux index“ anlegt.</translation>
+        <source>Marking lost structure requires the volume’s index; the command “isolux index” creates it.</source>
+        <translation>Zum Markieren verlorener Strukturen ist der Index des Volumens nötig; der Befehl „isolux index“ legt ihn an.</translation>
     </message>
     <message>
         <source>hides nothing in this view</source>
         <translation>verbirgt in dieser Ansicht nichts</translation>
     </message>
     <message>
-        <source>Where the isosurface crosses the volume, the overview shows a surface up to one of its voxels elsewhere.</source>
-        <translation>Wo die Isofläche durch das Volumen geht, zeigt die Übersicht eine Fläche, um höchstens eines ihrer Voxel versetzt.</translation>
+        <source>Wherever the isosurface crosses the volume, the overview shows a surface at most one of its voxels away.</source>
+        <translation>Überall, wo die Isofläche durch das Volumen geht, zeigt die Übersicht eine Fläche, höchstens um eines ihrer Voxel versetzt.</translation>
     </message>
     <message>
-        <source>may hide structure in %1 % of the picture</source>
+        <source>may hide structure in %1 % of the image</source>
         <translation>verbirgt vielleicht Strukturen in %1 % des Bildes</translation>
     </message>
     <message>
-        <source>Hatched: the isosurface crosses the volume there, and the overview shows nothing of it. What is thinner than %1 may be missing.</source>
-        <translation>Schraffiert: Dort geht die Isofläche durch das Volumen, und die Übersicht zeigt nichts davon. Was dünner als %1 ist, kann fehlen.</translation>
+        <source>Hatched: the isosurface crosses the volume here, but the overview does not show it. Structures thinner than %1 may be missing.</source>
+        <translation>Schraffiert: Hier geht die Isofläche durch das Volumen, aber die Übersicht zeigt sie nicht. Strukturen dünner als %1 können fehlen.</translation>
     </message>
 </context>
 <context>
     <name>isolux::ui::LevelZero</name>
     <message>
-        <source>Level 0 is not drawn: %1</source>
-        <translation>Stufe 0 wird nicht gezeichnet: %1</translation>
+        <source>Full resolution is not drawn: %1</source>
+        <translation>Volle Auflösung wird nicht gezeichnet: %1</translation>
     </message>
     <message>
-        <source>drawing level 0</source>
-        <translation>Stufe 0 wird gezeichnet</translation>
+        <source>drawing full resolution</source>
+        <translation>volle Auflösung wird gezeichnet</translation>
     </message>
     <message>
         <source>%1: %2 %</source>
         <translation>%1: %2 %</translation>
     </message>
     <message>
-        <source>Level 0 is drawn from the file as soon as its index is there.</source>
-        <translation>Stufe 0 wird aus der Datei gezeichnet, sobald deren Index da ist.</translation>
+        <source>Full resolution is drawn from the file once its index exists.</source>
+        <translation>Die volle Auflösung wird aus der Datei gezeichnet, sobald deren Index vorliegt.</translation>
     </message>
     <message>
-        <source>At rest the picture is of the file’s own voxels.</source>
-        <translation>In Ruhe zeigt das Bild die Voxel der Datei selbst.</translation>
+        <source>When the view is idle, the image shows the file at full resolution (level 0).</source>
+        <translation>Ruht die Ansicht, zeigt das Bild die Datei in voller Auflösung (Stufe 0).</translation>
     </message>
     <message>
-        <source>%1 % of the picture is hatched, because the volume cannot be read there: %2</source>
-        <translation>%1 % des Bildes sind schraffiert, weil das Volumen dort nicht gelesen werden kann: %2</translation>
+        <source>%1 % of the image is hatched, because the volume is unreadable there: %2</source>
+        <translation>%1 % des Bildes sind schraffiert, weil das Volumen dort nicht lesbar ist: %2</translation>
     </message>
     <message>
-        <source>%1 % of the picture is missing: memory.gpu_budget_mb is too small for this view</source>
-        <translation>%1 % des Bildes fehlen: memory.gpu_budget_mb ist für diese Ansicht zu klein</translation>
+        <source>%1 % of the image is missing; raise Graphics memory (memory.gpu_budget_mb)</source>
+        <translation>%1 % des Bildes fehlen; Grafikspeicher (memory.gpu_budget_mb) erhöhen</translation>
     </message>
     <message>
-        <source>the picture was not waited for</source>
-        <translation>auf das Bild wurde nicht gewartet</translation>
+        <source>waiting for the image was cancelled</source>
+        <translation>das Warten auf das Bild wurde abgebrochen</translation>
     </message>
 </context>
 <context>
@@ -1999,15 +2085,15 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
         <translation>Licht</translation>
     </message>
     <message>
-        <source>Stop computing light; what there is stays</source>
-        <translation>Lichtberechnung beenden; Vorhandenes bleibt</translation>
+        <source>Stop computing light and keep the result so far</source>
+        <translation>Lichtberechnung beenden und das bisherige Ergebnis behalten</translation>
     </message>
     <message>
         <source>Stop computing light</source>
         <translation>Lichtberechnung beenden</translation>
     </message>
     <message>
-        <source>Go on computing light</source>
+        <source>Resume computing light</source>
         <translation>Lichtberechnung fortsetzen</translation>
     </message>
     <message>
@@ -2026,7 +2112,7 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
         <translation>%1 wird geöffnet</translation>
     </message>
     <message>
-        <source>%1 …</source>
+        <source>%1…</source>
         <translation>%1 …</translation>
     </message>
     <message>
@@ -2034,12 +2120,12 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>A first look: one voxel of %1 × %2 × %3</source>
-        <translation>Ein erster Blick: ein Voxel von je %1 × %2 × %3</translation>
+        <source>Preview: one voxel of each %1 × %2 × %3</source>
+        <translation>Vorschau: ein Voxel von je %1 × %2 × %3</translation>
     </message>
     <message>
-        <source>A first look, from the index: boxes of %1 × %2 × %3 voxels</source>
-        <translation>Ein erster Blick, aus dem Index: Kästen von %1 × %2 × %3 Voxeln</translation>
+        <source>Preview from the index: blocks of %1 × %2 × %3 voxels</source>
+        <translation>Vorschau aus dem Index: Blöcke von %1 × %2 × %3 Voxeln</translation>
     </message>
 </context>
 <context>
@@ -2050,7 +2136,7 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
     </message>
     <message>
         <source>Looks</source>
-        <translation>Stile</translation>
+        <translation>Darstellungen</translation>
     </message>
     <message>
         <source>Shift</source>
@@ -2073,12 +2159,12 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
         <translation>Darstellung %1</translation>
     </message>
     <message>
-        <source>Adds to the isovalues of %1</source>
-        <translation>Wird zu den Isowerten von %1 addiert</translation>
+        <source>Shifts the isovalues of %1</source>
+        <translation>Verschiebt die Isowerte von %1</translation>
     </message>
     <message>
-        <source>Choose a preset: its isovalues can then be shifted</source>
-        <translation>Eine Vorlage wählen: dann lassen sich ihre Isowerte verschieben</translation>
+        <source>Choose a preset to shift its isovalues</source>
+        <translation>Eine Vorlage wählen, um ihre Isowerte zu verschieben</translation>
     </message>
     <message>
         <source>Shift preset %1</source>
@@ -2089,19 +2175,19 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
     <name>isolux::ui::MainWindow</name>
     <message>
         <source>%1 (%2 in the Volume panel)</source>
-        <translation>%1 (%2 im Reiter Volumen)</translation>
+        <translation>%1 (%2 im Bedienfeld Volumen)</translation>
     </message>
     <message>
         <source>also</source>
         <translation>auch</translation>
     </message>
     <message>
-        <source>all %1 notes</source>
-        <translation>alle %1 Hinweise</translation>
+        <source>all %1 warnings</source>
+        <translation>alle %1 Warnungen</translation>
     </message>
     <message>
-        <source>Light is now stored so that the environment may turn: it is computed once more, then turning costs nothing</source>
-        <translation>Das Licht wird nun so gespeichert, dass sich die Umgebung drehen darf: Es wird noch einmal berechnet, danach kostet das Drehen nichts</translation>
+        <source>Light is computed again for a rotatable environment; after that, turning it needs no new computation</source>
+        <translation>Das Licht wird für eine drehbare Umgebung neu berechnet; danach kostet Drehen keine Rechenzeit</translation>
     </message>
     <message>
         <source>&amp;Undo %1</source>
@@ -2148,7 +2234,7 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
         <translation>Über Isolux</translation>
     </message>
     <message>
-        <source>Volumes, sessions and pictures (%1)</source>
+        <source>Volumes, sessions and images (%1)</source>
         <translation>Volumen, Sitzungen und Bilder (%1)</translation>
     </message>
     <message>
@@ -2176,15 +2262,15 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
         <translation>Sitzung speichern</translation>
     </message>
     <message>
-        <source>Save picture</source>
+        <source>Save image</source>
         <translation>Bild speichern</translation>
     </message>
     <message>
-        <source>Record into</source>
-        <translation>Aufzeichnen in</translation>
+        <source>Save recording as</source>
+        <translation>Aufzeichnung speichern unter</translation>
     </message>
     <message>
-        <source>isolux replay %1 --out FOLDER makes pictures of it</source>
+        <source>render it with isolux replay %1 --out FOLDER</source>
         <translation>isolux replay %1 --out ORDNER macht Bilder daraus</translation>
     </message>
     <message>
@@ -2192,12 +2278,12 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
         <translation>Änderungen an %1 speichern?</translation>
     </message>
     <message>
-        <source>Save what you did with %1 as a session?</source>
+        <source>Save your work on %1 as a session?</source>
         <translation>Die Arbeit an %1 als Sitzung speichern?</translation>
     </message>
     <message>
-        <source>A session keeps the isovalue, the look, the light and the view, not the stored light.</source>
-        <translation>Eine Sitzung enthält Isowert, Darstellung, Licht und Ansicht, nicht das gespeicherte Licht.</translation>
+        <source>A session stores isovalue, look, light and view, but not the baked light.</source>
+        <translation>Eine Sitzung enthält Isowert, Darstellung, Licht und Ansicht, aber nicht das gespeicherte Licht.</translation>
     </message>
     <message>
         <source>An autosave could not be read. It is kept as %1</source>
@@ -2220,64 +2306,64 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
         <translation>&amp;Messen</translation>
     </message>
     <message>
-        <source>&amp;List of marks</source>
-        <translation>&amp;Liste der Marken</translation>
+        <source>&amp;List of measurements</source>
+        <translation>&amp;Liste der Messungen</translation>
     </message>
     <message>
-        <source>Show the panel of marks</source>
-        <translation>Die Liste der Marken zeigen</translation>
+        <source>Show the Measurements panel</source>
+        <translation>Das Bedienfeld Messungen zeigen</translation>
     </message>
     <message>
-        <source>E&amp;xport marks…</source>
-        <translation>Marken &amp;exportieren …</translation>
+        <source>E&amp;xport measurements…</source>
+        <translation>Messungen &amp;exportieren …</translation>
     </message>
     <message>
-        <source>As a table (CSV) or for 3D Slicer (.mrk.json)</source>
-        <translation>Als Tabelle (CSV) oder für 3D Slicer (.mrk.json)</translation>
+        <source>Save as a table (CSV) or for 3D Slicer (.mrk.json)</source>
+        <translation>Als Tabelle (CSV) oder für 3D Slicer (.mrk.json) speichern</translation>
     </message>
     <message>
-        <source>&amp;Import marks…</source>
-        <translation>Marken &amp;importieren …</translation>
+        <source>&amp;Import measurements…</source>
+        <translation>Messungen &amp;importieren …</translation>
     </message>
     <message>
-        <source>Marks of 3D Slicer (.mrk.json)</source>
-        <translation>Marken von 3D Slicer (.mrk.json)</translation>
+        <source>Open 3D Slicer markups (.mrk.json)</source>
+        <translation>Markups von 3D Slicer öffnen (.mrk.json)</translation>
     </message>
     <message>
         <source>      κ₁ %1, κ₂ %2 /mm (confidence %3)</source>
         <translation>      κ₁ %1, κ₂ %2 /mm (Konfidenz %3)</translation>
     </message>
     <message>
-        <source>is not written: marks are saved as .csv or as .mrk.json</source>
-        <translation>wird nicht geschrieben: Marken werden als .csv oder als .mrk.json gespeichert</translation>
+        <source>unknown format for measurements; use .csv or .mrk.json</source>
+        <translation>unbekanntes Format für Messungen; .csv oder .mrk.json verwenden</translation>
     </message>
     <message>
-        <source>some marks were still being measured</source>
-        <translation>einige Marken wurden noch gemessen</translation>
+        <source>some measurements were not finished</source>
+        <translation>einige Messungen waren nicht fertig</translation>
     </message>
     <message>
-        <source>1 mark of %1</source>
-        <translation>1 Marke aus %1</translation>
+        <source>1 measurement from %1</source>
+        <translation>1 Messung aus %1</translation>
     </message>
     <message>
-        <source>%1 marks of %2</source>
-        <translation>%1 Marken aus %2</translation>
+        <source>%1 measurements from %2</source>
+        <translation>%1 Messungen aus %2</translation>
     </message>
     <message>
-        <source>left out: %1</source>
+        <source>skipped: %1</source>
         <translation>ausgelassen: %1</translation>
     </message>
     <message>
-        <source>Import marks</source>
-        <translation>Marken importieren</translation>
+        <source>Import measurements</source>
+        <translation>Messungen importieren</translation>
     </message>
     <message>
-        <source>Export marks</source>
-        <translation>Marken exportieren</translation>
+        <source>Export measurements</source>
+        <translation>Messungen exportieren</translation>
     </message>
     <message>
-        <source>Marks of 3D Slicer (*.mrk.json *.json);;All files (*)</source>
-        <translation>Marken von 3D Slicer (*.mrk.json *.json);;Alle Dateien (*)</translation>
+        <source>3D Slicer markups (*.mrk.json *.json);;All files (*)</source>
+        <translation>Markups von 3D Slicer (*.mrk.json *.json);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>&amp;File</source>
@@ -2288,7 +2374,7 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
         <translation>Ö&amp;ffnen …</translation>
     </message>
     <message>
-        <source>Open a volume, session or picture</source>
+        <source>Open a volume, session or image</source>
         <translation>Volumen, Sitzung oder Bild öffnen</translation>
     </message>
     <message>
@@ -2300,7 +2386,7 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
         <translation>Ordner mit DICOM-Dateien oder nummerierten Bildern öffnen</translation>
     </message>
     <message>
-        <source>Open &amp;recent</source>
+        <source>Open re&amp;cent</source>
         <translation>&amp;Zuletzt geöffnet</translation>
     </message>
     <message>
@@ -2324,24 +2410,24 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
         <translation>Sitzung an anderem Ort speichern</translation>
     </message>
     <message>
-        <source>Save p&amp;icture…</source>
+        <source>Save &amp;image…</source>
         <translation>B&amp;ild speichern …</translation>
     </message>
     <message>
-        <source>Save the picture</source>
+        <source>Save the image</source>
         <translation>Bild speichern</translation>
     </message>
     <message>
-        <source>&amp;Path trace picture…</source>
+        <source>Path-&amp;trace image…</source>
         <translation>Bild mit Pfad&amp;verfolgung …</translation>
     </message>
     <message>
-        <source>Trace every pixel of this view by itself, for a still without stored light</source>
-        <translation>Jedes Pixel dieser Ansicht für sich verfolgen, für ein Standbild ohne gespeichertes Licht</translation>
+        <source>Path-trace this view as a reference image without baked light</source>
+        <translation>Diese Ansicht als Referenzbild ohne gespeichertes Licht berechnen</translation>
     </message>
     <message>
-        <source>Record every change, to replay it with `isolux replay`</source>
-        <translation>Jede Änderung aufzeichnen, um sie mit `isolux replay` abzuspielen</translation>
+        <source>Record every change for `isolux replay`</source>
+        <translation>Jede Änderung für `isolux replay` aufzeichnen</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
@@ -2368,20 +2454,20 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
         <translation>Als &amp;Befehlszeile kopieren</translation>
     </message>
     <message>
-        <source>Copy a shell command that draws this picture</source>
-        <translation>Einen Befehl kopieren, der dieses Bild zeichnet</translation>
+        <source>Copy a shell command that renders this image</source>
+        <translation>Einen Befehl kopieren, der dieses Bild rendert</translation>
     </message>
     <message>
         <source>&amp;Find a setting</source>
-        <translation>Option &amp;suchen</translation>
+        <translation>Einstellung &amp;suchen</translation>
     </message>
     <message>
         <source>Find a setting by its name</source>
-        <translation>Eine Option nach ihrem Namen suchen</translation>
+        <translation>Eine Einstellung nach ihrem Namen suchen</translation>
     </message>
     <message>
-        <source>Memory, threads and speed: settings of this machine</source>
-        <translation>Speicher, Threads und Tempo: Einstellungen dieses Rechners</translation>
+        <source>Set memory, threads and speed for this computer</source>
+        <translation>Speicher, Threads und Tempo dieses Rechners einstellen</translation>
     </message>
     <message>
         <source>&amp;View</source>
@@ -2396,20 +2482,20 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
         <translation>Ansicht zurücksetzen</translation>
     </message>
     <message>
-        <source>&amp;Fit volume</source>
-        <translation>Volumen &amp;einpassen</translation>
+        <source>Zoom to &amp;fit</source>
+        <translation>&amp;Einpassen</translation>
     </message>
     <message>
-        <source>Fit the volume into the picture</source>
-        <translation>Das Volumen in das Bild einpassen</translation>
+        <source>Fit the volume into the view</source>
+        <translation>Das Volumen in die Ansicht einpassen</translation>
     </message>
     <message>
         <source>&amp;Orthographic</source>
         <translation>&amp;Orthographisch</translation>
     </message>
     <message>
-        <source>Switch between perspective and orthographic</source>
-        <translation>Zwischen perspektivisch und orthographisch wechseln</translation>
+        <source>Switch between perspective and orthographic projection</source>
+        <translation>Zwischen perspektivischer und orthographischer Projektion wechseln</translation>
     </message>
     <message>
         <source>&amp;Next look</source>
@@ -2428,11 +2514,11 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
         <translation>Vorige Darstellung</translation>
     </message>
     <message>
-        <source>&amp;Animate the flow</source>
+        <source>&amp;Animate flow</source>
         <translation>Strömung &amp;bewegen</translation>
     </message>
     <message>
-        <source>Let the flow move, or stand still</source>
+        <source>Start or stop the flow animation</source>
         <translation>Strömung bewegen oder anhalten</translation>
     </message>
     <message>
@@ -2440,8 +2526,8 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
         <translation>Vollbil&amp;d</translation>
     </message>
     <message>
-        <source>Full screen; Esc ends it</source>
-        <translation>Vollbild; Esc beendet es</translation>
+        <source>Switch to full screen; Esc leaves it</source>
+        <translation>Auf Vollbild wechseln; Esc verlässt es</translation>
     </message>
     <message>
         <source>From %1</source>
@@ -2480,8 +2566,8 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
         <translation>Messen</translation>
     </message>
     <message>
-        <source>What the picture shows (L, Shift+L: next and previous)</source>
-        <translation>Was das Bild zeigt (L, Umschalt+L: nächste und vorige)</translation>
+        <source>Look: what the colours show (L, Shift+L: next, previous)</source>
+        <translation>Darstellung: was die Farben zeigen (L, Umschalt+L: nächste, vorige)</translation>
     </message>
     <message>
         <source>Look</source>
@@ -2521,15 +2607,15 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
     </message>
     <message>
         <source>&amp;List the pieces</source>
-        <translation>Teile auf&amp;listen</translation>
+        <translation>Teile aufli&amp;sten</translation>
     </message>
     <message>
         <source>&amp;Presets</source>
         <translation>V&amp;orlagen</translation>
     </message>
     <message>
-        <source>Show what a preset is named for</source>
-        <translation>Zeigen, wonach eine Vorlage benannt ist</translation>
+        <source>Apply a preset: isovalues, look and light for one kind of data</source>
+        <translation>Eine Vorlage anwenden: Isowerte, Darstellung und Licht für eine Art von Daten</translation>
     </message>
     <message>
         <source>Does not apply: %1</source>
@@ -2552,8 +2638,8 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
         <translation>Name der Vorlage:</translation>
     </message>
     <message>
-        <source>Copied a command that draws this picture</source>
-        <translation>Ein Befehl, der dieses Bild zeichnet, ist kopiert</translation>
+        <source>Copied a command that renders this image</source>
+        <translation>Befehl kopiert, der dieses Bild rendert</translation>
     </message>
     <message>
         <source>a volume</source>
@@ -2576,8 +2662,8 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
         <translation>anonym</translation>
     </message>
     <message>
-        <source>Take over the view</source>
-        <translation>Ansicht übernehmen</translation>
+        <source>Follow linked view</source>
+        <translation>Gekoppelter Ansicht folgen</translation>
     </message>
     <message>
         <source>&amp;New window</source>
@@ -2589,59 +2675,59 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
     </message>
     <message>
         <source>&amp;DICOM browser…</source>
-        <translation>&amp;DICOM-Übersicht …</translation>
+        <translation>&amp;DICOM-Browser …</translation>
     </message>
     <message>
-        <source>Choose among the patients, studies and series of a folder or disc</source>
-        <translation>Unter den Patienten, Studien und Serien eines Ordners oder Datenträgers wählen</translation>
+        <source>Choose from the patients, studies and series of a folder or disc</source>
+        <translation>Aus den Patienten, Studien und Serien eines Ordners oder Datenträgers wählen</translation>
     </message>
     <message>
         <source>Export &amp;mesh…</source>
-        <translation>&amp;Netz exportieren …</translation>
+        <translation>Netz e&amp;xportieren …</translation>
     </message>
     <message>
-        <source>Write the isosurface as triangles, for printing and simulation</source>
-        <translation>Die Isofläche als Dreiecke schreiben, für Druck und Simulation</translation>
+        <source>Export the isosurface as triangles, for 3-D printing and simulation</source>
+        <translation>Die Isofläche als Dreiecke exportieren, für 3D-Druck und Simulation</translation>
     </message>
     <message>
-        <source>&amp;Copy picture</source>
+        <source>&amp;Copy image</source>
         <translation>Bild &amp;kopieren</translation>
     </message>
     <message>
-        <source>Copy the picture, as Save picture would save it</source>
-        <translation>Das Bild kopieren, wie Bild speichern es speichern würde</translation>
+        <source>Copy the image as Save image would save it</source>
+        <translation>Das Bild kopieren, wie „Bild speichern“ es speichern würde</translation>
     </message>
     <message>
-        <source>&amp;Link views of windows</source>
+        <source>Lin&amp;k views of windows</source>
         <translation>Ansichten der Fenster &amp;koppeln</translation>
     </message>
     <message>
-        <source>&amp;Use this view in the other windows</source>
-        <translation>Diese Ansicht in den anderen Fenstern &amp;verwenden</translation>
+        <source>&amp;Copy view to other windows</source>
+        <translation>Ansicht &amp;in andere Fenster kopieren</translation>
     </message>
     <message>
-        <source>All other windows show their volumes as this one does</source>
-        <translation>Alle anderen Fenster zeigen ihr Volumen wie dieses</translation>
+        <source>Show the volumes of all other windows from this view</source>
+        <translation>Die Volumen aller anderen Fenster in dieser Ansicht zeigen</translation>
     </message>
     <message>
-        <source>&amp;Hide the patient’s name</source>
-        <translation>&amp;Patientennamen verbergen</translation>
+        <source>&amp;Hide patient data</source>
+        <translation>&amp;Patientendaten verbergen</translation>
     </message>
     <message>
-        <source>Show name, id and birth date as “anonymous”</source>
+        <source>Show name, ID and birth date as “anonymous”</source>
         <translation>Name, Kennung und Geburtsdatum als „anonym“ zeigen</translation>
     </message>
     <message>
-        <source>&amp;Explore</source>
+        <source>Guided &amp;tour</source>
         <translation>&amp;Rundgang</translation>
     </message>
     <message>
-        <source>A tour of two minutes through the window</source>
-        <translation>In zwei Minuten durch das Fenster</translation>
+        <source>Take a two-minute tour of the window</source>
+        <translation>Das Fenster in zwei Minuten kennenlernen</translation>
     </message>
     <message>
-        <source>It is the one in %1</source>
-        <translation>Es ist die Datei in %1</translation>
+        <source>Use the one in %1</source>
+        <translation>Die Datei in %1 verwenden</translation>
     </message>
     <message>
         <source>Find it…</source>
@@ -2652,8 +2738,8 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
         <translation>Wo ist %1?</translation>
     </message>
     <message>
-        <source>%1 shows %2, which is neither where it was nor beside it. Where is it now?</source>
-        <translation>%1 zeigt %2; das liegt weder am früheren Ort noch daneben. Wo ist es jetzt?</translation>
+        <source>%1 shows %2, which is neither in its old place nor next to the file. Where is it now?</source>
+        <translation>%1 zeigt %2; diese Datei liegt weder am alten Ort noch daneben. Wo ist sie jetzt?</translation>
     </message>
     <message>
         <source>a folder</source>
@@ -2664,8 +2750,8 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
         <translation>%1 – %2</translation>
     </message>
     <message>
-        <source>, carries the session</source>
-        <translation>, enthält die Sitzung</translation>
+        <source>, with session</source>
+        <translation>, mit Sitzung</translation>
     </message>
     <message>
         <source>PNG%1 (*.png)</source>
@@ -2676,8 +2762,8 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
         <translation>OpenEXR, lineare Farben%1 (*.exr)</translation>
     </message>
     <message>
-        <source>Change what stands on pictures</source>
-        <translation>Beschriftung von Bildern ändern</translation>
+        <source>Change image annotations</source>
+        <translation>Bildbeschriftung ändern</translation>
     </message>
     <message>
         <source>Saving %1</source>
@@ -2688,15 +2774,15 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
         <translation>%1 wird geschrieben</translation>
     </message>
     <message>
-        <source>The picture was not saved: it was cancelled</source>
-        <translation>Das Bild wurde nicht gespeichert: abgebrochen</translation>
+        <source>The image was not saved (cancelled)</source>
+        <translation>Das Bild wurde nicht gespeichert (abgebrochen)</translation>
     </message>
     <message>
-        <source>Copying the picture</source>
+        <source>Copying the image</source>
         <translation>Das Bild wird kopiert</translation>
     </message>
     <message>
-        <source>Copied the picture: %1 × %2 pixels</source>
+        <source>Copied the image: %1 × %2 pixels</source>
         <translation>Bild kopiert: %1 × %2 Pixel</translation>
     </message>
     <message>
@@ -2728,7 +2814,7 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
         <translation>Fadenkreuz bewegen</translation>
     </message>
     <message>
-        <source>Show me around</source>
+        <source>Start tour</source>
         <translation>Rundgang beginnen</translation>
     </message>
     <message>
@@ -2740,80 +2826,80 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
         <translation>Willkommen bei Isolux</translation>
     </message>
     <message>
-        <source>&lt;ul style=&apos;margin-left:-24px&apos;&gt;&lt;li&gt;Drag in the picture to turn it; the wheel zooms.&lt;/li&gt;&lt;li&gt;Drag the line in the histogram below: it says which surface you see.&lt;/li&gt;&lt;li&gt;Drop a scan or its folder here, or press Ctrl+O, to open your own.&lt;/li&gt;&lt;/ul&gt;</source>
-        <translation>&lt;ul style=&apos;margin-left:-24px&apos;&gt;&lt;li&gt;Im Bild ziehen, um es zu drehen; das Rad vergrößert.&lt;/li&gt;&lt;li&gt;Die Linie im Histogramm darunter ziehen: sie sagt, welche Fläche zu sehen ist.&lt;/li&gt;&lt;li&gt;Einen eigenen Scan oder seinen Ordner hierher ziehen, oder Strg+O.&lt;/li&gt;&lt;/ul&gt;</translation>
+        <source>&lt;ul style=&apos;margin-left:-24px&apos;&gt;&lt;li&gt;Drag in the view to rotate it; the wheel zooms.&lt;/li&gt;&lt;li&gt;Drag the line in the histogram below to choose the surface.&lt;/li&gt;&lt;li&gt;To open your own scan, drop its file or folder here, or press Ctrl+O.&lt;/li&gt;&lt;/ul&gt;</source>
+        <translation>&lt;ul style=&apos;margin-left:-24px&apos;&gt;&lt;li&gt;In der Ansicht ziehen, um sie zu drehen; das Rad zoomt.&lt;/li&gt;&lt;li&gt;Die Linie im Histogramm darunter ziehen, um die Fläche zu wählen.&lt;/li&gt;&lt;li&gt;Einen eigenen Scan öffnen: Datei oder Ordner hierher ziehen oder Strg+O drücken.&lt;/li&gt;&lt;/ul&gt;</translation>
     </message>
     <message>
         <source>Choose the surface</source>
         <translation>Die Fläche wählen</translation>
     </message>
     <message>
-        <source>Drag the bright line in the histogram. All points with this value are the surface that you see: in a CT low values are skin, high ones bone.</source>
-        <translation>Die helle Linie im Histogramm ziehen. Alle Punkte mit diesem Wert bilden die sichtbare Fläche: im CT sind niedrige Werte Haut, hohe Knochen.</translation>
+        <source>Drag the bright line in the histogram. The surface consists of all points with this value: in a CT, low values show skin, high ones bone.</source>
+        <translation>Die helle Linie im Histogramm ziehen. Die Fläche besteht aus allen Punkten mit diesem Wert: im CT zeigen niedrige Werte Haut, hohe Knochen.</translation>
     </message>
     <message>
-        <source>Turn it</source>
-        <translation>Drehen</translation>
+        <source>Rotate the view</source>
+        <translation>Die Ansicht drehen</translation>
     </message>
     <message>
-        <source>Drag in the picture with the left button to turn, with the middle one to move it; the wheel goes nearer. Keys 1 to 6 show the six sides, R starts over.</source>
-        <translation>Im Bild mit der linken Taste ziehen, um zu drehen, mit der mittleren, um zu verschieben; das Rad geht näher heran. Die Tasten 1 bis 6 zeigen die sechs Seiten, R beginnt von vorn.</translation>
+        <source>Drag with the left button to rotate, with the middle one to pan; the wheel zooms. Keys 1 to 6 show the six sides; R resets the view.</source>
+        <translation>Mit der linken Taste ziehen dreht, mit der mittleren verschiebt; das Rad zoomt. Die Tasten 1 bis 6 zeigen die sechs Seiten; R setzt die Ansicht zurück.</translation>
     </message>
     <message>
         <source>Choose a look</source>
         <translation>Eine Darstellung wählen</translation>
     </message>
     <message>
-        <source>This list says what the colours show: light, curvature, depth, global illumination. L goes to the next one.</source>
-        <translation>Diese Liste sagt, was die Farben zeigen: Licht, Krümmung, Tiefe, globale Beleuchtung. L geht zur nächsten.</translation>
+        <source>This list sets what the colours show: the shaded surface, curvature, depth or global illumination. L selects the next look.</source>
+        <translation>Diese Liste legt fest, was die Farben zeigen: die schattierte Fläche, Krümmung, Tiefe oder globale Beleuchtung. L wählt die nächste Darstellung.</translation>
     </message>
     <message>
         <source>Look inside</source>
         <translation>Hineinsehen</translation>
     </message>
     <message>
-        <source>Press F4, or choose View, Layout: the outline in each slice is the surface. Click in a slice to move the cross.</source>
-        <translation>F4 drücken, oder Ansicht, Anordnung wählen: die Linie in jeder Schicht ist die Fläche. Ein Klick in eine Schicht bewegt das Kreuz.</translation>
+        <source>Press F4, or choose View &gt; Layout. The outline in each slice is the surface. Click in a slice to move the crosshair.</source>
+        <translation>F4 drücken oder Ansicht &gt; Anordnung wählen. Die Linie in jeder Schicht ist die Fläche. Ein Klick in eine Schicht bewegt das Fadenkreuz.</translation>
     </message>
     <message>
-        <source>Keep it</source>
-        <translation>Behalten</translation>
+        <source>Save the result</source>
+        <translation>Das Ergebnis speichern</translation>
     </message>
     <message>
-        <source>Save the picture with this button, or Ctrl+E. It carries letters, scale and isovalue, and can be opened again as it is now. (Cancel is fine, too.)</source>
-        <translation>Das Bild mit diesem Knopf oder Strg+E speichern. Es trägt Buchstaben, Maßstab und Isowert und lässt sich wieder so öffnen, wie es jetzt ist. (Abbrechen geht auch.)</translation>
+        <source>Save the image with this button, or Ctrl+E. It can show orientation labels, a scale bar and the isovalue, and opens again as a session. (You may also cancel.)</source>
+        <translation>Das Bild mit diesem Knopf oder Strg+E speichern. Es kann Orientierungsbuchstaben, Maßstab und Isowert zeigen und lässt sich als Sitzung wieder öffnen. (Abbrechen geht auch.)</translation>
     </message>
     <message>
-        <source>That is all</source>
-        <translation>Das ist alles</translation>
+        <source>End of the tour</source>
+        <translation>Ende des Rundgangs</translation>
     </message>
     <message>
-        <source>Presets start at the right place for a CT or an MR; Ctrl+F finds every setting; F1 lists mouse and keys. Everything you do can be undone.</source>
-        <translation>Vorlagen beginnen für CT oder MR an der richtigen Stelle; Strg+F findet jede Option; F1 zeigt Maus und Tasten. Alles lässt sich rückgängig machen.</translation>
+        <source>Presets set suitable isovalues for CT and MR; Ctrl+F finds every setting; F1 lists mouse and keys. Every change can be undone.</source>
+        <translation>Vorlagen setzen passende Isowerte für CT und MR; Strg+F findet jede Einstellung; F1 zeigt Maus und Tasten. Jede Änderung lässt sich rückgängig machen.</translation>
     </message>
     <message>
         <source>Overview: level %1</source>
         <translation>Übersicht: Stufe %1</translation>
     </message>
     <message>
-        <source>&amp;Mark what the overview hides</source>
-        <translation>&amp;Markieren, was die Übersicht verbirgt</translation>
+        <source>&amp;Mark structure lost in the overview</source>
+        <translation>Verlorene Strukturen der Übersicht &amp;markieren</translation>
     </message>
     <message>
-        <source>Hatch where the volume itself has structure that the coarser level shown may hide</source>
-        <translation>Schraffieren, wo das Volumen selbst Strukturen hat, die die gezeigte gröbere Stufe verbergen kann</translation>
+        <source>Hatch where the coarser level shown may hide structure of the volume</source>
+        <translation>Schraffieren, wo die gezeigte gröbere Stufe Strukturen des Volumens verbergen kann</translation>
     </message>
     <message>
-        <source>Level 0 (level %1 in motion)</source>
-        <translation>Stufe 0 (in Bewegung Stufe %1)</translation>
+        <source>Full resolution (level %1 in motion)</source>
+        <translation>Volle Auflösung (in Bewegung Stufe %1)</translation>
     </message>
     <message>
-        <source>&amp;Draw level 0 at rest</source>
-        <translation>Stufe &amp;0 in Ruhe zeichnen</translation>
+        <source>&amp;Draw full resolution when idle</source>
+        <translation>In R&amp;uhe volle Auflösung zeichnen</translation>
     </message>
     <message>
-        <source>Of a coarser level, let a finished picture be followed by one of the file’s own voxels; makes an index where there is none</source>
-        <translation>Einem fertigen Bild einer gröberen Stufe eines der Voxel der Datei selbst folgen lassen; macht einen Index, wo keiner ist</translation>
+        <source>After the final image of a coarser level, draw full resolution from the file; creates an index if there is none</source>
+        <translation>Nach dem fertigen Bild einer gröberen Stufe die volle Auflösung aus der Datei zeichnen; legt einen Index an, wenn keiner da ist</translation>
     </message>
     <message>
         <source>Parts missing</source>
@@ -2821,22 +2907,22 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
     </message>
     <message>
         <source>&amp;Preferences…</source>
-        <translation>&amp;Einstellungen…</translation>
+        <translation>&amp;Programmeinstellungen …</translation>
     </message>
     <message>
-        <source>The views of all windows go together, but for those where this is taken back</source>
-        <translation>Die Ansichten aller Fenster gehen zusammen, außer denen, wo dies zurückgenommen ist</translation>
+        <source>Link the views of all windows; untick it in a window to leave that window out</source>
+        <translation>Die Ansichten aller Fenster koppeln; ein Fenster bleibt ausgenommen, wenn es dort abgewählt wird</translation>
     </message>
     <message>
-        <source>Centre on a place of the mesh</source>
-        <translation>Auf eine Stelle des Netzes zentrieren</translation>
+        <source>Centre on mesh position</source>
+        <translation>Auf Stelle des Netzes zentrieren</translation>
     </message>
     <message>
         <source>&amp;Reset all settings</source>
         <translation>Alle Einstellungen zu&amp;rücksetzen</translation>
     </message>
     <message>
-        <source>Light of this picture takes about %1</source>
+        <source>Light for this image takes about %1</source>
         <translation>Das Licht für dieses Bild braucht etwa %1</translation>
     </message>
     <message>
@@ -2848,63 +2934,63 @@ Strg+Rad: Achse vergrößern, mit mittlerer Taste ziehen: verschieben</translati
         <translation>&amp;Daten: %1…</translation>
     </message>
     <message>
-        <source>Presets of this kind of data are offered; another kind is chosen in the Volume panel</source>
-        <translation>Angeboten werden die Vorlagen für diese Art von Daten; eine andere Art wählt man unter Volumen</translation>
+        <source>Lists the presets for this kind of data; choose another kind in the Volume panel</source>
+        <translation>Zeigt die Vorlagen für diese Art von Daten; eine andere Art im Bedienfeld Volumen wählen</translation>
     </message>
 </context>
 <context>
     <name>isolux::ui::MarksPanel</name>
     <message>
-        <source>Nothing is marked yet.
+        <source>No measurements yet.
 
-The Measure menu has pins (P), distances (M), ways along the surface (Shift+M), angles, circles, thicknesses and pieces: choose one, then click on the surface.</source>
-        <translation>Noch ist nichts markiert.
+Choose a tool from the Measure menu, then click on the surface: pin (P), distance (M), geodesic distance (Shift+M), angle, circle, thickness or piece.</source>
+        <translation>Noch keine Messungen.
 
-Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umschalt+M), Winkel, Kreise, Dicken und Teile: eines wählen, dann auf die Oberfläche klicken.</translation>
+Ein Werkzeug aus dem Menü Messen wählen, dann auf die Oberfläche klicken: Pin (P), Abstand (M), geodätischer Abstand (Umschalt+M), Winkel, Kreis, Dicke oder Teil.</translation>
     </message>
     <message>
-        <source>Measuring …</source>
+        <source>Measuring…</source>
         <translation>Messung läuft …</translation>
     </message>
     <message>
-        <source>What the mark says</source>
-        <translation>Messwerte der Marke</translation>
+        <source>Measured values</source>
+        <translation>Messwerte</translation>
     </message>
     <message>
-        <source>Colour of the mark</source>
-        <translation>Farbe der Marke</translation>
+        <source>Colour of the measurement</source>
+        <translation>Farbe der Messung</translation>
     </message>
     <message>
         <source>Delete</source>
         <translation>Löschen</translation>
     </message>
     <message>
-        <source>Delete the chosen marks (Del)</source>
-        <translation>Gewählte Marken löschen (Entf)</translation>
+        <source>Delete selected measurements (Del)</source>
+        <translation>Gewählte Messungen löschen (Entf)</translation>
     </message>
     <message>
         <source>Copy</source>
         <translation>Kopieren</translation>
     </message>
     <message>
-        <source>Copy what all marks say as text</source>
-        <translation>Messwerte aller Marken als Text kopieren</translation>
+        <source>Copy the values of all measurements as text</source>
+        <translation>Werte aller Messungen als Text kopieren</translation>
     </message>
     <message>
         <source>Export…</source>
         <translation>Export …</translation>
     </message>
     <message>
-        <source>Save the marks as a table (CSV) or for 3D Slicer (.mrk.json)</source>
-        <translation>Marken als Tabelle (CSV) oder für 3D Slicer (.mrk.json) speichern</translation>
+        <source>Save the measurements as a table (CSV) or for 3D Slicer (.mrk.json)</source>
+        <translation>Messungen als Tabelle (CSV) oder für 3D Slicer (.mrk.json) speichern</translation>
     </message>
     <message>
         <source>Import…</source>
         <translation>Import …</translation>
     </message>
     <message>
-        <source>Open marks of 3D Slicer (.mrk.json)</source>
-        <translation>Marken von 3D Slicer (.mrk.json) öffnen</translation>
+        <source>Open 3D Slicer markups (.mrk.json)</source>
+        <translation>Markups von 3D Slicer öffnen (.mrk.json)</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -2915,20 +3001,20 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
         <translation>Messung anhalten</translation>
     </message>
     <message>
-        <source>Mark</source>
-        <translation>Marke</translation>
+        <source>Measurement</source>
+        <translation>Messung</translation>
     </message>
     <message>
-        <source>Says</source>
-        <translation>Messwert</translation>
+        <source>Value</source>
+        <translation>Wert</translation>
     </message>
     <message>
-        <source>Marks</source>
-        <translation>Marken</translation>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
     </message>
     <message>
-        <source>Double click: another name; the box: shown in the picture</source>
-        <translation>Doppelklick: anderer Name; das Kästchen: im Bild sichtbar</translation>
+        <source>Double click: rename; box: show in the view</source>
+        <translation>Doppelklick: umbenennen; Kästchen: in der Ansicht zeigen</translation>
     </message>
     <message>
         <source>Show %1</source>
@@ -2939,35 +3025,35 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
         <translation>%1 ausblenden</translation>
     </message>
     <message>
-        <source>Rename mark</source>
-        <translation>Marke umbenennen</translation>
+        <source>Rename measurement</source>
+        <translation>Messung umbenennen</translation>
     </message>
     <message>
-        <source>Colour marks</source>
-        <translation>Marken färben</translation>
+        <source>Colour measurements</source>
+        <translation>Messungen färben</translation>
     </message>
     <message>
-        <source>Delete mark</source>
-        <translation>Marke löschen</translation>
+        <source>Delete measurement</source>
+        <translation>Messung löschen</translation>
     </message>
     <message>
-        <source>Delete marks</source>
-        <translation>Marken löschen</translation>
+        <source>Delete measurements</source>
+        <translation>Messungen löschen</translation>
     </message>
     <message>
         <source>Measure anyway</source>
         <translation>Trotzdem messen</translation>
     </message>
     <message>
-        <source>The file does not state how large its voxels are: with 1 mm, which may be wrong</source>
-        <translation>Die Datei sagt nicht, wie groß ihre Voxel sind: mit 1 mm, was falsch sein kann</translation>
+        <source>Measure with voxels of 1 mm, which may be wrong: the file states no size</source>
+        <translation>Mit Voxeln von 1 mm messen, was falsch sein kann: Die Datei gibt keine Größe an</translation>
     </message>
 </context>
 <context>
     <name>isolux::ui::MeshDialog</name>
     <message>
-        <source>&amp;Close the surface where it leaves the volume</source>
-        <translation>Die Fläche am Rand des Volumens &amp;schließen</translation>
+        <source>&amp;Cap openings at the volume border</source>
+        <translation>Öffnungen am Rand des Volumens &amp;schließen</translation>
     </message>
     <message>
         <source>&amp;Export…</source>
@@ -2978,16 +3064,16 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
         <translation>Netz exportieren</translation>
     </message>
     <message>
-        <source>as the voxels give it</source>
-        <translation>wie die Voxel sie geben</translation>
+        <source>No subdivision</source>
+        <translation>Keine Unterteilung</translation>
     </message>
     <message>
         <source>Tolerance</source>
         <translation>Toleranz</translation>
     </message>
     <message>
-        <source>Triangles are split until they lie no farther from the surface</source>
-        <translation>Dreiecke werden geteilt, bis sie nicht weiter von der Fläche entfernt sind</translation>
+        <source>Largest deviation from the surface: triangles are split until they meet it</source>
+        <translation>Größte Abweichung von der Fläche: Dreiecke werden geteilt, bis sie eingehalten ist</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -2998,24 +3084,24 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
         <translation>Isowert</translation>
     </message>
     <message>
-        <source>Triangles of the surface as it is shown, without the pieces that are hidden. A name that ends in .stl, .ply, .obj or .vtp says the format; .vtp carries curvature and the values of a second volume.</source>
-        <translation>Dreiecke der gezeigten Fläche, ohne verborgene Teile. Die Endung .stl, .ply, .obj oder .vtp bestimmt das Format; .vtp enthält Krümmung und die Werte eines zweiten Volumens.</translation>
+        <source>Exports the surface as shown, without hidden pieces. The extension sets the format: .stl, .ply, .obj or .vtp. A .vtp file also contains curvature and the values of a second volume.</source>
+        <translation>Exportiert die Fläche, wie sie gezeigt wird, ohne verborgene Teile. Die Endung bestimmt das Format: .stl, .ply, .obj oder .vtp. Eine .vtp-Datei enthält auch Krümmung und die Werte eines zweiten Volumens.</translation>
     </message>
     <message>
-        <source>%1 Cuts are not followed: the whole surface is written.</source>
-        <translation>%1 Schnitte werden nicht beachtet: die ganze Fläche wird geschrieben.</translation>
+        <source>%1 Cuts are ignored: the whole surface is exported.</source>
+        <translation>%1 Schnitte bleiben unbeachtet: die ganze Fläche wird exportiert.</translation>
     </message>
     <message>
         <source>Stop</source>
         <translation>Anhalten</translation>
     </message>
     <message>
-        <source>Making %1 …</source>
-        <translation>%1 wird erstellt …</translation>
+        <source>Writing %1…</source>
+        <translation>%1 wird geschrieben …</translation>
     </message>
     <message>
-        <source>Making %1 … %2</source>
-        <translation>%1 wird erstellt … %2</translation>
+        <source>Writing %1… %2</source>
+        <translation>%1 wird geschrieben … %2</translation>
     </message>
     <message>
         <source>Stopped: nothing was written.</source>
@@ -3030,8 +3116,8 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
         <translation>%1 gespeichert: %2. %3.</translation>
     </message>
     <message>
-        <source>Sho&amp;w the farthest place</source>
-        <translation>Die &amp;entfernteste Stelle zeigen</translation>
+        <source>Sho&amp;w largest deviation</source>
+        <translation>Größte A&amp;bweichung zeigen</translation>
     </message>
     <message>
         <source>Triangles</source>
@@ -3046,12 +3132,12 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
         <translation>etwa %1</translation>
     </message>
     <message>
-        <source>not known before</source>
-        <translation>vorher nicht bekannt</translation>
+        <source>unknown until export</source>
+        <translation>vor dem Export unbekannt</translation>
     </message>
     <message>
-        <source>%1 and more, as the tolerance asks for</source>
-        <translation>%1 und mehr, je nach Toleranz</translation>
+        <source>%1 or more, depending on the tolerance</source>
+        <translation>%1 oder mehr, je nach Toleranz</translation>
     </message>
 </context>
 <context>
@@ -3068,22 +3154,22 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
         <translation>Schräge Schicht</translation>
     </message>
     <message>
-        <source>Through (mm)</source>
-        <translation>Durch (mm)</translation>
+        <source>Point (mm)</source>
+        <translation>Punkt (mm)</translation>
     </message>
     <message>
         <source>Normal</source>
         <translation>Normale</translation>
     </message>
     <message>
-        <source>The crosshair moves to the point; the plane stands across the normal there and follows the crosshair.</source>
-        <translation>Das Fadenkreuz rückt auf den Punkt; die Ebene steht dort senkrecht zur Normalen und folgt dem Fadenkreuz.</translation>
+        <source>The crosshair moves to the point. The plane is perpendicular to the normal and follows the crosshair.</source>
+        <translation>Das Fadenkreuz rückt auf den Punkt. Die Ebene steht senkrecht zur Normalen und folgt dem Fadenkreuz.</translation>
     </message>
 </context>
 <context>
     <name>isolux::ui::PassesPanel</name>
     <message>
-        <source>No picture yet</source>
+        <source>No image yet</source>
         <translation>Noch kein Bild</translation>
     </message>
     <message>
@@ -3091,8 +3177,8 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
         <translation>Kopieren</translation>
     </message>
     <message>
-        <source>Copy the table, to paste it into a text or a spreadsheet</source>
-        <translation>Die Tabelle kopieren, um sie in einen Text oder eine Tabellenkalkulation einzufügen</translation>
+        <source>Copy the table as text, for a document or a spreadsheet</source>
+        <translation>Die Tabelle als Text kopieren, für ein Dokument oder eine Tabellenkalkulation</translation>
     </message>
     <message>
         <source>Pass</source>
@@ -3111,24 +3197,24 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
         <translation>Speicher</translation>
     </message>
     <message>
-        <source>Passes of the last picture</source>
+        <source>Passes of the last image</source>
         <translation>Durchgänge des letzten Bildes</translation>
     </message>
     <message>
-        <source>Took %1 when it last ran</source>
-        <translation>Brauchte zuletzt %1</translation>
+        <source>Last run took %1</source>
+        <translation>Letzter Lauf: %1</translation>
     </message>
     <message>
-        <source>on the processor: %1</source>
-        <translation>auf dem Prozessor: %1</translation>
+        <source>on the CPU: %1</source>
+        <translation>auf der CPU: %1</translation>
     </message>
     <message>
-        <source>Shown again once since: every pass cached, nothing ran.</source>
-        <translation>Seither einmal wieder gezeigt: alles zwischengespeichert, nichts neu berechnet.</translation>
+        <source>Redrawn once since, with all passes cached.</source>
+        <translation>Seither einmal neu gezeichnet, alle Durchgänge zwischengespeichert.</translation>
     </message>
     <message>
-        <source>Shown again %1 times since: every pass cached, nothing ran.</source>
-        <translation>Seither %1-mal wieder gezeigt: alles zwischengespeichert, nichts neu berechnet.</translation>
+        <source>Redrawn %1 times since, with all passes cached.</source>
+        <translation>Seither %1-mal neu gezeichnet, alle Durchgänge zwischengespeichert.</translation>
     </message>
     <message>
         <source>Graphics memory: %1</source>
@@ -3142,48 +3228,48 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
 <context>
     <name>isolux::ui::PictureDialog</name>
     <message>
-        <source>Save picture</source>
+        <source>Save image</source>
         <translation>Bild speichern</translation>
     </message>
     <message>
-        <source>On the picture</source>
-        <translation>Auf dem Bild</translation>
+        <source>Annotations</source>
+        <translation>Beschriftung</translation>
     </message>
     <message>
-        <source>&amp;Letters of the axes</source>
-        <translation>&amp;Buchstaben der Achsen</translation>
+        <source>&amp;Orientation labels</source>
+        <translation>&amp;Orientierungsbuchstaben</translation>
     </message>
     <message>
-        <source>Which side of the patient lies at each edge, as far as the file states it</source>
-        <translation>Welche Seite des Patienten an jedem Rand liegt, soweit die Datei es angibt</translation>
+        <source>Side of the patient at each edge, if the file states the orientation</source>
+        <translation>Seite des Patienten an jedem Rand, wenn die Datei die Orientierung angibt</translation>
     </message>
     <message>
         <source>Scale &amp;bar</source>
         <translation>&amp;Maßstab</translation>
     </message>
     <message>
-        <source>A round length in millimetres</source>
-        <translation>Eine runde Länge in Millimetern</translation>
+        <source>Bar of a round length in millimetres</source>
+        <translation>Maßstab von runder Länge in Millimetern</translation>
     </message>
     <message>
         <source>&amp;Isovalue</source>
         <translation>&amp;Isowert</translation>
     </message>
     <message>
-        <source>The values of the surfaces that are shown, with their unit</source>
-        <translation>Die Werte der gezeigten Flächen mit ihrer Einheit</translation>
+        <source>Isovalues of the surfaces shown, with their unit</source>
+        <translation>Isowerte der gezeigten Flächen mit ihrer Einheit</translation>
     </message>
     <message>
         <source>Le&amp;gend</source>
         <translation>Le&amp;gende</translation>
     </message>
     <message>
-        <source>What the colours stand for; in the window, too</source>
-        <translation>Wofür die Farben stehen; auch im Fenster</translation>
+        <source>Meaning of the colours; also shown in the window</source>
+        <translation>Bedeutung der Farben; auch im Fenster gezeigt</translation>
     </message>
     <message>
-        <source>The colours of this look stand for no numbers</source>
-        <translation>Die Farben dieser Darstellung stehen nicht für Zahlen</translation>
+        <source>The colours of this look show no numbers</source>
+        <translation>Die Farben dieser Darstellung zeigen keine Zahlen</translation>
     </message>
     <message>
         <source>Size and background</source>
@@ -3198,15 +3284,15 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
         <translation>Wie im Fenster</translation>
     </message>
     <message>
-        <source>2 times</source>
-        <translation>2-fach</translation>
+        <source>2×</source>
+        <translation>2×</translation>
     </message>
     <message>
-        <source>4 times</source>
-        <translation>4-fach</translation>
+        <source>4×</source>
+        <translation>4×</translation>
     </message>
     <message>
-        <source>A size of your own</source>
+        <source>Custom</source>
         <translation>Eigene Größe</translation>
     </message>
     <message>
@@ -3226,28 +3312,28 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
         <translation>&amp;Durchsichtiger Hintergrund</translation>
     </message>
     <message>
-        <source>For slides and posters: the surface alone, with soft edges</source>
-        <translation>Für Folien und Poster: nur die Fläche, mit weichen Rändern</translation>
+        <source>Surface only, with anti-aliased edges, for slides and posters</source>
+        <translation>Nur die Fläche, mit geglätteten Rändern, für Folien und Poster</translation>
     </message>
     <message>
-        <source>In the file</source>
-        <translation>In der Datei</translation>
+        <source>File contents</source>
+        <translation>Inhalt der Datei</translation>
     </message>
     <message>
-        <source>Carry the &amp;session</source>
-        <translation>&amp;Sitzung mitgeben</translation>
+        <source>Embed &amp;session</source>
+        <translation>&amp;Sitzung einbetten</translation>
     </message>
     <message>
-        <source>The picture can be opened again as it is now: view, isovalue, look, marks</source>
-        <translation>Das Bild lässt sich wieder so öffnen, wie es jetzt ist: Ansicht, Isowert, Darstellung, Marken</translation>
+        <source>The image opens again as a session: view, isovalue, look, measurements</source>
+        <translation>Das Bild lässt sich als Sitzung öffnen: Ansicht, Isowert, Darstellung, Messungen</translation>
     </message>
     <message>
-        <source>With full &amp;paths</source>
-        <translation>Mit vollen &amp;Pfaden</translation>
+        <source>Include full &amp;paths</source>
+        <translation>Volle &amp;Pfade aufnehmen</translation>
     </message>
     <message>
-        <source>Names the folders of its files, which may tell who you or the patient are. Without them the picture is opened again on this machine, or beside its volume.</source>
-        <translation>Nennt die Ordner der Dateien, die verraten können, wer der Patient ist. Ohne sie lässt sich das Bild auf diesem Rechner wieder öffnen, oder neben seinem Volumen.</translation>
+        <source>Stores the folders of its files, which may identify you or the patient. Without them, the image opens as a session on this computer or next to its volume.</source>
+        <translation>Nimmt die Ordner der Dateien auf, die Sie oder den Patienten erkennen lassen können. Ohne sie öffnet sich das Bild als Sitzung auf diesem Rechner oder neben seinem Volumen.</translation>
     </message>
     <message>
         <source>Preview</source>
@@ -3262,39 +3348,39 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
         <translation>&amp;Kopieren</translation>
     </message>
     <message>
-        <source>Into the clipboard, without the session</source>
-        <translation>In die Zwischenablage, ohne die Sitzung</translation>
+        <source>Copy to the clipboard, without the session</source>
+        <translation>In die Zwischenablage kopieren, ohne die Sitzung</translation>
     </message>
     <message>
-        <source>&amp;What is left out or invented</source>
-        <translation>&amp;Was fehlt oder erfunden ist</translation>
+        <source>&amp;Hidden and interpolated data</source>
+        <translation>&amp;Verborgene und interpolierte Daten</translation>
     </message>
     <message>
-        <source>Hidden pieces, missing slices that are interpolated; nothing where there are none</source>
-        <translation>Verborgene Teile, fehlende Schichten, die interpoliert sind; nichts, wo es keine gibt</translation>
+        <source>Lists hidden pieces and interpolated slices, if there are any</source>
+        <translation>Nennt verborgene Teile und interpolierte Schichten, wenn es welche gibt</translation>
     </message>
 </context>
 <context>
     <name>isolux::ui::PictureDot</name>
     <message>
-        <source>The picture is final</source>
+        <source>The image is final</source>
         <translation>Das Bild ist fertig</translation>
     </message>
     <message>
-        <source>A finer picture is on its way</source>
-        <translation>Ein feineres Bild entsteht</translation>
+        <source>A finer image is being rendered</source>
+        <translation>Ein feineres Bild wird gerendert</translation>
     </message>
     <message>
-        <source>There is no picture yet</source>
+        <source>There is no image yet</source>
         <translation>Noch gibt es kein Bild</translation>
     </message>
     <message>
-        <source>The picture is final but for its light</source>
+        <source>The image is final except for its light</source>
         <translation>Das Bild ist bis auf sein Licht fertig</translation>
     </message>
     <message>
-        <source>The last one took %1</source>
-        <translation>Das letzte dauerte %1</translation>
+        <source>Last render time: %1</source>
+        <translation>Letzte Renderzeit: %1</translation>
     </message>
 </context>
 <context>
@@ -3304,12 +3390,12 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
         <translation>Größte behalten</translation>
     </message>
     <message>
-        <source>In the body above</source>
+        <source>Inside the body above</source>
         <translation>Im Körper über</translation>
     </message>
     <message>
-        <source>Not below</source>
-        <translation>Nicht unter</translation>
+        <source>Hide smaller than</source>
+        <translation>Kleinere verbergen als</translation>
     </message>
     <message>
         <source>Piece</source>
@@ -3332,7 +3418,7 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
         <translation>Ausblenden</translation>
     </message>
     <message>
-        <source>Hide the pieces that are marked in the list</source>
+        <source>Hide the pieces selected in the list</source>
         <translation>Die in der Liste gewählten Teile ausblenden</translation>
     </message>
     <message>
@@ -3340,24 +3426,24 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
         <translation>Nur diese</translation>
     </message>
     <message>
-        <source>Hide all but the marked ones</source>
-        <translation>Alle außer den gewählten ausblenden</translation>
+        <source>Hide all but the selected pieces</source>
+        <translation>Alle außer den gewählten Teilen ausblenden</translation>
     </message>
     <message>
         <source>Centre</source>
         <translation>Mitte</translation>
     </message>
     <message>
-        <source>Move the marked piece to the middle of the picture (double click)</source>
-        <translation>Das gewählte Teil in die Bildmitte rücken (Doppelklick)</translation>
+        <source>Centre the view on the selected piece (double click)</source>
+        <translation>Die Ansicht auf das gewählte Teil zentrieren (Doppelklick)</translation>
     </message>
     <message>
         <source>Show all</source>
         <translation>Alle</translation>
     </message>
     <message>
-        <source>Show every piece again</source>
-        <translation>Wieder alle Teile zeigen</translation>
+        <source>Show all pieces again</source>
+        <translation>Alle Teile wieder zeigen</translation>
     </message>
     <message>
         <source>… and %1 smaller ones</source>
@@ -3380,24 +3466,24 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
         <translation>%1 Voxel</translation>
     </message>
     <message>
-        <source>Goes on beyond the data: both are of what lies within</source>
-        <translation>Reicht über die Daten hinaus: beides gilt für den Teil darin</translation>
+        <source>Extends beyond the data: volume and area cover the part within</source>
+        <translation>Reicht über die Daten hinaus: Volumen und Fläche gelten für den Teil darin</translation>
     </message>
     <message>
         <source>Hidden</source>
         <translation>Ausgeblendet</translation>
     </message>
     <message>
-        <source>The connected pieces of the isosurface are listed here: open a volume.</source>
-        <translation>Hier stehen die zusammenhängenden Teile der Isofläche: ein Volumen öffnen.</translation>
+        <source>Open a volume to list the pieces (connected components) of its isosurface.</source>
+        <translation>Ein Volumen öffnen, um die Teile (zusammenhängenden Komponenten) seiner Isofläche aufzulisten.</translation>
     </message>
     <message>
-        <source>Finding pieces … %1 %</source>
+        <source>Finding pieces… %1 %</source>
         <translation>Teile werden gesucht … %1 %</translation>
     </message>
     <message>
-        <source>No voxel is inside at %1: move the isovalue.</source>
-        <translation>Bei %1 liegt kein Voxel innen: den Isowert verschieben.</translation>
+        <source>No voxel is inside at %1: change the isovalue.</source>
+        <translation>Bei %1 liegt kein Voxel innen: den Isowert ändern.</translation>
     </message>
     <message>
         <source>One piece at %1</source>
@@ -3416,7 +3502,7 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
         <translation> (der ersten Isofläche)</translation>
     </message>
     <message>
-        <source> – measuring …</source>
+        <source> – measuring…</source>
         <translation> – Messung läuft …</translation>
     </message>
     <message>
@@ -3455,8 +3541,8 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
         <translation>Ebene hinzufügen</translation>
     </message>
     <message>
-        <source>The last plane once more, or one across the z axis through the origin; the Cut menu puts planes through what is seen</source>
-        <translation>Die letzte Ebene noch einmal, oder eine quer zur z-Achse durch den Ursprung; das Menü Schneiden legt Ebenen durch das Gezeigte</translation>
+        <source>Add a copy of the last plane, or a plane across the z axis through the origin; the Cut menu adds planes through the view’s target</source>
+        <translation>Eine Kopie der letzten Ebene oder eine Ebene quer zur z-Achse durch den Ursprung hinzufügen; das Menü Schneiden fügt Ebenen durch das Ziel der Ansicht hinzu</translation>
     </message>
     <message>
         <source>%1 at</source>
@@ -3483,12 +3569,12 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
         <translation>Ebene %1 entfernen</translation>
     </message>
     <message>
-        <source>Flip</source>
+        <source>Reverse</source>
         <translation>Umkehren</translation>
     </message>
     <message>
-        <source>Flip plane %1: the other side is cut away</source>
-        <translation>Ebene %1 umkehren: die andere Seite wird weggeschnitten</translation>
+        <source>Reverse plane %1: cut away the other side</source>
+        <translation>Ebene %1 umkehren: die andere Seite wegschneiden</translation>
     </message>
 </context>
 <context>
@@ -3514,33 +3600,33 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
     <name>isolux::ui::PreferencesDialog</name>
     <message>
         <source>Preferences</source>
-        <translation>Einstellungen</translation>
+        <translation>Programmeinstellungen</translation>
     </message>
     <message>
         <source>auto</source>
         <translation>auto</translation>
     </message>
     <message>
-        <source>Of this machine: sessions and recordings do not carry them.</source>
-        <translation>Für diesen Rechner: Sitzungen und Aufzeichnungen enthalten sie nicht.</translation>
+        <source>Stored on this computer only, not in sessions or recordings.</source>
+        <translation>Nur auf diesem Rechner gespeichert, nicht in Sitzungen oder Aufzeichnungen.</translation>
     </message>
     <message>
         <source>Language</source>
         <translation>Sprache</translation>
     </message>
     <message>
-        <source>As the system</source>
-        <translation>Wie das System</translation>
+        <source>System default</source>
+        <translation>Systemstandard</translation>
     </message>
     <message>
-        <source>Of the window; it changes when Isolux is started again.</source>
-        <translation>Des Fensters; sie wechselt beim nächsten Start von Isolux.</translation>
+        <source>Language of the window; takes effect after a restart.</source>
+        <translation>Sprache des Fensters; wird nach einem Neustart wirksam.</translation>
     </message>
 </context>
 <context>
     <name>isolux::ui::PrivacyBox</name>
     <message>
-        <source>The patient’s name, id and birth date</source>
+        <source>Patient’s name, ID and birth date</source>
         <translation>Name, Kennung und Geburtsdatum des Patienten</translation>
     </message>
     <message>
@@ -3548,16 +3634,16 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
         <translation>Auf dem &amp;Bildschirm verbergen</translation>
     </message>
     <message>
-        <source>Hide in what is sa&amp;ved: pictures, marks, recordings</source>
-        <translation>In &amp;Gespeichertem verbergen: Bilder, Marken, Aufzeichnungen</translation>
+        <source>Hide in sa&amp;ved files: images, measurements, recordings</source>
+        <translation>In &amp;gespeicherten Dateien verbergen: Bilder, Messungen, Aufzeichnungen</translation>
     </message>
     <message>
-        <source>In titles, the Volume panel, the DICOM browser and the recent files</source>
-        <translation>In Titeln, im Volumenfeld, in der DICOM-Übersicht und bei den zuletzt geöffneten Dateien</translation>
+        <source>Applies to titles, the Volume panel, the DICOM browser and recent files</source>
+        <translation>Gilt für Titel, das Bedienfeld Volumen, den DICOM-Browser und zuletzt geöffnete Dateien</translation>
     </message>
     <message>
-        <source>In the sessions that pictures carry, exported marks, recordings and proposed names of files. Sessions saved as such name the files that they open.</source>
-        <translation>In den Sitzungen, die Bilder enthalten, in exportierten Marken, Aufzeichnungen und vorgeschlagenen Dateinamen. Als solche gespeicherte Sitzungen nennen die Dateien, die sie öffnen.</translation>
+        <source>Applies to sessions embedded in images, exported measurements, recordings and proposed file names. Session files always name the files that they open.</source>
+        <translation>Gilt für in Bilder eingebettete Sitzungen, exportierte Messungen, Aufzeichnungen und vorgeschlagene Dateinamen. Sitzungsdateien nennen immer die Dateien, die sie öffnen.</translation>
     </message>
 </context>
 <context>
@@ -3567,15 +3653,15 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
         <translation>Rohdatei öffnen – %1</translation>
     </message>
     <message>
-        <source>&lt;b&gt;%1&lt;/b&gt; has no header that Isolux knows. How are its voxels stored?</source>
-        <translation>&lt;b&gt;%1&lt;/b&gt; hat keinen Kopf, den Isolux kennt. Wie sind die Voxel gespeichert?</translation>
+        <source>&lt;b&gt;%1&lt;/b&gt; has no header that Isolux can read. How are its voxels stored?</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt; hat keinen Kopf, den Isolux lesen kann. Wie sind die Voxel gespeichert?</translation>
     </message>
     <message>
-        <source>nothing fits by name or size</source>
-        <translation>nichts passt nach Name oder Größe</translation>
+        <source>no match by name or size</source>
+        <translation>kein Treffer nach Name oder Größe</translation>
     </message>
     <message>
-        <source>choose …</source>
+        <source>choose…</source>
         <translation>wählen …</translation>
     </message>
     <message>
@@ -3658,8 +3744,8 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
 <context>
     <name>isolux::ui::RecentMenu</name>
     <message>
-        <source>Nothing yet</source>
-        <translation>Noch nichts</translation>
+        <source>No recent files</source>
+        <translation>Keine zuletzt geöffneten Dateien</translation>
     </message>
     <message>
         <source>Clear this list</source>
@@ -3669,7 +3755,7 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
 <context>
     <name>isolux::ui::RecentPictures</name>
     <message>
-        <source>Opened last</source>
+        <source>Recently opened</source>
         <translation>Zuletzt geöffnet</translation>
     </message>
 </context>
@@ -3696,11 +3782,11 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
         <translation>Speichern …</translation>
     </message>
     <message>
-        <source>Path traced picture</source>
+        <source>Path-traced image</source>
         <translation>Bild mit Pfadverfolgung</translation>
     </message>
     <message>
-        <source>Picture</source>
+        <source>Image</source>
         <translation>Bild</translation>
     </message>
     <message>
@@ -3708,16 +3794,16 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
         <translation>Rauschen (weiß: 10 % oder mehr)</translation>
     </message>
     <message>
-        <source>Shown</source>
-        <translation>Gezeigt</translation>
+        <source>Display</source>
+        <translation>Anzeige</translation>
     </message>
     <message>
         <source>Size</source>
         <translation>Größe</translation>
     </message>
     <message>
-        <source>Every pixel is traced by itself, without stored light. Twice as many paths take twice the time; four times as many halve the noise.</source>
-        <translation>Jedes Pixel wird für sich verfolgt, ohne gespeichertes Licht. Doppelt so viele Pfade brauchen doppelt so lange; viermal so viele halbieren das Rauschen.</translation>
+        <source>Traces every pixel independently, without baked light. Twice as many paths take twice the time; four times as many halve the noise.</source>
+        <translation>Verfolgt jedes Pixel unabhängig, ohne gespeichertes Licht. Doppelt so viele Pfade brauchen doppelt so lange; viermal so viele halbieren das Rauschen.</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -3728,7 +3814,7 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
         <translation>Rauschen %1 %</translation>
     </message>
     <message>
-        <source>Tracing …</source>
+        <source>Tracing…</source>
         <translation>Berechnung läuft …</translation>
     </message>
     <message>
@@ -3740,7 +3826,7 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
         <translation>Fertig</translation>
     </message>
     <message>
-        <source>Save path traced picture</source>
+        <source>Save path-traced image</source>
         <translation>Bild mit Pfadverfolgung speichern</translation>
     </message>
     <message>
@@ -3748,11 +3834,11 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
         <translation>OpenEXR, lineare Farben, Bestrahlungsstärke und Varianz (*.exr)</translation>
     </message>
     <message>
-        <source>PNG, carries the session (*.png)</source>
-        <translation>PNG, enthält die Sitzung (*.png)</translation>
+        <source>PNG, with session (*.png)</source>
+        <translation>PNG, mit Sitzung (*.png)</translation>
     </message>
     <message>
-        <source>Saving %1 …</source>
+        <source>Saving %1…</source>
         <translation>%1 wird gespeichert …</translation>
     </message>
     <message>
@@ -3767,24 +3853,24 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
         <translation>Richtung</translation>
     </message>
     <message>
-        <source>About the vertical axis, counterclockwise as seen from above</source>
-        <translation>Um die senkrechte Achse, von oben gesehen gegen den Uhrzeigersinn</translation>
+        <source>Rotation about the vertical axis, counterclockwise from above</source>
+        <translation>Drehung um die senkrechte Achse, von oben gesehen gegen den Uhrzeigersinn</translation>
     </message>
     <message>
         <source>Elevation</source>
         <translation>Höhenwinkel</translation>
     </message>
     <message>
-        <source>How high the middle of the light probe stands above the horizon</source>
-        <translation>Wie hoch die Mitte des Umgebungsbildes über dem Horizont steht</translation>
+        <source>Height of the environment map’s centre above the horizon</source>
+        <translation>Höhe der Mitte des Umgebungsbildes über dem Horizont</translation>
     </message>
     <message>
         <source>Roll</source>
         <translation>Rollen</translation>
     </message>
     <message>
-        <source>About the direction of the middle of the light probe</source>
-        <translation>Um die Richtung der Mitte des Umgebungsbildes</translation>
+        <source>Rotation about the direction of the environment map’s centre</source>
+        <translation>Drehung um die Richtung der Mitte des Umgebungsbildes</translation>
     </message>
 </context>
 <context>
@@ -3794,20 +3880,20 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
         <translation>auto</translation>
     </message>
     <message>
-        <source>Chosen by itself</source>
-        <translation>Wird selbsttätig gewählt</translation>
+        <source>Chosen automatically</source>
+        <translation>Automatisch gewählt</translation>
     </message>
     <message>
-        <source>Back to the default</source>
-        <translation>Zurück zur Vorgabe</translation>
+        <source>Reset to default</source>
+        <translation>Auf Standard zurücksetzen</translation>
     </message>
     <message>
         <source>Reset %1</source>
         <translation>%1 zurücksetzen</translation>
     </message>
     <message>
-        <source>Does nothing now: %1.</source>
-        <translation>Wirkt gerade nicht: %1.</translation>
+        <source>Has no effect: %1.</source>
+        <translation>Ohne Wirkung: %1.</translation>
     </message>
     <message>
         <source>Change %1</source>
@@ -3817,22 +3903,22 @@ Das Menü Messen hat Pins (P), Abstände (M), Wege entlang der Oberfläche (Umsc
 <context>
     <name>isolux::ui::SettingsPanel</name>
     <message>
-        <source>No setting is called that.
-Memory, threads and the speed in motion are in Edit, Preferences.</source>
-        <translation>Keine Option heißt so.
-Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellungen.</translation>
+        <source>No matching setting.
+Memory, threads and speed in motion are in Edit &gt; Preferences.</source>
+        <translation>Keine passende Einstellung.
+Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmeinstellungen.</translation>
     </message>
     <message>
         <source>Find a setting</source>
-        <translation>Option suchen</translation>
+        <translation>Einstellung suchen</translation>
     </message>
     <message>
-        <source>Nothing to set here: %1</source>
-        <translation>Hier ist nichts einzustellen: %1</translation>
+        <source>No effective settings: %1</source>
+        <translation>Keine wirksamen Einstellungen: %1</translation>
     </message>
     <message>
         <source>Settings of the scene</source>
-        <translation>Optionen der Szene</translation>
+        <translation>Einstellungen der Szene</translation>
     </message>
 </context>
 <context>
@@ -3842,16 +3928,16 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Fadenkreuz bewegen</translation>
     </message>
     <message>
-        <source>Change level and width</source>
-        <translation>Fensterlage und -breite ändern</translation>
+        <source>Change window level and width</source>
+        <translation>Fenstermitte und -breite ändern</translation>
     </message>
     <message>
         <source>Oblique slice</source>
         <translation>Schräge Schicht</translation>
     </message>
     <message>
-        <source>Slice of cut %1</source>
-        <translation>Schicht von Schnitt %1</translation>
+        <source>Slice through cut %1</source>
+        <translation>Schicht durch Schnitt %1</translation>
     </message>
     <message>
         <source>Move cut</source>
@@ -3865,20 +3951,20 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Voxel des Netzes</translation>
     </message>
     <message>
-        <source>Combine</source>
-        <translation>Verknüpfen</translation>
+        <source>Boolean operation</source>
+        <translation>Boolesche Operation</translation>
     </message>
     <message>
-        <source>Second</source>
-        <translation>Zweites</translation>
+        <source>Second volume</source>
+        <translation>Zweites Volumen</translation>
     </message>
     <message>
         <source>Choose file…</source>
         <translation>Datei wählen …</translation>
     </message>
     <message>
-        <source>Its isovalue</source>
-        <translation>Sein Isowert</translation>
+        <source>Second isovalue</source>
+        <translation>Zweiter Isowert</translation>
     </message>
     <message>
         <source>Choose the second volume</source>
@@ -3896,20 +3982,20 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Isoflächen</translation>
     </message>
     <message>
-        <source>Whether the isosurface is shown</source>
-        <translation>Ob die Isofläche gezeigt wird</translation>
+        <source>Show this isosurface</source>
+        <translation>Diese Isofläche zeigen</translation>
     </message>
     <message>
-        <source>Its name</source>
-        <translation>Ihr Name</translation>
+        <source>Name of this isosurface</source>
+        <translation>Name dieser Isofläche</translation>
     </message>
     <message>
-        <source>Its isovalue; arrow keys change it by the step of the histogram</source>
-        <translation>Ihr Isowert; Pfeiltasten ändern ihn um die Schrittweite des Histogramms</translation>
+        <source>Isovalue; arrow keys change it by one histogram step</source>
+        <translation>Isowert; Pfeiltasten ändern ihn um einen Schritt des Histogramms</translation>
     </message>
     <message>
-        <source>See-through where it faces you, dense where it is seen from the side</source>
-        <translation>Durchsichtig, wo sie zum Betrachter zeigt, dicht, wo sie von der Seite zu sehen ist</translation>
+        <source>View-dependent opacity: transparent where the surface faces the viewer, dense where it is edge-on</source>
+        <translation>Blickabhängige Deckkraft: durchsichtig, wo die Fläche zum Betrachter zeigt, dicht, wo sie von der Kante zu sehen ist</translation>
     </message>
     <message>
         <source>Remove this isosurface from the list</source>
@@ -3940,20 +4026,20 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Deckkraft der Isofläche</translation>
     </message>
     <message>
-        <source>See through isosurface</source>
-        <translation>Isofläche durchsichtig</translation>
+        <source>Turn on view-dependent opacity</source>
+        <translation>Blickabhängige Deckkraft einschalten</translation>
     </message>
     <message>
-        <source>Do not see through isosurface</source>
-        <translation>Isofläche nicht durchsichtig</translation>
+        <source>Turn off view-dependent opacity</source>
+        <translation>Blickabhängige Deckkraft ausschalten</translation>
     </message>
     <message>
         <source>Remove isosurface</source>
         <translation>Isofläche entfernen</translation>
     </message>
     <message>
-        <source>%1 is shown</source>
-        <translation>%1 wird gezeigt</translation>
+        <source>Show %1</source>
+        <translation>%1 zeigen</translation>
     </message>
     <message>
         <source>Colour of %1</source>
@@ -3976,8 +4062,8 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Deckkraft: %1 %</translation>
     </message>
     <message>
-        <source>%1 is see-through where it faces you</source>
-        <translation>%1 ist durchsichtig, wo sie zum Betrachter zeigt</translation>
+        <source>View-dependent opacity of %1</source>
+        <translation>Blickabhängige Deckkraft von %1</translation>
     </message>
     <message>
         <source>Remove %1</source>
@@ -4003,16 +4089,16 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Zeit höchstens, Millisekunden</translation>
     </message>
     <message>
-        <source>Which error</source>
-        <translation>Welcher Fehler</translation>
+        <source>Kind of error</source>
+        <translation>Art des Fehlers</translation>
     </message>
     <message>
-        <source>Uses these settings, as one step of undo</source>
-        <translation>Verwendet diese Einstellungen, als ein Schritt zum Rückgängigmachen</translation>
+        <source>Apply these settings as one undo step</source>
+        <translation>Diese Einstellungen anwenden, als ein Schritt zum Rückgängigmachen</translation>
     </message>
     <message>
-        <source>ms for a picture</source>
-        <translation>ms für ein Bild</translation>
+        <source>ms per image</source>
+        <translation>ms je Bild</translation>
     </message>
     <message>
         <source>Keep %1 ms</source>
@@ -4023,12 +4109,12 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>%1 %2 einhalten</translation>
     </message>
     <message>
-        <source>Errors are known of the whole isosurface only: remove the cuts, or let them not cut it</source>
-        <translation>Fehler sind nur von der ganzen Isofläche bekannt: zuerst die Schnitte entfernen oder sie davon ausnehmen</translation>
+        <source>Errors are known only for an uncut isosurface: remove the cuts or exclude it from them</source>
+        <translation>Fehler sind nur für eine ungeschnittene Isofläche bekannt: die Schnitte entfernen oder sie davon ausnehmen</translation>
     </message>
     <message>
-        <source>Nothing keeps 0: enter a number above it</source>
-        <translation>0 ist nicht einzuhalten: eine größere Zahl eingeben</translation>
+        <source>No settings keep 0: enter a larger number</source>
+        <translation>Keine Einstellungen halten 0 ein: eine größere Zahl eingeben</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -4039,7 +4125,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Einstellungen suchen</translation>
     </message>
     <message>
-        <source>Searching … %1 %</source>
+        <source>Searching… %1 %</source>
         <translation>Suche … %1 %</translation>
     </message>
 </context>
@@ -4069,8 +4155,8 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
 <context>
     <name>isolux::ui::Viewport</name>
     <message>
-        <source>Picture</source>
-        <translation>Bild</translation>
+        <source>3-D view</source>
+        <translation>3D-Ansicht</translation>
     </message>
     <message>
         <source>Suggested isovalue</source>
@@ -4085,8 +4171,8 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Deckend machen</translation>
     </message>
     <message>
-        <source>%1.  Backspace: one back; Esc ends</source>
-        <translation>%1.  Rücktaste: einen zurück; Esc beendet</translation>
+        <source>%1.  Backspace removes the last point; Esc ends</source>
+        <translation>%1.  Rücktaste entfernt den letzten Punkt; Esc beendet</translation>
     </message>
     <message>
         <source>Add %1</source>
@@ -4097,7 +4183,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Ansicht %1</translation>
     </message>
     <message>
-        <source>Fit view</source>
+        <source>Zoom to fit</source>
         <translation>Ansicht einpassen</translation>
     </message>
     <message>
@@ -4133,32 +4219,32 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Auf Punkt zentrieren</translation>
     </message>
     <message>
-        <source>Lamp %1: drag its outline to make it larger or smaller</source>
-        <translation>Lampe %1: am Umriss ziehen, um sie zu vergrößern oder zu verkleinern</translation>
+        <source>Light %1: drag its outline to resize it</source>
+        <translation>Lichtquelle %1: am Umriss ziehen, um die Größe zu ändern</translation>
     </message>
     <message>
-        <source>Lamp %1: drag to move it; with Ctrl, or by the wheel, nearer and farther</source>
-        <translation>Lampe %1: ziehen, um sie zu bewegen; mit Strg oder dem Mausrad näher und ferner</translation>
+        <source>Light %1: drag to move it; Ctrl+drag or wheel changes its distance</source>
+        <translation>Lichtquelle %1: ziehen, um sie zu bewegen; Strg+Ziehen oder das Rad ändert die Entfernung</translation>
     </message>
     <message>
-        <source>Resize lamp %1</source>
-        <translation>Größe von Lampe %1 ändern</translation>
+        <source>Resize light %1</source>
+        <translation>Größe von Lichtquelle %1 ändern</translation>
     </message>
     <message>
-        <source>Move lamp %1</source>
-        <translation>Lampe %1 bewegen</translation>
+        <source>Move light %1</source>
+        <translation>Lichtquelle %1 bewegen</translation>
     </message>
     <message>
-        <source>there is no picture to save</source>
+        <source>there is no image to save</source>
         <translation>es gibt kein Bild zu speichern</translation>
     </message>
     <message>
-        <source>another picture is being saved</source>
+        <source>another image is being saved</source>
         <translation>ein anderes Bild wird gerade gespeichert</translation>
     </message>
     <message>
-        <source>the picture was not waited for</source>
-        <translation>auf das Bild wurde nicht gewartet</translation>
+        <source>waiting for the image was cancelled</source>
+        <translation>das Warten auf das Bild wurde abgebrochen</translation>
     </message>
     <message>
         <source>Show all pieces</source>
@@ -4169,24 +4255,24 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Schnitte entfernen</translation>
     </message>
     <message>
-        <source>Plane %1: drag to turn it; with Ctrl, to the axes and halfway between</source>
-        <translation>Ebene %1: ziehen, um sie zu drehen; mit Strg auf die Achsen und halbwegs dazwischen</translation>
+        <source>Plane %1: drag to turn it; Ctrl snaps to the axes and halfway between</source>
+        <translation>Ebene %1: ziehen, um sie zu drehen; Strg rastet an den Achsen und halbwegs dazwischen ein</translation>
     </message>
     <message>
-        <source>Plane %1: drag, or turn the wheel, to move it along its normal; right click for more</source>
-        <translation>Ebene %1: ziehen oder am Rad drehen, um sie längs ihrer Normalen zu bewegen; Rechtsklick für mehr</translation>
+        <source>Plane %1: drag or use the wheel to move it along its normal; right click for the menu</source>
+        <translation>Ebene %1: ziehen oder das Rad drehen, um sie längs ihrer Normalen zu bewegen; Rechtsklick für das Menü</translation>
     </message>
     <message>
-        <source>Box: drag to turn it; with Ctrl, about one of its axes; right click for more</source>
-        <translation>Quader: ziehen, um ihn zu drehen; mit Strg um eine seiner Achsen; Rechtsklick für mehr</translation>
+        <source>Box: drag to turn it; Ctrl turns about one of its axes; right click for the menu</source>
+        <translation>Quader: ziehen, um ihn zu drehen; Strg dreht um eine seiner Achsen; Rechtsklick für das Menü</translation>
     </message>
     <message>
-        <source>Box: drag this face, or turn the wheel, to move it</source>
-        <translation>Quader: diese Seite ziehen oder am Rad drehen, um sie zu bewegen</translation>
+        <source>Box: drag this face or use the wheel to move it</source>
+        <translation>Quader: diese Seite ziehen oder das Rad drehen, um sie zu bewegen</translation>
     </message>
     <message>
-        <source>Box: drag to move it parallel to the screen; right click for more</source>
-        <translation>Quader: ziehen, um ihn parallel zum Bildschirm zu bewegen; Rechtsklick für mehr</translation>
+        <source>Box: drag to move it parallel to the screen; right click for the menu</source>
+        <translation>Quader: ziehen, um ihn parallel zum Bildschirm zu bewegen; Rechtsklick für das Menü</translation>
     </message>
     <message>
         <source>Turn plane %1</source>
@@ -4209,7 +4295,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Quader bewegen</translation>
     </message>
     <message>
-        <source>Drawing the picture</source>
+        <source>Drawing the image</source>
         <translation>Das Bild wird gezeichnet</translation>
     </message>
     <message>
@@ -4224,7 +4310,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>%1 in der Mitte</translation>
     </message>
     <message>
-        <source>The picture cannot be drawn</source>
+        <source>The image cannot be drawn</source>
         <translation>Das Bild kann nicht gezeichnet werden</translation>
     </message>
 </context>
@@ -4279,36 +4365,36 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Serie</translation>
     </message>
     <message>
-        <source>Component</source>
-        <translation>Komponente</translation>
+        <source>Channel</source>
+        <translation>Kanal</translation>
     </message>
     <message>
         <source>Time step</source>
         <translation>Zeitschritt</translation>
     </message>
     <message>
-        <source>Notes of the reader</source>
-        <translation>Hinweise beim Lesen</translation>
+        <source>Import warnings</source>
+        <translation>Importwarnungen</translation>
     </message>
     <message>
         <source>Choose series</source>
         <translation>Serie wählen</translation>
     </message>
     <message>
-        <source>Choose component</source>
-        <translation>Komponente wählen</translation>
+        <source>Choose channel</source>
+        <translation>Kanal wählen</translation>
     </message>
     <message>
         <source>Choose time step</source>
         <translation>Zeitschritt wählen</translation>
     </message>
     <message>
-        <source>read %1 s, prepared %2 s; picture %3 s after reading</source>
-        <translation>gelesen %1 s, vorbereitet %2 s; Bild %3 s nach dem Lesen</translation>
+        <source>read %1 s, prepared %2 s; first image %3 s after reading</source>
+        <translation>gelesen %1 s, vorbereitet %2 s; erstes Bild %3 s nach dem Lesen</translation>
     </message>
     <message>
-        <source>%1, kept as %2</source>
-        <translation>%1, gehalten als %2</translation>
+        <source>%1, in memory as %2</source>
+        <translation>%1, im Speicher als %2</translation>
     </message>
     <message>
         <source>value = %1 · stored</source>
@@ -4351,8 +4437,8 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Stufe wählen</translation>
     </message>
     <message>
-        <source>0 is the voxels of the file; each further level has the means of twice as many along each axis</source>
-        <translation>0 sind die Voxel der Datei; jede weitere Stufe hat die Mittel von doppelt so vielen je Achse</translation>
+        <source>Level 0 is full resolution; each further level halves it along each axis, by averaging voxels</source>
+        <translation>Stufe 0 ist die volle Auflösung; jede weitere Stufe halbiert sie je Achse durch Mittelung der Voxel</translation>
     </message>
     <message>
         <source> (slices %1 mm apart)</source>
@@ -4371,8 +4457,8 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>%1 (automatisch)</translation>
     </message>
     <message>
-        <source>What kind of data this is: presets depend on it. Chosen because %1</source>
-        <translation>Art der Daten; danach richten sich die Vorlagen. Grund: %1</translation>
+        <source>Kind of data; presets depend on it. Chosen because %1</source>
+        <translation>Art der Daten; die Vorlagen hängen davon ab. Grund: %1</translation>
     </message>
 </context>
 <context>
@@ -4386,20 +4472,20 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>&amp;Nächste Anordnung</translation>
     </message>
     <message>
-        <source>Pa&amp;nels</source>
-        <translation>&amp;Felder</translation>
+        <source>&amp;Panels</source>
+        <translation>Bedien&amp;felder</translation>
     </message>
     <message>
-        <source>&amp;Float the panel in front</source>
-        <translation>Vorderes Feld &amp;lösen</translation>
+        <source>&amp;Float the front panel</source>
+        <translation>Vorderes Bedienfeld &amp;lösen</translation>
     </message>
     <message>
         <source>&amp;Go to</source>
         <translation>&amp;Gehe zu</translation>
     </message>
     <message>
-        <source>&amp;Picture</source>
-        <translation>&amp;Bild</translation>
+        <source>3-D &amp;view</source>
+        <translation>3D-&amp;Ansicht</translation>
     </message>
     <message>
         <source>&amp;Next part of the window</source>
@@ -4544,7 +4630,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     <name>passes</name>
     <message>
         <source>cached</source>
-        <translation>behalten</translation>
+        <translation>zwischengespeichert</translation>
     </message>
     <message>
         <source>ran</source>
@@ -4552,7 +4638,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>skipped</source>
-        <translation>entfallen</translation>
+        <translation>ausgelassen</translation>
     </message>
 </context>
 <context>
@@ -6307,16 +6393,16 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Darüber</translation>
     </message>
     <message>
-        <source>Accessibility</source>
-        <translation>Zugänglichkeit</translation>
+        <source>Crevice shading</source>
+        <translation>Vertiefungsschattierung</translation>
     </message>
     <message>
         <source>Ambient</source>
-        <translation>Grundlicht</translation>
+        <translation>Umgebungslicht</translation>
     </message>
     <message>
-        <source>Ambient variation</source>
-        <translation>Verlauf von oben</translation>
+        <source>Hemisphere lighting</source>
+        <translation>Hemisphärenlicht</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -6415,8 +6501,8 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Farbe</translation>
     </message>
     <message>
-        <source>Colour from</source>
-        <translation>Farbe aus</translation>
+        <source>Colour source</source>
+        <translation>Farbquelle</translation>
     </message>
     <message>
         <source>Colour high</source>
@@ -6435,12 +6521,12 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Farben von κ₁ und κ₂</translation>
     </message>
     <message>
-        <source>Component</source>
-        <translation>Komponente</translation>
+        <source>Channel</source>
+        <translation>Kanal</translation>
     </message>
     <message>
         <source>Component bits</source>
-        <translation>Bits je Komponente</translation>
+        <translation>Bit je Komponente</translation>
     </message>
     <message>
         <source>Components</source>
@@ -6475,19 +6561,19 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Werte werden gezählt</translation>
     </message>
     <message>
-        <source>Cpu</source>
-        <translation>Prozessor</translation>
+        <source>CPU</source>
+        <translation>CPU</translation>
     </message>
     <message>
-        <source>Csg</source>
-        <translation>Verknüpfung</translation>
+        <source>Boolean operation</source>
+        <translation>Boolesche Operation</translation>
     </message>
     <message>
-        <source>Csg path</source>
+        <source>Second volume</source>
         <translation>Zweites Volumen</translation>
     </message>
     <message>
-        <source>Csg value</source>
+        <source>Second isovalue</source>
         <translation>Zweiter Isowert</translation>
     </message>
     <message>
@@ -6520,7 +6606,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>Directional</source>
-        <translation>Fern</translation>
+        <translation>Fern (gerichtet)</translation>
     </message>
     <message>
         <source>Edge offset</source>
@@ -6544,11 +6630,11 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>Extent</source>
-        <translation>Umfang</translation>
+        <translation>Umfang der Berechnung</translation>
     </message>
     <message>
         <source>Eye</source>
-        <translation>Auge</translation>
+        <translation>Augpunkt</translation>
     </message>
     <message>
         <source>Fade</source>
@@ -6559,8 +6645,8 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Schnell</translation>
     </message>
     <message>
-        <source>Fetch</source>
-        <translation>Lesen</translation>
+        <source>Voxel access</source>
+        <translation>Voxelzugriff</translation>
     </message>
     <message>
         <source>Field</source>
@@ -6579,7 +6665,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Nebelfarbe</translation>
     </message>
     <message>
-        <source>Fov</source>
+        <source>Field of view</source>
         <translation>Bildwinkel</translation>
     </message>
     <message>
@@ -6591,20 +6677,20 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Gaußsche Krümmung</translation>
     </message>
     <message>
-        <source>Ghost</source>
-        <translation>Rauschflächen</translation>
+        <source>Uncertainty surfaces</source>
+        <translation>Unsicherheitsflächen</translation>
     </message>
     <message>
-        <source>Ghost opacity</source>
-        <translation>Deckkraft der Rauschflächen</translation>
+        <source>Uncertainty opacity</source>
+        <translation>Deckkraft der Unsicherheitsflächen</translation>
     </message>
     <message>
         <source>Global illumination</source>
         <translation>Globale Beleuchtung</translation>
     </message>
     <message>
-        <source>Gpu</source>
-        <translation>Grafikkarte</translation>
+        <source>GPU</source>
+        <translation>GPU</translation>
     </message>
     <message>
         <source>Grain</source>
@@ -6628,7 +6714,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>Headlight</source>
-        <translation>Kopflicht</translation>
+        <translation>Kameralicht</translation>
     </message>
     <message>
         <source>Hidden</source>
@@ -6636,15 +6722,15 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>High</source>
-        <translation>Oben</translation>
+        <translation>Obere Grenze</translation>
     </message>
     <message>
         <source>Inferno</source>
         <translation>Inferno</translation>
     </message>
     <message>
-        <source>Inner tint</source>
-        <translation>Tönung innen</translation>
+        <source>Back-face tint</source>
+        <translation>Rückseitentönung</translation>
     </message>
     <message>
         <source>Inside</source>
@@ -6688,7 +6774,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>Keep</source>
-        <translation>Behalten</translation>
+        <translation>Größte behalten</translation>
     </message>
     <message>
         <source>Kind</source>
@@ -6699,20 +6785,20 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Lambert</translation>
     </message>
     <message>
-        <source>Lamp 1</source>
-        <translation>Lampe 1</translation>
+        <source>Light 1</source>
+        <translation>Lichtquelle 1</translation>
     </message>
     <message>
-        <source>Lamp 2</source>
-        <translation>Lampe 2</translation>
+        <source>Light 2</source>
+        <translation>Lichtquelle 2</translation>
     </message>
     <message>
-        <source>Lamp 3</source>
-        <translation>Lampe 3</translation>
+        <source>Light 3</source>
+        <translation>Lichtquelle 3</translation>
     </message>
     <message>
         <source>Lattice scale</source>
-        <translation>Gitterfeinheit</translation>
+        <translation>Gitterauflösung</translation>
     </message>
     <message>
         <source>Layers</source>
@@ -6732,10 +6818,10 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>Level</source>
-        <translation>Fensterlage</translation>
+        <translation>Fenstermitte</translation>
     </message>
     <message>
-        <source>Light probe</source>
+        <source>Environment map</source>
         <translation>Umgebungsbild</translation>
     </message>
     <message>
@@ -6748,7 +6834,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>Low</source>
-        <translation>Unten</translation>
+        <translation>Untere Grenze</translation>
     </message>
     <message>
         <source>Lower left</source>
@@ -6767,7 +6853,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Marmor</translation>
     </message>
     <message>
-        <source>Marschner lobb</source>
+        <source>Marschner–Lobb</source>
         <translation>Marschner-Lobb</translation>
     </message>
     <message>
@@ -6792,7 +6878,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>Metering</source>
-        <translation>Belichtung nach</translation>
+        <translation>Belichtungsmessung</translation>
     </message>
     <message>
         <source>Method</source>
@@ -6811,8 +6897,8 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Darstellung</translation>
     </message>
     <message>
-        <source>Moves</source>
-        <translation>Bewegt sich</translation>
+        <source>Rotatable</source>
+        <translation>Drehbar</translation>
     </message>
     <message>
         <source>Near factor</source>
@@ -6820,7 +6906,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>Near threshold</source>
-        <translation>Schwelle der Nähe</translation>
+        <translation>Schwelle nahe dem Isowert</translation>
     </message>
     <message>
         <source>Nearest</source>
@@ -6835,8 +6921,8 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Rauschen</translation>
     </message>
     <message>
-        <source>Noise band</source>
-        <translation>Rauschband</translation>
+        <source>Uncertainty band</source>
+        <translation>Unsicherheitsband</translation>
     </message>
     <message>
         <source>None</source>
@@ -6876,7 +6962,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>Path</source>
-        <translation>Weg</translation>
+        <translation>Dateipfad</translation>
     </message>
     <message>
         <source>Perspective</source>
@@ -6908,7 +6994,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>Preparing</source>
-        <translation>Vorbereitung</translation>
+        <translation>Wird vorbereitet</translation>
     </message>
     <message>
         <source>Projection</source>
@@ -6919,7 +7005,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Lila–grün</translation>
     </message>
     <message>
-        <source>R11g11b10</source>
+        <source>R11G11B10</source>
         <translation>R11G11B10</translation>
     </message>
     <message>
@@ -6967,7 +7053,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Verfeinerungen</translation>
     </message>
     <message>
-        <source>Rest hits</source>
+        <source>Hits at rest</source>
         <translation>Treffer in Ruhe</translation>
     </message>
     <message>
@@ -7000,7 +7086,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>Roulette depth</source>
-        <translation>Roulette ab</translation>
+        <translation>Roulette ab Reflexion</translation>
     </message>
     <message>
         <source>SH order</source>
@@ -7032,11 +7118,11 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>Search</source>
-        <translation>Suchweite</translation>
+        <translation>Suchstrecke</translation>
     </message>
     <message>
         <source>Sequence</source>
-        <translation>Folge</translation>
+        <translation>Zahlenfolge</translation>
     </message>
     <message>
         <source>Series</source>
@@ -7064,15 +7150,15 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>Shininess</source>
-        <translation>Glanzschärfe</translation>
+        <translation>Glanzexponent</translation>
     </message>
     <message>
         <source>Shown</source>
         <translation>Gezeigt</translation>
     </message>
     <message>
-        <source>Shown behind</source>
-        <translation>Als Hintergrund</translation>
+        <source>Show as background</source>
+        <translation>Als Hintergrund zeigen</translation>
     </message>
     <message>
         <source>Sky colour</source>
@@ -7080,23 +7166,23 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>Slab</source>
-        <translation>Schichtdicke</translation>
+        <translation>Dicke der Schicht</translation>
     </message>
     <message>
         <source>Slab mode</source>
-        <translation>Art der dicken Schicht</translation>
+        <translation>Projektion der dicken Schicht</translation>
     </message>
     <message>
-        <source>Smallest</source>
-        <translation>Kleinstes</translation>
+        <source>Minimum volume</source>
+        <translation>Mindestvolumen</translation>
     </message>
     <message>
-        <source>Sobol owen</source>
-        <translation>Sobol-Owen</translation>
+        <source>Sobol (Owen)</source>
+        <translation>Sobol (Owen)</translation>
     </message>
     <message>
-        <source>Space</source>
-        <translation>Bezug</translation>
+        <source>Reference frame</source>
+        <translation>Bezugssystem</translation>
     </message>
     <message>
         <source>Spectral</source>
@@ -7104,7 +7190,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>Specular</source>
-        <translation>Glanz</translation>
+        <translation>Glanzlicht</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -7267,12 +7353,12 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Raum</translation>
     </message>
     <message>
-        <source>accessibility</source>
-        <translation>Zugänglichkeit</translation>
+        <source>crevice shading</source>
+        <translation>Vertiefungsschattierung</translation>
     </message>
     <message>
         <source>adaptive</source>
-        <translation>Anpassung bei Bewegung</translation>
+        <translation>geringere Auflösung bei Bewegung</translation>
     </message>
     <message>
         <source>albedo</source>
@@ -7292,15 +7378,15 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>albedo source</source>
-        <translation>Farbe aus</translation>
+        <translation>Farbquelle</translation>
     </message>
     <message>
         <source>ambient</source>
-        <translation>Grundlicht</translation>
+        <translation>Umgebungslicht</translation>
     </message>
     <message>
-        <source>ambient variation</source>
-        <translation>Verlauf von oben</translation>
+        <source>hemisphere lighting</source>
+        <translation>Hemisphärenlicht</translation>
     </message>
     <message>
         <source>animate</source>
@@ -7347,27 +7433,27 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Geschnitten</translation>
     </message>
     <message>
-        <source>color</source>
+        <source>colour</source>
         <translation>Farbe</translation>
     </message>
     <message>
-        <source>colormap</source>
+        <source>colour map</source>
         <translation>Farbskala</translation>
     </message>
     <message>
-        <source>component</source>
-        <translation>Komponente</translation>
+        <source>channel</source>
+        <translation>Kanal</translation>
     </message>
     <message>
         <source>component bits</source>
-        <translation>Bits je Komponente</translation>
+        <translation>Bit je Komponente</translation>
     </message>
     <message>
         <source>components</source>
         <translation>Komponenten</translation>
     </message>
     <message>
-        <source>contour color</source>
+        <source>contour colour</source>
         <translation>Konturfarbe</translation>
     </message>
     <message>
@@ -7391,15 +7477,15 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Werte werden gezählt</translation>
     </message>
     <message>
-        <source>csg</source>
-        <translation>Verknüpfung</translation>
+        <source>boolean operation</source>
+        <translation>Boolesche Operation</translation>
     </message>
     <message>
-        <source>csg path</source>
+        <source>second volume</source>
         <translation>Zweites Volumen</translation>
     </message>
     <message>
-        <source>csg value</source>
+        <source>second isovalue</source>
         <translation>Zweiter Isowert</translation>
     </message>
     <message>
@@ -7436,7 +7522,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>environment moves</source>
-        <translation>Umgebung: Bewegt sich</translation>
+        <translation>Umgebung: Drehbar</translation>
     </message>
     <message>
         <source>environment rotation</source>
@@ -7448,11 +7534,11 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>environment visible</source>
-        <translation>Umgebung: Als Hintergrund</translation>
+        <translation>Umgebung: Als Hintergrund zeigen</translation>
     </message>
     <message>
         <source>executor</source>
-        <translation>Rechenwerk</translation>
+        <translation>Gerät für das Ray-Casting</translation>
     </message>
     <message>
         <source>exposure</source>
@@ -7460,19 +7546,19 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>extent</source>
-        <translation>Umfang</translation>
+        <translation>Umfang der Berechnung</translation>
     </message>
     <message>
         <source>eye</source>
-        <translation>Auge</translation>
+        <translation>Augpunkt</translation>
     </message>
     <message>
         <source>fade</source>
         <translation>Einblenden</translation>
     </message>
     <message>
-        <source>fetch</source>
-        <translation>Lesen</translation>
+        <source>voxel access</source>
+        <translation>Voxelzugriff</translation>
     </message>
     <message>
         <source>field</source>
@@ -7483,20 +7569,20 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Nebel</translation>
     </message>
     <message>
-        <source>fog color</source>
+        <source>fog colour</source>
         <translation>Nebelfarbe</translation>
     </message>
     <message>
-        <source>fov</source>
+        <source>field of view</source>
         <translation>Bildwinkel</translation>
     </message>
     <message>
-        <source>ghost</source>
-        <translation>Rauschflächen</translation>
+        <source>uncertainty surfaces</source>
+        <translation>Unsicherheitsflächen</translation>
     </message>
     <message>
-        <source>ghost opacity</source>
-        <translation>Deckkraft der Rauschflächen</translation>
+        <source>uncertainty opacity</source>
+        <translation>Deckkraft der Unsicherheitsflächen</translation>
     </message>
     <message>
         <source>gpu budget mb</source>
@@ -7516,18 +7602,18 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>headlight</source>
-        <translation>Kopflicht</translation>
+        <translation>Kameralicht</translation>
     </message>
     <message>
         <source>setup</source>
         <translation>Aufbau</translation>
     </message>
     <message>
-        <source>fill</source>
+        <source>fill light</source>
         <translation>Aufhelllicht</translation>
     </message>
     <message>
-        <source>rim</source>
+        <source>rim light</source>
         <translation>Kantenlicht</translation>
     </message>
     <message>
@@ -7544,11 +7630,11 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>high</source>
-        <translation>Oben</translation>
+        <translation>Obere Grenze</translation>
     </message>
     <message>
-        <source>inner tint</source>
-        <translation>Tönung innen</translation>
+        <source>back-face tint</source>
+        <translation>Rückseitentönung</translation>
     </message>
     <message>
         <source>inside</source>
@@ -7571,168 +7657,168 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Isolinien</translation>
     </message>
     <message>
-        <source>isosurface2 albedo</source>
+        <source>isosurface 2 albedo</source>
         <translation>Isofläche 2: Farbe</translation>
     </message>
     <message>
-        <source>isosurface2 clipped</source>
+        <source>isosurface 2 clipped</source>
         <translation>Isofläche 2: Geschnitten</translation>
     </message>
     <message>
-        <source>isosurface2 opacity</source>
+        <source>isosurface 2 opacity</source>
         <translation>Isofläche 2: Deckkraft</translation>
     </message>
     <message>
-        <source>isosurface2 shown</source>
+        <source>isosurface 2 shown</source>
         <translation>Isofläche 2: Gezeigt</translation>
     </message>
     <message>
-        <source>isosurface2 value</source>
+        <source>isosurface 2 value</source>
         <translation>Isofläche 2: Wert</translation>
     </message>
     <message>
-        <source>isosurface3 albedo</source>
+        <source>isosurface 3 albedo</source>
         <translation>Isofläche 3: Farbe</translation>
     </message>
     <message>
-        <source>isosurface3 clipped</source>
+        <source>isosurface 3 clipped</source>
         <translation>Isofläche 3: Geschnitten</translation>
     </message>
     <message>
-        <source>isosurface3 opacity</source>
+        <source>isosurface 3 opacity</source>
         <translation>Isofläche 3: Deckkraft</translation>
     </message>
     <message>
-        <source>isosurface3 shown</source>
+        <source>isosurface 3 shown</source>
         <translation>Isofläche 3: Gezeigt</translation>
     </message>
     <message>
-        <source>isosurface3 value</source>
+        <source>isosurface 3 value</source>
         <translation>Isofläche 3: Wert</translation>
     </message>
     <message>
-        <source>isosurface4 albedo</source>
+        <source>isosurface 4 albedo</source>
         <translation>Isofläche 4: Farbe</translation>
     </message>
     <message>
-        <source>isosurface4 clipped</source>
+        <source>isosurface 4 clipped</source>
         <translation>Isofläche 4: Geschnitten</translation>
     </message>
     <message>
-        <source>isosurface4 opacity</source>
+        <source>isosurface 4 opacity</source>
         <translation>Isofläche 4: Deckkraft</translation>
     </message>
     <message>
-        <source>isosurface4 shown</source>
+        <source>isosurface 4 shown</source>
         <translation>Isofläche 4: Gezeigt</translation>
     </message>
     <message>
-        <source>isosurface4 value</source>
+        <source>isosurface 4 value</source>
         <translation>Isofläche 4: Wert</translation>
     </message>
     <message>
         <source>keep</source>
-        <translation>Behalten</translation>
+        <translation>Größte behalten</translation>
     </message>
     <message>
-        <source>lamp1 angle</source>
-        <translation>Lampe 1: Winkel</translation>
+        <source>light 1 angle</source>
+        <translation>Lichtquelle 1: Winkel</translation>
     </message>
     <message>
-        <source>lamp1 color</source>
-        <translation>Lampe 1: Farbe</translation>
+        <source>light 1 colour</source>
+        <translation>Lichtquelle 1: Farbe</translation>
     </message>
     <message>
-        <source>lamp1 direction</source>
-        <translation>Lampe 1: Richtung</translation>
+        <source>light 1 direction</source>
+        <translation>Lichtquelle 1: Richtung</translation>
     </message>
     <message>
-        <source>lamp1 intensity</source>
-        <translation>Lampe 1: Helligkeit</translation>
+        <source>light 1 intensity</source>
+        <translation>Lichtquelle 1: Helligkeit</translation>
     </message>
     <message>
-        <source>lamp1 kind</source>
-        <translation>Lampe 1: Art</translation>
+        <source>light 1 kind</source>
+        <translation>Lichtquelle 1: Art</translation>
     </message>
     <message>
-        <source>lamp1 position</source>
-        <translation>Lampe 1: Position</translation>
+        <source>light 1 position</source>
+        <translation>Lichtquelle 1: Position</translation>
     </message>
     <message>
-        <source>lamp1 radius</source>
-        <translation>Lampe 1: Radius</translation>
+        <source>light 1 radius</source>
+        <translation>Lichtquelle 1: Radius</translation>
     </message>
     <message>
-        <source>lamp1 shown</source>
-        <translation>Lampe 1: Gezeigt</translation>
+        <source>light 1 shown</source>
+        <translation>Lichtquelle 1: Gezeigt</translation>
     </message>
     <message>
-        <source>lamp2 angle</source>
-        <translation>Lampe 2: Winkel</translation>
+        <source>light 2 angle</source>
+        <translation>Lichtquelle 2: Winkel</translation>
     </message>
     <message>
-        <source>lamp2 color</source>
-        <translation>Lampe 2: Farbe</translation>
+        <source>light 2 colour</source>
+        <translation>Lichtquelle 2: Farbe</translation>
     </message>
     <message>
-        <source>lamp2 direction</source>
-        <translation>Lampe 2: Richtung</translation>
+        <source>light 2 direction</source>
+        <translation>Lichtquelle 2: Richtung</translation>
     </message>
     <message>
-        <source>lamp2 intensity</source>
-        <translation>Lampe 2: Helligkeit</translation>
+        <source>light 2 intensity</source>
+        <translation>Lichtquelle 2: Helligkeit</translation>
     </message>
     <message>
-        <source>lamp2 kind</source>
-        <translation>Lampe 2: Art</translation>
+        <source>light 2 kind</source>
+        <translation>Lichtquelle 2: Art</translation>
     </message>
     <message>
-        <source>lamp2 position</source>
-        <translation>Lampe 2: Position</translation>
+        <source>light 2 position</source>
+        <translation>Lichtquelle 2: Position</translation>
     </message>
     <message>
-        <source>lamp2 radius</source>
-        <translation>Lampe 2: Radius</translation>
+        <source>light 2 radius</source>
+        <translation>Lichtquelle 2: Radius</translation>
     </message>
     <message>
-        <source>lamp2 shown</source>
-        <translation>Lampe 2: Gezeigt</translation>
+        <source>light 2 shown</source>
+        <translation>Lichtquelle 2: Gezeigt</translation>
     </message>
     <message>
-        <source>lamp3 angle</source>
-        <translation>Lampe 3: Winkel</translation>
+        <source>light 3 angle</source>
+        <translation>Lichtquelle 3: Winkel</translation>
     </message>
     <message>
-        <source>lamp3 color</source>
-        <translation>Lampe 3: Farbe</translation>
+        <source>light 3 colour</source>
+        <translation>Lichtquelle 3: Farbe</translation>
     </message>
     <message>
-        <source>lamp3 direction</source>
-        <translation>Lampe 3: Richtung</translation>
+        <source>light 3 direction</source>
+        <translation>Lichtquelle 3: Richtung</translation>
     </message>
     <message>
-        <source>lamp3 intensity</source>
-        <translation>Lampe 3: Helligkeit</translation>
+        <source>light 3 intensity</source>
+        <translation>Lichtquelle 3: Helligkeit</translation>
     </message>
     <message>
-        <source>lamp3 kind</source>
-        <translation>Lampe 3: Art</translation>
+        <source>light 3 kind</source>
+        <translation>Lichtquelle 3: Art</translation>
     </message>
     <message>
-        <source>lamp3 position</source>
-        <translation>Lampe 3: Position</translation>
+        <source>light 3 position</source>
+        <translation>Lichtquelle 3: Position</translation>
     </message>
     <message>
-        <source>lamp3 radius</source>
-        <translation>Lampe 3: Radius</translation>
+        <source>light 3 radius</source>
+        <translation>Lichtquelle 3: Radius</translation>
     </message>
     <message>
-        <source>lamp3 shown</source>
-        <translation>Lampe 3: Gezeigt</translation>
+        <source>light 3 shown</source>
+        <translation>Lichtquelle 3: Gezeigt</translation>
     </message>
     <message>
         <source>lattice scale</source>
-        <translation>Gitterfeinheit</translation>
+        <translation>Gitterauflösung</translation>
     </message>
     <message>
         <source>layers</source>
@@ -7756,7 +7842,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>level</source>
-        <translation>Fensterlage</translation>
+        <translation>Fenstermitte</translation>
     </message>
     <message>
         <source>list</source>
@@ -7764,15 +7850,11 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>low</source>
-        <translation>Unten</translation>
+        <translation>Untere Grenze</translation>
     </message>
     <message>
         <source>making the phantom</source>
         <translation>Phantom wird erzeugt</translation>
-    </message>
-    <message>
-        <source>map</source>
-        <translation>Farbskala</translation>
     </message>
     <message>
         <source>measuring distances</source>
@@ -7784,7 +7866,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>metering</source>
-        <translation>Belichtung nach</translation>
+        <translation>Belichtungsmessung</translation>
     </message>
     <message>
         <source>method</source>
@@ -7796,7 +7878,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>motion target</source>
-        <translation>Bilddauer bei Bewegung</translation>
+        <translation>Bildzeit bei Bewegung</translation>
     </message>
     <message>
         <source>near factor</source>
@@ -7804,15 +7886,15 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>near threshold</source>
-        <translation>Schwelle der Nähe</translation>
+        <translation>Schwelle nahe dem Isowert</translation>
     </message>
     <message>
         <source>noise</source>
         <translation>Rauschen</translation>
     </message>
     <message>
-        <source>noise band</source>
-        <translation>Rauschband</translation>
+        <source>uncertainty band</source>
+        <translation>Unsicherheitsband</translation>
     </message>
     <message>
         <source>normal scale</source>
@@ -7828,7 +7910,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>path</source>
-        <translation>Weg</translation>
+        <translation>Dateipfad</translation>
     </message>
     <message>
         <source>planes</source>
@@ -7844,7 +7926,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>preparing</source>
-        <translation>Vorbereitung</translation>
+        <translation>wird vorbereitet</translation>
     </message>
     <message>
         <source>projection</source>
@@ -7879,11 +7961,11 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Verfeinerungen</translation>
     </message>
     <message>
-        <source>rest hits</source>
+        <source>hits at rest</source>
         <translation>Treffer in Ruhe</translation>
     </message>
     <message>
-        <source>ridge color</source>
+        <source>ridge colour</source>
         <translation>Farbe der Grate</translation>
     </message>
     <message>
@@ -7908,7 +7990,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>roulette depth</source>
-        <translation>Roulette ab</translation>
+        <translation>Roulette ab Reflexion</translation>
     </message>
     <message>
         <source>samples</source>
@@ -7920,11 +8002,11 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>search</source>
-        <translation>Suchweite</translation>
+        <translation>Suchstrecke</translation>
     </message>
     <message>
         <source>sequence</source>
-        <translation>Folge</translation>
+        <translation>Zahlenfolge</translation>
     </message>
     <message>
         <source>series</source>
@@ -7948,27 +8030,27 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>shininess</source>
-        <translation>Glanzschärfe</translation>
+        <translation>Glanzexponent</translation>
     </message>
     <message>
         <source>slab</source>
-        <translation>Schichtdicke</translation>
+        <translation>Dicke der Schicht</translation>
     </message>
     <message>
         <source>slab mode</source>
-        <translation>Art der dicken Schicht</translation>
+        <translation>Projektion der dicken Schicht</translation>
     </message>
     <message>
-        <source>smallest</source>
-        <translation>Kleinstes</translation>
+        <source>minimum volume</source>
+        <translation>Mindestvolumen</translation>
     </message>
     <message>
-        <source>space</source>
-        <translation>Bezug</translation>
+        <source>reference frame</source>
+        <translation>Bezugssystem</translation>
     </message>
     <message>
         <source>specular</source>
-        <translation>Glanz</translation>
+        <translation>Glanzlicht</translation>
     </message>
     <message>
         <source>speed</source>
@@ -8027,7 +8109,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Oben</translation>
     </message>
     <message>
-        <source>valley color</source>
+        <source>valley colour</source>
         <translation>Farbe der Täler</translation>
     </message>
     <message>
@@ -8055,16 +8137,16 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>κ₂ (kleinere Krümmung)</translation>
     </message>
     <message>
-        <source>Facing opacity</source>
-        <translation>Deckkraft von vorn</translation>
+        <source>View-dependent opacity</source>
+        <translation>Blickabhängige Deckkraft</translation>
     </message>
     <message>
         <source>Isovalue</source>
         <translation>Isowert</translation>
     </message>
     <message>
-        <source>Letters</source>
-        <translation>Buchstaben</translation>
+        <source>Orientation labels</source>
+        <translation>Orientierungsbuchstaben</translation>
     </message>
     <message>
         <source>Looking for series</source>
@@ -8087,31 +8169,31 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Durchsichtig</translation>
     </message>
     <message>
-        <source>facing opacity</source>
-        <translation>Deckkraft von vorn</translation>
+        <source>view-dependent opacity</source>
+        <translation>Blickabhängige Deckkraft</translation>
     </message>
     <message>
-        <source>isosurface2 facing opacity</source>
-        <translation>Isofläche 2: Deckkraft von vorn</translation>
+        <source>isosurface 2 view-dependent opacity</source>
+        <translation>Isofläche 2: Blickabhängige Deckkraft</translation>
     </message>
     <message>
-        <source>isosurface2 name</source>
+        <source>isosurface 2 name</source>
         <translation>Isofläche 2: Name</translation>
     </message>
     <message>
-        <source>isosurface3 facing opacity</source>
-        <translation>Isofläche 3: Deckkraft von vorn</translation>
+        <source>isosurface 3 view-dependent opacity</source>
+        <translation>Isofläche 3: Blickabhängige Deckkraft</translation>
     </message>
     <message>
-        <source>isosurface3 name</source>
+        <source>isosurface 3 name</source>
         <translation>Isofläche 3: Name</translation>
     </message>
     <message>
-        <source>isosurface4 facing opacity</source>
-        <translation>Isofläche 4: Deckkraft von vorn</translation>
+        <source>isosurface 4 view-dependent opacity</source>
+        <translation>Isofläche 4: Blickabhängige Deckkraft</translation>
     </message>
     <message>
-        <source>isosurface4 name</source>
+        <source>isosurface 4 name</source>
         <translation>Isofläche 4: Name</translation>
     </message>
     <message>
@@ -8119,8 +8201,8 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Isowert</translation>
     </message>
     <message>
-        <source>letters</source>
-        <translation>Buchstaben</translation>
+        <source>orientation labels</source>
+        <translation>Orientierungsbuchstaben</translation>
     </message>
     <message>
         <source>looking for series</source>
@@ -8140,7 +8222,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>transparent</source>
-        <translation>durchsichtig</translation>
+        <translation>Durchsichtig</translation>
     </message>
     <message>
         <source>Bands of spherical harmonics</source>
@@ -8236,7 +8318,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>Indexing</source>
-        <translation>Erfassen der Voxel</translation>
+        <translation>Voxel werden erfasst</translation>
     </message>
     <message>
         <source>Memory</source>
@@ -8248,11 +8330,11 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>Around damage</source>
-        <translation>Um Beschädigtes herum</translation>
+        <translation>Unlesbare Blöcke überspringen</translation>
     </message>
     <message>
         <source>around damage</source>
-        <translation>um Beschädigtes herum</translation>
+        <translation>unlesbare Blöcke überspringen</translation>
     </message>
     <message>
         <source>Caveats</source>
@@ -8263,8 +8345,8 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Vorbehalte</translation>
     </message>
     <message>
-        <source>Frames</source>
-        <translation>Ausschnitt</translation>
+        <source>Framing</source>
+        <translation>Bildausschnitt</translation>
     </message>
     <message>
         <source>Object</source>
@@ -8275,8 +8357,8 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Vorschlag</translation>
     </message>
     <message>
-        <source>frames</source>
-        <translation>Ausschnitt</translation>
+        <source>framing</source>
+        <translation>Bildausschnitt</translation>
     </message>
     <message>
         <source>suggestion</source>
@@ -8295,12 +8377,12 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Innerhalb</translation>
     </message>
     <message>
-        <source>Fill</source>
+        <source>Fill light</source>
         <translation>Aufhelllicht</translation>
     </message>
     <message>
-        <source>Key</source>
-        <translation>Hauptlicht allein</translation>
+        <source>Key light only</source>
+        <translation>Nur Hauptlicht</translation>
     </message>
     <message>
         <source>Occlusion</source>
@@ -8311,7 +8393,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Reichweite der Verdeckung</translation>
     </message>
     <message>
-        <source>Rim</source>
+        <source>Rim light</source>
         <translation>Kantenlicht</translation>
     </message>
     <message>
@@ -8319,8 +8401,8 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Aufbau</translation>
     </message>
     <message>
-        <source>Three point</source>
-        <translation>Dreipunkt</translation>
+        <source>Three-point</source>
+        <translation>Dreipunktlicht</translation>
     </message>
     <message>
         <source>CT in Hounsfield units</source>
@@ -8336,7 +8418,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
     </message>
     <message>
         <source>Labels</source>
-        <translation>Labels</translation>
+        <translation>Segmentierung (Labels)</translation>
     </message>
     <message>
         <source>MR</source>

@@ -222,8 +222,8 @@ void AccuracyChart::mouseMoveEvent(QMouseEvent* event) {
   const app::KnobPoint& of = points_[*point];
   QStringList lines{shownValue(of.value), tr("%1: %2").arg(costLabel_, numberText(of.cost, 3)),
                     tr("%1: %2").arg(errorLabel_, numberText(of.error, 3))};
-  if (of.isPresent) lines += tr("The present setting");
-  if (of.isDefault) lines += tr("The default");
+  if (of.isPresent) lines += tr("Current setting");
+  if (of.isDefault) lines += tr("Default");
   setToolTip(lines.join('\n'));
 }
 

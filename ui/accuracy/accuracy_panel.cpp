@@ -43,32 +43,32 @@ QString costText(const app::Knob& knob) {
     case app::Cost::passes:
       break;
     case app::Cost::frameMilliseconds:
-      return AccuracyPanel::tr("time of the picture, ms");
+      return AccuracyPanel::tr("render time, ms");
     case app::Cost::bakeSeconds:
-      return AccuracyPanel::tr("time to compute the light, s");
+      return AccuracyPanel::tr("light computation time, s");
     case app::Cost::lookupMilliseconds:
-      return AccuracyPanel::tr("time to read the light, ms");
+      return AccuracyPanel::tr("light lookup time, ms");
     case app::Cost::gpuMegabytes:
       return AccuracyPanel::tr("graphics memory, MiB");
   }
-  return AccuracyPanel::tr("time of these passes, ms");
+  return AccuracyPanel::tr("render time of these passes, ms");
 }
 
 QString errorText(const app::Knob& knob) {
   switch (knob.measure) {
     case app::Measure::hits:
-      return AccuracyPanel::tr("error of the depth, voxels");
+      return AccuracyPanel::tr("depth error, voxels");
     case app::Measure::shape:
-      return AccuracyPanel::tr("error of the normal, degrees");
+      return AccuracyPanel::tr("normal error, degrees");
     case app::Measure::scale:
-      return AccuracyPanel::tr("relative error of the curvature");
+      return AccuracyPanel::tr("relative curvature error");
     case app::Measure::edges:
     case app::Measure::shadow:  // which no point of a plot has
-      return AccuracyPanel::tr("error at edges, parts of the range");
+      return AccuracyPanel::tr("error at edges, fraction of the range");
     case app::Measure::light:
       break;
   }
-  return AccuracyPanel::tr("relative error of the light");
+  return AccuracyPanel::tr("relative light error");
 }
 
 }  // namespace
@@ -82,10 +82,10 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
       chart_(new AccuracyChart(this)),
       state_(new QLabel(this)),
       meaning_(new QLabel(this)),
-      key_(new QLabel(tr("Square: the present setting. Ring: the default. Dashed line: no other value is as "
-                         "accurate in less time. Click a point to use it."),
+      key_(new QLabel(tr("Square: current setting. Ring: default. Dashed line: no other value is as accurate "
+                         "in less time. Click a point to use its value."),
                       this)) {
-  knobs_->setAccessibleName(tr("Setting that trades accuracy for time"));
+  knobs_->setAccessibleName(tr("Quality setting (accuracy against time)"));
   for (QLabel* label : {state_, meaning_, key_}) label->setWordWrap(true);
   for (QLabel* label : {state_, key_}) setInk(label, Ink::quiet);
   auto* layout = new QVBoxLayout(this);
@@ -305,19 +305,19 @@ QString AccuracyPanel::state() const {
 }
 
 void AccuracyPanel::showState() {
-  if (!volume_) return state_->setText(tr("What accuracy costs in time is shown here: open a volume."));
+  if (!volume_) return state_->setText(tr("Open a volume to plot its accuracy against render time."));
   if (!trouble_.isEmpty()) return state_->setText(trouble_);
   const app::Knob* const shown = knob();
   const auto found = shown ? measured_.find(shown->name) : measured_.end();
   const bool stale = found != measured_.end() && !(found->second.of == subject_);
-  QString text = picture_->working() ? tr("Measuring the picture on screen …")
-                 : job_ ? tr("Measuring … %1 %").arg(qRound(100.0 * job_->progress().fraction()))
+  QString text = picture_->working() ? tr("Measuring the image on screen…")
+                 : job_ ? tr("Measuring… %1 %").arg(qRound(100.0 * job_->progress().fraction()))
                  : missing().empty() ? QString()
-                                     : tr("Measured when the window rests");
+                                     : tr("Waiting until the window is idle");
   if (found != measured_.end()) {
     if (!text.isEmpty()) text += ". ";
-    text += stale ? tr("The plot is of an earlier view or scene")
-                  : tr("Measured on the processor in %1 × %2 pixels of this view, against double precision")
+    text += stale ? tr("This chart belongs to an earlier view or scene")
+                  : tr("Measured on the CPU at %1 × %2 pixels of this view, against double precision")
                         .arg(measuredPixels.x)
                         .arg(measuredPixels.y);
     if (!found->second.study.skipped.empty()) text = QString::fromStdString(found->second.study.skipped);

@@ -32,7 +32,7 @@ QString lengthText(double mm) {
 
 QString boundText(const QString& pattern, double bound, const QString& text) {
   if (std::isnan(bound)) return {};
-  return std::isinf(bound) ? pattern.arg(QObject::tr("not bounded")) : pattern.arg(text);
+  return std::isinf(bound) ? pattern.arg(QObject::tr("unbounded")) : pattern.arg(text);
 }
 
 QString settingText(const std::string& assignment) {
@@ -53,33 +53,34 @@ QString keptText(const app::Limit& limit, double bound) {
   const QString number = numberText(bound / unitOf(limit.quantity), 2);
   switch (limit.quantity) {
     case app::Quantity::depthMm:
-      return QObject::tr("depth at most %1 mm off").arg(number);
+      return QObject::tr("depth error ≤ %1 mm").arg(number);
     case app::Quantity::depthVoxels:
-      return QObject::tr("depth at most %1 voxels off").arg(number);
+      return QObject::tr("depth error ≤ %1 voxels").arg(number);
     case app::Quantity::missed:
-      if (bound == 0.0) return QObject::tr("no pixels missed");
-      return QObject::tr("at most %1 % of pixels missed").arg(number);
+      if (bound == 0.0) return QObject::tr("no missed pixels");
+      return QObject::tr("missed pixels ≤ %1 %").arg(number);
     case app::Quantity::normal:
-      return QObject::tr("normals at most %1° off").arg(number);
+      return QObject::tr("normal error ≤ %1°").arg(number);
     case app::Quantity::curvature:
-      return QObject::tr("curvature at most %1 % off").arg(number);
+      return QObject::tr("curvature error ≤ %1 %").arg(number);
     case app::Quantity::light:
       break;
   }
-  return QObject::tr("light at most %1 % off").arg(number);
+  return QObject::tr("light error ≤ %1 %").arg(number);
 }
 
 }  // namespace
 
 QString accuracyText(const app::Accuracy& accuracy, bool curvature) {
-  const QString share = QObject::tr("%1 % not certain").arg(roundedText(100.0 * accuracy.uncertainShare()));
-  if (accuracy.seen == 0) return QObject::tr("Nothing is seen · %1").arg(share);
-  if (accuracy.seen == accuracy.uncertain) return QObject::tr("Nothing is seen for certain · %1").arg(share);
+  const QString share =
+      QObject::tr("%1 % of pixels uncertain").arg(roundedText(100.0 * accuracy.uncertainShare()));
+  if (accuracy.seen == 0) return QObject::tr("Nothing visible · %1").arg(share);
+  if (accuracy.seen == accuracy.uncertain) return QObject::tr("No certain pixels · %1").arg(share);
   const double data = accuracy.depthNoiseMm.most99, depth = accuracy.depthMm.most99,
                normal = accuracy.normalDegrees.most99, relative = accuracy.relativeCurvature.most99;
   QStringList parts{
-      boundText(QObject::tr("Depth ± %1 by noise and sampling"), data, lengthText(data)),
-      boundText(std::isnan(data) ? QObject::tr("Depth ± %1") : QObject::tr("by arithmetic ± %1"), depth,
+      boundText(QObject::tr("Depth ± %1 (noise, discretisation)"), data, lengthText(data)),
+      boundText(std::isnan(data) ? QObject::tr("Depth ± %1") : QObject::tr("rounding ± %1"), depth,
                 lengthText(depth)),
       boundText(QObject::tr("normal ± %1"), normal, QObject::tr("%1°").arg(roundedText(normal)))};
   if (curvature)
@@ -95,11 +96,10 @@ QString accuracyText(const app::Accuracy& accuracy, bool curvature) {
 QString accuracyMeaning(const app::Accuracy& accuracy) {
   QString text =
       QObject::tr(
-          "How far the surface on screen may be from the object's own, by the noise of the samples and the "
-          "distance between them, and from the same view in double precision, by arithmetic: 99 % of "
-          "what is seen keeps these bounds, of light %2 %.\nA pixel is not certain where a rounding may show "
-          "another surface, as along edges.\nOne ray through the middle of each pixel, %1 "
-          "pixels.")
+          "Error bounds of the visible surface. Noise and discretisation: against the object itself. "
+          "Rounding: against the same view in double precision.\n99 % of visible pixels keep these bounds "
+          "(light: %2 %).\nA pixel is uncertain if rounding may change the surface that it shows, for "
+          "example along edges.\nComputed with one ray through the centre of each pixel, %1 pixels.")
           .arg(accuracy.pixels)
           .arg(roundedText(100.0 * app::kLightLevel));
   const double noise = accuracy.normalNoiseDegrees.median;
@@ -111,19 +111,19 @@ QString accuracyMeaning(const app::Accuracy& accuracy) {
 QString unitTextOf(app::Quantity quantity) {
   switch (quantity) {
     case app::Quantity::depthMm:
-      return QObject::tr("mm of depth");
+      return QObject::tr("mm (depth)");
     case app::Quantity::depthVoxels:
-      return QObject::tr("voxels of depth");
+      return QObject::tr("voxels (depth)");
     case app::Quantity::missed:
-      return QObject::tr("% of pixels missed");
+      return QObject::tr("% (missed pixels)");
     case app::Quantity::normal:
-      return QObject::tr("degrees of normals");
+      return QObject::tr("degrees (normals)");
     case app::Quantity::curvature:
-      return QObject::tr("% of curvature");
+      return QObject::tr("% (curvature)");
     case app::Quantity::light:
       break;
   }
-  return QObject::tr("% of light");
+  return QObject::tr("% (light)");
 }
 
 double unitOf(app::Quantity quantity) {
@@ -136,7 +136,7 @@ QString answerText(const app::TargetAnswer& answer) {
   const app::MeasuredCandidate& chosen = answer.measured[answer.chosen];
   QStringList lines;
   for (const std::string& assignment : chosen.candidate.assignments) lines += settingText(assignment);
-  if (lines.isEmpty()) lines += QObject::tr("The settings as they are do it.");
+  if (lines.isEmpty()) lines += QObject::tr("The current settings already meet this.");
   QStringList kept;
   for (const app::Limit& limit : answer.limits) {
     const double bound = chosen.errors[app::indexOf(limit.quantity)].bound;
@@ -144,7 +144,7 @@ QString answerText(const app::TargetAnswer& answer) {
   }
   const double time = answer.expectedMilliseconds;
   const QString takes =
-      QObject::tr("A picture takes about %1 ms: %2")
+      QObject::tr("Render time about %1 ms; %2")
           .arg(numberText(time < 100.0 ? time : std::round(time / 10.0) * 10.0, 2 + (time >= 100.0 ? 4 : 0)),
                kept.join(", "));
   lines += takes;
@@ -160,18 +160,17 @@ QString refusalText(const base::Error& error) {
 QString ignoredText(app::Quantity asked) {
   switch (asked) {
     case app::Quantity::light:
-      return QObject::tr("This picture reads no stored light, so there is nothing to choose");
+      return QObject::tr("This image uses no baked light; nothing to choose");
     case app::Quantity::curvature:
-      return QObject::tr(
-          "This picture reads no curvature that stands clear of the noise, so there is nothing to choose");
+      return QObject::tr("This image uses no significant curvature; nothing to choose");
     default:
       break;
   }
-  return QObject::tr("This picture has no such error, so there is nothing to choose");
+  return QObject::tr("This image has no such error; nothing to choose");
 }
 
 QString nothingSeenText() {
-  return QObject::tr("Nothing of the first isosurface is seen, so nothing is chosen");
+  return QObject::tr("The first isosurface is not visible; nothing to choose");
 }
 
 }  // namespace isolux::ui

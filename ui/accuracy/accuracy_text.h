@@ -15,7 +15,7 @@ QString accuracyText(const app::Accuracy& accuracy, bool curvature);
 // What those figures mean, and what noise adds.
 QString accuracyMeaning(const app::Accuracy& accuracy);
 
-// "mm of depth", "% of the light".
+// "mm (depth)", "% of the light".
 QString unitTextOf(app::Quantity quantity);
 // What 1 of that unit is in a Limit's number.
 double unitOf(app::Quantity quantity);

@@ -23,26 +23,25 @@ bool sameLimit(const ErrorOverlayBox::Shown& a, const ErrorOverlayBox::Shown& b)
 ErrorOverlayBox::ErrorOverlayBox(QWidget* parent)
     : QWidget(parent), errors_(new QComboBox(this)), note_(new QLabel(this)) {
   errors_->addItem(tr("None"));
-  errors_->addItem(tr("Depth, by noise and sampling"), static_cast<int>(app::ErrorImage::noise));
-  errors_->addItem(tr("Normals, by noise"), static_cast<int>(app::ErrorImage::normalNoise));
-  errors_->addItem(tr("Curvature, by noise"), static_cast<int>(app::ErrorImage::kappaNoise));
-  errors_->addItem(tr("Depth, by arithmetic"), static_cast<int>(app::ErrorImage::depth));
-  errors_->addItem(tr("Normals, by arithmetic"), static_cast<int>(app::ErrorImage::normal));
-  errors_->addItem(tr("Curvature, by arithmetic"), static_cast<int>(app::ErrorImage::kappa));
+  errors_->addItem(tr("Depth (noise, discretisation)"), static_cast<int>(app::ErrorImage::noise));
+  errors_->addItem(tr("Normals (noise)"), static_cast<int>(app::ErrorImage::normalNoise));
+  errors_->addItem(tr("Curvature (noise)"), static_cast<int>(app::ErrorImage::kappaNoise));
+  errors_->addItem(tr("Depth (rounding)"), static_cast<int>(app::ErrorImage::depth));
+  errors_->addItem(tr("Normals (rounding)"), static_cast<int>(app::ErrorImage::normal));
+  errors_->addItem(tr("Curvature (rounding)"), static_cast<int>(app::ErrorImage::kappa));
   errors_->addItem(tr("Light"), static_cast<int>(app::ErrorImage::light));
   // The longest entry does not make the panel wider.
   errors_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   errors_->setMinimumContentsLength(10);
-  errors_->setAccessibleName(tr("Errors shown in the picture"));
+  errors_->setAccessibleName(tr("Errors shown in the image"));
   errors_->setToolTip(
-      tr("Lays bounds of this error over the finished picture, as colours. Hatched is what may err by more "
-         "than is "
-         "entered above for it, and what is not certain"));
+      tr("Overlays the bounds of this error on the final image as colours. Hatched pixels may exceed the "
+         "limit entered above, or are uncertain"));
   note_->setWordWrap(true);
   setInk(note_, Ink::quiet);
   note_->hide();
   auto* const row = new QHBoxLayout;
-  row->addWidget(new QLabel(tr("Errors in the picture"), this));
+  row->addWidget(new QLabel(tr("Error overlay"), this));
   row->addWidget(errors_, 1);
   auto* const layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -90,8 +89,8 @@ void ErrorOverlayBox::paint() {
   const bool known = shown_.errors && shown_.errors->size == size && !shown_.picture.isNull();
   const bool noLight = error == app::ErrorImage::light && known && shown_.errors->light.empty();
   note_->setText(
-      tr("No light is stored for this picture, or a surface is transparent: the look Global "
-         "illumination stores some"));
+      tr("This image has no baked light, or a surface is transparent; the look Global illumination bakes "
+         "light"));
   note_->setVisible(noLight);
   if (!error || !known || noLight) return take({});
   app::OverlayWork::Subject subject;

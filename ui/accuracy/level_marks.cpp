@@ -82,15 +82,16 @@ void LevelMarks::setMarking(bool marks) {
 
 void LevelMarks::tell(const std::optional<app::HiddenStructure>& structure) {
   if (!structure)
-    return say({}, tr("What the overview hides is known from the volume’s index, which the command “isolux "
-                      "index” makes."));
+    return say(
+        {}, tr("Marking lost structure requires the volume’s index; the command “isolux index” creates it."));
   const QString thin = numberText(structure->thinnestMm, 3) + " mm";
   if (structure->share() == 0.0)
-    return say(tr("hides nothing in this view"), tr("Where the isosurface crosses the volume, the overview "
-                                                    "shows a surface up to one of its voxels elsewhere."));
+    return say(tr("hides nothing in this view"),
+               tr("Wherever the isosurface crosses the volume, the overview shows a surface at most one of "
+                  "its voxels away."));
   const QString share = numberText(100.0 * structure->share(), 2);
-  say(tr("may hide structure in %1 % of the picture").arg(share),
-      tr("Hatched: the isosurface crosses the volume there, and the overview shows nothing of it. What is "
+  say(tr("may hide structure in %1 % of the image").arg(share),
+      tr("Hatched: the isosurface crosses the volume here, but the overview does not show it. Structures "
          "thinner than %1 may be missing.")
           .arg(thin));
 }

@@ -25,7 +25,7 @@ QString whatOf(const std::exception_ptr& failure) {
   } catch (const std::exception& error) {
     return QString::fromStdString(error.what());
   } catch (...) {
-    return QObject::tr("a mistake in Isolux itself");
+    return QObject::tr("internal error");
   }
 }
 
@@ -115,10 +115,10 @@ void LevelZero::draw() {
                                                      app::PictureThread::Priority::background);
     thread_->drawStill(std::move(wanted));
   } catch (const base::Error& error) {
-    return say({}, tr("Level 0 is not drawn: %1").arg(QString::fromStdString(error.reason())));
+    return say({}, tr("Full resolution is not drawn: %1").arg(QString::fromStdString(error.reason())));
   }
   drawing_ = true;
-  say(tr("drawing level 0"), {});
+  say(tr("drawing full resolution"), {});
   pollTimer_.start();
 }
 
@@ -135,7 +135,7 @@ void LevelZero::poll() {
     say(tr("%1: %2 %")
             .arg(translated(texts::words, progress.stage()))
             .arg(std::lround(100.0 * progress.fraction())),
-        tr("Level 0 is drawn from the file as soon as its index is there."));
+        tr("Full resolution is drawn from the file once its index exists."));
   }
   if (thread_) {
     const app::PictureThread::Context* const context = thread_->context();
@@ -144,7 +144,7 @@ void LevelZero::poll() {
       takePicture(*still);
     else if (drawing_ && context && context->failure) {
       drawing_ = false;
-      say({}, tr("Level 0 is not drawn: %1").arg(whatOf(context->failure)));
+      say({}, tr("Full resolution is not drawn: %1").arg(whatOf(context->failure)));
     }
   }
   if (!opening_ && !drawing_) pollTimer_.stop();
@@ -153,7 +153,7 @@ void LevelZero::poll() {
 void LevelZero::takeVolume() {
   const std::unique_ptr<app::WholeFileJob> job = std::move(opening_);
   if (job->error()) {
-    refused_ = tr("Level 0 is not drawn: %1").arg(QString::fromStdString(job->error()->what()));
+    refused_ = tr("Full resolution is not drawn: %1").arg(QString::fromStdString(job->error()->what()));
     return say({}, *refused_);
   }
   whole_ = job->volume();
@@ -166,19 +166,19 @@ void LevelZero::takeVolume() {
 void LevelZero::takePicture(app::PictureThread::Still& still) {
   if (const auto* const failure = std::get_if<std::exception_ptr>(&still)) {
     drawing_ = false;
-    return say({}, tr("Level 0 is not drawn: %1").arg(whatOf(*failure)));
+    return say({}, tr("Full resolution is not drawn: %1").arg(whatOf(*failure)));
   }
   drawing_ = false;
   const auto& picture = std::get<render::StillPicture>(still);
   image_ = imageOf(picture.color);
   const render::BrickReport& bricks = picture.report.bricks;
   const auto percent = [](double share) { return numberText(100.0 * share, 2); };
-  QString meaning = tr("At rest the picture is of the file’s own voxels.");
+  QString meaning = tr("When the view is idle, the image shows the file at full resolution (level 0).");
   if (bricks.lost > 0.0)
-    meaning = tr("%1 % of the picture is hatched, because the volume cannot be read there: %2")
+    meaning = tr("%1 % of the image is hatched, because the volume is unreadable there: %2")
                   .arg(percent(bricks.lost), QString::fromStdString(bricks.lostReason));
   else if (bricks.missing > 0.0)
-    meaning = tr("%1 % of the picture is missing: memory.gpu_budget_mb is too small for this view")
+    meaning = tr("%1 % of the image is missing; raise Graphics memory (memory.gpu_budget_mb)")
                   .arg(percent(bricks.missing));
   Q_EMIT painted(image_, shown_->picture);
   say({}, meaning);
@@ -199,7 +199,7 @@ render::StillPicture LevelZero::picture(const render::FrameRequest& request, boo
                    [&] { return thread_->stillFraction(); }, [&] { thread_->stopStill(); }});
   if (!still)
     throw base::Error(base::ErrorKind::interrupted, "", "",
-                      tr("the picture was not waited for").toStdString());
+                      tr("waiting for the image was cancelled").toStdString());
   if (auto* const drawn = std::get_if<render::StillPicture>(still.get())) return std::move(*drawn);
   std::rethrow_exception(std::get<std::exception_ptr>(*still));
 }

@@ -64,7 +64,7 @@ void TargetBox::makeRows() {
   error_->setChecked(true);
   most_->setAccessibleName(tr("Error at most"));
   milliseconds_->setAccessibleName(tr("Time at most, milliseconds"));
-  unit_->setAccessibleName(tr("Which error"));
+  unit_->setAccessibleName(tr("Kind of error"));
   for (const app::Quantity each : app::kAllQuantities) unit_->addItem(unitTextOf(each));
   most_->setValue(mostAtFirst);
   milliseconds_->setValue(millisecondsAtFirst);
@@ -75,7 +75,7 @@ void TargetBox::makeRows() {
   // The row is as wide as the panel has room, not the panel as wide as the longest unit.
   unit_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   unit_->setMinimumContentsLength(shortestUnit);
-  apply_->setToolTip(tr("Uses these settings, as one step of undo"));
+  apply_->setToolTip(tr("Apply these settings as one undo step"));
   text_->setWordWrap(true);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
 
@@ -89,7 +89,7 @@ void TargetBox::makeRows() {
   rows->addWidget(unit_, 0, 2);
   rows->addWidget(time_, 1, 0);
   rows->addWidget(milliseconds_, 1, 1);
-  rows->addWidget(new QLabel(tr("ms for a picture"), this), 1, 2);
+  rows->addWidget(new QLabel(tr("ms per image"), this), 1, 2);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(find_);
   buttons->addWidget(apply_);
@@ -154,7 +154,7 @@ QString TargetBox::questionName() const {
 void TargetBox::find() {
   drop();
   if (subject_.scene.isosurface.clipped && scene::cutsSurfaces(subject_.scene)) {
-    said_ = tr("Errors are known of the whole isosurface only: remove the cuts, or let them not cut it");
+    said_ = tr("Errors are known only for an uncut isosurface: remove the cuts or exclude it from them");
     return showState();
   }
   app::TargetJob::Subject question = subject_;
@@ -163,7 +163,7 @@ void TargetBox::find() {
   if (const std::optional<app::Limit> asked = limit()) question.limits = {*asked};
   const bool mayBeNone = !asksTime() && quantity() == app::Quantity::missed;
   if (!mayBeNone && !((asksTime() ? question.milliseconds : question.limits.front().most) > 0.0)) {
-    said_ = tr("Nothing keeps 0: enter a number above it");
+    said_ = tr("No settings keep 0: enter a larger number");
     return showState();
   }
   job_ = std::make_unique<app::TargetJob>(std::move(question));
@@ -215,7 +215,7 @@ void TargetBox::showState() {
   for (QWidget* const control : std::initializer_list<QWidget*>{error_, time_, most_, milliseconds_, unit_})
     control->setEnabled(!job_);
   apply_->setEnabled(answer_ && !answer_->measured[answer_->chosen].candidate.assignments.empty());
-  const QString text = job_ ? tr("Searching … %1 %").arg(qRound(100.0 * job_->progress().fraction())) : said_;
+  const QString text = job_ ? tr("Searching… %1 %").arg(qRound(100.0 * job_->progress().fraction())) : said_;
   if (text_->text() != text) text_->setText(text);
   text_->setVisible(!text.isEmpty());
 }

@@ -101,7 +101,7 @@ DicomBrowser::DicomBrowser(SeriesIndex* index, QWidget* parent)
       index_(index),
       folder_(new QLabel(this)),
       search_(new QLineEdit(this)),
-      hide_(new QCheckBox(tr("&Hide who the patients are"), this)),
+      hide_(new QCheckBox(tr("&Hide patient data"), this)),
       tree_(new QTreeWidget(this)),
       details_(new QLabel(this)),
       summary_(new QLabel(this)),
@@ -112,11 +112,11 @@ DicomBrowser::DicomBrowser(SeriesIndex* index, QWidget* parent)
   search_->setAccessibleName(tr("Search"));
   search_->setClearButtonEnabled(true);
   auto* choose = new QPushButton(tr("&Folder…"), this);
-  choose->setToolTip(tr("Look through another folder or disc"));
+  choose->setToolTip(tr("Search another folder or disc"));
   choose->setAutoDefault(false);
   stop_->setAutoDefault(false);
   hide_->setChecked(keptPrivacy().hideOnScreen);
-  hide_->setToolTip(tr("Names, ids and birth dates are shown as “anonymous”, here and in the window"));
+  hide_->setToolTip(tr("Show names, IDs and birth dates as “anonymous”, here and in the window"));
   auto* top = new QHBoxLayout;
   top->addWidget(choose);
   top->addWidget(folder_, 1);
@@ -179,7 +179,7 @@ DicomBrowser::~DicomBrowser() = default;
 void DicomBrowser::makeTree() {
   tree_->setAccessibleName(tr("Patients, studies and series"));
   tree_->setHeaderLabels({tr("Series"), tr("Modality"), tr("Date"), tr("Slices"), tr("Size"), tr("Spacing"),
-                          tr("Kernel"), tr("Notes")});
+                          tr("Kernel"), tr("Warnings")});
   tree_->setIconSize({pictureSide, pictureSide});
   tree_->setSortingEnabled(true);
   tree_->sortByColumn(titleColumn, Qt::AscendingOrder);
@@ -200,7 +200,7 @@ void DicomBrowser::makeTree() {
 void DicomBrowser::chooseFolder() {
   const QString start =
       index_->folder().isEmpty() ? QSettings().value("lastFolder").toString() : index_->folder();
-  const QString folder = QFileDialog::getExistingDirectory(this, tr("Look through a folder or disc"), start);
+  const QString folder = QFileDialog::getExistingDirectory(this, tr("Search a folder or disc"), start);
   if (!folder.isEmpty()) index_->start(folder);
 }
 
@@ -241,7 +241,7 @@ void DicomBrowser::showPatient(QTreeWidgetItem* item, const volume::DicomSeries&
     parts += tr("anonymous %1").arg(item->data(0, pictureRole).toInt());
   } else {
     parts += patient.name.empty() ? tr("No name") : textOf(app::personText(patient.name));
-    if (!patient.id.empty()) parts += tr("id %1").arg(textOf(patient.id));
+    if (!patient.id.empty()) parts += tr("ID %1").arg(textOf(patient.id));
     if (!patient.birthDate.empty()) parts += tr("born %1").arg(textOf(app::dateText(patient.birthDate)));
   }
   item->setText(titleColumn, parts.join("   "));
@@ -327,7 +327,7 @@ void DicomBrowser::showDetails() {
   if (series) {
     if (!series->problem.empty()) lines += tr("Cannot be opened: %1").arg(textOf(series->problem));
     for (const std::string& warning : series->warnings) lines += textOf(warning);
-    if (lines.isEmpty()) lines += tr("Evenly spaced slices; nothing to note.");
+    if (lines.isEmpty()) lines += tr("Evenly spaced slices; no warnings.");
   }
   QString text = lines.join('\n');
   if (series && hide_->isChecked()) text = textOf(app::withoutPatient(text.toStdString(), series->patient));
@@ -350,9 +350,9 @@ void DicomBrowser::showSummary() {
     parts += tr("Choose a folder or disc with DICOM files.");
   else if (!running && index_->problem().isEmpty())
     parts += tr("No DICOM images in this folder.");
-  if (running) parts += tr("still looking");
+  if (running) parts += tr("search in progress");
   if (!index_->problem().isEmpty())
-    parts += hide_->isChecked() ? tr("not all could be read") : index_->problem();
+    parts += hide_->isChecked() ? tr("some could not be read") : index_->problem();
   const volume::DicomIndexEnd& end = index_->end();
   if (end.unreadable > 0) parts += tr("%1 of %2 files could not be read").arg(end.unreadable).arg(end.files);
   summary_->setText(parts.join(tr("; ")));

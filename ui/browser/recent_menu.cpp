@@ -79,7 +79,7 @@ void RecentMenu::fill() {
     connect(action, &QAction::triggered, this, [this, file] { Q_EMIT chosen(file); });
   }
   if (files.isEmpty()) {
-    addAction(tr("Nothing yet"))->setEnabled(false);
+    addAction(tr("No recent files"))->setEnabled(false);
     return;
   }
   addSeparator();
@@ -89,7 +89,7 @@ void RecentMenu::fill() {
 RecentPictures::RecentPictures(QWidget* parent) : QFrame(parent), row_(new QHBoxLayout(this)) {
   setObjectName("recentPictures");
   setCursor(Qt::ArrowCursor);
-  setAccessibleName(tr("Opened last"));
+  setAccessibleName(tr("Recently opened"));
   row_->setSpacing(10);
   parent->installEventFilter(this);
   hide();

@@ -28,7 +28,7 @@ CutMenu::CutMenu(QMenu* menu, QObject* parent) : QObject(parent) {
   menu->addSeparator();
   makeFaces(menu);
   makeSurfaces(menu);
-  handles_ = add(menu, tr("Show &handles"), tr("Planes and box have handles in the picture, to drag"), {});
+  handles_ = add(menu, tr("Show &handles"), tr("Show handles of planes and box in the 3-D view"), {});
   handles_->setCheckable(true);
   handles_->setChecked(QSettings().value(handlesKey, true).toBool());
   connect(handles_, &QAction::toggled, this, [this](bool shown) {
@@ -36,7 +36,7 @@ CutMenu::CutMenu(QMenu* menu, QObject* parent) : QObject(parent) {
     Q_EMIT handlesShown(shown);
   });
   menu->addSeparator();
-  all_ = add(menu, tr("&Remove all cuts"), tr("Nothing is cut away any more"), QKeySequence("Shift+X"));
+  all_ = add(menu, tr("&Remove all cuts"), tr("Remove all planes and boxes"), QKeySequence("Shift+X"));
   connect(all_, &QAction::triggered, this, &CutMenu::removeAll);
   showState();
 }
@@ -62,8 +62,8 @@ void CutMenu::allow(QAction* action, const QString& whyNot) {
 // -------------------------------------------------------------------------------------------------
 
 void CutMenu::makeAdding(QMenu* menu) {
-  const QString tip = tr(
-      "A plane through the crosshair, or the middle of what is looked at; what lies before it is cut away");
+  const QString tip =
+      tr("Add a plane through the crosshair or the view’s target, and cut away what is in front of it");
   for (const int axis : {2, 1, 0}) {
     QAction*& action = across_[static_cast<std::size_t>(axis)];
     action = add(menu, {}, tip, {});
@@ -72,58 +72,56 @@ void CutMenu::makeAdding(QMenu* menu) {
   nameAxes();
   facing_ = add(menu, tr("Plane facing the &viewer"), tip, QKeySequence("C"));
   connect(facing_, &QAction::triggered, this, &CutMenu::addFacing);
-  through_ = add(menu, tr("Plane &through three points"),
-                 tr("Through the points of the mark that is chosen in the list, or the last three points "
-                    "that were marked"),
-                 {});
+  through_ =
+      add(menu, tr("Plane &through three points"),
+          tr("Add a plane through the points of the selected measurement, or the last three points set"), {});
   connect(through_, &QAction::triggered, this, &CutMenu::addThrough);
-  box_ = add(menu, tr("&Box"), tr("What lies outside the box is cut away"), {});
+  box_ = add(menu, tr("&Box"), tr("Add a box and cut away everything outside it"), {});
   connect(box_, &QAction::triggered, this, &CutMenu::addBox);
 }
 
 void CutMenu::makePlanes(QMenu* menu) {
-  flipLast_ = add(menu, tr("&Flip the last plane"), tr("The other side of the plane is cut away"),
+  flipLast_ = add(menu, tr("Revers&e last plane"), tr("Cut away the other side of the plane"),
                   QKeySequence("Shift+C"));
   connect(flipLast_, &QAction::triggered, this, [this] {
-    changePlane(scene_.clip.planes.size() - 1, tr("Flip plane %1").arg(scene_.clip.planes.size()),
+    changePlane(scene_.clip.planes.size() - 1, tr("Reverse plane %1").arg(scene_.clip.planes.size()),
                 app::flipped);
   });
   for (std::size_t i = 0; i < planes_.size(); ++i) {
     PlaneActions& plane = planes_[i];
     plane.menu = menu->addMenu(tr("Plane &%1").arg(i + 1));
     plane.menu->setToolTipsVisible(true);
-    plane.flip = add(plane.menu, tr("&Flip"), tr("The other side of the plane is cut away"), {});
+    plane.flip = add(plane.menu, tr("Revers&e"), tr("Cut away the other side of the plane"), {});
     connect(plane.flip, &QAction::triggered, this,
-            [this, i] { changePlane(i, tr("Flip plane %1").arg(i + 1), app::flipped); });
-    plane.toAxis =
-        add(plane.menu, tr("Align to the nearest &axis"), tr("Its normal becomes an axis of the world"), {});
+            [this, i] { changePlane(i, tr("Reverse plane %1").arg(i + 1), app::flipped); });
+    plane.toAxis = add(plane.menu, tr("Align to the nearest &axis"), tr("Align its normal with an axis"), {});
     connect(plane.toAxis, &QAction::triggered, this, [this, i] {
       changePlane(i, tr("Align plane %1").arg(i + 1), [this](const scene::ClipPlane& before) {
         return app::alignedToAxis(before, app::cornersOf(volume_->grid().geometry()));
       });
     });
-    plane.toViewer = add(plane.menu, tr("Turn to the &viewer"), tr("Its normal points to the viewer"), {});
+    plane.toViewer = add(plane.menu, tr("Turn to the &viewer"), tr("Turn its normal towards the viewer"), {});
     connect(plane.toViewer, &QAction::triggered, this, [this, i] {
       changePlane(i, tr("Turn plane %1 to the viewer").arg(i + 1), [this](const scene::ClipPlane& before) {
         return app::alignedToViewer(before, app::cornersOf(volume_->grid().geometry()), back());
       });
     });
-    plane.remove = add(plane.menu, tr("&Remove"), tr("The plane cuts nothing any more"), {});
+    plane.remove = add(plane.menu, tr("&Remove"), tr("Remove this plane"), {});
     connect(plane.remove, &QAction::triggered, this, [this, i] { removePlane(i); });
   }
   boxMenu_ = menu->addMenu(tr("Bo&x"));
-  straightenBox_ = add(boxMenu_, tr("&Align to the axes"), tr("The box is not turned any more"), {});
+  straightenBox_ = add(boxMenu_, tr("&Align to the axes"), tr("Turn the box back to the axes"), {});
   connect(straightenBox_, &QAction::triggered, this, [this] {
     scene::Clip clip = scene_.clip;
     clip.boxRotation = {1.0, 0.0, 0.0, 0.0};
     send(clip, tr("Align the box"));
   });
-  removeBox_ = add(boxMenu_, tr("&Remove"), tr("The box cuts nothing any more"), {});
+  removeBox_ = add(boxMenu_, tr("&Remove"), tr("Remove this box"), {});
   connect(removeBox_, &QAction::triggered, this, &CutMenu::removeBox);
 }
 
 void CutMenu::makeFaces(QMenu* menu) {
-  QMenu* faces = menu->addMenu(tr("Cut f&aces show"));
+  QMenu* faces = menu->addMenu(tr("Cut &faces"));
   faces->setToolTipsVisible(true);
   faces_ = new QActionGroup(this);
   const auto choice = [&](scene::ClipCap cap, const QString& text, const QString& tip) {
@@ -137,18 +135,18 @@ void CutMenu::makeFaces(QMenu* menu) {
       send(clip, tr("Change cut faces"));
     });
   };
-  choice(scene::ClipCap::none, tr("&Nothing"), tr("The cut stays open: inner sides of surfaces are seen"));
-  choice(scene::ClipCap::inside, tr("The values &inside"),
-         tr("Values of the voxels where the inside of a surface was cut"));
-  choice(scene::ClipCap::whole, tr("The &whole slice"), tr("Values of the voxels on the whole face"));
+  choice(scene::ClipCap::none, tr("&None"), tr("Leave the cut open and show the back faces of surfaces"));
+  choice(scene::ClipCap::inside, tr("Values &inside"),
+         tr("Show voxel values where the inside of a surface is cut"));
+  choice(scene::ClipCap::whole, tr("&Whole slice"), tr("Show voxel values on the whole cut face"));
 }
 
 void CutMenu::makeSurfaces(QMenu* menu) {
-  surfacesMenu_ = menu->addMenu(tr("&Surfaces that are cut"));
+  surfacesMenu_ = menu->addMenu(tr("Cut s&urfaces"));
   surfacesMenu_->setToolTipsVisible(true);
   for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-    surfaces_[i] = add(surfacesMenu_, tr("Isosurface &%1").arg(i + 1),
-                       tr("Whether planes and box cut this surface"), {});
+    surfaces_[i] =
+        add(surfacesMenu_, tr("Isosurface &%1").arg(i + 1), tr("Let planes and box cut this surface"), {});
     surfaces_[i]->setCheckable(true);
     connect(surfaces_[i], &QAction::triggered, this,
             [this, i](bool cut) { setCut(static_cast<int>(i), cut); });
@@ -180,7 +178,7 @@ void CutMenu::nameAxes() {
 QString CutMenu::whyNoPlane() const {
   if (!volume_) return tr("Open a volume first.");
   if (scene_.clip.planes.size() >= scene::kClipPlanes)
-    return tr("There are %1 planes, as many as can be: remove one first.").arg(scene::kClipPlanes);
+    return tr("At most %1 planes are possible: remove one first.").arg(scene::kClipPlanes);
   return {};
 }
 
@@ -194,7 +192,7 @@ void CutMenu::showState() {
   const bool marked = threePoints().size() == 3;
   allow(through_, !noPlane.isEmpty() ? noPlane
                   : marked           ? QString()
-                                     : tr("Mark three points first, with the tools of the Measure menu."));
+                                     : tr("Set three points first, with a tool of the Measure menu."));
   allow(box_, boxed ? tr("There is a box already: drag its faces.") : noVolume);
   allow(flipLast_, clip.planes.empty() ? tr("There is no plane.") : noVolume);
   for (std::size_t i = 0; i < planes_.size(); ++i)
@@ -267,8 +265,7 @@ void CutMenu::addThrough() {
   if (plane)
     addPlane(*plane, tr("Plane through three points"));
   else
-    Q_EMIT failed(tr(
-        "The three points lie on a line, and many planes go through a line: mark another point beside it."));
+    Q_EMIT failed(tr("The three points lie on a line: set another point off that line."));
 }
 
 void CutMenu::changePlane(std::size_t plane, const QString& name,

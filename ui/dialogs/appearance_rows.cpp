@@ -16,7 +16,7 @@ AppearanceRows::AppearanceRows(QWidget* parent)
       scaleOfThisRun_(keptScale()),
       theme_(new QComboBox(this)),
       scale_(new IntegerSpinBox(this)),
-      later_(new QLabel(tr("From the next start of Isolux on."), this)) {
+      later_(new QLabel(tr("Takes effect after a restart."), this)) {
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(14);
@@ -30,13 +30,12 @@ AppearanceRows::AppearanceRows(QWidget* parent)
     grid->addWidget(label, row, 0);
     grid->addWidget(editor, row, 1);
   };
-  theme_->addItems({tr("Dark"), tr("Light"), tr("As the system")});  // as Theme
-  addRow(0, tr("Colours of the window"), theme_,
-         tr("The picture's own background is a setting of the scene."));
+  theme_->addItems({tr("Dark"), tr("Light"), tr("System default")});  // as Theme
+  addRow(0, tr("Theme"), theme_, tr("The background of the image is a setting of the scene."));
   scale_->setRange(smallestScale, largestScale);
   scale_->setSingleStep(25);
   scale_->setSuffix(" %");
-  addRow(1, tr("Size of texts and controls"), scale_, tr("Beside the scale of the screen itself."));
+  addRow(1, tr("Text and control size"), scale_, tr("Multiplies the scaling of the screen."));
   grid->addWidget(later_, 2, 1);
   grid->setColumnStretch(1, 1);
   setInk(later_, Ink::quiet);

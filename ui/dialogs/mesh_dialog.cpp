@@ -29,9 +29,9 @@ MeshDialog::MeshDialog(std::shared_ptr<const volume::PreparedVolume> volume, sce
     : QDialog(parent),
       surface(new QComboBox(this)),
       tolerance(new QDoubleSpinBox(this)),
-      closed(new QCheckBox(tr("&Close the surface where it leaves the volume"), this)),
+      closed(new QCheckBox(tr("&Cap openings at the volume border"), this)),
       start(new QPushButton(tr("&Export…"), this)),
-      showPlace(new QPushButton(tr("Sho&w the farthest place"), this)),
+      showPlace(new QPushButton(tr("Sho&w largest deviation"), this)),
       bar(new QProgressBar(this)),
       volume_(std::move(volume)),
       resolved_(std::move(resolved)),
@@ -42,9 +42,9 @@ MeshDialog::MeshDialog(std::shared_ptr<const volume::PreparedVolume> volume, sce
   tolerance->setDecimals(3);
   tolerance->setSingleStep(0.01);
   tolerance->setSuffix(" mm");
-  tolerance->setSpecialValueText(tr("as the voxels give it"));
+  tolerance->setSpecialValueText(tr("No subdivision"));
   tolerance->setAccessibleName(tr("Tolerance"));
-  tolerance->setToolTip(tr("Triangles are split until they lie no farther from the surface"));
+  tolerance->setToolTip(tr("Largest deviation from the surface: triangles are split until they meet it"));
   bar->setRange(0, 1000);
   bar->setTextVisible(false);
   bar->setFixedHeight(8);
@@ -80,10 +80,9 @@ MeshDialog::MeshDialog(std::shared_ptr<const volume::PreparedVolume> volume, sce
   const bool cut = resolved_.isosurface.clipped && scene::cutsSurfaces(resolved_);
   resolved_.isosurface.clipped = false;
   const QString what =
-      tr("Triangles of the surface as it is shown, without the pieces that are hidden. A name "
-         "that ends in .stl, .ply, .obj or .vtp says the format; .vtp carries curvature and the "
-         "values of a second volume.");
-  tell(cut ? tr("%1 Cuts are not followed: the whole surface is written.").arg(what) : what);
+      tr("Exports the surface as shown, without hidden pieces. The extension sets the format: .stl, .ply, "
+         ".obj or .vtp. A .vtp file also contains curvature and the values of a second volume.");
+  tell(cut ? tr("%1 Cuts are ignored: the whole surface is exported.").arg(what) : what);
   timer_.setInterval(meshPollMilliseconds);
   connect(&timer_, &QTimer::timeout, this, &MeshDialog::poll);
   connect(start, &QPushButton::clicked, this, &MeshDialog::startOrStop);
@@ -105,8 +104,8 @@ void MeshDialog::showEstimate() {
       volume::estimatedTriangles(volume_->grid(), *volume_->blocks, surface->currentData().toDouble());
   const QString about = tr("about %1").arg(valueText(static_cast<double>(count), {}, 2));
   const bool split = tolerance->value() > 0.0;
-  estimate_->setText(count == 0 ? tr("not known before")
-                     : split    ? tr("%1 and more, as the tolerance asks for").arg(about)
+  estimate_->setText(count == 0 ? tr("unknown until export")
+                     : split    ? tr("%1 or more, depending on the tolerance").arg(about)
                                 : about);
 }
 
@@ -148,7 +147,7 @@ void MeshDialog::poll() {
     const double fraction = std::clamp(job_->progress().fraction(), 0.0, 1.0);
     bar->setValue(static_cast<int>(std::lround(fraction * 1000.0)));
     const QString rest = left_.text(fraction);
-    tell(rest.isEmpty() ? tr("Making %1 …").arg(name) : tr("Making %1 … %2").arg(name, rest));
+    tell(rest.isEmpty() ? tr("Writing %1…").arg(name) : tr("Writing %1… %2").arg(name, rest));
     return;
   }
   timer_.stop();

@@ -42,24 +42,22 @@ QSpinBox* newSide(int pixels, const QString& name) {
 
 PictureDialog::PictureDialog(const PictureChoices& choices, QSize window, bool hasLegend, QWidget* parent)
     : QDialog(parent), given_(choices), window_(window) {
-  setWindowTitle(tr("Save picture"));
+  setWindowTitle(tr("Save image"));
   setAttribute(Qt::WA_DeleteOnClose);
 
-  auto* words = new QGroupBox(tr("On the picture"));
+  auto* words = new QGroupBox(tr("Annotations"));
   auto* wordRows = new QVBoxLayout(words);
-  letters =
-      newCheck(tr("&Letters of the axes"), choices.picture.letters,
-               tr("Which side of the patient lies at each edge, as far as the file states it"), wordRows);
-  scaleBar =
-      newCheck(tr("Scale &bar"), choices.picture.scaleBar, tr("A round length in millimetres"), wordRows);
+  letters = newCheck(tr("&Orientation labels"), choices.picture.letters,
+                     tr("Side of the patient at each edge, if the file states the orientation"), wordRows);
+  scaleBar = newCheck(tr("Scale &bar"), choices.picture.scaleBar, tr("Bar of a round length in millimetres"),
+                      wordRows);
   isovalue = newCheck(tr("&Isovalue"), choices.picture.isovalue,
-                      tr("The values of the surfaces that are shown, with their unit"), wordRows);
-  caveats = newCheck(tr("&What is left out or invented"), choices.picture.caveats,
-                     tr("Hidden pieces, missing slices that are interpolated; nothing where there are none"),
-                     wordRows);
+                      tr("Isovalues of the surfaces shown, with their unit"), wordRows);
+  caveats = newCheck(tr("&Hidden and interpolated data"), choices.picture.caveats,
+                     tr("Lists hidden pieces and interpolated slices, if there are any"), wordRows);
   legend = newCheck(tr("Le&gend"), choices.legend && hasLegend,
-                    hasLegend ? tr("What the colours stand for; in the window, too")
-                              : tr("The colours of this look stand for no numbers"),
+                    hasLegend ? tr("Meaning of the colours; also shown in the window")
+                              : tr("The colours of this look show no numbers"),
                     wordRows);
   legend->setEnabled(hasLegend);
 
@@ -71,8 +69,8 @@ PictureDialog::PictureDialog(const PictureChoices& choices, QSize window, bool h
     const QSize pixels = PictureWish{factor, {}, true, false}.pixels(window);
     return QString("%1 – %2 × %3").arg(name).arg(pixels.width()).arg(pixels.height());
   };
-  size->addItems({times(tr("As in the window"), 1.0), times(tr("2 times"), 2.0), times(tr("4 times"), 4.0),
-                  tr("A size of your own")});
+  size->addItems(
+      {times(tr("As in the window"), 1.0), times(tr("2×"), 2.0), times(tr("4×"), 4.0), tr("Custom")});
   const auto at = std::find(factors.begin(), factors.end(), choices.wish.factor);
   size->setCurrentIndex(at == factors.end() ? 0 : static_cast<int>(at - factors.begin()));
   width = newSide(choices.wish.size.width(), tr("Width"));
@@ -86,18 +84,16 @@ PictureDialog::PictureDialog(const PictureChoices& choices, QSize window, bool h
   formRows->addWidget(size);
   formRows->addLayout(sides);
   transparent = newCheck(tr("&Transparent background"), choices.picture.transparent,
-                         tr("For slides and posters: the surface alone, with soft edges"), formRows);
+                         tr("Surface only, with anti-aliased edges, for slides and posters"), formRows);
 
-  auto* file = new QGroupBox(tr("In the file"));
+  auto* file = new QGroupBox(tr("File contents"));
   auto* fileRows = new QVBoxLayout(file);
-  session =
-      newCheck(tr("Carry the &session"), choices.wish.session,
-               tr("The picture can be opened again as it is now: view, isovalue, look, marks"), fileRows);
-  fullPaths =
-      newCheck(tr("With full &paths"), choices.wish.fullPaths,
-               tr("Names the folders of its files, which may tell who you or the patient are. Without "
-                  "them the picture is opened again on this machine, or beside its volume."),
-               fileRows);
+  session = newCheck(tr("Embed &session"), choices.wish.session,
+                     tr("The image opens again as a session: view, isovalue, look, measurements"), fileRows);
+  fullPaths = newCheck(tr("Include full &paths"), choices.wish.fullPaths,
+                       tr("Stores the folders of its files, which may identify you or the patient. Without "
+                          "them, the image opens as a session on this computer or next to its volume."),
+                       fileRows);
 
   preview = new QLabel;
   preview->setObjectName("preview");
@@ -108,7 +104,7 @@ PictureDialog::PictureDialog(const PictureChoices& choices, QSize window, bool h
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
   save = buttons->addButton(tr("&Save…"), QDialogButtonBox::AcceptRole);
   copy = buttons->addButton(tr("&Copy"), QDialogButtonBox::ActionRole);
-  copy->setToolTip(tr("Into the clipboard, without the session"));
+  copy->setToolTip(tr("Copy to the clipboard, without the session"));
   save->setDefault(true);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(save, &QPushButton::clicked, this, [this] { answer(&PictureDialog::saveAsked); });

@@ -29,11 +29,11 @@ namespace {
 QString labelOf(const scene::SettingInfo& setting) {
   const std::map<std::string, QString> labels = {
       {"memory.gpu_budget_mb", QObject::tr("Graphics memory")},
-      {"memory.layout", QObject::tr("Volume on the graphics card")},
-      {"gi.threads", QObject::tr("Threads that compute light")},
-      {"picture.adaptive", QObject::tr("Coarser pictures in motion")},
-      {"picture.motion_target", QObject::tr("Time of a picture in motion")},
-      {"picture.executor", QObject::tr("Hits and derivatives computed by")}};
+      {"memory.layout", QObject::tr("Volume storage on the GPU")},
+      {"gi.threads", QObject::tr("CPU threads for lighting")},
+      {"picture.adaptive", QObject::tr("Lower resolution in motion")},
+      {"picture.motion_target", QObject::tr("Frame time in motion")},
+      {"picture.executor", QObject::tr("Ray casting device")}};
   const auto known = labels.find(setting.path);
   return known != labels.end() ? known->second : wordsOf(QString::fromStdString(setting.path));
 }
@@ -87,7 +87,7 @@ PreferencesDialog::PreferencesDialog(const scene::Machine& machine, QWidget* par
   addLanguage(grid);
   grid->setColumnStretch(1, 1);
 
-  auto* note = new QLabel(tr("Of this machine: sessions and recordings do not carry them."), this);
+  auto* note = new QLabel(tr("Stored on this computer only, not in sessions or recordings."), this);
   note->setWordWrap(true);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::RestoreDefaults | QDialogButtonBox::Close, this);
   connect(buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this,
@@ -113,11 +113,11 @@ void PreferencesDialog::addLanguage(QGridLayout* grid) {
   label->setBuddy(language_);
   language_->setAccessibleName(label->text());
   // Each in itself, so that who has chosen a foreign one finds back.
-  language_->addItem(tr("As the system"), static_cast<int>(Language::system));
+  language_->addItem(tr("System default"), static_cast<int>(Language::system));
   language_->addItem("English", static_cast<int>(Language::english));
   language_->addItem("Deutsch", static_cast<int>(Language::german));
   language_->setCurrentIndex(language_->findData(static_cast<int>(keptLanguage())));
-  const QString tip = tr("Of the window; it changes when Isolux is started again.");
+  const QString tip = tr("Language of the window; takes effect after a restart.");
   for (QWidget* widget : {static_cast<QWidget*>(label), static_cast<QWidget*>(language_)})
     widget->setToolTip(tip);
   auto* hint = new QLabel(tip, this);

@@ -8,13 +8,13 @@
 namespace isolux::ui {
 
 PrivacyBox::PrivacyBox(QWidget* parent)
-    : QGroupBox(tr("The patient’s name, id and birth date"), parent),
+    : QGroupBox(tr("Patient’s name, ID and birth date"), parent),
       onScreen_(new QCheckBox(tr("Hide on the &screen"), this)),
-      inSaved_(new QCheckBox(tr("Hide in what is sa&ved: pictures, marks, recordings"), this)) {
-  onScreen_->setToolTip(tr("In titles, the Volume panel, the DICOM browser and the recent files"));
-  inSaved_->setToolTip(tr(
-      "In the sessions that pictures carry, exported marks, recordings and proposed names of files. Sessions "
-      "saved as such name the files that they open."));
+      inSaved_(new QCheckBox(tr("Hide in sa&ved files: images, measurements, recordings"), this)) {
+  onScreen_->setToolTip(tr("Applies to titles, the Volume panel, the DICOM browser and recent files"));
+  inSaved_->setToolTip(
+      tr("Applies to sessions embedded in images, exported measurements, recordings and proposed file names. "
+         "Session files always name the files that they open."));
   const Privacy privacy = keptPrivacy();
   onScreen_->setChecked(privacy.hideOnScreen);
   inSaved_->setChecked(privacy.hideInSaved);

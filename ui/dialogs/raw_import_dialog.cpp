@@ -84,12 +84,12 @@ RawImportDialog::RawImportDialog(const QString& file, QWidget* parent)
       buttons_(new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel, this)),
       guesses_(volume::guessRaw(QFileInfo(file).fileName().toStdString(), fileBytes_)) {
   setWindowTitle(tr("Open raw file – %1").arg(QFileInfo(file).fileName()));
-  auto* intro = new QLabel(tr("<b>%1</b> has no header that Isolux knows. How are its voxels stored?")
+  auto* intro = new QLabel(tr("<b>%1</b> has no header that Isolux can read. How are its voxels stored?")
                                .arg(QFileInfo(file).fileName().toHtmlEscaped()),
                            this);
   intro->setWordWrap(true);
 
-  suggestions_->addItem(guesses_.empty() ? tr("nothing fits by name or size") : tr("choose …"));
+  suggestions_->addItem(guesses_.empty() ? tr("no match by name or size") : tr("choose…"));
   for (const RawDescription& guess : guesses_) suggestions_->addItem(guessText(guess));
   suggestions_->setEnabled(!guesses_.empty());
   for (const VoxelType type : types) type_->addItem(typeName(type), static_cast<int>(type));

@@ -47,7 +47,7 @@ void write(const gi::ReferenceImage& image, const scene::Scene& carried, const v
     app::writeReferenceExr(image, file, session);
   } else {
     base::throwInput(name.toStdString(), "",
-                     QObject::tr("is not written: the name of a picture ends in .png or .exr").toStdString());
+                     QObject::tr("unknown image format; use .png or .exr").toStdString());
   }
 }
 }  // namespace
@@ -69,7 +69,7 @@ ReferenceDialog::ReferenceDialog(std::shared_ptr<const volume::PreparedVolume> v
       bar_(new QProgressBar(this)),
       start_(new QPushButton(tr("Trace"), this)),
       save_(new QPushButton(tr("Save…"), this)) {
-  setWindowTitle(tr("Path traced picture"));
+  setWindowTitle(tr("Path-traced image"));
   resize(820, 640);
   preview_->setAlignment(Qt::AlignCenter);
   preview_->setMinimumSize(320, 240);
@@ -80,8 +80,8 @@ ReferenceDialog::ReferenceDialog(std::shared_ptr<const volume::PreparedVolume> v
   bar_->setRange(0, 1000);
   bar_->setTextVisible(false);
   bar_->setFixedHeight(8);
-  shown_->addItems({tr("Picture"), tr("Noise (white: 10 % or more)")});
-  shown_->setAccessibleName(tr("Shown"));
+  shown_->addItems({tr("Image"), tr("Noise (white: 10 % or more)")});
+  shown_->setAccessibleName(tr("Display"));
   save_->setEnabled(false);
   start_->setDefault(true);
 
@@ -105,7 +105,7 @@ ReferenceDialog::ReferenceDialog(std::shared_ptr<const volume::PreparedVolume> v
   layout->addWidget(bar_);
   layout->addLayout(buttons);
   tell(
-      tr("Every pixel is traced by itself, without stored light. Twice as many paths take twice the time; "
+      tr("Traces every pixel independently, without baked light. Twice as many paths take twice the time; "
          "four times as many halve the noise."));
 
   timer_.setInterval(pollMilliseconds);
@@ -154,7 +154,7 @@ void ReferenceDialog::poll() {
   QString noise;
   if (round_ && round_->noisePart) noise = tr("noise %1 %").arg(numberText(100.0 * *round_->noisePart, 2));
   if (!finished) {
-    QStringList said{tr("Tracing …")};
+    QStringList said{tr("Tracing…")};
     for (const QString& part : {noise, left_.text(fraction)})
       if (!part.isEmpty()) said += part;
     tell(said.join(" · "));
@@ -185,11 +185,11 @@ void ReferenceDialog::resizeEvent(QResizeEvent* event) {
 }
 
 void ReferenceDialog::choose() {
-  const SaveAnswer answer =
-      askForFileToSave(this, {tr("Save path traced picture"),
-                              QSettings().value("lastFolder").toString() + "/reference.exr",
-                              {tr("OpenEXR, linear colours, irradiance and variance (*.exr)"),
-                               tr("PNG, carries the session (*.png)")}});
+  const SaveAnswer answer = askForFileToSave(
+      this,
+      {tr("Save path-traced image"),
+       QSettings().value("lastFolder").toString() + "/reference.exr",
+       {tr("OpenEXR, linear colours, irradiance and variance (*.exr)"), tr("PNG, with session (*.png)")}});
   if (answer.file.isEmpty()) return;
   QSettings().setValue("lastFolder", QFileInfo(answer.file).absolutePath());
   saveAs(answer.file);
@@ -210,7 +210,7 @@ bool ReferenceDialog::saveAs(const QString& file) {
                          }
                        });
   save_->setEnabled(false);
-  tell(tr("Saving %1 …").arg(savedName_));
+  tell(tr("Saving %1…").arg(savedName_));
   saveTimer_.start();
   return true;
 }

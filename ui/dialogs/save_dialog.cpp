@@ -7,7 +7,7 @@
 namespace isolux::ui {
 
 namespace {
-// "png" of "PNG, carries the session (*.png)".
+// "png" of "PNG, with session (*.png)".
 QString suffixOf(const QString& filter) {
   return filter.section("(*.", -1).section(QChar(')'), 0, 0).section(QChar(' '), 0, 0);
 }

@@ -44,7 +44,7 @@ void waitWithDialog(QWidget* window, const Waiting& waiting) {
   QObject::connect(&dialog, &QProgressDialog::canceled, &dialog, [&] {
     if (!waiting.cancel || std::exchange(stopping, true)) return;
     waiting.cancel();
-    dialog.setLabelText(QObject::tr("Stopping …"));
+    dialog.setLabelText(QObject::tr("Stopping…"));
     dialog.show();
   });
   dialog.show();

@@ -189,7 +189,7 @@ void Document::open(const QString& path, const QString& series) {
         const QString name = QFileInfo(absolute).fileName();
         base::throwInput(
             name.toStdString(), "",
-            tr("is a recording: isolux replay %1 --out FOLDER makes pictures of it").arg(name).toStdString());
+            tr("is a recording; render it with isolux replay %1 --out FOLDER").arg(name).toStdString());
       }
       if (volume::needsRawDescription(pathOf(absolute))) {
         Q_EMIT rawDescriptionNeeded(absolute);
@@ -296,7 +296,7 @@ void Document::finishLoading() {
     Q_EMIT loadEnded(false);
     if (!job->error()) {
       Q_EMIT failed(
-          tr("The volume could not be loaded, and no reason was given. The one before is still open."));
+          tr("The volume could not be loaded (unknown reason). The previous volume is still open."));
     } else if (job->error()->kind() != base::ErrorKind::interrupted) {
       Q_EMIT failed(textOf(*job->error()));
     }
@@ -318,7 +318,7 @@ void Document::finishLoading() {
   }
   if (scene::Scene next = scene(); takeInstead(next.source, loadedSource_)) {  // since this was saved
     const bool coarser = next.source.level != scene().source.level;
-    history_.edit(next, (coarser ? tr("Coarser level") : tr("Open around damage")).toStdString());
+    history_.edit(next, (coarser ? tr("Coarser level") : tr("Skip unreadable chunks")).toStdString());
   }
   volume_ = volume;
   facts_ = volume_->facts;
@@ -413,7 +413,7 @@ void Document::commit(const scene::Scene& before, const QString& name, bool drag
     } catch (const base::Error& error) {
       stopRecording();
       Q_EMIT failed(
-          tr("The recording stopped: %1. What was recorded until then is kept.").arg(textOf(error)));
+          tr("Recording stopped: %1. The file contains everything up to that point.").arg(textOf(error)));
     }
   }
   announce();

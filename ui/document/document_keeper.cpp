@@ -54,8 +54,7 @@ void DocumentKeeper::tellProblem() {
   const auto problem = file_.problem();
   if (problem && !told_)
     Q_EMIT failed(
-        tr("The document cannot be autosaved: %1. Save the session; autosaving is tried again every minute.")
-            .arg(problem->what()));
+        tr("Autosave failed: %1. Save the session; Isolux tries again every minute.").arg(problem->what()));
   told_ = problem.has_value();
 }
 
@@ -74,8 +73,8 @@ void DocumentKeeper::finishRestoring() {
   if (!std::exchange(restoring_, false) || !lost()) return;
   const std::string recording = lost()->document.recordingFile;
   if (!recording.empty())
-    Q_EMIT noted(tr("The recording %1 holds what was done until then; it is not continued")
-                     .arg(QString::fromStdString(recording)));
+    Q_EMIT noted(
+        tr("The recording %1 ends there and is not continued").arg(QString::fromStdString(recording)));
   save();
   finish();
   if (!file_.problem()) lost_.found.front().discard();

@@ -328,7 +328,7 @@ CurvatureMapEditor::CurvatureMapEditor(QWidget* parent)
     box->setRange(-1.0, 1.0);
     box->setSingleStep(keyStep);
     box->setAccessibleName(name);
-    box->setToolTip(tr("%1 of the selected point, in parts of the range").arg(name));
+    box->setToolTip(tr("%1 of the selected point, as a fraction of the range").arg(name));
     row->addWidget(new QLabel(name, this));
     row->addWidget(box, 1);
     connect(box, &NumberSpinBox::valueChanged, this, &CurvatureMapEditor::moveSelected);

@@ -50,7 +50,7 @@ bool letsEnvironmentMove(const scene::Scene& before, const Edit& edit) {
 }
 
 Edit lightProbeChosen(const scene::Scene& scene, const QString& file) {
-  Edit edit{scene, QObject::tr("Choose light probe"), {}, false};
+  Edit edit{scene, QObject::tr("Choose environment map"), {}, false};
   edit.scene.light.environment.file = file.toStdString();
   showGi(edit.scene);
   return edit;

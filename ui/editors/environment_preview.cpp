@@ -41,7 +41,7 @@ EnvironmentPreview::EnvironmentPreview(QWidget* parent) : QWidget(parent) {
   setMinimumSize(120, 60);
   setFocusPolicy(Qt::StrongFocus);
   setCursor(Qt::SizeHorCursor);
-  setAccessibleName(tr("Light probe"));
+  setAccessibleName(tr("Environment map"));
   pollTimer_.setInterval(20);
   connect(&pollTimer_, &QTimer::timeout, this, &EnvironmentPreview::poll);
 }
@@ -86,7 +86,8 @@ void EnvironmentPreview::poll() {
       Q_EMIT failed(QString::fromStdString(job->error()->what()));
     } else {
       thumbnail_ = job->thumbnail();
-      setToolTip(tr("Drag to turn the environment about the vertical axis. The cross is where you look."));
+      setToolTip(
+          tr("Drag to turn the environment about the vertical axis. The cross marks the view direction."));
     }
     update();
   }
@@ -135,7 +136,7 @@ void EnvironmentPreview::paintEvent(QPaintEvent*) {
     painter.fillRect(rect(), colours::base);
     painter.setPen(problem_.isEmpty() ? colours::quietText : colours::error);
     painter.drawText(rect().adjusted(8, 4, -8, -4), Qt::AlignCenter | Qt::TextWordWrap,
-                     problem_.isEmpty() ? tr("Loading the environment …") : problem_);
+                     problem_.isEmpty() ? tr("Loading the environment…") : problem_);
     return;
   }
   if (image_.isNull()) draw();

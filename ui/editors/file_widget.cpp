@@ -45,9 +45,9 @@ FileWidget::FileWidget(QWidget* parent)
 
 void FileWidget::choose() {
   const QString start = line_->text().isEmpty() ? QSettings().value(folderKey).toString() : line_->text();
-  const QString file = QFileDialog::getOpenFileName(
-      this, tr("Choose a light probe"), start,
-      tr("Light probes (*.hdr *.exr);;Images (*.hdr *.exr *.png *.jpg *.jpeg *.tif *.tiff);;All files (*)"));
+  const QString file = QFileDialog::getOpenFileName(this, tr("Choose an environment map"), start,
+                                                    tr("Environment maps (*.hdr *.exr);;Images (*.hdr *.exr "
+                                                       "*.png *.jpg *.jpeg *.tif *.tiff);;All files (*)"));
   if (file.isEmpty()) return;
   QSettings().setValue(folderKey, QFileInfo(file).absolutePath());
   setFile(file);

@@ -154,7 +154,7 @@ void HistogramSlider::contextMenuEvent(QContextMenuEvent* event) {
   const double value = std::clamp(valueUnder(event->pos().x()), plot_.minimum(), plot_.maximum());
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  connect(menu->addAction(tr("Add an isosurface at %1").arg(text(value))), &QAction::triggered, this,
+  connect(menu->addAction(tr("Add isosurface at %1").arg(text(value))), &QAction::triggered, this,
           [this, value] { Q_EMIT surfaceWanted(value); });
   connect(menu->addAction(tr("Suggested isovalue")), &QAction::triggered, this,
           &HistogramSlider::suggestionWanted);

@@ -19,7 +19,7 @@ QString meaningOf(scene::BuiltInLight light) {
   switch (light) {
     case scene::BuiltInLight::studio:
       return QObject::tr(
-          "a large soft light from the upper left, a weak one at the right, and a rim from behind");
+          "a large soft light from the upper left, a weak light from the right and a rim light from behind");
     case scene::BuiltInLight::window:
       return QObject::tr("daylight through one window at the left of a room");
     case scene::BuiltInLight::overcast:

@@ -24,8 +24,8 @@ PlanesWidget::PlanesWidget(const scene::SettingInfo& setting, QWidget* parent)
   add_ = new QToolButton(this);
   add_->setText(tr("Add a plane"));
   add_->setToolTip(
-      tr("The last plane once more, or one across the z axis through the origin; the Cut menu "
-         "puts planes through what is seen"));
+      tr("Add a copy of the last plane, or a plane across the z axis through the origin; the Cut menu adds "
+         "planes through the view’s target"));
   layout->addWidget(add_, 0, Qt::AlignLeft);
   setFocusProxy(add_);
   connect(add_, &QToolButton::clicked, this, [this] {
@@ -73,7 +73,7 @@ void PlanesWidget::addRow() {
   };
   const std::size_t index = rows_.size();
   row.remove = button(tr("Remove"), tr("Remove plane %1").arg(number), 0);
-  row.flip = button(tr("Flip"), tr("Flip plane %1: the other side is cut away").arg(number), 1);
+  row.flip = button(tr("Reverse"), tr("Reverse plane %1: cut away the other side").arg(number), 1);
   connect(row.remove, &QToolButton::clicked, this, [this, index] {
     json planes = value();
     planes.erase(index);

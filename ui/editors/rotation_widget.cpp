@@ -19,9 +19,9 @@ RotationWidget::RotationWidget(QWidget* parent) : ValueWidget(parent) {
     double range;
   };
   const std::array<Angle, 3> angles{
-      {{tr("Heading"), tr("About the vertical axis, counterclockwise as seen from above"), 180.0},
-       {tr("Elevation"), tr("How high the middle of the light probe stands above the horizon"), 90.0},
-       {tr("Roll"), tr("About the direction of the middle of the light probe"), 180.0}}};
+      {{tr("Heading"), tr("Rotation about the vertical axis, counterclockwise from above"), 180.0},
+       {tr("Elevation"), tr("Height of the environment map’s centre above the horizon"), 90.0},
+       {tr("Roll"), tr("Rotation about the direction of the environment map’s centre"), 180.0}}};
   for (std::size_t i = 0; i < boxes_.size(); ++i) {
     auto* box = boxes_[i] = new NumberSpinBox(this);
     const int column = static_cast<int>(i);

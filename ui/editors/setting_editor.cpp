@@ -50,7 +50,7 @@ SettingEditor::SettingEditor(const scene::Setting& setting, QWidget* parent)
   if (setting.mayBeAutomatic) {
     keepPlaceWhenHidden(value_);
     automatic_ = new QCheckBox(tr("auto"), this);
-    automatic_->setToolTip(tr("Chosen by itself"));
+    automatic_->setToolTip(tr("Chosen automatically"));
     layout->addWidget(automatic_);
     connect(automatic_, &QCheckBox::toggled, this, [this](bool automatic) {
       const nlohmann::json seen = seenValue();
@@ -60,7 +60,7 @@ SettingEditor::SettingEditor(const scene::Setting& setting, QWidget* parent)
   reset_->setIcon(icon("restore"));
   reset_->setIconSize({14, 14});
   reset_->setAutoRaise(true);
-  reset_->setToolTip(tr("Back to the default"));
+  reset_->setToolTip(tr("Reset to default"));
   reset_->setAccessibleName(tr("Reset %1").arg(nameOf(setting)));
   keepPlaceWhenHidden(reset_);
   layout->addWidget(reset_);
@@ -124,7 +124,7 @@ void SettingEditor::explain() {
   if (why == whyInactive_) return;
   whyInactive_ = why;
   setEnabled(why.isEmpty());
-  setToolTip(why.isEmpty() ? description_ : tr("Does nothing now: %1.").arg(why) + "\n\n" + description_);
+  setToolTip(why.isEmpty() ? description_ : tr("Has no effect: %1.").arg(why) + "\n\n" + description_);
 }
 
 bool SettingEditor::isWide() const {

@@ -212,7 +212,8 @@ class MarksWidget : public ValueWidget {
   }
   void showValue(const json& value) override {
     shown_ = value;
-    count_->setText(value.size() == 1 ? QObject::tr("1 mark") : QObject::tr("%1 marks").arg(value.size()));
+    count_->setText(value.size() == 1 ? QObject::tr("1 measurement")
+                                      : QObject::tr("%1 measurements").arg(value.size()));
   }
   json value() const override { return shown_; }
 
@@ -244,7 +245,7 @@ class ChoiceWidget : public ValueWidget {
       : ValueWidget(parent), combo_(new CalmWheel<QComboBox>(this)) {
     for (const std::string& choice : setting.choices) {
       const QString word = QString::fromStdString(choice);
-      combo_->addItem(word == "color" ? QObject::tr("One colour") : wordsOf(word), word);
+      combo_->addItem(word == "color" ? QObject::tr("Single colour") : wordsOf(word), word);
     }
     combo_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // not the longest choice
     combo_->setMinimumContentsLength(8);

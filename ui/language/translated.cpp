@@ -5,6 +5,8 @@
 
 #include <QCoreApplication>
 
+#include "ui/editors/number_text.h"
+
 namespace isolux::ui {
 
 QString translated(const char* context, std::string_view english) {
@@ -21,10 +23,14 @@ QString translatedFilter(std::string_view filter) {
 
 QString plainNameOf(const scene::SettingInfo& setting) {
   const QString path = QString::fromStdString(setting.path);
-  // The lamps and the further isosurfaces have the same members: the group tells them apart.
-  const QString group = path.section('.', 0, 0);
-  const QString name = path.section('.', 1).replace('_', ' ').replace('.', ' ');
-  return group.back().isDigit() ? group + ' ' + name : name;
+  QString name = plainWordsOf(path.section('.', 1)).replace('.', ' ').replace("color", "colour");
+  if (name == "Colormap") name = "Colour map";
+  name[0] = name[0].toLower();
+  // The light sources and the further isosurfaces have the same members: the group tells them apart.
+  QString group = path.section('.', 0, 0);
+  if (!group.back().isDigit()) return name;
+  group.replace("lamp", "light");
+  return group.chopped(1) + ' ' + group.back() + ' ' + name;
 }
 
 QString nameOf(const scene::SettingInfo& setting) {

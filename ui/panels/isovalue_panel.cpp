@@ -29,20 +29,18 @@ IsovaluePanel::IsovaluePanel(QWidget* parent)
   title_->setFont(bold);
   title_->setBuddy(spinBox_);
   title_->setToolTip(
-      tr("The surface is where the volume has this value.\n\n"
-         "Drag the line on the histogram (counts are logarithmic).\n"
-         "Wheel or arrow keys: fine steps (Shift: ten times larger)\n"
-         "Double click: suggested isovalue\n"
-         "Alt+click or right click: one more isosurface there\n"
-         "Ctrl+wheel: zoom the axis, middle drag: move it"));
+      tr("The surface is where the volume has this value.\n\nDrag the line on the histogram (counts are "
+         "logarithmic).\nWheel or arrow keys: fine steps (Shift: tenfold)\nDouble click: suggested "
+         "isovalue\nAlt+click or right click: add an isosurface there\nCtrl+wheel: zoom the value axis, "
+         "middle drag: pan it"));
   spinBox_->setAccessibleName(tr("Isovalue"));
-  spinBox_->setToolTip(tr("The exact isovalue. Arrow keys change it by the step of the histogram."));
+  spinBox_->setToolTip(tr("Exact isovalue. Arrow keys change it by one histogram step."));
   add_->setText(tr("Add surface"));
   suggest_->setText(tr("Suggested"));
   suggest_->setToolTip(
-      tr("Back to the isovalue found from the histogram (also: double click on the histogram)"));
+      tr("Use the isovalue suggested by the histogram (also: double click on the histogram)"));
   showAll_->setText(tr("Whole range"));
-  showAll_->setToolTip(tr("Show the whole range of values again"));
+  showAll_->setToolTip(tr("Show the whole range of values"));
   for (QToolButton* button : {add_, suggest_, showAll_}) {
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     button->setFocusPolicy(Qt::TabFocus);
@@ -121,9 +119,9 @@ void IsovaluePanel::showSurfaces(const scene::Scene& resolved) {
   arrange(list.size() > 1);
   const bool room = list.size() < app::kMostSurfaces;
   add_->setEnabled(room);
-  add_->setToolTip(room ? tr("One more isosurface: outside those there are, where the histogram suggests one "
+  add_->setToolTip(room ? tr("Add an isosurface outside the present ones, where the histogram suggests one "
                              "(also: Alt+click on the histogram)")
-                        : tr("There are %1 isosurfaces already").arg(app::kMostSurfaces));
+                        : tr("At most %1 isosurfaces are possible").arg(app::kMostSurfaces));
 }
 
 // One isosurface: its value above the buttons. Several: their list, and the buttons in a line below.

@@ -50,7 +50,7 @@ QString stateText(const app::LightState& state, bool cancelled) {
     case Phase::off:
       return {};
     case Phase::preparing:
-      return QObject::tr("Light: preparing");
+      return QObject::tr("Light: preparing…");
     case Phase::baking:
       return QObject::tr("Light: %1").arg(progressText(state));
     case Phase::paused:
@@ -65,7 +65,7 @@ QString stateText(const app::LightState& state, bool cancelled) {
 
 QString whyText(const app::LightState& state) {
   if (state.error) return QString::fromStdString(state.error->what());
-  QString text = QObject::tr("Stored: %1").arg(QString::fromStdString(state.mode));
+  QString text = QObject::tr("Baked: %1").arg(QString::fromStdString(state.mode));
   if (!state.choice.reason.empty())
     text += "\n" + QString::fromStdString(state.choice.reason).replace("; ", ";\n");
   const gi::BakeCounters& counters = state.counters;
@@ -91,18 +91,18 @@ QString unfinishedLightText(const app::LightState& state, bool cancelled) {
   if (!onItsWay || state.phase == Phase::off) return {};
   // While it is prepared nothing is counted yet: no texel is there.
   const double fraction = state.phase == Phase::preparing ? 0.0 : fractionOf(state.counters);
-  return fraction < 1.0 ? QObject::tr("light was at %1").arg(percentText(fraction)) : QString();
+  return fraction < 1.0 ? QObject::tr("light %1 complete").arg(percentText(fraction)) : QString();
 }
 
 QString unfinishedLightSentence(const app::LightState& state, bool cancelled) {
   if (unfinishedLightText(state, cancelled).isEmpty()) return {};
   const double fraction = fractionOf(state.counters), left = state.counters.secondsLeft;
   const QString percent = percentText(fraction);
-  if (cancelled) return QObject::tr("Computing light was stopped at %1").arg(percent);
-  if (state.phase == Phase::paused) return QObject::tr("Computing light is paused at %1").arg(percent);
-  if (state.phase == Phase::preparing) return QObject::tr("Light is about to be computed");
-  return left > 0.0 ? QObject::tr("Light is being computed: %1, %2 left").arg(percent, durationText(left))
-                    : QObject::tr("Light is being computed: %1").arg(percent);
+  if (cancelled) return QObject::tr("Light computation stopped at %1").arg(percent);
+  if (state.phase == Phase::paused) return QObject::tr("Light computation paused at %1").arg(percent);
+  if (state.phase == Phase::preparing) return QObject::tr("Light computation starts soon");
+  return left > 0.0 ? QObject::tr("Computing light: %1, %2 left").arg(percent, durationText(left))
+                    : QObject::tr("Computing light: %1").arg(percent);
 }
 
 LightStatus::LightStatus(QWidget* parent)
@@ -125,7 +125,7 @@ LightStatus::LightStatus(QWidget* parent)
     button->setFixedSize(22, 22);
   }
   stop_->setIcon(icon("close"));
-  stop_->setToolTip(tr("Stop computing light; what there is stays"));
+  stop_->setToolTip(tr("Stop computing light and keep the result so far"));
   stop_->setAccessibleName(tr("Stop computing light"));
   layout->addWidget(label_);
   layout->addWidget(bar_);
@@ -156,7 +156,7 @@ void LightStatus::setState(const app::LightState& state, bool cancelled) {
   bar_->setToolTip(whyText(state));
   pause_->setVisible((works && state.phase != Phase::preparing) || cancelled);
   pause_->setIcon(icon(halted_ ? "play" : "pause"));
-  const QString says = halted_ ? tr("Go on computing light") : tr("Pause computing light");
+  const QString says = halted_ ? tr("Resume computing light") : tr("Pause computing light");
   pause_->setToolTip(says);
   pause_->setAccessibleName(says);
   stop_->setVisible(works);

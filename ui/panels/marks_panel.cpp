@@ -51,11 +51,10 @@ QIcon swatch(glm::dvec3 linear) {
 MarksPanel::MarksPanel(QWidget* parent)
     : Panel(parent),
       empty_(new QLabel(
-          tr("Nothing is marked yet.\n\nThe Measure menu has pins (P), distances (M), ways along the "
-             "surface (Shift+M), angles, circles, thicknesses and pieces: choose one, then click on "
-             "the surface."),
+          tr("No measurements yet.\n\nChoose a tool from the Measure menu, then click on the surface: pin "
+             "(P), distance (M), geodesic distance (Shift+M), angle, circle, thickness or piece."),
           this)),
-      measuring_(new QLabel(tr("Measuring …"), this)),
+      measuring_(new QLabel(tr("Measuring…"), this)),
       list_(new QTreeWidget(this)),
       details_(new QPlainTextEdit(this)),
       colour_(new ColorButton(this)) {
@@ -63,22 +62,23 @@ MarksPanel::MarksPanel(QWidget* parent)
   empty_->setAlignment(Qt::AlignTop);
   for (QLabel* label : {empty_, measuring_}) setInk(label, Ink::quiet);
   details_->setReadOnly(true);
-  details_->setAccessibleName(tr("What the mark says"));
+  details_->setAccessibleName(tr("Measured values"));
   details_->setFixedHeight(fontMetrics().lineSpacing() * detailLines + 12);
   details_->setTabChangesFocus(true);
-  colour_->setToolTip(tr("Colour of the mark"));
-  colour_->setAccessibleName(tr("Colour of the mark"));
+  colour_->setToolTip(tr("Colour of the measurement"));
+  colour_->setAccessibleName(tr("Colour of the measurement"));
   QSizePolicy keepsPlace = colour_->sizePolicy();  // a mark that is chosen makes the panel no wider
   keepsPlace.setRetainSizeWhenHidden(true);
   colour_->setSizePolicy(keepsPlace);
   connect(colour_, &ColorButton::chosen, this, &MarksPanel::recolour);
-  delete_ = addButton(tr("Delete"), tr("Delete the chosen marks (Del)"));
-  copy_ = addButton(tr("Copy"), tr("Copy what all marks say as text"));
-  export_ = addButton(tr("Export…"), tr("Save the marks as a table (CSV) or for 3D Slicer (.mrk.json)"));
-  import_ = addButton(tr("Import…"), tr("Open marks of 3D Slicer (.mrk.json)"));
+  delete_ = addButton(tr("Delete"), tr("Delete selected measurements (Del)"));
+  copy_ = addButton(tr("Copy"), tr("Copy the values of all measurements as text"));
+  export_ =
+      addButton(tr("Export…"), tr("Save the measurements as a table (CSV) or for 3D Slicer (.mrk.json)"));
+  import_ = addButton(tr("Import…"), tr("Open 3D Slicer markups (.mrk.json)"));
   stop_ = addButton(tr("Stop"), tr("Stop measuring"));
   anyway_ = addButton(tr("Measure anyway"),
-                      tr("The file does not state how large its voxels are: with 1 mm, which may be wrong"));
+                      tr("Measure with voxels of 1 mm, which may be wrong: the file states no size"));
   connect(anyway_, &QToolButton::clicked, this, &MarksPanel::anywayWanted);
   connect(delete_, &QToolButton::clicked, this, &MarksPanel::deleteChosen);
   connect(copy_, &QToolButton::clicked, this, [this] { QApplication::clipboard()->setText(text()); });
@@ -117,7 +117,7 @@ QToolButton* MarksPanel::addButton(const QString& text, const QString& tip) {
 
 void MarksPanel::makeList() {
   list_->setColumnCount(columns);
-  list_->setHeaderLabels({tr("Mark"), tr("Says")});
+  list_->setHeaderLabels({tr("Measurement"), tr("Value")});
   list_->setRootIsDecorated(false);
   list_->setIndentation(0);
   list_->setFrameShape(QFrame::NoFrame);
@@ -125,7 +125,7 @@ void MarksPanel::makeList() {
   list_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
   list_->setItemDelegateForColumn(valueColumn, new ReadOnlyColumn(list_));
   list_->setIconSize({swatchPixels, swatchPixels});
-  list_->setAccessibleName(tr("Marks"));
+  list_->setAccessibleName(tr("Measurements"));
   list_->header()->setStretchLastSection(true);
   list_->header()->setSectionResizeMode(nameColumn, QHeaderView::ResizeToContents);
   auto* remove = new QAction(tr("Delete"), list_);
@@ -179,7 +179,7 @@ void MarksPanel::showRow(QTreeWidgetItem* item, std::size_t mark) {
   item->setText(nameColumn, QString::fromStdString(shown.name));
   item->setIcon(nameColumn, swatch(shown.color));
   item->setCheckState(nameColumn, shown.shown ? Qt::Checked : Qt::Unchecked);
-  item->setToolTip(nameColumn, tr("Double click: another name; the box: shown in the picture"));
+  item->setToolTip(nameColumn, tr("Double click: rename; box: show in the view"));
   const bool known = mark < reports_.size();
   const QString says = known ? markSummary(reports_[mark]) : QString("…");
   const bool doubtful = known && (!reports_[mark].notes.empty() || !reports_[mark].problem.empty());
@@ -238,7 +238,7 @@ void MarksPanel::itemEdited(QTreeWidgetItem* item, int column) {
   } else if (const std::string name = item->text(nameColumn).trimmed().toStdString();
              column == nameColumn && name != mark.name && !name.empty()) {
     mark.name = name;
-    send(std::move(marks), tr("Rename mark"));
+    send(std::move(marks), tr("Rename measurement"));
   } else {
     showMarks();  // an empty name, or a value: what holds is shown again
   }
@@ -248,7 +248,7 @@ void MarksPanel::recolour(glm::dvec3 linear) {
   std::vector<scene::Mark> marks = scene_.marks;
   for (QTreeWidgetItem* item : list_->selectedItems())
     marks[static_cast<std::size_t>(list_->indexOfTopLevelItem(item))].color = linear;
-  send(std::move(marks), tr("Colour marks"), "colour marks");
+  send(std::move(marks), tr("Colour measurements"), "colour marks");
 }
 
 void MarksPanel::deleteChosen() {
@@ -260,7 +260,8 @@ void MarksPanel::deleteChosen() {
     else
       marks.push_back(scene_.marks[static_cast<std::size_t>(row)]);
   }
-  if (deleted > 0) send(std::move(marks), deleted == 1 ? tr("Delete mark") : tr("Delete marks"));
+  if (deleted > 0)
+    send(std::move(marks), deleted == 1 ? tr("Delete measurement") : tr("Delete measurements"));
 }
 
 void MarksPanel::send(std::vector<scene::Mark> marks, const QString& name, const QString& mergeKey) {

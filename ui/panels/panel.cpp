@@ -18,13 +18,13 @@ Panel* makePanel(QWidget* parent) {
 }
 
 constexpr PanelInfo panelTable[] = {
-    {QT_TRANSLATE_NOOP("QObject", "Settings"), makePanel<SettingsPanel>},
-    {QT_TRANSLATE_NOOP("QObject", "Looks"), makePanel<LooksPanel>},
-    {QT_TRANSLATE_NOOP("QObject", "Marks"), makePanel<MarksPanel>},
-    {QT_TRANSLATE_NOOP("QObject", "Volume"), makePanel<VolumePanel>},
-    {QT_TRANSLATE_NOOP("QObject", "Pieces"), makePanel<PiecesPanel>},
-    {QT_TRANSLATE_NOOP("QObject", "Passes"), makePanel<PassesPanel>},
-    {QT_TRANSLATE_NOOP("QObject", "Accuracy"), makePanel<AccuracyPanel>, false}};
+    {"Settings", QT_TRANSLATE_NOOP("QObject", "Settings"), makePanel<SettingsPanel>},
+    {"Looks", QT_TRANSLATE_NOOP("QObject", "Looks"), makePanel<LooksPanel>},
+    {"Marks", QT_TRANSLATE_NOOP("QObject", "Measurements"), makePanel<MarksPanel>},
+    {"Volume", QT_TRANSLATE_NOOP("QObject", "Volume"), makePanel<VolumePanel>},
+    {"Pieces", QT_TRANSLATE_NOOP("QObject", "Pieces"), makePanel<PiecesPanel>},
+    {"Passes", QT_TRANSLATE_NOOP("QObject", "Performance"), makePanel<PassesPanel>},
+    {"Accuracy", QT_TRANSLATE_NOOP("QObject", "Accuracy"), makePanel<AccuracyPanel>, false}};
 
 }  // namespace
 

@@ -39,6 +39,7 @@ class Panel : public QWidget {
 };
 
 struct PanelInfo {
+  const char* name;   // in saved layouts, for showPanel() and --panel; never translated
   const char* title;  // on its tab and in the View menu
   Panel* (*make)(QWidget* parent);
   bool atFirst = true;  // shown before the user has chosen; the rest waits in the View menu

@@ -44,7 +44,7 @@ const std::vector<GroupPlan>& plan() {
         "light.environment.exposure", "light.environment.visible", "light.environment.file",
         "light.environment.constant", "light.environment.rotation", "light.environment.moves",
         "light.environment."}},
-      {QT_TRANSLATE_NOOP("QObject", "Lamps"), true, {"lamp#."}},
+      {QT_TRANSLATE_NOOP("QObject", "Lights"), true, {"lamp#."}},
       {QT_TRANSLATE_NOOP("QObject", "Global illumination"),
        true,
        {"picture.exposure", "picture.metering", "gi.mode", "gi.samples", "gi.bounces", "gi.extent", "gi.band",
@@ -58,10 +58,10 @@ const std::vector<GroupPlan>& plan() {
         "isosurface.albedo_map", "isosurface.albedo_low", "isosurface.albedo_high", "isosurface."}},
       {QT_TRANSLATE_NOOP("QObject", "More isosurfaces"), false, {"isosurface#."}},
       {QT_TRANSLATE_NOOP("QObject", "Cut"), false, {"clip."}},
-      {QT_TRANSLATE_NOOP("QObject", "Hit"), false, {"hit."}},
+      {QT_TRANSLATE_NOOP("QObject", "Hit finding"), false, {"hit."}},
       {QT_TRANSLATE_NOOP("QObject", "Derivatives"), false, {"derivatives."}},
       {QT_TRANSLATE_NOOP("QObject", "Camera"), false, {"camera."}},
-      {QT_TRANSLATE_NOOP("QObject", "Picture"),
+      {QT_TRANSLATE_NOOP("QObject", "Image"),
        false,
        {"look.background_top", "look.background_bottom", "picture."}},
   };
@@ -93,15 +93,16 @@ std::string_view entryOf(const scene::Setting& setting) {
 }
 
 QString environmentLabel(const QString& name) {
-  if (name == "file") return QObject::tr("Light probe");
+  if (name == "file") return QObject::tr("Environment map");
   if (name == "constant") return QObject::tr("Sky colour");
   if (name == "builtin") return QObject::tr("Built-in light");
-  if (name == "visible") return QObject::tr("Shown behind");
+  if (name == "visible") return QObject::tr("Show as background");
+  if (name == "moves") return QObject::tr("Rotatable");
   return wordsOf(name);
 }
 
 QString lampLabel(const QString& lamp, const QString& name) {
-  if (name == "shown") return QObject::tr("Lamp %1").arg(lamp);
+  if (name == "shown") return QObject::tr("Light %1").arg(lamp);
   return name == "color" ? QObject::tr("Colour") : wordsOf(name);
 }
 
@@ -135,7 +136,7 @@ RowLabel labelOf(const scene::Setting& setting) {
   if (path.startsWith("lamp")) return {lampLabel(path.mid(4, 1), name), name != "shown"};
   if (path.startsWith("light.environment.")) return {environmentLabel(path.section('.', 2)), false};
   if (name == "albedo") return {QObject::tr("Colour"), false};
-  if (name == "albedo_source") return {QObject::tr("Colour from"), false};
+  if (name == "albedo_source") return {QObject::tr("Colour source"), false};
   if (name.startsWith("albedo_")) return {wordsOf("colour_" + name.mid(7)), true};
   if (path == "gi.sh_order") return {QObject::tr("SH order"), false};
   if (path == "gi.sh_window") return {QObject::tr("SH window"), false};

@@ -42,7 +42,7 @@ bool anyRan(const render::FrameReport& report) {
 
 PassesPanel::PassesPanel(QWidget* parent)
     : Panel(parent),
-      heading_(new QLabel(tr("No picture yet"), this)),
+      heading_(new QLabel(tr("No image yet"), this)),
       summary_(new QLabel(this)),
       table_(new QTreeWidget(this)),
       copy_(new QToolButton(this)) {
@@ -50,7 +50,7 @@ PassesPanel::PassesPanel(QWidget* parent)
   summary_->setWordWrap(true);
   setInk(summary_, Ink::quiet);
   copy_->setText(tr("Copy"));
-  copy_->setToolTip(tr("Copy the table, to paste it into a text or a spreadsheet"));
+  copy_->setToolTip(tr("Copy the table as text, for a document or a spreadsheet"));
   connect(copy_, &QToolButton::clicked, this, [this] { QApplication::clipboard()->setText(text()); });
 
   table_->setColumnCount(passColumns);
@@ -63,7 +63,7 @@ PassesPanel::PassesPanel(QWidget* parent)
   table_->setSelectionMode(QAbstractItemView::NoSelection);
   table_->setFocusPolicy(Qt::NoFocus);
   table_->setFrameShape(QFrame::NoFrame);
-  table_->setAccessibleName(tr("Passes of the last picture"));
+  table_->setAccessibleName(tr("Passes of the last image"));
   QHeaderView* header = table_->header();
   header->setStretchLastSection(false);
   header->setSectionsClickable(false);
@@ -157,10 +157,10 @@ void PassesPanel::write() {
     const auto last = lastTimes_.find(pass.name);
     item->setToolTip(timeColumn, ran || last == lastTimes_.end()
                                      ? QString()
-                                     : tr("Took %1 when it last ran").arg(timeText(last->second)));
+                                     : tr("Last run took %1").arg(timeText(last->second)));
     QString reason = QString::fromStdString(pass.reason);
     if (pass.onProcessor && pass.state != render::PassState::skipped)
-      reason = tr("on the processor: %1").arg(reason);
+      reason = tr("on the CPU: %1").arg(reason);
     item->child(0)->setText(passNameColumn, reason);
     item->child(0)->setToolTip(passNameColumn, reason);
   }
@@ -171,9 +171,8 @@ void PassesPanel::write() {
 }
 
 QString PassesPanel::repeats() const {
-  return shownAgain_ == 1
-             ? tr("Shown again once since: every pass cached, nothing ran.")
-             : tr("Shown again %1 times since: every pass cached, nothing ran.").arg(shownAgain_);
+  return shownAgain_ == 1 ? tr("Redrawn once since, with all passes cached.")
+                          : tr("Redrawn %1 times since, with all passes cached.").arg(shownAgain_);
 }
 
 QString PassesPanel::summary() const {

@@ -65,8 +65,8 @@ PiecesPanel::PiecesPanel(QWidget* parent)
   auto* form = new QFormLayout;
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   form->addRow(tr("Keep the largest"), keep_);
-  form->addRow(tr("Not below"), smallest_);
-  form->addRow(tr("In the body above"), within_);
+  form->addRow(tr("Hide smaller than"), smallest_);
+  form->addRow(tr("Inside the body above"), within_);
   for (SettingEditor* editor : {keep_, smallest_, within_}) {
     connect(editor, &SettingEditor::edited, this, &PiecesPanel::edited);
     connect(editor, &SettingEditor::failed, this, &PiecesPanel::failed);
@@ -121,12 +121,11 @@ QPushButton* PiecesPanel::addButton(const QString& text, const QString& tip, voi
 
 QWidget* PiecesPanel::makeButtons() {
   auto* box = new QWidget(this);
-  hide_ =
-      addButton(tr("Hide"), tr("Hide the pieces that are marked in the list"), &PiecesPanel::hideSelected);
-  only_ = addButton(tr("Show only"), tr("Hide all but the marked ones"), &PiecesPanel::isolateSelected);
-  centre_ = addButton(tr("Centre"), tr("Move the marked piece to the middle of the picture (double click)"),
+  hide_ = addButton(tr("Hide"), tr("Hide the pieces selected in the list"), &PiecesPanel::hideSelected);
+  only_ = addButton(tr("Show only"), tr("Hide all but the selected pieces"), &PiecesPanel::isolateSelected);
+  centre_ = addButton(tr("Centre"), tr("Centre the view on the selected piece (double click)"),
                       &PiecesPanel::centreSelected);
-  all_ = addButton(tr("Show all"), tr("Show every piece again"), &PiecesPanel::showAll);
+  all_ = addButton(tr("Show all"), tr("Show all pieces again"), &PiecesPanel::showAll);
   auto* grid = new QGridLayout;
   grid->addWidget(hide_, 0, 0);
   grid->addWidget(only_, 0, 1);
@@ -282,7 +281,7 @@ void PiecesPanel::fillRow(QTreeWidgetItem* item, std::size_t id, bool shown) con
   QStringList tip{tr("Volume %1 mm³").arg(withErrorText(volume)),
                   tr("Area %1 mm²").arg(withErrorText(measure.surface.areaMm2)),
                   tr("%1 voxels").arg(piece.voxels)};
-  if (measure.surface.open()) tip += tr("Goes on beyond the data: both are of what lies within");
+  if (measure.surface.open()) tip += tr("Extends beyond the data: volume and area cover the part within");
   if (!shown) tip += tr("Hidden");
   for (int column = 0; column < pieceColumns; ++column) item->setToolTip(column, tip.join('\n'));
 }
@@ -293,11 +292,11 @@ QString PiecesPanel::state() const {
 
 void PiecesPanel::showState() {
   if (!volume_) {
-    heading_->setText(tr("The connected pieces of the isosurface are listed here: open a volume."));
+    heading_->setText(tr("Open a volume to list the pieces (connected components) of its isosurface."));
     return;
   }
   if (job_ && !current()) {
-    heading_->setText(tr("Finding pieces … %1 %").arg(qRound(100.0 * job_->progress().fraction())));
+    heading_->setText(tr("Finding pieces… %1 %").arg(qRound(100.0 * job_->progress().fraction())));
     return;
   }
   if (!found_.pieces) {
@@ -308,7 +307,7 @@ void PiecesPanel::showState() {
   const QString where = valueText(found_.pieces->isovalue(), unit);
   const std::size_t count = found_.pieces->list().size();
   if (count == 0) {
-    heading_->setText(tr("No voxel is inside at %1: move the isovalue.").arg(where));
+    heading_->setText(tr("No voxel is inside at %1: change the isovalue.").arg(where));
     return;
   }
   base::Progress unwatched;
@@ -319,7 +318,7 @@ void PiecesPanel::showState() {
   const bool several = std::any_of(resolved_.extraIsosurfaces.begin(), resolved_.extraIsosurfaces.end(),
                                    [](const auto& extra) { return extra.shown; });
   if (several) text += tr(" (of the first isosurface)");
-  if (job_) text += tr(" – measuring …");
+  if (job_) text += tr(" – measuring…");
   heading_->setText(text);
 }
 

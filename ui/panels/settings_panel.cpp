@@ -74,8 +74,7 @@ SettingsPanel::SettingsPanel(QWidget* parent)
       search_(new QLineEdit(this)),
       scroll_(new QScrollArea(this)),
       nothing_(new QLabel(
-          tr("No setting is called that.\nMemory, threads and the speed in motion are in Edit, Preferences."),
-          this)),
+          tr("No matching setting.\nMemory, threads and speed in motion are in Edit > Preferences."), this)),
       lights_(new LightChooser(this)),
       environment_(new EnvironmentPreview(this)) {
   setMinimumWidth(340);
@@ -199,7 +198,7 @@ void SettingsPanel::showGroup(Group& group) {
   group.header->setVisible(!searching() || anyFound);
   group.header->setEnabled(searching() || anyUseful);
   group.header->setToolTip(
-      anyUseful ? QString() : tr("Nothing to set here: %1").arg(group.rows.front().editor->whyInactive()));
+      anyUseful ? QString() : tr("No effective settings: %1").arg(group.rows.front().editor->whyInactive()));
   group.header->setChecked(open);
   group.header->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
   group.box->setVisible(open);

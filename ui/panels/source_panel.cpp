@@ -14,13 +14,13 @@ SourcePanel::SourcePanel(QWidget* parent) : QWidget(parent), form_(new QFormLayo
   form_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   form_->setContentsMargins(0, 0, 0, 8);
   addEditor("source.mesh_voxels", tr("Mesh voxels"));
-  addEditor("source.csg", tr("Combine"));
-  addEditor("source.csg_path", tr("Second"));
+  addEditor("source.csg", tr("Boolean operation"));
+  addEditor("source.csg_path", tr("Second volume"));
   auto* choose = new QPushButton(tr("Choose file…"), this);
   choose->setAutoDefault(false);
   choose_ = choose;
   form_->addRow(QString(), choose_);
-  addEditor("source.csg_value", tr("Its isovalue"));
+  addEditor("source.csg_value", tr("Second isovalue"));
   connect(choose, &QPushButton::clicked, this, &SourcePanel::chooseSecond);
 }
 

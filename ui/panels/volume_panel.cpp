@@ -42,7 +42,7 @@ QString axesText(const glm::dmat3& directions, scene::WorldAxes axes) {
     const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
     const double degrees = std::acos(std::min(1.0, largest)) * 180.0 / std::numbers::pi;
     QString part = QString("%1 → %2").arg(names[axis], QString::fromStdString(axisEnd(axes, direction)));
-    if (degrees > 0.05) part += QObject::tr(" (%1° off)").arg(numberText(degrees, 3));
+    if (degrees > 0.05) part += QObject::tr(" (tilted by %1°)").arg(numberText(degrees, 3));
     parts += part;
   }
   return parts.join(", ");
@@ -98,12 +98,12 @@ VolumePanel::VolumePanel(QWidget* parent)
   timeLayout->addWidget(timeStep_);
   level_ = numberBox(choiceBox_);
   level_->setToolTip(
-      tr("0 is the voxels of the file; each further level has the means of twice as many along each axis"));
+      tr("Level 0 is full resolution; each further level halves it along each axis, by averaging voxels"));
   choices_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   choices_->setContentsMargins(0, 0, 0, 8);
   choices_->addRow(tr("Kind"), kind_);
   choices_->addRow(tr("Series"), series_);
-  choices_->addRow(tr("Component"), component_);
+  choices_->addRow(tr("Channel"), component_);
   choices_->addRow(tr("Time step"), timeRow_);
   choices_->addRow(tr("Level"), level_);
   choiceBox_->setLayout(choices_);
@@ -112,7 +112,7 @@ VolumePanel::VolumePanel(QWidget* parent)
   connect(source_, &SourcePanel::edited, this, &VolumePanel::edited);
   connect(source_, &SourcePanel::failed, this, &VolumePanel::failed);
 
-  warningTitle_ = new QLabel(tr("Notes of the reader"), this);
+  warningTitle_ = new QLabel(tr("Import warnings"), this);
   QFont bold = warningTitle_->font();
   bold.setWeight(QFont::DemiBold);
   warningTitle_->setFont(bold);
@@ -147,7 +147,7 @@ VolumePanel::VolumePanel(QWidget* parent)
     Q_EMIT edited(edit);
   });
   connect(component_, &QComboBox::activated, this, [this] {
-    Edit edit{scene_, tr("Choose component"), {}, false};
+    Edit edit{scene_, tr("Choose channel"), {}, false};
     edit.scene.source.component = component_->currentData().toInt();
     Q_EMIT edited(edit);
   });
@@ -190,7 +190,7 @@ void VolumePanel::setScene(const scene::Scene& scene, const scene::Scene&) {
 
 void VolumePanel::setFirstPicture(double seconds) {
   if (!volume_) return;
-  time_->setText(tr("read %1 s, prepared %2 s; picture %3 s after reading")
+  time_->setText(tr("read %1 s, prepared %2 s; first image %3 s after reading")
                      .arg(numberText(volume_->readSeconds, 2), numberText(volume_->prepareSeconds, 2),
                           numberText(seconds, 2)));
 }
@@ -223,7 +223,7 @@ void VolumePanel::showFacts() {
   dims_->setText(triple(glm::dvec3(grid.dims()), 9));
   QString type = text(volume::nameOf(volume.fileType));
   if (volume.fileType != grid.storedType())
-    type = tr("%1, kept as %2").arg(type, text(volume::nameOf(grid.storedType())));
+    type = tr("%1, in memory as %2").arg(type, text(volume::nameOf(grid.storedType())));
   if (grid.slope() != 1.0 || grid.intercept() != 0.0) {
     type += '\n' + tr("value = %1 · stored").arg(numberText(grid.slope(), shownDigits));
     if (grid.intercept() != 0.0) {
@@ -279,7 +279,7 @@ void VolumePanel::showChoices() {
     if (scene_.source.kind == scene::DataKind::automatic)
       kind_->setItemText(0, tr("%1 (automatic)").arg(wordsFor(volume_->kind.kind)));
     kind_->setCurrentIndex(static_cast<int>(scene_.source.kind));
-    kind_->setToolTip(tr("What kind of data this is: presets depend on it. Chosen because %1")
+    kind_->setToolTip(tr("Kind of data; presets depend on it. Chosen because %1")
                           .arg(translatedSentence(volume_->kind.reason)));
   }
   series_->clear();

@@ -301,8 +301,8 @@ void LooksPanel::showShift() {
     widget->setEnabled(applied.has_value());
     widget->setToolTip(
         applied
-            ? tr("Adds to the isovalues of %1").arg(translated(texts::presets, list_[applied->index].title))
-            : tr("Choose a preset: its isovalues can then be shifted"));
+            ? tr("Shifts the isovalues of %1").arg(translated(texts::presets, list_[applied->index].title))
+            : tr("Choose a preset to shift its isovalues"));
   }
   const double shift = applied ? applied->shift : 0.0;
   const QSignalBlocker noShift(shift_);

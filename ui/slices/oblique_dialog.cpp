@@ -31,13 +31,13 @@ ObliqueDialog::ObliqueDialog(glm::dvec3 pointMm, glm::dvec3 normal, QWidget* par
     }
   };
   for (int i = 0; i < 3; ++i) grid->addWidget(new QLabel(QChar("xyz"[i]), this), 0, 1 + i, Qt::AlignHCenter);
-  addRow(1, tr("Through (mm)"), point_, pointMm, 1e5);
+  addRow(1, tr("Point (mm)"), point_, pointMm, 1e5);
   addRow(2, tr("Normal"), normal_, normal, 1e3);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(18, 18, 18, 14);
   layout->setSpacing(14);
   layout->addLayout(grid);
-  auto* note = new QLabel(tr("The crosshair moves to the point; the plane stands across the normal there and "
+  auto* note = new QLabel(tr("The crosshair moves to the point. The plane is perpendicular to the normal and "
                              "follows the crosshair."),
                           this);
   note->setWordWrap(true);

@@ -51,7 +51,7 @@ void addSurface(QMenu* menu, SliceView& view, glm::dvec3 worldMm) {
   if (!std::isfinite(value)) return;
   const std::optional<scene::Scene> added = app::withSurface(view.scene(), volume, value);
   const QString text = valueText(value, QString::fromStdString(volume.volume.unit));
-  QAction* const add = menu->addAction(QObject::tr("Add an isosurface at the value here, %1").arg(text));
+  QAction* const add = menu->addAction(QObject::tr("Add isosurface at this value, %1").arg(text));
   add->setEnabled(added.has_value());
   if (!added) return;
   QObject::connect(add, &QAction::triggered, &view, [&view, scene = *added] {
@@ -61,7 +61,7 @@ void addSurface(QMenu* menu, SliceView& view, glm::dvec3 worldMm) {
 
 void addWindows(QMenu* menu, SliceView& view) {
   const scene::Slice& now = view.scene().slice;
-  const QString undoName = QObject::tr("Change level and width");
+  const QString undoName = QObject::tr("Change window level and width");
   const auto add = [&](const QString& name, std::optional<double> level, std::optional<double> width) {
     addChange(menu, view, name, undoName, now.level == level && now.width == width,
               [level, width](scene::Slice& slice) {
@@ -69,7 +69,7 @@ void addWindows(QMenu* menu, SliceView& view) {
                 slice.width = width;
               });
   };
-  menu->addSection(QObject::tr("Level and width"));
+  menu->addSection(QObject::tr("Window level and width"));
   add(QObject::tr("Automatic"), std::nullopt, std::nullopt);
   if (view.volume()->volume.unit != "HU") return;
   for (const NamedWindow& named : ctWindows) add(QObject::tr(named.name), named.level, named.width);
@@ -98,16 +98,16 @@ void addPlanes(QMenu* menu, SliceView& view) {
 
 void addSlabs(QMenu* menu, SliceView& view) {
   const scene::Slice& now = view.scene().slice;
-  QMenu* const slabs = menu->addMenu(QObject::tr("Thick slice"));
-  const QString undoName = QObject::tr("Change thick slice");
+  QMenu* const slabs = menu->addMenu(QObject::tr("Slab"));
+  const QString undoName = QObject::tr("Change slab");
   for (const double mm : slabsMm)
-    addChange(slabs, view, mm == 0.0 ? QObject::tr("The plane alone") : valueText(mm, "mm"), undoName,
+    addChange(slabs, view, mm == 0.0 ? QObject::tr("None (plane only)") : valueText(mm, "mm"), undoName,
               now.slab == mm, [mm](scene::Slice& slice) { slice.slab = mm; });
   slabs->addSeparator();
   using scene::SlabMode;
-  for (const auto& [mode, name] :
-       {std::pair{SlabMode::mean, QObject::tr("Mean")}, std::pair{SlabMode::maximum, QObject::tr("Maximum")},
-        std::pair{SlabMode::minimum, QObject::tr("Minimum")}})
+  for (const auto& [mode, name] : {std::pair{SlabMode::mean, QObject::tr("Average")},
+                                   std::pair{SlabMode::maximum, QObject::tr("Maximum (MIP)")},
+                                   std::pair{SlabMode::minimum, QObject::tr("Minimum (MinIP)")}})
     addChange(slabs, view, name, undoName, now.slabMode == mode,
               [chosen = mode](scene::Slice& slice) { slice.slabMode = chosen; });
 }

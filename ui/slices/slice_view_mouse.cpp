@@ -38,7 +38,7 @@ void SliceView::step(double voxels) {
 // A drag across the view changes the width about twentyfold, the level by the width.
 void SliceView::dragWindow(QPointF step) {
   const volume::GreyWindow now = volume::greyWindow(resolved_.slice, volume_->histogram);
-  Edit edit{scene_, tr("Change level and width"), "slice window", false};
+  Edit edit{scene_, tr("Change window level and width"), "slice window", false};
   edit.scene.slice.level = now.level + now.width * step.y() / std::max(1, height());
   edit.scene.slice.width = now.width * std::exp(3.0 * step.x() / std::max(1, width()));
   Q_EMIT edited(edit);

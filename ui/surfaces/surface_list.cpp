@@ -86,19 +86,20 @@ SurfaceList::Row SurfaceList::makeRow(int number) {
           new QSlider(Qt::Horizontal, this),
           new QToolButton(this),
           new QToolButton(this)};
-  row.shown->setToolTip(tr("Whether the isosurface is shown"));
+  row.shown->setToolTip(tr("Show this isosurface"));
   row.colour->setFixedWidth(rowHeight);
   row.colour->setIconSize({16, 16});
   row.name->setMinimumWidth(nameWidth);
-  row.name->setToolTip(tr("Its name"));
+  row.name->setToolTip(tr("Name of this isosurface"));
   row.value->setFixedWidth(valueWidth);
   row.value->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  row.value->setToolTip(tr("Its isovalue; arrow keys change it by the step of the histogram"));
+  row.value->setToolTip(tr("Isovalue; arrow keys change it by one histogram step"));
   row.opacity->setRange(0, opacitySteps);
   row.opacity->setFixedWidth(opacityWidth);
   row.seeThrough->setCheckable(true);
   row.seeThrough->setText(QStringLiteral("◎"));
-  row.seeThrough->setToolTip(tr("See-through where it faces you, dense where it is seen from the side"));
+  row.seeThrough->setToolTip(tr(
+      "View-dependent opacity: transparent where the surface faces the viewer, dense where it is edge-on"));
   row.remove->setText(QStringLiteral("×"));
   row.remove->setToolTip(tr("Remove this isosurface from the list"));
   for (QToolButton* button : {row.seeThrough, row.remove}) {
@@ -145,7 +146,7 @@ void SurfaceList::connectRow(const Row& row) {
     });
   });
   connect(row.seeThrough, &QToolButton::clicked, this, [this, number](bool on) {
-    send(on ? tr("See through isosurface") : tr("Do not see through isosurface"), {}, false,
+    send(on ? tr("Turn on view-dependent opacity") : tr("Turn off view-dependent opacity"), {}, false,
          [&](scene::Scene& scene) { app::setFacingOpacity(scene, number, on ? app::kSeeThrough : 1.0); });
   });
   connect(row.remove, &QToolButton::clicked, this, [this, number] {
@@ -159,7 +160,7 @@ void SurfaceList::fill(const Row& row, const app::ListedSurface& surface) {
   const QString name = surfaceName(surface);
   const QSignalBlocker noShown(row.shown), noOpacity(row.opacity);
   row.shown->setChecked(surface.shown);
-  row.shown->setAccessibleName(tr("%1 is shown").arg(name));
+  row.shown->setAccessibleName(tr("Show %1").arg(name));
   row.colour->showColour(surface.albedo);
   row.colour->setAccessibleName(tr("Colour of %1").arg(name));
   row.name->setPlaceholderText(name);
@@ -175,7 +176,7 @@ void SurfaceList::fill(const Row& row, const app::ListedSurface& surface) {
   row.opacity->setAccessibleName(tr("Opacity of %1").arg(name));
   row.opacity->setToolTip(tr("Opacity: %1 %").arg(std::lround(100.0 * surface.opacity)));
   row.seeThrough->setChecked(surface.facingOpacity < 1.0);
-  row.seeThrough->setAccessibleName(tr("%1 is see-through where it faces you").arg(name));
+  row.seeThrough->setAccessibleName(tr("View-dependent opacity of %1").arg(name));
   row.remove->setAccessibleName(tr("Remove %1").arg(name));
 }
 

@@ -56,7 +56,7 @@ Viewport::Viewport(QWidget* parent)
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(240, 180);
   setAttribute(Qt::WA_OpaquePaintEvent);
-  setAccessibleName(tr("Picture"));
+  setAccessibleName(tr("3-D view"));
   remedy_->setObjectName("remedy");
   remedy_->hide();
   connect(remedy_, &QPushButton::clicked, this, &Viewport::takeRemedy);

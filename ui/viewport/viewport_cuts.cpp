@@ -44,13 +44,13 @@ void Viewport::hoverCut(const std::optional<app::CutGrip>& grip) {
 QString Viewport::cutTip(const app::CutGrip& grip) {
   if (grip.plane > 0)
     return grip.part == app::CutPart::turn
-               ? tr("Plane %1: drag to turn it; with Ctrl, to the axes and halfway between").arg(grip.plane)
-               : tr("Plane %1: drag, or turn the wheel, to move it along its normal; right click for more")
+               ? tr("Plane %1: drag to turn it; Ctrl snaps to the axes and halfway between").arg(grip.plane)
+               : tr("Plane %1: drag or use the wheel to move it along its normal; right click for the menu")
                      .arg(grip.plane);
   if (grip.part == app::CutPart::turn)
-    return tr("Box: drag to turn it; with Ctrl, about one of its axes; right click for more");
-  if (grip.part == app::CutPart::face) return tr("Box: drag this face, or turn the wheel, to move it");
-  return tr("Box: drag to move it parallel to the screen; right click for more");
+    return tr("Box: drag to turn it; Ctrl turns about one of its axes; right click for the menu");
+  if (grip.part == app::CutPart::face) return tr("Box: drag this face or use the wheel to move it");
+  return tr("Box: drag to move it parallel to the screen; right click for the menu");
 }
 
 void Viewport::takeCut() {

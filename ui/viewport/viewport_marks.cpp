@@ -22,18 +22,18 @@ QString whatToClick(scene::MarkKind kind) {
     case MarkKind::point:
       return QObject::tr("Pin: click on the surface");
     case MarkKind::distance:
-      return QObject::tr("Distance: click two points; with Shift, more follow");
+      return QObject::tr("Distance: click two points; Shift adds more");
     case MarkKind::path:
-      return QObject::tr("Along the surface: click two points; with Shift, more follow");
+      return QObject::tr("Geodesic distance: click two points; Shift adds more");
     case MarkKind::angle:
       return QObject::tr(
-          "Angle: click three points, the middle one second; with Shift at the third, two lines of two");
+          "Angle: click three points, the vertex second; Shift at the third measures between two lines");
     case MarkKind::circle:
       return QObject::tr("Circle: click three points");
     case MarkKind::thickness:
       return QObject::tr("Thickness: click on the surface");
     case MarkKind::piece:
-      return QObject::tr("Piece: click on one");
+      return QObject::tr("Piece: click on a piece");
   }
   return {};
 }
@@ -78,8 +78,9 @@ void Viewport::showMarks() {
     }
     shapes.push_back(app::markShape(mark, report));
   }
-  overlay_->setMarks(std::move(shapes),
-                     tool_ ? tr("%1.  Backspace: one back; Esc ends").arg(whatToClick(*tool_)) : QString());
+  overlay_->setMarks(
+      std::move(shapes),
+      tool_ ? tr("%1.  Backspace removes the last point; Esc ends").arg(whatToClick(*tool_)) : QString());
 }
 
 // A few milliseconds at a time: the rest in the next turns of the event loop.

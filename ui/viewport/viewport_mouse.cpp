@@ -42,7 +42,7 @@ void Viewport::applyStandardView(scene::StandardView view) {
 
 void Viewport::fitView() {
   if (!volume_) return;
-  turnTo(scene::framed(resolved_.camera, facts_()), tr("Fit view"));
+  turnTo(scene::framed(resolved_.camera, facts_()), tr("Zoom to fit"));
 }
 
 void Viewport::resetView() {
@@ -300,11 +300,10 @@ void Viewport::hover(const std::optional<app::LampGrip>& grip) {
     showNoGrip();
   } else if (grip->part == app::LampPart::ring) {
     setCursor(Qt::SizeAllCursor);
-    setToolTip(tr("Lamp %1: drag its outline to make it larger or smaller").arg(grip->lamp));
+    setToolTip(tr("Light %1: drag its outline to resize it").arg(grip->lamp));
   } else {
     setCursor(Qt::OpenHandCursor);
-    setToolTip(
-        tr("Lamp %1: drag to move it; with Ctrl, or by the wheel, nearer and farther").arg(grip->lamp));
+    setToolTip(tr("Light %1: drag to move it; Ctrl+drag or wheel changes its distance").arg(grip->lamp));
   }
   showLamps();
 }
@@ -338,7 +337,7 @@ void Viewport::dragLamp(QPointF position, bool inDepth) {
 
 void Viewport::sendLamp(const app::LampGrip& grip, const scene::Lamp& moved, bool endsAfterPause) {
   const bool ring = grip.part == app::LampPart::ring;
-  const QString name = QString(ring ? tr("Resize lamp %1") : tr("Move lamp %1")).arg(grip.lamp);
+  const QString name = QString(ring ? tr("Resize light %1") : tr("Move light %1")).arg(grip.lamp);
   Edit edit{scene_, name, name, endsAfterPause};
   scene::Lamp& lamp = app::lampOf(edit.scene, grip.lamp);
   if (ring) {

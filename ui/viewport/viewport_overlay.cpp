@@ -377,7 +377,7 @@ void ViewportOverlay::paintProblem(QPainter& painter) const {
   painter.setPen(colours::text);
   painter.setFont(title);
   painter.drawText(box.adjusted(0, 0, 0, -0.5 * height() - 8.0), Qt::AlignHCenter | Qt::AlignBottom,
-                   tr("The picture cannot be drawn"));
+                   tr("The image cannot be drawn"));
   painter.setPen(colours::quietText);
   painter.setFont(font());
   painter.drawText(box.adjusted(0, 0.5 * height() + 8.0, 0, 0), Qt::AlignHCenter | Qt::TextWordWrap,

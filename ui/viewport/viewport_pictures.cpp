@@ -42,7 +42,7 @@ bool ran(const render::FrameReport& report, const char* pass = nullptr) {  // nu
 // What to say of a picture of which something is missing.
 QString fieldNote(const app::FieldJob& job) {
   if (job.finished() && job.error()) return QString::fromStdString(job.error()->what());
-  return QObject::tr("Preparing the volume (%1): %2 %; until then another field is shown")
+  return QObject::tr("Preparing the volume (%1): %2 %; a substitute field is shown")
       .arg(translated(texts::words, job.progress().stage()))
       .arg(std::lround(100.0 * job.progress().fraction()));
 }
@@ -51,8 +51,8 @@ QString missingNote(const render::BrickReport& bricks) {
   if (bricks.missing <= 0.0) return {};
   const QString percent = QString::number(100.0 * bricks.missing, 'g', 2);
   return bricks.pending
-             ? QObject::tr("Loading: %1 % of the picture is missing").arg(percent)
-             : QObject::tr("%1 % of the picture is missing: memory.gpu_budget_mb is too small for this view")
+             ? QObject::tr("Loading: %1 % of the image is missing").arg(percent)
+             : QObject::tr("%1 % of the image is missing; raise Graphics memory (memory.gpu_budget_mb)")
                    .arg(percent);
 }
 
@@ -62,18 +62,18 @@ QString reasonOf(const std::exception_ptr& failure) {
   } catch (const base::Error& error) {
     return QString::fromStdString(error.what());
   } catch (const std::bad_alloc&) {
-    return QObject::tr("there is not enough memory for this picture");
+    return QObject::tr("not enough memory for this image");
   } catch (const std::exception& error) {
-    return QObject::tr("a mistake in Isolux itself: %1").arg(error.what());
+    return QObject::tr("internal error: %1").arg(error.what());
   } catch (...) {
-    return QObject::tr("a mistake in Isolux itself");
+    return QObject::tr("internal error");
   }
 }
 
-constexpr auto needsOpenGl =
-    QT_TRANSLATE_NOOP("QObject", "Isolux needs OpenGL 4.5. `isolux doctor` says what this machine offers.");
-constexpr auto comesBack = QT_TRANSLATE_NOOP(
-    "QObject", "It is tried again when something changes: undo the last step, or choose other settings.");
+constexpr auto needsOpenGl = QT_TRANSLATE_NOOP(
+    "QObject", "Isolux requires OpenGL 4.5. `isolux doctor` lists what this computer offers.");
+constexpr auto comesBack =
+    QT_TRANSLATE_NOOP("QObject", "To try again, undo the last step or change a setting.");
 }  // namespace
 
 void Viewport::takeContext() {
@@ -381,9 +381,9 @@ render::StillPicture Viewport::picture(const StillWish& wish) {
   const auto refuse = [](const QString& why) {
     throw base::Error(base::ErrorKind::graphics, "", "", why.toStdString());
   };
-  if (!hasContext_ || failed_) refuse(tr("there is no picture to save"));
-  if (stillComes_) refuse(tr("another picture is being saved"));
-  const QString what = wish.what.isEmpty() ? tr("Drawing the picture") : wish.what;
+  if (!hasContext_ || failed_) refuse(tr("there is no image to save"));
+  if (stillComes_) refuse(tr("another image is being saved"));
+  const QString what = wish.what.isEmpty() ? tr("Drawing the image") : wish.what;
   awaitFields(what);
   const bool ofScreen = wish.size == glm::ivec2(0);
   render::FrameRequest request;
@@ -399,7 +399,7 @@ render::StillPicture Viewport::picture(const StillWish& wish) {
   changed();  // the order that was dropped for it
   if (!still)
     throw base::Error(base::ErrorKind::interrupted, "", "",
-                      tr("the picture was not waited for").toStdString());
+                      tr("waiting for the image was cancelled").toStdString());
   if (auto* const picture = std::get_if<render::StillPicture>(still.get())) return std::move(*picture);
   try {
     std::rethrow_exception(std::get<std::exception_ptr>(*still));
@@ -428,7 +428,8 @@ void Viewport::awaitFields(const QString& what) {
   stillComes_ = false;
   if (ready()) return;
   if (fieldJob_ && fieldJob_->finished() && fieldJob_->error()) throw base::Error(*fieldJob_->error());
-  throw base::Error(base::ErrorKind::interrupted, "", "", tr("the picture was not waited for").toStdString());
+  throw base::Error(base::ErrorKind::interrupted, "", "",
+                    tr("waiting for the image was cancelled").toStdString());
 }
 
 // Null: the program ends.

@@ -75,7 +75,7 @@ void LoadCard::begin(const QString& name) {
 void LoadCard::report(double fraction, const QString& stage) {
   bar_->setValue(static_cast<int>(std::lround(std::clamp(fraction, 0.0, 1.0) * 1000.0)));
   const QString rest = left_.text(fraction);
-  const QString doing = stage.isEmpty() ? QString(" ") : tr("%1 …").arg(wordsOf(stage));
+  const QString doing = stage.isEmpty() ? QString(" ") : tr("%1…").arg(wordsOf(stage));
   stage_->setText(rest.isEmpty() ? doing : tr("%1 %2").arg(doing, rest));
 }
 
@@ -112,9 +112,8 @@ void LoadCard::pollLook() {
   picture.setDevicePixelRatio(devicePixelRatioF());
   picture_->setPixmap(picture);
   const glm::ivec3 step = job->step();
-  const QString caption = job->isFromIndex()
-                              ? tr("A first look, from the index: boxes of %1 × %2 × %3 voxels")
-                              : tr("A first look: one voxel of %1 × %2 × %3");
+  const QString caption = job->isFromIndex() ? tr("Preview from the index: blocks of %1 × %2 × %3 voxels")
+                                             : tr("Preview: one voxel of each %1 × %2 × %3");
   caption_->setText(caption.arg(step.x).arg(step.y).arg(step.z));
   picture_->show();
   caption_->show();

@@ -133,7 +133,7 @@ void MainWindow::makePanels() {
   for (const PanelInfo& info : panels()) {
     auto* dock = new QDockWidget(QObject::tr(info.title), this);
     Panel* const panel = info.make(dock);
-    dock->setObjectName(info.title);
+    dock->setObjectName(info.name);
     dock->setWidget(panel);
     addDockWidget(Qt::RightDockWidgetArea, dock);
     if (!panels_.empty()) tabifyDockWidget(panels_.back().dock, dock);
@@ -253,7 +253,7 @@ void MainWindow::tellImport(const std::vector<std::string>& warnings) {
   message_->withdraw(MessageBar::Kind::warning);
   if (warnings.empty()) return;
   const app::ImportNotes sorted = app::importNotes(warnings);
-  const QString all = warnings.size() == 1 ? tr("also") : tr("all %1 notes").arg(warnings.size());
+  const QString all = warnings.size() == 1 ? tr("also") : tr("all %1 warnings").arg(warnings.size());
   message_->show(sorted.grave > 0 ? MessageBar::Kind::warning : MessageBar::Kind::note,
                  tr("%1 (%2 in the Volume panel)").arg(QString::fromStdString(sorted.notes.front()), all));
 }
@@ -276,7 +276,7 @@ void MainWindow::connectLight() {
           [this](const QString& text) { message_->show(MessageBar::Kind::note, text); });
   connect(light_, &BakedLight::takesLong, this, [this](double seconds) {
     message_->show(MessageBar::Kind::question,
-                   tr("Light of this picture takes about %1").arg(durationText(seconds)),
+                   tr("Light for this image takes about %1").arg(durationText(seconds)),
                    {{tr("Compute light"), [this] { light_->goOn(); }}});
   });
   connect(lightStatus_, &LightStatus::paused, light_, [this] { light_->setPaused(true); });
@@ -295,9 +295,8 @@ void MainWindow::applyEdit(const Edit& edit) {
 // Not during a drag: the bar would move the picture away under the pointer.
 void MainWindow::tellOfMoving() {
   if (!std::exchange(tellsOfMoving_, false)) return;
-  message_->show(MessageBar::Kind::note,
-                 tr("Light is now stored so that the environment may turn: it is computed once more, "
-                    "then turning costs nothing"));
+  message_->show(MessageBar::Kind::note, tr("Light is computed again for a rotatable environment; after "
+                                            "that, turning it needs no new computation"));
 }
 
 void MainWindow::endGesture() {
@@ -357,7 +356,7 @@ void MainWindow::showLevel() {
   const bool incomplete = document_->volume() && !document_->volume()->volume.damage.empty();
   if (incomplete) text += tr("Parts missing");
   if (level > 0)
-    text += levelZero_->shows() ? tr("Level 0 (level %1 in motion)").arg(level)
+    text += levelZero_->shows() ? tr("Full resolution (level %1 in motion)").arg(level)
                                 : tr("Overview: level %1").arg(level);
   if (incomplete || level > 0) {  // of each the volume has a note, before all others
     const std::vector<std::string>& notes = document_->volume()->volume.warnings;

@@ -100,42 +100,54 @@ void MainWindow::showHelp() {
 const char* MainWindow::helpText() {
   return R"(
     <style>td { padding: 2px 18px 2px 0; } h4 { margin: 10px 0 4px 0; }</style>
-    <h4>Picture</h4>
+    <h4>3-D view</h4>
     <table width="680">
     <tr><td><b>Left drag</b></td><td>rotate</td></tr>
     <tr><td><b>Middle drag</b>, <b>Shift+left drag</b></td><td>pan</td></tr>
     <tr><td><b>Right drag</b>, <b>wheel</b></td><td>zoom</td></tr>
-    <tr><td><b>Right click</b>, <b>menu key</b></td><td>hide or keep the piece of the surface under the pointer</td></tr>
     <tr><td><b>Ctrl+left drag</b></td><td>roll</td></tr>
-    <tr><td><b>Arrows</b>, <b>Shift+arrows</b></td><td>turn by 5 degrees, pan</td></tr>
-    <tr><td><b>Ctrl+left, right</b>, <b>+ −</b></td><td>roll by 5 degrees, zoom</td></tr>
-    <tr><td><b>Click on the cube</b></td><td>from that side</td></tr>
-    <tr><td><b>Double click</b></td><td>centre on the point of the surface</td></tr>
-    <tr><td><b>Shift+right drag</b></td><td>turn the light probe (global illumination)</td></tr>
-    <tr><td><b>Lamp handles</b></td><td>drag; with Ctrl, or by the wheel, nearer and farther (global illumination)</td></tr>
-    <tr><td><b>Handles of cuts</b></td><td>drag to move or turn planes and box; with Ctrl to axes; Esc puts it back; right click for more</td></tr>
-    <tr><td><b>C</b>, <b>Shift+C</b>, <b>Shift+X</b></td><td>cut: plane facing the viewer, flip the last plane, remove all cuts</td></tr>
-    <tr><td><b>1 2 3 4 5 6</b></td><td>from anterior, posterior, left, right, superior, inferior (front, back, +X, −X, up, down where the file states no orientation)</td></tr>
-    <tr><td><b>R</b>, <b>F</b>, <b>O</b></td><td>reset the view, fit the volume, orthographic</td></tr>
-    <tr><td><b>L</b>, <b>Shift+L</b></td><td>next and previous look</td></tr>
-    <tr><td><b>Space</b></td><td>let the flow move, or stand still</td></tr>
-    <tr><td><b>P</b>, <b>M</b>, <b>Shift+M</b></td><td>pin, distance, distance along the surface: clicks set points; Backspace takes the last back, Esc ends</td></tr>
-    <tr><td><b>Ctrl+C</b>, <b>Ctrl+E</b></td><td>copy the picture, save it</td></tr>
-    <tr><td><b>Ctrl+F</b></td><td>find a setting</td></tr>
-    <tr><td><b>F4</b></td><td>picture and slices, slices alone, the picture alone</td></tr>
-    <tr><td><b>Ctrl+0</b>, <b>Ctrl+1 …</b>, <b>F6</b></td><td>to the picture, to the panels, to the next part of the window</td></tr>
-    <tr><td><b>F11</b>, <b>Esc</b></td><td>full screen, and back</td></tr>
+    <tr><td><b>Arrows</b>, <b>Shift+arrows</b></td><td>rotate by 5°, pan</td></tr>
+    <tr><td><b>Ctrl+left, right</b>, <b>+ −</b></td><td>roll by 5°, zoom</td></tr>
+    <tr><td><b>Double click</b></td><td>centre the surface point</td></tr>
+    <tr><td><b>Click on the cube</b></td><td>view from that side</td></tr>
+    <tr><td><b>1 2 3 4 5 6</b></td><td>view from anterior, posterior, left, right, superior, inferior (unknown orientation: front, back, +X, −X, above, below)</td></tr>
+    <tr><td><b>R</b>, <b>F</b>, <b>O</b></td><td>reset view, zoom to fit, orthographic</td></tr>
+    <tr><td><b>L</b>, <b>Shift+L</b></td><td>next, previous look</td></tr>
+    <tr><td><b>Space</b></td><td>animate the flow, stop it</td></tr>
+    <tr><td><b>Right click</b>, <b>Menu key</b></td><td>hide or keep the piece under the pointer</td></tr>
+    <tr><td><b>P</b>, <b>M</b>, <b>Shift+M</b></td><td>pin, distance, geodesic distance</td></tr>
+    <tr><td><b>Click</b>, <b>Shift+click</b></td><td>set a point, add more points (measuring)</td></tr>
+    <tr><td><b>Backspace</b>, <b>Esc</b></td><td>remove the last point, end measuring</td></tr>
+    <tr><td><b>C</b>, <b>Shift+C</b>, <b>Shift+X</b></td><td>clip plane facing the viewer, reverse the last plane, remove all</td></tr>
+    <tr><td><b>Handles of cuts</b></td><td>drag: move, turn (Ctrl: snap; Esc: cancel); wheel: step by a voxel; right click: menu</td></tr>
+    <tr><td><b>Handles of lights</b></td><td>drag: move (Ctrl, wheel: distance); outline: radius</td></tr>
+    <tr><td><b>Shift+right drag</b></td><td>turn the environment</td></tr>
     <tr><td colspan="2"><h4>Slices</h4></td></tr>
-    <tr><td><b>Click</b>, <b>drag</b>, <b>arrows</b></td><td>move the crosshair; a click on the surface does, too</td></tr>
-    <tr><td><b>Wheel</b>, <b>page keys</b></td><td>a voxel farther</td></tr>
-    <tr><td><b>Right drag</b>, <b>right click</b></td><td>level and width; which plane, thick slice, windows of CT</td></tr>
-    <tr><td><b>Middle drag</b>, <b>Ctrl+wheel</b>, <b>double click</b></td><td>pan, zoom, the whole</td></tr>
+    <tr><td><b>Click</b>, <b>drag</b>, <b>arrows</b></td><td>move the crosshair (or click the surface)</td></tr>
+    <tr><td><b>Wheel</b>, <b>Page Up</b>, <b>Page Down</b></td><td>step by a voxel (moves the cut that the slice shows)</td></tr>
+    <tr><td><b>Right drag</b></td><td>level (vertical) and width (horizontal)</td></tr>
+    <tr><td><b>Right click</b>, <b>Menu key</b></td><td>plane, slab, CT windows, contours</td></tr>
+    <tr><td><b>Middle drag</b>, <b>Shift+left drag</b>, <b>Shift+arrows</b></td><td>pan</td></tr>
+    <tr><td><b>Ctrl+wheel</b>, <b>+ −</b></td><td>zoom</td></tr>
+    <tr><td><b>Double click</b>, <b>Home</b></td><td>whole slice</td></tr>
     <tr><td colspan="2"><h4>Histogram</h4></td></tr>
-    <tr><td><b>Drag the line</b></td><td>choose the isovalue</td></tr>
-    <tr><td><b>Wheel</b>, <b>arrow keys</b></td><td>fine steps; with Shift ten times larger</td></tr>
-    <tr><td><b>Alt+click</b>, <b>right click</b></td><td>one more isosurface there</td></tr>
+    <tr><td><b>Drag</b>, <b>click</b></td><td>set the isovalue</td></tr>
+    <tr><td><b>Wheel</b>, <b>arrows</b>, <b>Page Up</b>, <b>Page Down</b></td><td>fine steps (Shift: tenfold)</td></tr>
+    <tr><td><b>Alt+click</b>, <b>right click</b></td><td>add an isosurface, menu</td></tr>
     <tr><td><b>Double click</b></td><td>suggested isovalue</td></tr>
-    <tr><td><b>Ctrl+wheel</b>, <b>middle drag</b></td><td>zoom and move the axis of values</td></tr>
+    <tr><td><b>Ctrl+wheel</b>, <b>middle drag</b></td><td>zoom, pan the value axis</td></tr>
+    <tr><td colspan="2"><h4>Window</h4></td></tr>
+    <tr><td><b>Ctrl+N</b>, <b>Ctrl+O</b>, <b>Ctrl+Shift+O</b>, <b>Ctrl+Shift+D</b></td><td>new window, open a file, a folder, DICOM browser</td></tr>
+    <tr><td><b>Ctrl+S</b>, <b>Ctrl+Shift+S</b></td><td>save session, save as</td></tr>
+    <tr><td><b>Ctrl+E</b>, <b>Ctrl+C</b>, <b>Ctrl+Shift+C</b></td><td>save the image, copy it, copy its command line</td></tr>
+    <tr><td><b>Ctrl+R</b></td><td>start, stop recording</td></tr>
+    <tr><td><b>Ctrl+Z</b>, <b>Ctrl+Shift+Z</b></td><td>undo, redo</td></tr>
+    <tr><td><b>Ctrl+F</b>, <b>Ctrl+,</b></td><td>find a setting, preferences</td></tr>
+    <tr><td><b>Delete</b></td><td>delete selected measurements (panel <i>Measurements</i>)</td></tr>
+    <tr><td><b>F4</b></td><td>next layout: 3-D view, with slices, slices alone</td></tr>
+    <tr><td><b>Ctrl+0</b>, <b>Ctrl+1 … 7</b></td><td>go to the 3-D view, to a panel</td></tr>
+    <tr><td><b>F6</b>, <b>Shift+F6</b></td><td>next, previous part of the window</td></tr>
+    <tr><td><b>F1</b>, <b>F11</b>, <b>Ctrl+Q</b></td><td>help, full screen (Esc: back), quit</td></tr>
     </table>)";
 }
 

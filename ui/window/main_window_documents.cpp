@@ -67,7 +67,7 @@ void MainWindow::chooseFile() {
     const QString inside = text.section('(', -1).section(')', 0, 0);
     if (inside != "*") patterns += inside;
   }
-  filters.prepend(tr("Volumes, sessions and pictures (%1)").arg(patterns.join(' ') + " *.isolux *.png"));
+  filters.prepend(tr("Volumes, sessions and images (%1)").arg(patterns.join(' ') + " *.isolux *.png"));
   filters += {QObject::tr(sessionFilter), tr("Raw voxels (*.raw *.bin *.img *.dat)"), tr("All files (*)")};
   filters.removeDuplicates();
   const QString path = QFileDialog::getOpenFileName(this, tr("Open"), lastFolder(), filters.join(";;"));
@@ -187,7 +187,7 @@ void MainWindow::toggleRecording() {
   }
   const QString start = QFileInfo(proposedFile("")).absolutePath() + "/recording.jsonl";
   const SaveAnswer answer =
-      askForFileToSave(this, {tr("Record into"), start, {QObject::tr(recordingFilter)}});
+      askForFileToSave(this, {tr("Save recording as"), start, {QObject::tr(recordingFilter)}});
   if (!answer.file.isEmpty()) {
     rememberFolder(answer.file);
     document_->startRecording(answer.file);
@@ -198,7 +198,7 @@ void MainWindow::toggleRecording() {
 void MainWindow::tellRecorded() {
   const QString file = document_->recordingFile();
   const QString name = QFileInfo(file).fileName();
-  tellSaved(file, tr("isolux replay %1 --out FOLDER makes pictures of it").arg(name));
+  tellSaved(file, tr("render it with isolux replay %1 --out FOLDER").arg(name));
 }
 
 // ---- Closing
@@ -210,11 +210,11 @@ bool MainWindow::mayDiscard() {
     return true;
   QMessageBox box(QMessageBox::Question, "Isolux", {},
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
-  box.setText(!file.isEmpty() ? tr("Save the changes to %1?").arg(QFileInfo(file).fileName())
-                              : tr("Save what you did with %1 as a session?")
-                                    .arg(shownText(document_->name(), document_->volume())));
-  box.setInformativeText(
-      tr("A session keeps the isovalue, the look, the light and the view, not the stored light."));
+  box.setText(
+      !file.isEmpty()
+          ? tr("Save the changes to %1?").arg(QFileInfo(file).fileName())
+          : tr("Save your work on %1 as a session?").arg(shownText(document_->name(), document_->volume())));
+  box.setInformativeText(tr("A session stores isovalue, look, light and view, but not the baked light."));
   box.setDefaultButton(QMessageBox::Save);
   box.setEscapeButton(QMessageBox::Cancel);
   const int answer = box.exec();

@@ -45,7 +45,7 @@ void MainWindow::takeCamera(const MainWindow& other) {
   if (!theirs || !ours || document_->loading()) return;
   const scene::Camera camera = app::linkedCamera(other.document_->camera(), theirs->facts, ours->facts);
   if (camera == document_->scene().camera) return;
-  Edit edit{document_->scene(), tr("Take over the view"), "linked camera", true};
+  Edit edit{document_->scene(), tr("Follow linked view"), "linked camera", true};
   edit.scene.camera = camera;
   follows_ = true;  // what follows from this is no wish of this window
   document_->edit(edit);

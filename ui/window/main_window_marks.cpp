@@ -27,8 +27,8 @@ namespace isolux::ui {
 
 namespace {
 
-constexpr auto markupsFilter = QT_TRANSLATE_NOOP("QObject", "Marks for 3D Slicer (*.mrk.json)");
-constexpr auto tableFilter = QT_TRANSLATE_NOOP("QObject", "Table of what they say (*.csv)");
+constexpr auto markupsFilter = QT_TRANSLATE_NOOP("QObject", "3D Slicer markups (*.mrk.json)");
+constexpr auto tableFilter = QT_TRANSLATE_NOOP("QObject", "Table of measured values (*.csv)");
 
 struct MarkTool {
   scene::MarkKind kind;
@@ -36,19 +36,19 @@ struct MarkTool {
 };
 constexpr MarkTool markTools[] = {
     {scene::MarkKind::point, QT_TRANSLATE_NOOP("QObject", "&Pin"), "P",
-     QT_TRANSLATE_NOOP("QObject", "Keep a point of the surface: position, value, curvature, edge")},
+     QT_TRANSLATE_NOOP("QObject", "Mark a point on the surface: position, value, curvature, edge")},
     {scene::MarkKind::distance, QT_TRANSLATE_NOOP("QObject", "&Distance"), "M",
-     QT_TRANSLATE_NOOP("QObject", "Straight from point to point")},
-    {scene::MarkKind::path, QT_TRANSLATE_NOOP("QObject", "Along the &surface"), "Shift+M",
-     QT_TRANSLATE_NOOP("QObject", "The shortest way along the surface")},
+     QT_TRANSLATE_NOOP("QObject", "Measure straight from point to point")},
+    {scene::MarkKind::path, QT_TRANSLATE_NOOP("QObject", "Geode&sic distance"), "Shift+M",
+     QT_TRANSLATE_NOOP("QObject", "Measure the shortest path found along the surface")},
     {scene::MarkKind::angle, QT_TRANSLATE_NOOP("QObject", "&Angle"), "",
-     QT_TRANSLATE_NOOP("QObject", "At the second of three points, or between two lines")},
+     QT_TRANSLATE_NOOP("QObject", "Measure at the second of three points, or between two lines")},
     {scene::MarkKind::circle, QT_TRANSLATE_NOOP("QObject", "&Circle"), "",
-     QT_TRANSLATE_NOOP("QObject", "Through three points: radius and centre")},
+     QT_TRANSLATE_NOOP("QObject", "Measure radius and centre of a circle through three points")},
     {scene::MarkKind::thickness, QT_TRANSLATE_NOOP("QObject", "&Thickness"), "",
-     QT_TRANSLATE_NOOP("QObject", "From the surface through the inside")},
+     QT_TRANSLATE_NOOP("QObject", "Measure from the surface through the inside")},
     {scene::MarkKind::piece, QT_TRANSLATE_NOOP("QObject", "Pi&ece"), "",
-     QT_TRANSLATE_NOOP("QObject", "Volume and area of the connected piece")},
+     QT_TRANSLATE_NOOP("QObject", "Measure volume and area of a piece (connected component)")},
 };
 
 }  // namespace
@@ -70,12 +70,13 @@ void MainWindow::makeMeasureMenu() {
     });
   }
   menu->addSeparator();
-  QAction* show = newAction(menu, tr("&List of marks"), "", {}, tr("Show the panel of marks"));
+  QAction* show = newAction(menu, tr("&List of measurements"), "", {}, tr("Show the Measurements panel"));
   connect(show, &QAction::triggered, this, [this] { showPanel("Marks"); });
-  exportMarks_ =
-      newAction(menu, tr("E&xport marks…"), "", {}, tr("As a table (CSV) or for 3D Slicer (.mrk.json)"));
+  exportMarks_ = newAction(menu, tr("E&xport measurements…"), "", {},
+                           tr("Save as a table (CSV) or for 3D Slicer (.mrk.json)"));
   connect(exportMarks_, &QAction::triggered, this, &MainWindow::chooseMarksToExport);
-  importMarks_ = newAction(menu, tr("&Import marks…"), "", {}, tr("Marks of 3D Slicer (.mrk.json)"));
+  importMarks_ =
+      newAction(menu, tr("&Import measurements…"), "", {}, tr("Open 3D Slicer markups (.mrk.json)"));
   connect(importMarks_, &QAction::triggered, this, &MainWindow::chooseMarksToImport);
 }
 
@@ -124,14 +125,14 @@ bool MainWindow::exportMarks(const QString& file) {
     const bool table = QFileInfo(file).suffix().compare("csv", Qt::CaseInsensitive) == 0;
     if (!table && !file.endsWith(".json", Qt::CaseInsensitive))
       base::throwInput(path.filename().string(), "",
-                       tr("is not written: marks are saved as .csv or as .mrk.json").toStdString());
+                       tr("unknown format for measurements; use .csv or .mrk.json").toStdString());
     document_->checkOutput(file);
     scene::Scene named;
     named.marks = marks_->marks();
     const std::vector<scene::Mark> marks =
         app::withoutPatient(named, hiddenInSaved(document_->volume())).marks;
     app::writeTextFile(path, table ? app::marksCsv(marks, marks_->reports()) : app::markupsText(marks));
-    tellSaved(file, table && marks_->measuring() ? tr("some marks were still being measured") : "");
+    tellSaved(file, table && marks_->measuring() ? tr("some measurements were not finished") : "");
     return true;
   } catch (const base::Error& error) {
     message_->show(MessageBar::Kind::error, QString::fromStdString(error.what()));
@@ -144,11 +145,11 @@ bool MainWindow::importMarks(const QString& file) {
     const app::ReadMarks read = app::readMarkups(file.toStdString());
     const auto count = read.marks.size();
     const QString name = QFileInfo(file).fileName();
-    QString text = count == 1 ? tr("1 mark of %1").arg(name) : tr("%1 marks of %2").arg(count).arg(name);
-    if (!read.notes.empty())
-      text += "; " + tr("left out: %1").arg(QString::fromStdString(read.notes.front()));
+    QString text = count == 1 ? tr("1 measurement from %1").arg(name)
+                              : tr("%1 measurements from %2").arg(count).arg(name);
+    if (!read.notes.empty()) text += "; " + tr("skipped: %1").arg(QString::fromStdString(read.notes.front()));
     if (count > 0) {
-      Edit edit{document_->scene(), tr("Import marks"), {}, false};
+      Edit edit{document_->scene(), tr("Import measurements"), {}, false};
       edit.scene.marks.insert(edit.scene.marks.end(), read.marks.begin(), read.marks.end());
       document_->edit(edit);
       showPanel("Marks");
@@ -162,16 +163,16 @@ bool MainWindow::importMarks(const QString& file) {
 }
 
 void MainWindow::chooseMarksToExport() {
-  const SaveAnswer answer = askForFileToSave(this, {tr("Export marks"),
+  const SaveAnswer answer = askForFileToSave(this, {tr("Export measurements"),
                                                     proposedFile(".mrk.json"),
                                                     {QObject::tr(markupsFilter), QObject::tr(tableFilter)}});
   if (!answer.file.isEmpty()) exportMarks(answer.file);
 }
 
 void MainWindow::chooseMarksToImport() {
-  const QString path =
-      QFileDialog::getOpenFileName(this, tr("Import marks"), QSettings().value("lastFolder").toString(),
-                                   tr("Marks of 3D Slicer (*.mrk.json *.json);;All files (*)"));
+  const QString path = QFileDialog::getOpenFileName(
+      this, tr("Import measurements"), QSettings().value("lastFolder").toString(),
+      tr("3D Slicer markups (*.mrk.json *.json);;All files (*)"));
   if (!path.isEmpty()) importMarks(path);
 }
 

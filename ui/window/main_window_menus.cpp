@@ -44,15 +44,15 @@ void MainWindow::makeFileMenu() {
   QAction* another = newAction(menu, tr("&New window"), "", QKeySequence::New,
                                tr("Open another window, to compare volumes"));
   connect(another, &QAction::triggered, this, &MainWindow::newWindow);
-  open_ = newAction(menu, tr("&Open…"), "open", QKeySequence::Open, tr("Open a volume, session or picture"));
+  open_ = newAction(menu, tr("&Open…"), "open", QKeySequence::Open, tr("Open a volume, session or image"));
   connect(open_, &QAction::triggered, this, &MainWindow::chooseFile);
   openFolder_ = newAction(menu, tr("Open &folder (DICOM)…"), "folder", QKeySequence("Ctrl+Shift+O"),
                           tr("Open a folder of DICOM files or numbered images"));
   connect(openFolder_, &QAction::triggered, this, &MainWindow::chooseFolder);
   QAction* browse = newAction(menu, tr("&DICOM browser…"), "", QKeySequence("Ctrl+Shift+D"),
-                              tr("Choose among the patients, studies and series of a folder or disc"));
+                              tr("Choose from the patients, studies and series of a folder or disc"));
   connect(browse, &QAction::triggered, this, &MainWindow::browseFolders);
-  auto* recent = new RecentMenu(tr("Open &recent"), menu);
+  auto* recent = new RecentMenu(tr("Open re&cent"), menu);
   recentMenu_ = recent;
   menu->addMenu(recent);
   connect(recent, &RecentMenu::chosen, this, &MainWindow::openRecent);
@@ -71,17 +71,17 @@ void MainWindow::makeFileMenu() {
   saveAs_ = newAction(menu, tr("Save session &as…"), "", QKeySequence("Ctrl+Shift+S"),
                       tr("Save the session elsewhere"));
   connect(saveAs_, &QAction::triggered, this, &MainWindow::saveSessionAs);
-  picture_ = newAction(menu, tr("Save p&icture…"), "picture", QKeySequence("Ctrl+E"), tr("Save the picture"));
+  picture_ = newAction(menu, tr("Save &image…"), "picture", QKeySequence("Ctrl+E"), tr("Save the image"));
   connect(picture_, &QAction::triggered, this, &MainWindow::choosePicture);
-  trace_ = newAction(menu, tr("&Path trace picture…"), "", {},
-                     tr("Trace every pixel of this view by itself, for a still without stored light"));
+  trace_ = newAction(menu, tr("Path-&trace image…"), "", {},
+                     tr("Path-trace this view as a reference image without baked light"));
   connect(trace_, &QAction::triggered, this, &MainWindow::tracePicture);
   mesh_ = newAction(menu, tr("Export &mesh…"), "", {},
-                    tr("Write the isosurface as triangles, for printing and simulation"));
+                    tr("Export the isosurface as triangles, for 3-D printing and simulation"));
   connect(mesh_, &QAction::triggered, this, &MainWindow::chooseMesh);
   menu->addSeparator();
   record_ = newAction(menu, tr("Start &recording…"), "record", QKeySequence("Ctrl+R"),
-                      tr("Record every change, to replay it with `isolux replay`"));
+                      tr("Record every change for `isolux replay`"));
   record_->setCheckable(true);
   connect(record_, &QAction::triggered, this, &MainWindow::toggleRecording);
   menu->addSeparator();
@@ -96,14 +96,14 @@ void MainWindow::makeEditMenu() {
   redo_ = newAction(menu, tr("&Redo"), "redo", QKeySequence::Redo, tr("Redo"));
   connect(redo_, &QAction::triggered, document_, &Document::redo);
   menu->addSeparator();
-  copyPicture_ = newAction(menu, tr("&Copy picture"), "", QKeySequence::Copy,
-                           tr("Copy the picture, as Save picture would save it"));
+  copyPicture_ = newAction(menu, tr("&Copy image"), "", QKeySequence::Copy,
+                           tr("Copy the image as Save image would save it"));
   // Only while the picture has the focus: elsewhere it copies text.
   copyPicture_->setShortcutContext(Qt::WidgetShortcut);
   viewport_->addAction(copyPicture_);
   connect(copyPicture_, &QAction::triggered, this, &MainWindow::copyPicture);
   copyCommand_ = newAction(menu, tr("Copy as command &line"), "", QKeySequence("Ctrl+Shift+C"),
-                           tr("Copy a shell command that draws this picture"));
+                           tr("Copy a shell command that renders this image"));
   connect(copyCommand_, &QAction::triggered, this, &MainWindow::copyCommand);
   menu->addSeparator();
   QAction* find =
@@ -111,7 +111,7 @@ void MainWindow::makeEditMenu() {
   connect(find, &QAction::triggered, this, &MainWindow::findSetting);
   menu->addSeparator();
   QAction* preferences = newAction(menu, tr("&Preferences…"), "", QKeySequence("Ctrl+,"),
-                                   tr("Memory, threads and speed: settings of this machine"));
+                                   tr("Set memory, threads and speed for this computer"));
   connect(preferences, &QAction::triggered, this, &MainWindow::showPreferences);
 }
 
@@ -127,10 +127,10 @@ void MainWindow::makeViewMenu() {
   menu->addSeparator();
   reset_ = newAction(menu, tr("&Reset view"), "reset_view", QKeySequence("R"), tr("Reset the view"));
   connect(reset_, &QAction::triggered, viewport_, &Viewport::resetView);
-  fit_ = newAction(menu, tr("&Fit volume"), "fit", QKeySequence("F"), tr("Fit the volume into the picture"));
+  fit_ = newAction(menu, tr("Zoom to &fit"), "fit", QKeySequence("F"), tr("Fit the volume into the view"));
   connect(fit_, &QAction::triggered, viewport_, &Viewport::fitView);
   projection_ = newAction(menu, tr("&Orthographic"), "perspective", QKeySequence("O"),
-                          tr("Switch between perspective and orthographic"));
+                          tr("Switch between perspective and orthographic projection"));
   projection_->setCheckable(true);
   connect(projection_, &QAction::triggered, viewport_, &Viewport::toggleProjection);
   menu->addSeparator();
@@ -138,37 +138,35 @@ void MainWindow::makeViewMenu() {
   connect(next, &QAction::triggered, this, [this] { stepLook(1); });
   QAction* previous = newAction(menu, tr("Pre&vious look"), "", QKeySequence("Shift+L"), tr("Previous look"));
   connect(previous, &QAction::triggered, this, [this] { stepLook(-1); });
-  animate_ = newAction(menu, tr("&Animate the flow"), "animate", QKeySequence("Space"),
-                       tr("Let the flow move, or stand still"));
+  animate_ = newAction(menu, tr("&Animate flow"), "animate", QKeySequence("Space"),
+                       tr("Start or stop the flow animation"));
   animate_->setCheckable(true);
   // Only while the picture has the focus: elsewhere the space bar presses buttons.
   animate_->setShortcutContext(Qt::WidgetShortcut);
   viewport_->addAction(animate_);
   connect(animate_, &QAction::triggered, document_, &Document::toggleFlow);
-  markLevel_ =
-      newAction(menu, tr("&Mark what the overview hides"), "", {},
-                tr("Hatch where the volume itself has structure that the coarser level shown may hide"));
+  markLevel_ = newAction(menu, tr("&Mark structure lost in the overview"), "", {},
+                         tr("Hatch where the coarser level shown may hide structure of the volume"));
   markLevel_->setCheckable(true);
   markLevel_->setChecked(levelMarks_->marking());
   connect(markLevel_, &QAction::toggled, levelMarks_, &LevelMarks::setMarking);
-  drawLevelZero_ =
-      newAction(menu, tr("&Draw level 0 at rest"), "", {},
-                tr("Of a coarser level, let a finished picture be followed by one of the file’s own "
-                   "voxels; makes an index where there is none"));
+  drawLevelZero_ = newAction(menu, tr("&Draw full resolution when idle"), "", {},
+                             tr("After the final image of a coarser level, draw full resolution from the "
+                                "file; creates an index if there is none"));
   drawLevelZero_->setCheckable(true);
   drawLevelZero_->setChecked(levelZero_->wanted());
   connect(drawLevelZero_, &QAction::toggled, levelZero_, &LevelZero::setWanted);
   menu->addSeparator();
   layout_->fillMenu(menu);
-  link_ = newAction(menu, tr("&Link views of windows"), "", {},
-                    tr("The views of all windows go together, but for those where this is taken back"));
+  link_ = newAction(menu, tr("Lin&k views of windows"), "", {},
+                    tr("Link the views of all windows; untick it in a window to leave that window out"));
   link_->setCheckable(true);
   connect(link_, &QAction::toggled, this, &MainWindow::setLinked);
-  QAction* use = newAction(menu, tr("&Use this view in the other windows"), "", {},
-                           tr("All other windows show their volumes as this one does"));
+  QAction* use = newAction(menu, tr("&Copy view to other windows"), "", {},
+                           tr("Show the volumes of all other windows from this view"));
   connect(use, &QAction::triggered, this, &MainWindow::useViewElsewhere);
-  hidePatient_ = newAction(menu, tr("&Hide the patient’s name"), "", {},
-                           tr("Show name, id and birth date as “anonymous”"));
+  hidePatient_ =
+      newAction(menu, tr("&Hide patient data"), "", {}, tr("Show name, ID and birth date as “anonymous”"));
   hidePatient_->setCheckable(true);
   hidePatient_->setChecked(keptPrivacy().hideOnScreen);
   connect(hidePatient_, &QAction::toggled, this, [this](bool hide) {
@@ -177,7 +175,8 @@ void MainWindow::makeViewMenu() {
     keepPrivacy(privacy);
     applyPrivacy();
   });
-  fullScreen_ = newAction(menu, tr("Full &screen"), "", QKeySequence("F11"), tr("Full screen; Esc ends it"));
+  fullScreen_ = newAction(menu, tr("Full &screen"), "", QKeySequence("F11"),
+                          tr("Switch to full screen; Esc leaves it"));
   fullScreen_->setCheckable(true);
   connect(fullScreen_, &QAction::toggled, this, &MainWindow::toggleFullScreen);
   leaveFullScreen_ = new QShortcut(QKeySequence(Qt::Key_Escape), this);
@@ -193,7 +192,7 @@ void MainWindow::nameViews() {
     QAction* action = views_[static_cast<std::size_t>(i)];
     const auto view = static_cast<scene::StandardView>(i);
     const QString name = translated(texts::views, scene::standardViewName(view, axes));
-    action->setText(axes == scene::WorldAxes::anatomical ? "&" + name : tr("From %1").arg(name));
+    action->setText(axes == scene::WorldAxes::anatomical ? name : tr("From %1").arg(name));
     action->setIconText(QString::fromStdString(scene::standardViewMark(view, axes)));
     action->setToolTip(tr("From %1 (%2)")
                            .arg(axes == scene::WorldAxes::anatomical ? name.toLower() : name,
@@ -203,7 +202,7 @@ void MainWindow::nameViews() {
 
 void MainWindow::makeHelpMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&Help"));
-  QAction* explore = newAction(menu, tr("&Explore"), "", {}, tr("A tour of two minutes through the window"));
+  QAction* explore = newAction(menu, tr("Guided &tour"), "", {}, tr("Take a two-minute tour of the window"));
   connect(explore, &QAction::triggered, this, &MainWindow::startTour);
   QAction* guide = newAction(menu, tr("&Guide"), "", {}, tr("The documentation that comes with the program"));
   connect(guide, &QAction::triggered, this, &MainWindow::showGuide);
@@ -227,7 +226,7 @@ void MainWindow::makeToolBar() {
   measure->setPopupMode(QToolButton::InstantPopup);
   measure->setMenu(measureMenu_);
   look_ = new QComboBox(bar);
-  look_->setToolTip(tr("What the picture shows (L, Shift+L: next and previous)"));
+  look_->setToolTip(tr("Look: what the colours show (L, Shift+L: next, previous)"));
   look_->setAccessibleName(tr("Look"));
   look_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   for (const scene::LookInfo& look : scene::looks()) {

@@ -22,7 +22,7 @@ void MainWindow::askForVolume(const scene::Scene& scene, const QString& sessionF
   for (const QString& recent : recentFiles()) {
     if (QFileInfo(recent).fileName() != name || !QFileInfo::exists(recent)) continue;
     answers.push_back(
-        {tr("It is the one in %1").arg(QFileInfo(recent).dir().dirName()), [take, recent] { take(recent); }});
+        {tr("Use the one in %1").arg(QFileInfo(recent).dir().dirName()), [take, recent] { take(recent); }});
     break;
   }
   answers.push_back({tr("Find it…"), [this, take, name, sessionFile] {
@@ -32,10 +32,10 @@ void MainWindow::askForVolume(const scene::Scene& scene, const QString& sessionF
                        rememberFolder(file);
                        take(file);
                      }});
-  message_->show(
-      MessageBar::Kind::question,
-      tr("%1 shows %2, which is neither where it was nor beside it. Where is it now?").arg(of, name),
-      std::move(answers));
+  message_->show(MessageBar::Kind::question,
+                 tr("%1 shows %2, which is neither in its old place nor next to the file. Where is it now?")
+                     .arg(of, name),
+                 std::move(answers));
 }
 
 }  // namespace isolux::ui

@@ -53,10 +53,10 @@ void MainWindow::choosePicture() {
   dialog->setPreview([this](const PictureChoices& chosen) { return previewOf(chosen); });
   connect(dialog, &PictureDialog::saveAsked, this, [this](const PictureChoices& chosen) {
     takeChoices(chosen);
-    const QString session = chosen.wish.session ? tr(", carries the session") : QString();
+    const QString session = chosen.wish.session ? tr(", with session") : QString();
     const QString png = tr("PNG%1 (*.png)").arg(session),
                   exr = tr("OpenEXR, linear colours%1 (*.exr)").arg(session);
-    const SaveAnswer answer = askForFileToSave(this, {tr("Save picture"), proposedFile(".png"), {png, exr}});
+    const SaveAnswer answer = askForFileToSave(this, {tr("Save image"), proposedFile(".png"), {png, exr}});
     if (answer.file.isEmpty()) return;
     rememberFolder(answer.file);
     savePicture(answer.file, chosen.wish.session);
@@ -85,7 +85,7 @@ QImage MainWindow::previewOf(const PictureChoices& chosen) const {
 void MainWindow::takeChoices(const PictureChoices& chosen) {
   keepPictureWish(chosen.wish);
   keepWords(chosen.picture);
-  Edit edit{document_->scene(), tr("Change what stands on pictures"), {}, false};
+  Edit edit{document_->scene(), tr("Change image annotations"), {}, false};
   edit.scene.picture.letters = chosen.picture.letters;
   edit.scene.picture.scaleBar = chosen.picture.scaleBar;
   edit.scene.picture.isovalue = chosen.picture.isovalue;
@@ -139,8 +139,7 @@ bool MainWindow::savePicture(const QString& file, bool withSession) {
     const std::filesystem::path path = file.toStdString();
     const QString name = QFileInfo(file).fileName();
     if (!endsWith(file, "png") && !endsWith(file, "exr"))
-      base::throwInput(path.filename().string(), "",
-                       "is not written: the name of a picture ends in .png or .exr");
+      base::throwInput(path.filename().string(), "", "unknown image format; use .png or .exr");
     document_->checkOutput(file);
     const PictureWish wish = keptPictureWish();
     const scene::Scene scene = pictureScene(wish);
@@ -169,7 +168,7 @@ bool MainWindow::savePicture(const QString& file, bool withSession) {
     return true;
   } catch (const base::Error& error) {
     if (error.kind() == base::ErrorKind::interrupted)
-      message_->show(MessageBar::Kind::note, tr("The picture was not saved: it was cancelled"));
+      message_->show(MessageBar::Kind::note, tr("The image was not saved (cancelled)"));
     else
       message_->show(MessageBar::Kind::error, QString::fromStdString(error.what()));
     return false;
@@ -179,11 +178,11 @@ bool MainWindow::savePicture(const QString& file, bool withSession) {
 bool MainWindow::copyPicture() {
   if (!document_->volume()) return false;
   try {
-    const render::StillPicture picture = finishedPicture(false, tr("Copying the picture"));
+    const render::StillPicture picture = finishedPicture(false, tr("Copying the image"));
     const QString light = unfinishedLightText(light_->state(), light_->cancelled());
     QGuiApplication::clipboard()->setImage(imageOf(picture.color));
     const QString size =
-        tr("Copied the picture: %1 × %2 pixels").arg(picture.color.size.x).arg(picture.color.size.y);
+        tr("Copied the image: %1 × %2 pixels").arg(picture.color.size.x).arg(picture.color.size.y);
     message_->show(MessageBar::Kind::note, light.isEmpty() ? size : tr("%1, %2").arg(size, light));
     return true;
   } catch (const base::Error& error) {
@@ -214,7 +213,7 @@ void MainWindow::chooseMesh() {
   });
   connect(dialog, &MeshDialog::exported, this, &MainWindow::tellSaved);
   connect(dialog, &MeshDialog::placeAsked, this, [this](const glm::dvec3& worldMm) {
-    Edit edit{document_->scene(), tr("Centre on a place of the mesh"), {}, false};
+    Edit edit{document_->scene(), tr("Centre on mesh position"), {}, false};
     edit.scene.camera = app::centredOn(document_->resolvedScene().camera, worldMm);
     applyEdit(edit);
   });
@@ -232,7 +231,7 @@ QString MainWindow::commandText() const {
 
 void MainWindow::copyCommand() {
   QGuiApplication::clipboard()->setText(commandText());
-  message_->show(MessageBar::Kind::note, tr("Copied a command that draws this picture"));
+  message_->show(MessageBar::Kind::note, tr("Copied a command that renders this image"));
 }
 
 }  // namespace isolux::ui

@@ -30,7 +30,8 @@ bool mayReplacePreset(const std::string& name, const QString& title, QWidget* pa
 void MainWindow::makePresetsMenu() {
   presetsMenu_ = menuBar()->addMenu(tr("&Presets"));
   presetsMenu_->setToolTipsVisible(true);
-  presetsMenu_->menuAction()->setToolTip(tr("Show what a preset is named for"));
+  presetsMenu_->menuAction()->setToolTip(
+      tr("Apply a preset: isovalues, look and light for one kind of data"));
   connect(presetsMenu_, &QMenu::aboutToShow, this, &MainWindow::showPresets);
 }
 
@@ -49,8 +50,7 @@ void MainWindow::showPresets() {
   QAction* const kind = presetsMenu_->addAction(
       tr("&Data: %1…")
           .arg(wordsOf(QString::fromStdString(std::string(scene::choiceName(volume->kind.kind))))));
-  kind->setToolTip(
-      tr("Presets of this kind of data are offered; another kind is chosen in the Volume panel"));
+  kind->setToolTip(tr("Lists the presets for this kind of data; choose another kind in the Volume panel"));
   connect(kind, &QAction::triggered, this, [this] { showPanel("Volume"); });
   presetsMenu_->addSeparator();
   for (const app::Preset& preset : app::builtInPresets()) add(preset);

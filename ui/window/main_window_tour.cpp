@@ -31,14 +31,14 @@ void MainWindow::greet() {
   if (QSettings().value(greetedKey, false).toBool()) return;
   auto* const card = new TourCard(this);
   greeting_ = card;
-  greeting_->setButtons(tr("Show me around"), tr("Got it"));
+  greeting_->setButtons(tr("Start tour"), tr("Got it"));
   const auto present = [this] {
     if (!greeting_ || document_->loading()) return;
     greeting_->presentIn(
         placeIn(this, viewport_).adjusted(4, 4, -4, -56), tr("Welcome to Isolux"),
-        tr("<ul style='margin-left:-24px'><li>Drag in the picture to turn it; the wheel zooms.</li>"
-           "<li>Drag the line in the histogram below: it says which surface you see.</li>"
-           "<li>Drop a scan or its folder here, or press Ctrl+O, to open your own.</li></ul>"));
+        tr("<ul style='margin-left:-24px'><li>Drag in the view to rotate it; the wheel zooms.</li><li>Drag "
+           "the line in the histogram below to choose the surface.</li><li>To open your own scan, drop its "
+           "file or folder here, or press Ctrl+O.</li></ul>"));
   };
   const auto leave = [this] {
     QSettings().setValue(greetedKey, true);
@@ -83,45 +83,42 @@ void MainWindow::startTour() {
   const auto remember = [this, before] { *before = document_->resolvedScene(); };
   const auto now = [this] { return document_->resolvedScene(); };
   std::vector<TourStep> steps;
-  steps.push_back(
-      {tr("Choose the surface"),
-       tr("Drag the bright line in the histogram. All points with this value are the surface that you "
-          "see: in a CT low values are skin, high ones bone."),
-       [this] { return placeIn(this, isovalue_); },
-       [now, before] { return now().isosurface.value != before->isosurface.value; }, remember});
-  steps.push_back(
-      {tr("Turn it"),
-       tr("Drag in the picture with the left button to turn, with the middle one to move it; the wheel "
-          "goes nearer. Keys 1 to 6 show the six sides, R starts over."),
-       [this] { return placeIn(this, viewport_); }, [now, before] { return now().camera != before->camera; },
-       remember});
+  steps.push_back({tr("Choose the surface"),
+                   tr("Drag the bright line in the histogram. The surface consists of all points with this "
+                      "value: in a CT, low values show skin, high ones bone."),
+                   [this] { return placeIn(this, isovalue_); },
+                   [now, before] { return now().isosurface.value != before->isosurface.value; }, remember});
+  steps.push_back({tr("Rotate the view"),
+                   tr("Drag with the left button to rotate, with the middle one to pan; the wheel zooms. "
+                      "Keys 1 to 6 show the six sides; R resets the view."),
+                   [this] { return placeIn(this, viewport_); },
+                   [now, before] { return now().camera != before->camera; }, remember});
   steps.push_back({tr("Choose a look"),
-                   tr("This list says what the colours show: light, curvature, depth, global illumination. "
-                      "L goes to the next one."),
+                   tr("This list sets what the colours show: the shaded surface, curvature, depth or global "
+                      "illumination. L selects the next look."),
                    [this] { return placeIn(this, look_); },
                    [now, before] { return now().look.mode != before->look.mode; }, remember});
-  steps.push_back(
-      {tr("Look inside"),
-       tr("Press F4, or choose View, Layout: the outline in each slice is the surface. Click in a slice to "
-          "move the cross."),
-       [this] {
-         return slices_->slicesShown() ? placeIn(this, slices_) : placeOfMenu(viewMenu_->menuAction());
-       },
-       [this] { return slices_->slicesShown(); },
-       {}});
+  steps.push_back({tr("Look inside"),
+                   tr("Press F4, or choose View > Layout. The outline in each slice is the surface. Click in "
+                      "a slice to move the crosshair."),
+                   [this] {
+                     return slices_->slicesShown() ? placeIn(this, slices_)
+                                                   : placeOfMenu(viewMenu_->menuAction());
+                   },
+                   [this] { return slices_->slicesShown(); },
+                   {}});
   const auto asked = std::make_shared<bool>(false);
-  steps.push_back(
-      {tr("Keep it"),
-       tr("Save the picture with this button, or Ctrl+E. It carries letters, scale and isovalue, and can "
-          "be opened again as it is now. (Cancel is fine, too.)"),
-       [this] { return placeOfTool(picture_); }, [asked] { return *asked; }, [asked] { *asked = false; }});
-  steps.push_back(
-      {tr("That is all"),
-       tr("Presets start at the right place for a CT or an MR; Ctrl+F finds every setting; F1 lists mouse "
-          "and keys. Everything you do can be undone."),
-       {},
-       {},
-       {}});
+  steps.push_back({tr("Save the result"),
+                   tr("Save the image with this button, or Ctrl+E. It can show orientation labels, a scale "
+                      "bar and the isovalue, and opens again as a session. (You may also cancel.)"),
+                   [this] { return placeOfTool(picture_); }, [asked] { return *asked; },
+                   [asked] { *asked = false; }});
+  steps.push_back({tr("End of the tour"),
+                   tr("Presets set suitable isovalues for CT and MR; Ctrl+F finds every setting; F1 lists "
+                      "mouse and keys. Every change can be undone."),
+                   {},
+                   {},
+                   {}});
   tour_ = new Tour(this, std::move(steps));
   connect(picture_, &QAction::triggered, tour_, [asked] { *asked = true; });
 }

@@ -45,14 +45,14 @@ void PictureDot::tell() {
   QStringList lines;
   if (!light_.isEmpty()) lines += light_;
   if (milliseconds_ < 0.0) {
-    lines += tr("There is no picture yet");
+    lines += tr("There is no image yet");
   } else if (isFinal()) {
-    lines += light_.isEmpty() ? tr("The picture is final") : tr("The picture is final but for its light");
+    lines += light_.isEmpty() ? tr("The image is final") : tr("The image is final except for its light");
   } else {
-    lines += tr("A finer picture is on its way");
+    lines += tr("A finer image is being rendered");
   }
   setAccessibleName(lines.join(". "));
-  if (milliseconds_ >= 0.0) lines += tr("The last one took %1").arg(durationText(1e-3 * milliseconds_));
+  if (milliseconds_ >= 0.0) lines += tr("Last render time: %1").arg(durationText(1e-3 * milliseconds_));
   setToolTip(lines.join('\n'));
   update();
 }

@@ -33,12 +33,12 @@ struct NamedLayout {
   const char *name, *stored, *tip;
 };
 constexpr std::array<NamedLayout, 3> namedLayouts{
-    {{ViewLayout::picture, QT_TRANSLATE_NOOP("QObject", "&Picture alone"), "picture",
-      QT_TRANSLATE_NOOP("QObject", "The picture without slices")},
-     {ViewLayout::fourUp, QT_TRANSLATE_NOOP("QObject", "Picture and &slices"), "four_up",
-      QT_TRANSLATE_NOOP("QObject", "Axial, coronal and sagittal slice beside the picture")},
+    {{ViewLayout::picture, QT_TRANSLATE_NOOP("QObject", "&3-D view"), "picture",
+      QT_TRANSLATE_NOOP("QObject", "Show the 3-D view without slices")},
+     {ViewLayout::fourUp, QT_TRANSLATE_NOOP("QObject", "3-D view and &slices"), "four_up",
+      QT_TRANSLATE_NOOP("QObject", "Show axial, coronal and sagittal slices next to the 3-D view")},
      {ViewLayout::slices, QT_TRANSLATE_NOOP("QObject", "Slices &alone"), "slices",
-      QT_TRANSLATE_NOOP("QObject", "The three slices without the picture")}}};
+      QT_TRANSLATE_NOOP("QObject", "Show the three slices without the 3-D view")}}};
 
 QList<QRect> availableScreens() {
   QList<QRect> areas;
@@ -140,10 +140,10 @@ void WindowLayout::fillMenu(QMenu* menu) {
   next->setShortcut(QKeySequence("F4"));
   connect(next, &QAction::triggered, this, &WindowLayout::stepLayout);
 
-  QMenu* const shown = menu->addMenu(tr("Pa&nels"));
+  QMenu* const shown = menu->addMenu(tr("&Panels"));
   for (QDockWidget* dock : docks_) shown->addAction(dock->toggleViewAction());
   shown->addSeparator();
-  QAction* const floats = shown->addAction(tr("&Float the panel in front"));
+  QAction* const floats = shown->addAction(tr("&Float the front panel"));
   floats->setCheckable(true);
   connect(shown, &QMenu::aboutToShow, this, [this, floats] {
     floats->setChecked(std::any_of(docks_.begin(), docks_.end(), [](const QDockWidget* dock) {
@@ -153,7 +153,7 @@ void WindowLayout::fillMenu(QMenu* menu) {
   connect(floats, &QAction::triggered, this, &WindowLayout::floatFront);
 
   QMenu* const go = menu->addMenu(tr("&Go to"));
-  QAction* const picture = go->addAction(tr("&Picture"));
+  QAction* const picture = go->addAction(tr("3-D &view"));
   picture->setShortcut(QKeySequence("Ctrl+0"));
   connect(picture, &QAction::triggered, this, [this] {
     if (picture_->isVisible())

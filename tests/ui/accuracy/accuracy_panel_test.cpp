@@ -85,7 +85,7 @@ TEST(AccuracyChart, TicksOfTheErrorAreLabelledInOneWay) {
 
 TEST(AccuracyPanel, SaysWhatToDoWithoutAVolume) {
   const ui::AccuracyPanel panel;
-  EXPECT_TRUE(panel.state().contains("open a volume")) << panel.state().toStdString();
+  EXPECT_TRUE(panel.state().contains("Open a volume")) << panel.state().toStdString();
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ TEST_F(LevelZeroTest, AFinishedPictureOfALevelIsFollowedByOneOfTheVolumeItself) 
   ASSERT_FALSE(hasIndex());
   showLevel(2);
   ASSERT_TRUE(awaitLevelZero()) << tip();
-  EXPECT_EQ(said(), "Level 0 (level 2 in motion)");
+  EXPECT_EQ(said(), "Full resolution (level 2 in motion)");
   EXPECT_TRUE(hasIndex()) << "made in the background";
   EXPECT_FALSE(zero()->working());
   const QImage fromFile = zero()->image(), level = window_->viewport()->shown();
@@ -90,7 +90,7 @@ TEST_F(LevelZeroTest, EachRestHasItsOwnPictureAndMotionTakesItAway) {
   // Another level of the same volume: it is open already.
   showLevel(1);
   ASSERT_TRUE(awaitLevelZero());
-  EXPECT_EQ(said(), "Level 0 (level 1 in motion)");
+  EXPECT_EQ(said(), "Full resolution (level 1 in motion)");
 }
 
 // A view that is left before its picture of level 0 is there never shows it.

@@ -70,7 +70,7 @@ TEST_F(PictureAccuracyTest, TheStatusLineSaysItForThePictureOnShowAlone) {
   EXPECT_EQ(label()->text(), ui::accuracyText(known, false));
   EXPECT_TRUE(label()->text().startsWith("Depth ± ")) << label()->text().toStdString();
   EXPECT_TRUE(label()->text().contains("normal ± ")) << label()->text().toStdString();
-  EXPECT_TRUE(label()->text().contains("% not certain")) << label()->text().toStdString();
+  EXPECT_TRUE(label()->text().contains("% of pixels uncertain")) << label()->text().toStdString();
   EXPECT_FALSE(label()->text().contains("curvature")) << label()->text().toStdString();
   EXPECT_TRUE(label()->toolTip().contains("99 %"));
 
@@ -119,18 +119,18 @@ TEST(AccuracyText, UnitsAreThoseOneReads) {
   accuracy.relativeCurvature.most99 = 0.0456;
   accuracy.depthNoiseMm.most99 = 0.123;
   EXPECT_EQ(ui::accuracyText(accuracy, false),
-            "Depth ± 0.12 mm by noise and sampling · by arithmetic ± 0.23 µm · normal ± 0.012° · 0.5 % not "
-            "certain");
+            "Depth ± 0.12 mm (noise, discretisation) · rounding ± 0.23 µm · normal ± 0.012° · 0.5 % of "
+            "pixels uncertain");
   accuracy.depthNoiseMm.most99 = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(ui::accuracyText(accuracy, true),
-            "Depth ± 0.23 µm · normal ± 0.012° · curvature ± 4.6 % · 0.5 % not certain");
+            "Depth ± 0.23 µm · normal ± 0.012° · curvature ± 4.6 % · 0.5 % of pixels uncertain");
   accuracy.depthMm.most99 = 0.0234;
   accuracy.normalDegrees.most99 = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(ui::accuracyText(accuracy, false), "Depth ± 0.023 mm · normal ± not bounded · 0.5 % not certain");
+  EXPECT_EQ(ui::accuracyText(accuracy, false), "Depth ± 0.023 mm · normal ± unbounded · 0.5 % of pixels uncertain");
   accuracy.normalDegrees.most99 = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(ui::accuracyText(accuracy, false), "Depth ± 0.023 mm · 0.5 % not certain");
+  EXPECT_EQ(ui::accuracyText(accuracy, false), "Depth ± 0.023 mm · 0.5 % of pixels uncertain");
   accuracy.seen = accuracy.uncertain = 0;
-  EXPECT_EQ(ui::accuracyText(accuracy, false), "Nothing is seen · 0 % not certain");
+  EXPECT_EQ(ui::accuracyText(accuracy, false), "Nothing visible · 0 % of pixels uncertain");
 }
 
 }  // namespace

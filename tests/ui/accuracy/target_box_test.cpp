@@ -46,15 +46,15 @@ TEST_F(TargetBoxTest, FindsSettingsSaysWhatTheyCostAndAppliesThemAsOneStep) {
   const QString text = found();
   ASSERT_TRUE(box()->answer()) << text.toStdString();
   EXPECT_TRUE(text.contains("Field of the derivatives: Trilinear")) << text.toStdString();
-  EXPECT_TRUE(text.contains("A picture takes about ")) << text.toStdString();
-  EXPECT_TRUE(text.contains("normals at most ")) << text.toStdString();
+  EXPECT_TRUE(text.contains("Render time about ")) << text.toStdString();
+  EXPECT_TRUE(text.contains("normal error ≤ ")) << text.toStdString();
   EXPECT_EQ(scene().derivatives.field, scene::Field::cubic) << "nothing is applied by itself";
   const scene::Scene before = scene();
   ASSERT_TRUE(box()->applyButton()->isEnabled());
   click(box()->applyButton());
   EXPECT_EQ(scene().derivatives.field, scene::Field::trilinear);
   EXPECT_FALSE(box()->applyButton()->isEnabled()) << "the answer is of the scene before";
-  EXPECT_EQ(window_->document()->history().undoName(), "Keep 30 degrees of normals");
+  EXPECT_EQ(window_->document()->history().undoName(), "Keep 30 degrees (normals)");
   window_->document()->undo();
   EXPECT_TRUE(scene() == before);
 }
@@ -74,7 +74,7 @@ TEST_F(TargetBoxTest, WhatIsRefusedSaysWhyInOneSentence) {
   EXPECT_TRUE(box()->text().contains("the least that can be promised is depth "));
   EXPECT_FALSE(box()->applyButton()->isEnabled());
   box()->askError(app::Quantity::light, 2.0);
-  EXPECT_EQ(found(), "This picture reads no stored light, so there is nothing to choose");
+  EXPECT_EQ(found(), "This image uses no baked light; nothing to choose");
   box()->askTime(1e-6);
   EXPECT_TRUE(found().startsWith("No settings keep 1e-06 ms; the quickest take about "))
       << box()->text().toStdString();

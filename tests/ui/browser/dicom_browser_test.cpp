@@ -61,7 +61,7 @@ TEST_F(DicomBrowserTest, ADiscIsShownAsPatientsStudiesAndSeries) {
   ASSERT_NE(browser, nullptr);
   const QTreeWidget* const tree = browser->tree();
   ASSERT_EQ(tree->topLevelItemCount(), 2);
-  EXPECT_EQ(tree->topLevelItem(0)->text(0), "DOE, JANE   id ID4711   born 1960-01-02");
+  EXPECT_EQ(tree->topLevelItem(0)->text(0), "DOE, JANE   ID ID4711   born 1960-01-02");
   EXPECT_EQ(tree->topLevelItem(0)->childCount(), 2) << "studies";
   const QTreeWidgetItem* const study = tree->topLevelItem(0)->child(0);
   ASSERT_NE(study, nullptr);

@@ -75,7 +75,7 @@ class PrivacyTest : public WindowTest {
 
 TEST_F(PrivacyTest, ThePatientIsNamedUntilTheUserHidesThem) {
   EXPECT_TRUE(namesHer(shownOnScreen().toStdString()));
-  QAction* const hide = action("&Hide the patient");
+  QAction* const hide = action("&Hide patient data");
   ASSERT_NE(hide, nullptr);
   hide->trigger();
   EXPECT_FALSE(namesHer(shownOnScreen().toStdString())) << shownOnScreen().toStdString();
@@ -118,7 +118,7 @@ TEST_F(PrivacyTest, MarksRecordingsAndProposedNamesNameNobody) {
     EXPECT_NE(contentOf(file).find("anonymous, left"), std::string::npos) << name;
   }
   DialogAnswers answers(QMessageBox::Cancel);
-  action("Save p&icture")->trigger();
+  action("Save &image")->trigger();
   const auto* const dialog = window_->findChild<ui::PictureDialog*>();
   ASSERT_NE(dialog, nullptr);
   const QList<QPushButton*> buttons = dialog->findChildren<QPushButton*>();

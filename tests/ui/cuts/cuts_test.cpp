@@ -213,9 +213,9 @@ TEST_F(CutsTest, TheMenuAddsPlanesThatShowTheirFace) {
   menuAction("Plane 1", "Remove")->trigger();
   ASSERT_EQ(clip().planes.size(), 2u);
   EXPECT_EQ(clip().planes[0].point, glm::dvec3(3, 2, 1));
-  menuAction("Cut faces show", "The whole slice")->trigger();
+  menuAction("Cut faces", "Whole slice")->trigger();
   EXPECT_EQ(clip().cap, scene::ClipCap::whole);
-  menuAction("Surfaces that are cut", "Isosurface 1")->trigger();
+  menuAction("Cut surfaces", "Isosurface 1")->trigger();
   EXPECT_FALSE(window_->document()->scene().isosurface.clipped);
   menuAction({}, "Remove all cuts")->trigger();
   EXPECT_TRUE(clip().planes.empty());
@@ -229,8 +229,8 @@ TEST_F(CutsTest, WhatCannotActSaysWhy) {
     EXPECT_TRUE(action->toolTip().contains(why)) << action->toolTip().toStdString();
   };
   says("Remove all cuts", "Nothing is cut");
-  says("Flip the last plane", "no plane");
-  says("Plane through three points", "Mark three points");
+  says("Reverse last plane", "no plane");
+  says("Plane through three points", "Set three points");
   edit([](scene::Scene& scene) { scene.clip.planes.assign(6, {{0, 0, 0}, {0, 0, 1}}); });
   says("Plane across Z", "remove one");
   EXPECT_TRUE(menuAction({}, "Remove all cuts")->isEnabled());

@@ -95,7 +95,7 @@ TEST_F(WindowTest, AStoppedMeshLeavesNoFileAndNoSurfaceIsToldInWords) {
   ASSERT_NE(dialog, nullptr);
   dialog->exportTo(file);
   QTest::mouseClick(dialog->start, Qt::LeftButton);  // Stop
-  ASSERT_TRUE(waitUntil([&] { return !dialog->exporting() && !dialog->text().startsWith("Making"); }));
+  ASSERT_TRUE(waitUntil([&] { return !dialog->exporting() && !dialog->text().startsWith("Writing"); }));
   EXPECT_TRUE(dialog->text().startsWith("Stopped") || QFileInfo::exists(file))
       << dialog->text().toStdString();
   EXPECT_EQ(dialog->text().startsWith("Stopped"), !QFileInfo::exists(file));
@@ -106,7 +106,7 @@ TEST_F(WindowTest, AStoppedMeshLeavesNoFileAndNoSurfaceIsToldInWords) {
   window_->document()->edit(edit);
   dialog = openedMeshDialog(*window_);
   dialog->exportTo(newFile("none.stl"));
-  ASSERT_TRUE(waitUntil([&] { return !dialog->exporting() && !dialog->text().startsWith("Making"); }));
+  ASSERT_TRUE(waitUntil([&] { return !dialog->exporting() && !dialog->text().startsWith("Writing"); }));
   EXPECT_NE(dialog->text().indexOf("there is no surface at"), -1) << dialog->text().toStdString();
 }
 

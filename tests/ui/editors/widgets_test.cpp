@@ -91,12 +91,12 @@ TEST_F(SettingsPanelTest, RowsThatDoNothingAreHiddenUntilTheyActAndASearchSaysWh
   EXPECT_FALSE(panel_.shows("look.mode"));
   const ui::SettingEditor* rate = panel_.editor("hit.rate");
   EXPECT_FALSE(rate->isEnabled());
-  EXPECT_TRUE(rate->toolTip().startsWith("Does nothing now: hits are exact."))
+  EXPECT_TRUE(rate->toolTip().startsWith("Has no effect: hits are exact."))
       << rate->toolTip().toStdString();
   auto* method = panel_.editor("hit.method")->findChild<QComboBox*>();
   method->setCurrentIndex(method->findData("sampled"));
   EXPECT_TRUE(rate->isEnabled());
-  EXPECT_FALSE(rate->toolTip().contains("Does nothing"));
+  EXPECT_FALSE(rate->toolTip().contains("Has no effect"));
   panel_.searchLine()->clear();
   EXPECT_TRUE(panel_.shows("hit.rate"));
   EXPECT_TRUE(panel_.shows("look.mode"));

@@ -288,7 +288,7 @@ TEST_F(GermanTest, TheWindowSpeaksIt) {
   scene.look.ambient = 0.77;
   window_->document()->edit({scene, "before", {}, false});
   editor->resetToDefault();
-  EXPECT_EQ(window_->document()->history().undoName(), "Grundlicht ändern");
+  EXPECT_EQ(window_->document()->history().undoName(), "Umgebungslicht ändern");
   // Panels are called by their names, not by what their tabs say.
   window_->showPanel("marks");
   EXPECT_TRUE(waitUntil([&] { return window_->panel<ui::MarksPanel>()->isVisible(); }));

@@ -304,7 +304,7 @@ TEST_F(LightPanelTest, ALampIsDraggedInItsPlaneAndAlongTheDepth) {
   const int before = steps();
   drag(viewport(), pixelOf(), wanted);
   EXPECT_EQ(pixelOf(), wanted);
-  EXPECT_EQ(document()->history().undoName(), "Move lamp 1");
+  EXPECT_EQ(document()->history().undoName(), "Move light 1");
   EXPECT_EQ(steps(), before + 1);
   ASSERT_TRUE(document()->scene().lamps[0].position.has_value());
   const glm::dvec3 placed = *document()->scene().lamps[0].position;
@@ -337,7 +337,7 @@ TEST_F(LightPanelTest, ADistantLampAndASpheresOutlineAreDragged) {
   const QPoint edge = middle + QPoint(int(std::lround(before)), 0);
   drag(viewport(), edge, edge + QPoint(30, 0));
   EXPECT_NEAR(handle().ringPixels, before + 30.0, 1.5);
-  EXPECT_EQ(document()->history().undoName(), "Resize lamp 2");
+  EXPECT_EQ(document()->history().undoName(), "Resize light 2");
 }
 
 TEST_F(LightPanelTest, WithoutALampOrTheLookALeftDragRotates) {

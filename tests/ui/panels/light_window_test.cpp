@@ -56,21 +56,21 @@ TEST_F(LightWindowTest, NoLightIsStoredUnderALookThatReadsNone) {
 TEST_F(LightWindowTest, TheDotSaysThatLightIsComputedAndHowFarItIs) {
   const auto* const dot = window_->findChild<ui::PictureDot*>();
   fullPicture(*window_);
-  EXPECT_TRUE(waitUntil([&] { return dot->toolTip().startsWith("The picture is final\n"); }))
+  EXPECT_TRUE(waitUntil([&] { return dot->toolTip().startsWith("The image is final\n"); }))
       << dot->toolTip().toStdString();
   lightUp(endless);
   ASSERT_TRUE(waitForPhase(Phase::baking));
   ASSERT_TRUE(waitUntil([&] { return dot->toolTip().contains(" %"); })) << dot->toolTip().toStdString();
-  EXPECT_TRUE(dot->toolTip().startsWith("Light is being computed: 0 %")) << dot->toolTip().toStdString();
-  EXPECT_TRUE(dot->accessibleName().startsWith("Light is being computed"));
+  EXPECT_TRUE(dot->toolTip().startsWith("Computing light: 0 %")) << dot->toolTip().toStdString();
+  EXPECT_TRUE(dot->accessibleName().startsWith("Computing light"));
   EXPECT_FALSE(dot->isFinal()) << "between two pictures, too";
   status()->pauseButton()->click();
-  EXPECT_TRUE(waitUntil([&] { return dot->toolTip().startsWith("Computing light is paused at 0 %"); }));
+  EXPECT_TRUE(waitUntil([&] { return dot->toolTip().startsWith("Light computation paused at 0 %"); }));
   fullPicture(*window_);
   EXPECT_TRUE(waitUntil([&] { return dot->isFinal(); }));
-  EXPECT_TRUE(dot->accessibleName().endsWith("The picture is final but for its light"));
+  EXPECT_TRUE(dot->accessibleName().endsWith("The image is final except for its light"));
   set("look.mode", "blinn_phong");
-  EXPECT_TRUE(waitUntil([&] { return dot->toolTip().startsWith("The picture is final\n"); }))
+  EXPECT_TRUE(waitUntil([&] { return dot->toolTip().startsWith("The image is final\n"); }))
       << dot->toolTip().toStdString();
 }
 
@@ -142,7 +142,7 @@ TEST_F(LightWindowTest, LightThatNobodyHasAskedForIsPausedWhereItTakesLong) {
   QObject::connect(light(), &ui::BakedLight::takesLong, [&](double s) { seconds = s; });
   ASSERT_TRUE(waitForPhase(Phase::paused));
   EXPECT_GT(seconds, 20.0);
-  EXPECT_TRUE(window_->messageBar()->text().startsWith("Light of this picture takes about"))
+  EXPECT_TRUE(window_->messageBar()->text().startsWith("Light for this image takes about"))
       << window_->messageBar()->text().toStdString();
   ASSERT_EQ(window_->messageBar()->buttons().size(), 1U);
   window_->messageBar()->buttons().front()->click();

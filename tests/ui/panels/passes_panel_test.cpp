@@ -67,7 +67,7 @@ TEST(PassesPanel, AStillPictureIsSaidToCostNothingAndKeepsTheLastTable) {
   panel.show();
   panel.setReport(sample(), {});
   for (int i = 0; i < 3; ++i) panel.setReport(still(), {});
-  EXPECT_TRUE(waitUntil([&] { return allLabels(panel).contains("Shown again 3 times"); }));
+  EXPECT_TRUE(waitUntil([&] { return allLabels(panel).contains("Redrawn 3 times"); }));
   EXPECT_EQ(panel.table()->topLevelItem(1)->text(1), "ran");
 }
 

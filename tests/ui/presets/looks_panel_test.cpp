@@ -188,7 +188,7 @@ TEST_F(LooksPanelTest, APresetThatWasChosenIsNotShifted) {
     ++chosen;
     SCOPED_TRACE(item->text().toStdString());
     QTest::mouseClick(panel_->presetList()->viewport(), Qt::LeftButton, Qt::NoModifier, centreOfItem(item));
-    const QString tip = "Adds to the isovalues of " + item->text();
+    const QString tip = "Shifts the isovalues of " + item->text();
     EXPECT_TRUE(waitUntil([&] { return panel_->shiftSlider()->toolTip() == tip; }, 5000))
         << panel_->shiftSlider()->toolTip().toStdString();
     EXPECT_EQ(panel_->shiftSlider()->value(), 0);

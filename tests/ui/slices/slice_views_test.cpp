@@ -316,7 +316,7 @@ TEST_F(SliceMenuTest, SlabContoursAndConventionAreSettingsWithUndo) {
   SliceView* const axial = view(SliceDirection::axial);
   choose(axial, "10 mm");
   EXPECT_EQ(scene().slice.slab, 10.0);
-  choose(axial, "Maximum");
+  choose(axial, "Maximum (MIP)");
   EXPECT_EQ(scene().slice.slabMode, scene::SlabMode::maximum);
   choose(axial, "Isocontours");
   EXPECT_EQ(scene().slice.contourWidth, 0.0);

@@ -97,7 +97,7 @@ TEST_F(WindowTest, EveryIsosurfaceHasAHandleAndARow) {
   QApplication::sendEvent(slider, &ask);
   auto* const menu = slider->findChild<QMenu*>();
   ASSERT_NE(menu, nullptr);
-  EXPECT_TRUE(menu->actions().front()->text().startsWith("Add an isosurface at 2"));
+  EXPECT_TRUE(menu->actions().front()->text().startsWith("Add isosurface at 2"));
   menu->actions().front()->trigger();
   menu->close();
   EXPECT_NEAR(*scene().extraIsosurfaces[1].value, 200.0, pixel);
@@ -157,7 +157,7 @@ TEST_F(WindowTest, ARightClickInASliceAddsTheIsosurfaceOfTheValueThere) {
   auto* const menu = view->findChild<QMenu*>();
   ASSERT_NE(menu, nullptr);
   QAction* const add = menu->actions().front();
-  ASSERT_TRUE(add->text().startsWith("Add an isosurface at the value here")) << add->text().toStdString();
+  ASSERT_TRUE(add->text().startsWith("Add isosurface at this value")) << add->text().toStdString();
   add->trigger();
   menu->close();
   const scene::ExtraIsosurface& added = window_->document()->scene().extraIsosurfaces[0];

@@ -159,7 +159,7 @@ TEST_F(MarksTest, EveryToolOfTheMenuMakesItsKind) {
   const std::vector<QPoint> places{at(-0.3, 0.1), at(0.0, -0.2), at(0.3, 0.15)};
   std::size_t count = 0;
   for (const Case& tool : {Case{"Pin", MarkKind::point, 1}, Case{"Distance", MarkKind::distance, 2},
-                           Case{"Along the surface", MarkKind::path, 2}, Case{"Angle", MarkKind::angle, 3},
+                           Case{"Geodesic distance", MarkKind::path, 2}, Case{"Angle", MarkKind::angle, 3},
                            Case{"Circle", MarkKind::circle, 3}, Case{"Thickness", MarkKind::thickness, 1},
                            Case{"Piece", MarkKind::piece, 1}}) {
     QAction* action = menuAction(tool.text);
@@ -201,7 +201,7 @@ TEST_F(MarksTest, ThePanelRenamesHidesAndDeletes) {
   EXPECT_FALSE(viewport()->tool());
   QTest::keyClick(line, Qt::Key_Return);
   EXPECT_TRUE(waitUntil([&] { return marks()[0].name == "Top p"; }));
-  EXPECT_EQ(lastStep(), "Rename mark");
+  EXPECT_EQ(lastStep(), "Rename measurement");
   list->topLevelItem(1)->setCheckState(0, Qt::Unchecked);
   EXPECT_FALSE(marks()[1].shown);
   EXPECT_EQ(lastStep(), "Hide Pin 2");
@@ -282,7 +282,7 @@ TEST_F(MarksTest, FilesAreWrittenAndOpened) {
   EXPECT_TRUE(window_->importMarks(file));
   ASSERT_EQ(marks().size(), 2u);
   EXPECT_EQ(marks()[1].points, written[0].points);
-  EXPECT_EQ(lastStep(), "Import marks");
+  EXPECT_EQ(lastStep(), "Import measurements");
   std::ofstream(newFile("bad.mrk.json").toStdString()) << "[]";
   EXPECT_FALSE(window_->importMarks(newFile("bad.mrk.json")));
   EXPECT_EQ(window_->messageBar()->kind(), ui::MessageBar::Kind::error);

@@ -45,7 +45,7 @@ TEST_F(OrientationTest, AFileThatStatesNoneHasXYZ) {
 TEST_F(OrientationTest, AHeadHasItsSides) {
   ASSERT_TRUE(load(*window_, "phantom:head:24"));
   EXPECT_EQ(leftView()->iconText(), "L");
-  EXPECT_EQ(leftView()->text(), "&Left");
+  EXPECT_EQ(leftView()->text(), "Left");
   EXPECT_EQ(leftView()->toolTip(), "From left (3)");
   EXPECT_EQ(axes(), "x → L, y → P, z → S");
   EXPECT_TRUE(pointed({1.0, -2.0, 3.0}).startsWith("L 1.0   A 2.0   S 3.0 mm"));

@@ -231,7 +231,7 @@ TEST(PiecesPanel, SaysWhatToDoWithoutAVolume) {
   ui::PiecesPanel panel;
   panel.resize(350, 500);
   panel.show();
-  EXPECT_TRUE(panel.state().contains("open a volume")) << panel.state().toStdString();
+  EXPECT_TRUE(panel.state().contains("Open a volume")) << panel.state().toStdString();
   EXPECT_FALSE(panel.list()->isVisible());
 }
 
@@ -265,7 +265,7 @@ TEST_F(PiecesTest, TheListHasVolumesWithErrorsAndBoxes) {
   EXPECT_TRUE(waitUntil([&] { return panel()->state().contains("190") && panel()->measured(); }));
   EXPECT_LT(list->topLevelItem(0)->text(2).section(" × ", 0, 0).toDouble(), 15.0);
   setIsovalue(1000.0);
-  EXPECT_TRUE(waitUntil([&] { return panel()->state().contains("move the isovalue"); }));
+  EXPECT_TRUE(waitUntil([&] { return panel()->state().contains("change the isovalue"); }));
   EXPECT_FALSE(list->isVisible());
 }
 

@@ -193,7 +193,7 @@ TEST_F(FirstVisitTest, GoesThroughWhatTheWindowIsForAndComesBackToTheSamePicture
         trigger("Pin");
         QTest::mouseClick(viewport(), Qt::LeftButton, {}, at(-0.25, -0.2));
         QTest::mouseClick(viewport(), Qt::LeftButton, {}, at(0.2, -0.25));
-        trigger("Along the surface");
+        trigger("Geodesic distance");
         QTest::mouseClick(viewport(), Qt::LeftButton, {}, at(-0.25, -0.2));
         QTest::mouseClick(viewport(), Qt::LeftButton, {}, at(0.2, -0.25));
         viewport()->setFocus();

@@ -81,10 +81,10 @@ TEST_F(PicturesTest, TheDialogSaysWhatIsWrittenAndHowLarge) {
   dialog->width->setValue(300);
   dialog->height->setValue(200);
   QTest::mouseClick(dialog->copy, Qt::LeftButton);
-  ASSERT_TRUE(waitUntil([&] { return barText().starts_with("Copied the picture: 300 × 200"); })) << barText();
+  ASSERT_TRUE(waitUntil([&] { return barText().starts_with("Copied the image: 300 × 200"); })) << barText();
   EXPECT_EQ(QGuiApplication::clipboard()->image().size(), QSize(300, 200));
   EXPECT_FALSE(window_->document()->scene().picture.letters);
-  EXPECT_EQ(window_->document()->history().undoName(), "Change what stands on pictures");
+  EXPECT_EQ(window_->document()->history().undoName(), "Change image annotations");
   EXPECT_FALSE(ui::withKeptWords({}).letters) << "kept for the next document";
 }
 
@@ -117,7 +117,7 @@ TEST_F(PicturesTest, ThePictureIsCopiedByItsKeyAndWithoutBackgroundWhereThatIsWi
   window_->document()->edit(edit);
   window_->viewport()->setFocus();
   QTest::keyClick(window_->viewport(), Qt::Key_C, Qt::ControlModifier);
-  ASSERT_TRUE(waitUntil([&] { return barText().starts_with("Copied the picture"); })) << barText();
+  ASSERT_TRUE(waitUntil([&] { return barText().starts_with("Copied the image"); })) << barText();
   const QImage copied = QGuiApplication::clipboard()->image();
   ASSERT_FALSE(copied.isNull());
   ASSERT_TRUE(copied.hasAlphaChannel());

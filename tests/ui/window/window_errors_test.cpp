@@ -174,7 +174,7 @@ TEST_F(WindowTest, AMistakeOfOurOwnCostsOnePictureAndNotTheWork) {
   bad.extraIsosurfaces[0].value.reset();
   viewport->setScene(bad, bad);
   ASSERT_TRUE(waitUntil([&] { return viewport->problem().has_value(); }));
-  EXPECT_TRUE(viewport->problem()->contains("mistake in Isolux")) << viewport->problem()->toStdString();
+  EXPECT_TRUE(viewport->problem()->contains("internal error")) << viewport->problem()->toStdString();
   EXPECT_EQ(drawing, 0);
   viewport->setScene(good, good);
   window_->messageBar()->hide();

@@ -170,7 +170,7 @@ TEST_F(WindowTest, ALongNameWidensNothing) {
   EXPECT_EQ(window_->minimumSizeHint().width(), before);
   EXPECT_LE(area->widget()->minimumSizeHint().width(), area->viewport()->width());
   for (QMenu* menu : window_->findChildren<QMenu*>()) {
-    if (!menu->title().contains("recent")) continue;
+    if (!menu->title().contains("re&cent")) continue;
     Q_EMIT menu->aboutToShow();
     EXPECT_LT(menu->sizeHint().width(), 600);
     EXPECT_GT(menu->actions().size(), 1);
@@ -244,7 +244,7 @@ TEST_F(WindowTest, TheStatusBarCutsNoWordOrNumber) {
   state.counters.secondsLeft = 18.0;
   window_->lightStatus()->setState(state, false);
   auto* const accuracy = window_->findChild<QLabel*>("pictureAccuracy");
-  accuracy->setText("Depth ± 1.4 mm by noise and sampling · by arithmetic ± 0.53 µm · normal ± 0.012°");
+  accuracy->setText("Depth ± 1.4 mm (noise, discretisation) · rounding ± 0.53 µm · normal ± 0.012°");
   accuracy->show();
   app::Pick pick{};
   Q_EMIT window_->viewport()->pointed(pick);

@@ -244,7 +244,7 @@ TEST_F(WindowTest, AComponentCanBeChosenAndTheChoiceUndone) {
   QTest::keyClick(choice, Qt::Key_Down);
   ASSERT_TRUE(waitUntil([&] { return window_->document()->volume()->grid().value(1, 0, 0) == 101.0; }));
   EXPECT_EQ(window_->document()->scene().source.component, 1);
-  EXPECT_EQ(window_->document()->history().undoName(), "Choose component");
+  EXPECT_EQ(window_->document()->history().undoName(), "Choose channel");
   window_->document()->undo();
   EXPECT_TRUE(waitUntil([&] { return window_->document()->volume()->grid().value(1, 0, 0) == 1.0; }));
   EXPECT_EQ(choice->currentIndex(), 0);
@@ -259,7 +259,7 @@ TEST_F(WindowTest, AMeshOpensAndIsCombinedWithASecondVolume) {
   ui::SourcePanel* panel = window_->panel<ui::VolumePanel>()->sourcePanel();
   ui::Document* document = window_->document();
   const auto send = [&](const char* path, const nlohmann::json& value) {
-    ui::Edit edit{document->scene(), "Combine", {}, false};
+    ui::Edit edit{document->scene(), "Boolean operation", {}, false};
     scene::setting(path).set(edit.scene, value);
     Q_EMIT panel->editor(path)->edited(edit);
   };
