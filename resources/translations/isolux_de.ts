@@ -4413,35 +4413,35 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
 <context>
     <name>looks</name>
     <message>
-        <source>a light surface whose hollows are dark, as if dirt had gathered there</source>
-        <translation>eine helle Oberfläche mit dunklen Vertiefungen, als hätte sich dort Schmutz gesammelt</translation>
+        <source>crevice shading (accessibility): a light surface with dark hollows, like dirt</source>
+        <translation>Zugänglichkeit: eine helle Oberfläche mit dunklen Vertiefungen, wie Schmutz</translation>
     </message>
     <message>
-        <source>both principal curvatures at once: hue is the kind of shape, grey is flat</source>
-        <translation>beide Hauptkrümmungen zugleich: der Farbton ist die Art der Form, Grau ist flach</translation>
+        <source>both principal curvatures: hue shows the kind of shape, grey is flat</source>
+        <translation>beide Hauptkrümmungen: der Farbton zeigt die Art der Form, Grau ist flach</translation>
     </message>
     <message>
-        <source>cool where the surface is turned away from the light, warm where it faces it</source>
+        <source>cool where the surface faces away from the light, warm where it faces the light</source>
         <translation>kalt, wo die Oberfläche vom Licht abgewandt ist, warm, wo sie ihm zugewandt ist</translation>
     </message>
     <message>
-        <source>how far outside the surface the edge of the object lies: negative is within; grey has none</source>
-        <translation>wie weit außerhalb der Oberfläche die Kante des Objekts liegt: negativ ist innerhalb; Grau hat keine</translation>
+        <source>the distance from the surface to the edge of the object: positive is outside, grey has no edge</source>
+        <translation>der Abstand von der Oberfläche zur Kante des Objekts: positiv ist außerhalb, Grau hat keine Kante</translation>
     </message>
     <message>
-        <source>how strongly the surface is curved, whatever its shape</source>
-        <translation>wie stark die Oberfläche gekrümmt ist, gleich welcher Form</translation>
+        <source>the strength of curvature, regardless of shape</source>
+        <translation>die Stärke der Krümmung, gleich welcher Form</translation>
     </message>
     <message>
-        <source>streaks along the directions of curvature</source>
-        <translation>Streifen längs der Krümmungsrichtungen</translation>
+        <source>streaks along the principal curvature directions</source>
+        <translation>Streifen längs der Hauptkrümmungsrichtungen</translation>
     </message>
     <message>
         <source>the distance from the viewer, in even steps of lightness</source>
         <translation>die Entfernung vom Betrachter, in gleichmäßigen Helligkeitsstufen</translation>
     </message>
     <message>
-        <source>the kind of shape whatever its size: -1 cup, 0 saddle, 1 cap</source>
+        <source>the kind of shape, regardless of size: -1 cup, 0 saddle, 1 cap</source>
         <translation>die Art der Form, gleich welcher Größe: -1 Mulde, 0 Sattel, 1 Kuppe</translation>
     </message>
     <message>
@@ -4457,15 +4457,15 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>die äußere Normale als Farbe, Achsen des Raums</translation>
     </message>
     <message>
-        <source>the product of both: positive on domes and in cups, negative on saddles</source>
-        <translation>das Produkt beider: positiv auf Kuppen und in Mulden, negativ auf Sätteln</translation>
+        <source>the product of both principal curvatures: positive on domes and in cups, negative on saddles</source>
+        <translation>das Produkt beider Hauptkrümmungen: positiv auf Kuppen und in Mulden, negativ auf Sätteln</translation>
     </message>
     <message>
         <source>the smaller principal curvature</source>
         <translation>die kleinere Hauptkrümmung</translation>
     </message>
     <message>
-        <source>the surface&apos;s own colour in stored global illumination</source>
+        <source>the surface&apos;s own colour under baked global illumination</source>
         <translation>die eigene Farbe der Oberfläche in gespeicherter globaler Beleuchtung</translation>
     </message>
     <message>
@@ -4566,8 +4566,8 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>ein Blatt, dünner als ein Voxel</translation>
     </message>
     <message>
-        <source>half a ball, cut obliquely into parallel sheets and gaps of two voxels each</source>
-        <translation>eine halbe Kugel, schräg in parallele Blätter und Lücken von je zwei Voxeln geschnitten</translation>
+        <source>half a ball, cut obliquely into parallel sheets and gaps, each two voxels thick</source>
+        <translation>eine halbe Kugel, schräg in parallele Blätter und Lücken geschnitten, je zwei Voxel dick</translation>
     </message>
     <message>
         <source>height below a hyperbolic paraboloid</source>
@@ -4582,12 +4582,12 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>vorzeichenbehafteter Abstand zu einer geneigten Ebene</translation>
     </message>
     <message>
-        <source>signed distance to a torus round the z axis</source>
+        <source>signed distance to a torus around the z axis</source>
         <translation>vorzeichenbehafteter Abstand zu einem Torus um die z-Achse</translation>
     </message>
     <message>
-        <source>signed distance to an endless cylinder along z</source>
-        <translation>vorzeichenbehafteter Abstand zu einem endlosen Zylinder längs z</translation>
+        <source>signed distance to an infinite cylinder along z</source>
+        <translation>vorzeichenbehafteter Abstand zu einem unendlichen Zylinder längs z</translation>
     </message>
     <message>
         <source>six interlocking rings of wire with a smooth profile 1.4 voxels wide</source>
@@ -4598,23 +4598,23 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>glattes Zufallsfeld mit weißem Rauschen</translation>
     </message>
     <message>
-        <source>the reconstruction test signal of Marschner and Lobb</source>
-        <translation>das Testsignal für Rekonstruktion von Marschner und Lobb</translation>
+        <source>the Marschner-Lobb test signal for reconstruction</source>
+        <translation>das Marschner-Lobb-Testsignal für Rekonstruktion</translation>
     </message>
     <message>
         <source>the triply periodic gyroid, four periods per edge</source>
         <translation>der dreifach periodische Gyroid, vier Perioden je Kante</translation>
     </message>
     <message>
-        <source>two balls that touch in one point, where the gradient vanishes</source>
+        <source>two balls that touch at one point, where the gradient vanishes</source>
         <translation>zwei Kugeln, die sich in einem Punkt berühren, wo der Gradient verschwindet</translation>
     </message>
 </context>
 <context>
     <name>presets</name>
     <message>
-        <source>A level of a computed field.</source>
-        <translation>Ein Niveau eines berechneten Felds.</translation>
+        <source>Isosurface of a computed field.</source>
+        <translation>Isofläche eines berechneten Felds.</translation>
     </message>
     <message>
         <source>CT bone</source>
@@ -4645,11 +4645,11 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Abstandsfeld</translation>
     </message>
     <message>
-        <source>Enamel and metal in a CT, within a faint hull of bone.</source>
+        <source>Enamel and metal in a CT, inside a faint shell of bone.</source>
         <translation>Zahnschmelz und Metall in einem CT, in einer schwachen Hülle aus Knochen.</translation>
     </message>
     <message>
-        <source>Lungs and airways in a CT: the border of the air within the body.</source>
+        <source>Lungs and airways in a CT: the boundary of the air inside the body.</source>
         <translation>Lunge und Atemwege in einem CT: die Grenze der Luft im Körper.</translation>
     </message>
     <message>
@@ -4673,36 +4673,36 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Simulation</translation>
     </message>
     <message>
-        <source>Stained structures of a microscope&apos;s stack, in green on black.</source>
+        <source>Stained structures in a microscopy stack, green on black.</source>
         <translation>Gefärbte Strukturen eines Mikroskopstapels, grün auf schwarz.</translation>
     </message>
     <message>
-        <source>The outer skin in a CT, with the room&apos;s air left out.</source>
+        <source>Outer skin in a CT, without the air of the room.</source>
         <translation>Die äußere Haut in einem CT, ohne die Luft des Raums.</translation>
     </message>
     <message>
-        <source>The outer skin in a magnetic resonance scan.</source>
-        <translation>Die äußere Haut in einer Magnetresonanzaufnahme.</translation>
+        <source>Outer skin in an MR scan.</source>
+        <translation>Äußere Haut in einer MR-Aufnahme.</translation>
     </message>
     <message>
-        <source>The skeleton in a CT, in ivory under soft light.</source>
+        <source>Skeleton in a CT, in ivory under soft light.</source>
         <translation>Das Skelett in einem CT, elfenbeinfarben in weichem Licht.</translation>
     </message>
     <message>
-        <source>The surface of a mesh or distance field: where the distance is 0, coloured by mean curvature.</source>
-        <translation>Die Fläche eines Netzes oder Abstandsfelds: wo der Abstand 0 ist, gefärbt nach mittlerer Krümmung.</translation>
+        <source>Surface of a mesh or distance field (distance 0), coloured by mean curvature.</source>
+        <translation>Fläche eines Netzes oder Abstandsfelds (Abstand 0), gefärbt nach mittlerer Krümmung.</translation>
     </message>
     <message>
-        <source>The white matter of a T1 scan, of a brain alone or in its head.</source>
-        <translation>Die weiße Substanz einer T1-Aufnahme, eines Gehirns allein oder in seinem Kopf.</translation>
+        <source>White matter in a T1 scan of a brain alone or of a whole head.</source>
+        <translation>Weiße Substanz in einer T1-Aufnahme eines Gehirns allein oder eines ganzen Kopfes.</translation>
     </message>
     <message>
-        <source>Vessels filled with contrast agent in a CT, with the bone that is as dense.</source>
-        <translation>Mit Kontrastmittel gefüllte Gefäße in einem CT, mit dem Knochen, der ebenso dicht ist.</translation>
+        <source>Contrast-filled vessels in a CT, with bone of the same density.</source>
+        <translation>Mit Kontrastmittel gefüllte Gefäße in einem CT, mit Knochen gleicher Dichte.</translation>
     </message>
     <message>
-        <source>Vessels in a time-of-flight angiography.</source>
-        <translation>Gefäße in einer Time-of-Flight-Angiographie.</translation>
+        <source>Vessels in a time-of-flight MR angiogram.</source>
+        <translation>Gefäße in einer Time-of-Flight-MR-Angiographie.</translation>
     </message>
     <message>
         <source>its values are not distances in mm</source>
@@ -4713,8 +4713,8 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>darin findet sich keine weiße Substanz einer T1-Aufnahme</translation>
     </message>
     <message>
-        <source>Bone through skin that is transparent where it faces the viewer and dense where it is seen from the side.</source>
-        <translation>Knochen durch Haut, die zum Betrachter hin durchsichtig und von der Seite gesehen dicht ist.</translation>
+        <source>Bone through skin; the skin is transparent where it faces the viewer and dense edge-on.</source>
+        <translation>Knochen durch Haut; die Haut ist zum Betrachter hin durchsichtig und von der Kante gesehen dicht.</translation>
     </message>
     <message>
         <source>it is a CT</source>
@@ -4744,44 +4744,44 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
 <context>
     <name>reasons</name>
     <message>
-        <source>a sky of one colour has no bright places</source>
-        <translation>ein einfarbiger Himmel hat keine hellen Stellen</translation>
+        <source>a constant environment has no bright areas</source>
+        <translation>eine konstante Umgebung hat keine hellen Stellen</translation>
     </message>
     <message>
-        <source>a sky of one colour looks the same however it is turned</source>
-        <translation>ein einfarbiger Himmel sieht gedreht gleich aus</translation>
+        <source>a constant environment looks the same in every rotation</source>
+        <translation>eine konstante Umgebung sieht gedreht gleich aus</translation>
     </message>
     <message>
-        <source>a sky of one colour may change anyway</source>
-        <translation>ein einfarbiger Himmel darf sich ohnehin ändern</translation>
+        <source>a constant environment can change without a new bake</source>
+        <translation>eine konstante Umgebung kann sich ohne neue Berechnung ändern</translation>
     </message>
     <message>
-        <source>colours do not stand for numbers in this look</source>
-        <translation>Farben stehen in dieser Darstellung nicht für Zahlen</translation>
+        <source>this look shows no quantity in colour</source>
+        <translation>diese Darstellung zeigt keine Größe in Farbe</translation>
     </message>
     <message>
-        <source>contours have no strength</source>
-        <translation>Konturen haben keine Stärke</translation>
+        <source>the strength of contours is 0</source>
+        <translation>die Stärke der Konturen ist 0</translation>
     </message>
     <message>
-        <source>depth is the same from either side</source>
-        <translation>die Tiefe ist von beiden Seiten gleich</translation>
+        <source>depth does not depend on the side</source>
+        <translation>die Tiefe hängt nicht von der Seite ab</translation>
     </message>
     <message>
-        <source>derivatives at a scale are read by single voxels</source>
-        <translation>Ableitungen mit Skala werden Voxel für Voxel gelesen</translation>
+        <source>derivatives at a scale σ &gt; 0 read single voxels</source>
+        <translation>Ableitungen mit einer Skala σ &gt; 0 lesen einzelne Voxel</translation>
     </message>
     <message>
         <source>every isosurface is opaque</source>
         <translation>alle Isoflächen sind deckend</translation>
     </message>
     <message>
-        <source>gi.mode is direct light only</source>
-        <translation>gi.mode ist nur direktes Licht</translation>
+        <source>gi.mode has direct light only</source>
+        <translation>gi.mode hat nur direktes Licht</translation>
     </message>
     <message>
-        <source>gi.mode says what is stored</source>
-        <translation>gi.mode sagt, was gespeichert wird</translation>
+        <source>gi.mode sets what is baked</source>
+        <translation>gi.mode bestimmt, was gespeichert wird</translation>
     </message>
     <message>
         <source>hits are exact</source>
@@ -4792,31 +4792,31 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Treffer sind abgetastet</translation>
     </message>
     <message>
-        <source>hits are those of a spline already</source>
-        <translation>Treffer sind schon die eines Splines</translation>
+        <source>hit.field is already a spline</source>
+        <translation>hit.field ist schon ein Spline</translation>
     </message>
     <message>
-        <source>isosurfaces have the reflectances given</source>
-        <translation>Isoflächen haben die angegebenen Reflexionsgrade</translation>
+        <source>each isosurface has its own colour</source>
+        <translation>jede Isofläche hat ihre eigene Farbe</translation>
     </message>
     <message>
-        <source>light is stored on the surface that hit.field shows</source>
-        <translation>Licht ist auf der Fläche gespeichert, die hit.field zeigt</translation>
+        <source>light is baked on the surface of hit.field</source>
+        <translation>Licht ist auf der Fläche von hit.field gespeichert</translation>
     </message>
     <message>
         <source>no bounces are traced</source>
         <translation>es werden keine Reflexionen verfolgt</translation>
     </message>
     <message>
-        <source>no box cuts anything</source>
-        <translation>kein Quader schneidet etwas weg</translation>
+        <source>no clip box is set</source>
+        <translation>kein Schnittquader ist gesetzt</translation>
     </message>
     <message>
         <source>no flow is drawn: the look is not flow and flow.strength is 0</source>
         <translation>es wird keine Strömung gezeichnet: die Darstellung ist nicht Strömung, und flow.strength ist 0</translation>
     </message>
     <message>
-        <source>no irradiance is stored</source>
+        <source>no irradiance is baked</source>
         <translation>es wird keine Bestrahlungsstärke gespeichert</translation>
     </message>
     <message>
@@ -4824,8 +4824,8 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>es werden keine Isolinien gezeichnet</translation>
     </message>
     <message>
-        <source>pieces are shown wherever they lie</source>
-        <translation>Teile werden gezeigt, wo immer sie liegen</translation>
+        <source>connected components are shown everywhere</source>
+        <translation>Teile werden überall gezeigt</translation>
     </message>
     <message>
         <source>no isosurface is shown</source>
@@ -4836,7 +4836,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>es wird keine Legende gezeichnet</translation>
     </message>
     <message>
-        <source>no light is stored</source>
+        <source>no light is baked</source>
         <translation>es wird kein Licht gespeichert</translation>
     </message>
     <message>
@@ -4844,40 +4844,40 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>kein zweites Volumen ist mit dem ersten verknüpft</translation>
     </message>
     <message>
-        <source>no transfer is stored</source>
+        <source>no transfer is baked</source>
         <translation>es wird kein Transfer gespeichert</translation>
     </message>
     <message>
-        <source>nothing is cut away</source>
-        <translation>nichts ist weggeschnitten</translation>
+        <source>no clip plane or clip box is set</source>
+        <translation>weder Schnittebene noch Schnittquader ist gesetzt</translation>
     </message>
     <message>
-        <source>nothing is shown of the second volume</source>
-        <translation>vom zweiten Volumen wird nichts gezeigt</translation>
+        <source>the second volume is not visible</source>
+        <translation>das zweite Volumen ist nicht zu sehen</translation>
     </message>
     <message>
         <source>only Blinn-Phong shading has a highlight</source>
         <translation>nur Blinn-Phong-Schattierung hat ein Glanzlicht</translation>
     </message>
     <message>
-        <source>only local shading has this light</source>
-        <translation>nur lokale Schattierung hat dieses Licht</translation>
+        <source>only local shading uses this light</source>
+        <translation>nur lokale Schattierung verwendet dieses Licht</translation>
     </message>
     <message>
         <source>paths end before that bounce</source>
         <translation>Pfade enden vor dieser Reflexion</translation>
     </message>
     <message>
-        <source>ridge and valley lines have no strength</source>
-        <translation>Grat- und Tallinien haben keine Stärke</translation>
+        <source>the strength of ridge and valley lines is 0</source>
+        <translation>die Stärke der Grat- und Tallinien ist 0</translation>
     </message>
     <message>
         <source>several isosurfaces are shown</source>
         <translation>mehrere Isoflächen werden gezeigt</translation>
     </message>
     <message>
-        <source>slices have no thickness</source>
-        <translation>Schichten haben keine Dicke</translation>
+        <source>the slab thickness is 0</source>
+        <translation>die Dicke der Schichten ist 0</translation>
     </message>
     <message>
         <source>texels are not chosen by isovalue</source>
@@ -4888,8 +4888,8 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>diese Isofläche wird nicht gezeigt</translation>
     </message>
     <message>
-        <source>that lamp is off</source>
-        <translation>diese Lampe ist aus</translation>
+        <source>that light source is off</source>
+        <translation>diese Lichtquelle ist aus</translation>
     </message>
     <message>
         <source>the albedo comes from a colour map</source>
@@ -4900,43 +4900,43 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>die Belichtung ist gesetzt</translation>
     </message>
     <message>
-        <source>the highlight has no strength</source>
-        <translation>das Glanzlicht hat keine Stärke</translation>
+        <source>the strength of the highlight is 0</source>
+        <translation>die Stärke des Glanzlichts ist 0</translation>
     </message>
     <message>
-        <source>the key light brightens nothing</source>
-        <translation>das Hauptlicht erhellt nichts</translation>
+        <source>the key light has no effect</source>
+        <translation>das Hauptlicht hat keine Wirkung</translation>
     </message>
     <message>
-        <source>the key light stands alone</source>
-        <translation>das Hauptlicht steht allein</translation>
+        <source>the key light is the only light</source>
+        <translation>das Hauptlicht ist das einzige Licht</translation>
     </message>
     <message>
-        <source>nothing keeps light away</source>
-        <translation>nichts hält Licht ab</translation>
+        <source>occlusion is off</source>
+        <translation>Verdeckung ist aus</translation>
     </message>
     <message>
-        <source>the lamp has a position</source>
-        <translation>die Lampe hat eine Position</translation>
+        <source>the light source has a position</source>
+        <translation>die Lichtquelle hat eine Position</translation>
     </message>
     <message>
-        <source>the lamp is distant</source>
-        <translation>die Lampe ist fern</translation>
+        <source>the light source is distant</source>
+        <translation>die Lichtquelle ist fern</translation>
     </message>
     <message>
-        <source>the lamp is no sphere</source>
-        <translation>die Lampe ist keine Kugel</translation>
+        <source>the light source is not a sphere</source>
+        <translation>die Lichtquelle ist keine Kugel</translation>
     </message>
     <message>
-        <source>the lamp is not distant</source>
-        <translation>die Lampe ist nicht fern</translation>
+        <source>the light source is not distant</source>
+        <translation>die Lichtquelle ist nicht fern</translation>
     </message>
     <message>
         <source>the look is not curvature 2D</source>
         <translation>die Darstellung ist nicht κ₁ und κ₂</translation>
     </message>
     <message>
-        <source>the look shows accessibility at full strength</source>
+        <source>the look shows crevice shading at full strength</source>
         <translation>die Darstellung zeigt Zugänglichkeit in voller Stärke</translation>
     </message>
     <message>
@@ -4944,12 +4944,12 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>die Darstellung zeigt Strömung in voller Stärke</translation>
     </message>
     <message>
-        <source>the samples near the isovalue are no denser than the others</source>
-        <translation>die Abtastung nahe dem Isowert ist nicht dichter als sonst</translation>
+        <source>hit.near_factor is 1</source>
+        <translation>hit.near_factor ist 1</translation>
     </message>
     <message>
-        <source>the second volume&apos;s colours have no strength</source>
-        <translation>die Farben des zweiten Volumens haben keine Stärke</translation>
+        <source>the strength of the second volume&apos;s colours is 0</source>
+        <translation>die Stärke der Farben des zweiten Volumens ist 0</translation>
     </message>
     <message>
         <source>the shading is not global illumination</source>
@@ -4964,16 +4964,16 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>die Quelle ist kein Dreiecksnetz</translation>
     </message>
     <message>
-        <source>there are no ghosts</source>
-        <translation>es gibt keine Rauschflächen</translation>
+        <source>no uncertainty surfaces are drawn</source>
+        <translation>es werden keine Rauschflächen gezeichnet</translation>
     </message>
     <message>
-        <source>there is a light probe</source>
-        <translation>es gibt ein Umgebungsbild</translation>
+        <source>an environment map is set</source>
+        <translation>ein Umgebungsbild ist gesetzt</translation>
     </message>
     <message>
-        <source>there is a sky of one colour</source>
-        <translation>es gibt einen einfarbigen Himmel</translation>
+        <source>a constant environment is set</source>
+        <translation>eine konstante Umgebung ist gesetzt</translation>
     </message>
     <message>
         <source>there is no fog</source>
@@ -4988,8 +4988,8 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>es gibt keine Textur</translation>
     </message>
     <message>
-        <source>this look does not show one number in colour</source>
-        <translation>diese Darstellung zeigt keine einzelne Zahl in Farbe</translation>
+        <source>this look does not show a single quantity in colour</source>
+        <translation>diese Darstellung zeigt keine einzelne Größe in Farbe</translation>
     </message>
     <message>
         <source>this look does not show the surface&apos;s own colour</source>
@@ -5008,44 +5008,44 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>diese Darstellung braucht keine Ableitungen</translation>
     </message>
     <message>
-        <source>this look shows a raw quantity, with nothing laid over it</source>
-        <translation>diese Darstellung zeigt eine rohe Größe, über der nichts liegt</translation>
+        <source>this look shows a raw quantity without overlays</source>
+        <translation>diese Darstellung zeigt eine rohe Größe ohne Überlagerungen</translation>
     </message>
     <message>
         <source>this look shows no edges</source>
         <translation>diese Darstellung zeigt keine Kanten</translation>
     </message>
     <message>
-        <source>this shading does not take its brightness from the key light</source>
-        <translation>diese Schattierung nimmt ihre Helligkeit nicht vom Hauptlicht</translation>
+        <source>this shading ignores the brightness of the key light</source>
+        <translation>diese Schattierung beachtet die Helligkeit des Hauptlichts nicht</translation>
     </message>
     <message>
-        <source>trilinear derivatives are read in one way only</source>
-        <translation>trilineare Ableitungen werden nur auf eine Weise gelesen</translation>
+        <source>this setting affects cubic derivatives only</source>
+        <translation>diese Einstellung betrifft nur kubische Ableitungen</translation>
     </message>
     <message>
         <source>trilinear derivatives have no scale</source>
         <translation>trilineare Ableitungen haben keine Skala</translation>
     </message>
     <message>
-        <source>nothing is drawn whose width is stated in pixels</source>
-        <translation>nichts wird gezeichnet, dessen Breite in Pixeln angegeben ist</translation>
+        <source>no lines or streaks sized in pixels are drawn</source>
+        <translation>es werden keine Linien oder Streifen mit Größe in Pixeln gezeichnet</translation>
     </message>
     <message>
-        <source>that surface has no opacity</source>
-        <translation>diese Fläche hat keine Deckkraft</translation>
+        <source>the opacity of that surface is 0</source>
+        <translation>die Deckkraft dieser Fläche ist 0</translation>
     </message>
     <message>
-        <source>the surface has no opacity</source>
-        <translation>die Fläche hat keine Deckkraft</translation>
+        <source>the opacity of the surface is 0</source>
+        <translation>die Deckkraft der Fläche ist 0</translation>
     </message>
     <message>
-        <source>the camera is given</source>
-        <translation>die Kamera ist gegeben</translation>
+        <source>camera.eye is set</source>
+        <translation>camera.eye ist gesetzt</translation>
     </message>
     <message>
-        <source>the isovalue is given</source>
-        <translation>der Isowert ist gegeben</translation>
+        <source>the isovalue is set</source>
+        <translation>der Isowert ist gesetzt</translation>
     </message>
 </context>
 <context>

@@ -225,7 +225,7 @@ TEST(StudyKnobs, KnobsWithoutEffectSayWhy) {
   for (const char* knob : {"samples", "bounces", "interpolation", "sh_order", "precision"})
     EXPECT_THAT(why(knob, probe), HasSubstr("stored")) << knob;
   plain.light.environment.constant = glm::dvec3(0.0);
-  EXPECT_THAT(why("samples", plain), HasSubstr("no light is stored"));
+  EXPECT_THAT(why("samples", plain), HasSubstr("no light is baked"));
 }
 
 KnobStudy madeStudy() {
