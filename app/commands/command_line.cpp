@@ -50,8 +50,8 @@ void declare(Program& program) {
   parser.require_subcommand(0, 1);
   parser.add_option(
       "PATH", program.window.path,
-      "Open the window on this: a volume file, a DICOM folder, phantom:NAME[:SIZE], a session, or a "
-      ".png that carries one; default: the head phantom, or the session's volume");
+      "Open this in the window: a volume file, a DICOM folder, phantom:NAME[:SIZE], a session, or a .png "
+      "that carries one; default: the head phantom, or the session's volume");
   parser
       .add_option("--record", program.window.record,
                   "Record every change in the window to this file, for replay")
@@ -60,7 +60,7 @@ void declare(Program& program) {
   addVolumeOptions(parser, program.window.scene);
   addThreadsOption(parser);
   parser.footer(
-      "A file with the name of a subcommand is opened as ./NAME. `isolux SUBCOMMAND --help` explains each.\n"
+      "Open a file that has the name of a subcommand as ./NAME. `isolux SUBCOMMAND --help` explains each.\n"
       "Exit codes: 0 success, 2 wrong command line, 3 unreadable input, 4 no graphics context, 5 out of "
       "memory,\n"
       "130 interrupted.\n\n"

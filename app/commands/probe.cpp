@@ -178,7 +178,7 @@ Probed probed(const ProbeOptions& options, const scene::Scene& scene,
 
 Command makeProbe(CLI::App& program) {
   CLI::App* const parser = program.add_subcommand(
-      "probe", "Say what a volume holds at points of the world, and where rays hit its isosurface");
+      "probe", "Sample a volume at points of the world, and find where rays hit its isosurface");
   auto options = std::make_shared<ProbeOptions>();
   parser->add_option("PATH", options->path,
                      "A volume file, a DICOM folder, phantom:NAME[:SIZE], or a session");
@@ -188,7 +188,7 @@ Command makeProbe(CLI::App& program) {
       ->add_option("--rays", options->rays,
                    "Rows of x,y,z,dx,dy,dz: origin in world mm and direction; gives the first hit")
       ->type_name("FILE.csv");
-  parser->add_flag("--json", options->json, "Print JSON instead of a table (docs/commands.md)");
+  parser->add_flag("--json", options->json, "Print JSON instead of a table (docs/reference/outputs.md)");
   const auto sceneOptions = addSceneOptions(*parser);
   addThreadsOption(*parser);
   parser->footer("Example:\n  isolux probe head.nii.gz --points points.csv --json");
