@@ -113,7 +113,7 @@ Command makeStudy(CLI::App& program) {
       ->required();
   std::string known;
   for (const Knob& knob : knobs()) known += (known.empty() ? "" : ",") + std::string(knob.name);
-  parser->add_option("--knobs", options->knobs, "Study only these of " + known)->type_name("LIST");
+  parser->add_option("--knobs,--settings", options->knobs, "Study only these of " + known)->type_name("LIST");
   parser->add_option("--size", options->size, "Pixels of the image; default 256x256")->type_name("WxH");
   parser->add_option("--repeat", options->repeat, "Frames measured per value, in turns; default 7")
       ->type_name("N")
@@ -125,11 +125,11 @@ Command makeStudy(CLI::App& program) {
   parser->footer(
       "docs/explanation/accuracy.md explains the figures. Examples:\n"
       "  isolux study phantom:head --out head_study\n"
-      "  isolux study ct.nii.gz --isovalue 300 --knobs rate,method --size 512x512 --out hits\n"
+      "  isolux study ct.nii.gz --isovalue 300 --settings rate,method --size 512x512 --out hits\n"
       "  isolux study ct.nii.gz --preset ct_bone --view anterior --fit surface --out bone\n"
-      "  isolux study picture.png --knobs derivatives_field,fetch --out shapes\n"
-      "  isolux study ct.nii.gz --set light.environment.file=probe.hdr --knobs samples,interpolation --out "
-      "light");
+      "  isolux study picture.png --settings derivatives_field,fetch --out shapes\n"
+      "  isolux study ct.nii.gz --set light.environment.file=probe.hdr --settings samples,interpolation "
+      "--out light");
   return {parser, [options](base::Progress& progress) { runStudy(*options, progress); }};
 }
 

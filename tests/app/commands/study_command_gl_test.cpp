@@ -123,7 +123,7 @@ TEST(StudyCommandGl, WritesEveryKnobWithUnitsMachineAndScene) {
   const std::string text = contentOf(folder / "d" / "study.md");
   EXPECT_THAT(text, HasSubstr("| **exact hits** (default) |"));
   EXPECT_THAT(text, HasSubstr("## derivatives_field (`derivatives.field`)"));
-  EXPECT_THAT(text, HasSubstr("Not studied: the sky has one colour"));
+  EXPECT_THAT(text, HasSubstr("Not studied: the environment is constant"));
   EXPECT_THAT(text, HasSubstr("| `gi.samples` |"));
 }
 

@@ -378,6 +378,7 @@ TEST(StudyCommand, WrongUseIsExit2) {
   };
   EXPECT_THAT(failure({}), HasSubstr("--out"));
   EXPECT_THAT(failure({"--out", "d", "--knobs", "methd"}), HasSubstr("did you mean method?"));
+  EXPECT_THAT(failure({"--out", "d", "--settings", "methd"}), HasSubstr("did you mean method?"));
   EXPECT_THAT(failure({"--out", "d", "--size", "0x4"}), HasSubstr("--size"));
   failure({"--out", "d", "--repeat", "0"});
 }
