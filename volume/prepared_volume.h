@@ -19,7 +19,7 @@
 
 namespace isolux::volume {
 
-// Cells per axis of the blocks that are built; docs/architecture.md has the measurements behind it.
+// Cells per axis of the blocks that are built; docs/records/2026-11-benchmarks.md has the measurements.
 inline constexpr int kBlockCells = 8;
 
 struct PreparedVolume {

@@ -1,5 +1,5 @@
 // Stored light as half of its texels alone would give it: what another sampling of the same light changes, by
-// the noise of paths and by where texels lie, is read off the two halves (docs/numerics.md).
+// the noise of paths and by where texels lie, is read off the two halves (docs/explanation/accuracy.md).
 #pragma once
 
 #include <memory>

@@ -255,7 +255,7 @@ class Volume:
         return Record(json.loads(text))
 
     def study(self, knobs="", isovalue=None, *, size=(256, 256), repeat=7, settings=None, progress=None):
-        """What accuracy costs in time: error against time of each quality setting (docs/accuracy.md).
+        """Measures error against time of each quality setting (docs/explanation/accuracy.md).
 
         `knobs`: names, or "rate,method"; all unless told. Returns the record of `isolux study`'s study.json.
         """

@@ -11,7 +11,7 @@
 // that of the neighbour's place is off, and a Gaussian of it (half a standard error of the difference of two
 // estimates of n paths, each taken for 1 / sqrt(n) of their mean) is a factor, too. So edges of shadow stay.
 // A steering kernel (Takeda, Farsiu & Milanfar 2007). The widths are those with the least error against
-// path-traced pixels (docs/accuracy.md).
+// path-traced pixels (docs/explanation/accuracy.md).
 //
 // A lookup at the place where a texel is lit reads eight texels that are lit elsewhere, and would not give
 // its light back. What it would miss is added to the texel (one step of Van Cittert's iteration, 1931): light

@@ -210,7 +210,7 @@ TEST(StudyKnobs, KnobsWithoutEffectSayWhy) {
   for (const char* knob : {"samples", "sequence", "bounces", "interpolation", "precision"})
     EXPECT_EQ(why(knob, plain), "") << knob;
   for (const char* knob : {"environment_share", "sh_order", "sh_window", "components", "component_bits"})
-    EXPECT_THAT(why(knob, plain), HasSubstr("one colour")) << knob;
+    EXPECT_THAT(why(knob, plain), HasSubstr("constant")) << knob;
   EXPECT_EQ(why("rate", plain), "");
   scene::Scene scaled;
   EXPECT_EQ(why("fetch", scaled), "");

@@ -152,7 +152,7 @@ TEST(TranslationTest, EveryEntryIsFinishedAndFitsItsText) {
   }
 }
 
-// What the update of docs/architecture.md would add or take out.
+// What the update of docs/developers/extending.md would add or take out.
 TEST(TranslationTest, HoldsWhatIsInTheSourcesAndNothingElse) {
   const QString folder = QString::fromStdString((temporaryFolder() / "texts").string());
   ASSERT_TRUE(QDir().mkpath(folder));
