@@ -1,7 +1,7 @@
 // The one exception type for what a user, a file or a machine got wrong.
 //
 // An Error becomes one line on stderr, "isolux: FILE: PLACE: REASON", and the exit code of its kind
-// (docs/reference/outputs.md). Mistakes of our own are asserts, not Errors. Exceptions never cross threads: a
+// (docs/reference/outputs.md). Internal errors are asserts, not Errors. Exceptions never cross threads: a
 // job catches, keeps the Error as a value, and its owner reads it.
 #pragma once
 

@@ -187,7 +187,7 @@ scene::Scene Core::sceneOf(const app::SceneOptions& options) const {
   for (const std::string& assignment : options.assignments)
     if (assignment.starts_with("source."))
       throw Error(ErrorKind::usage, "", std::string(scene::pathOf(assignment)),
-                  "says what to open; a volume that is open cannot change it");
+                  "selects the volume to open; it cannot change in an open volume");
   scene::Scene scene = app::sceneOf(path_, options, *prepared_);
   scene.source = source_;
   return scene;

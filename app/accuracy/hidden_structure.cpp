@@ -59,7 +59,7 @@ HiddenStructure hiddenStructure(render::Renderer& renderer, const scene::Scene& 
       glm::inverse(whole.geometry.worldFromVoxel) * level.grid().geometry().worldFromVoxel;
   const volume::SurfaceCut cut(drawn, whole.geometry);
   volume::parallelSteps(
-      static_cast<std::size_t>(size.y), progress, {0.0, 1.0, "looking for what the level hides"},
+      static_cast<std::size_t>(size.y), progress, {0.0, 1.0, "looking for structure lost in the level"},
       [&](std::size_t y) {
         for (int x = 0; x < size.x; ++x) {
           const std::size_t i = y * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);

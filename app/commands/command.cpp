@@ -174,8 +174,8 @@ int mostThreads() {
 void printThreadsNote(const CLI::App& parser) {
   const CLI::Option* const option = parser.get_option_no_throw("--threads");
   if (option == nullptr || option->count() == 0 || option->as<int>() <= mostThreads()) return;
-  std::cerr << "isolux: note: " << mostThreads()
-            << " threads are used, the most that this machine makes sense of\n";
+  std::cerr << "isolux: note: --threads: " << mostThreads()
+            << " threads are used, the most that is useful on this computer\n";
 }
 
 void addThreadsOption(CLI::App& parser) {
@@ -260,7 +260,7 @@ scene::Scene startingScene(const std::string& path, const SceneOptions& options)
   if (!options.session.empty()) scene = loadSession(options.session);
   if (!path.empty() && isSession(path)) {
     if (!options.session.empty())
-      throw Error(ErrorKind::usage, path, "", "is a session itself; give one, not two");
+      throw Error(ErrorKind::usage, path, "", "is itself a session; give either PATH or --session");
     scene = loadSession(path);
   } else if (!path.empty()) {
     const bool same = fs::absolute(path).lexically_normal() == fs::path(scene.source.path);
@@ -288,8 +288,7 @@ scene::Scene sceneOf(const std::string& path, const SceneOptions& options) {
   scene::Scene scene = startingScene(path, options);
   applyAssignments(scene, options);
   if (!options.camera.view.empty() && assigns(options, "camera.up"))
-    throw Error(ErrorKind::usage, "", "--view",
-                "says what is up, as camera.up does; --roll turns the picture");
+    throw Error(ErrorKind::usage, "", "--view", "conflicts with camera.up; use --roll to turn the image");
   if (!options.preset.empty()) findPreset(options.preset);  // an unknown one is told of before any work
   return scene;
 }

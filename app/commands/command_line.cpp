@@ -217,12 +217,13 @@ int guarded(Body body, const std::function<bool(bool interrupted)>& mayReport) {
                .what();
     exitCode = static_cast<int>(ErrorKind::input);
   } catch (const std::system_error& error) {  // threads, above all
-    line = "the system gives no more threads or memory: " + error.code().message();
+    line = "the system provides no more threads or memory: " + error.code().message();
     exitCode = static_cast<int>(ErrorKind::memory);
   } catch (const std::exception& error) {
     const bool refused = refusesThreads(error);
-    line = refused ? "the system gives no more threads"
-                   : std::string("a mistake in Isolux itself: ") + error.what();
+    line = refused
+               ? "cannot create a thread; raise the process limit (ulimit -u)"
+               : std::string("internal error: ") + error.what() + "; please report it with the command line";
     exitCode = refused ? static_cast<int>(ErrorKind::memory) : 1;
   }
   const bool interrupted = exitCode == static_cast<int>(ErrorKind::interrupted);

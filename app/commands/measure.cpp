@@ -118,7 +118,7 @@ ordered_json curvatureOf(const MeasureOptions& options, scene::Scene scene, cons
     const std::size_t id = *options.piece, count = pieces->list().size();
     if (id >= count)
       throw Error(ErrorKind::usage, "", "--piece",
-                  "there is no piece " + std::to_string(id) + ": the surface has " + std::to_string(count));
+                  "unknown piece " + std::to_string(id) + ": the surface has " + std::to_string(count));
     part.shown.assign(count, false);
     part.shown[id] = true;
     title += ", piece " + std::to_string(id);
@@ -184,7 +184,7 @@ void checkCurvatureFiles(const MeasureOptions& options, const SceneOptions& scen
   mustEnd(options.histograms, "--histograms", ".csv");
   mustEnd(options.plot, "--plot", ".svg");
   if (options.piece && !options.wantsCurvature())
-    throw Error(ErrorKind::usage, "", "--piece", "is of --curvature, which is not asked for");
+    throw Error(ErrorKind::usage, "", "--piece", "requires --curvature; add it or omit --piece");
   if (!options.plot.empty()) requireGnuplot(options.plot);
   OutputGuard guard = outputGuard(options.path, sceneOptions, scene);
   checkOutput(guard, options.histograms, "--histograms");

@@ -166,7 +166,7 @@ Probed probed(const ProbeOptions& options, const scene::Scene& scene,
   }
   if (outside > 0)
     printNote(std::to_string(outside) + " of " + std::to_string(points.size()) +
-              " points lie outside the volume or beside missing voxels, the first in line " +
+              " points are outside the volume or next to missing voxels, the first in line " +
               std::to_string(firstOutside));
   if (missed > 0)
     printNote(std::to_string(missed) + " of " + std::to_string(rays.size()) +

@@ -319,7 +319,7 @@ class RenderRun {
     whole_ = volume::indexedVolume(source, progress_);
     if (!whole_ && asksStructure())
       throw Error(ErrorKind::usage, source.path, marksStructure(options_) ? "--error-overlay" : "--aov",
-                  "what a coarser level hides is known from the volume's index, which `isolux index` makes");
+                  "requires the volume's index; make it with `isolux index`");
   }
 
   std::vector<FloatChannel> otherChannels(const std::optional<HiddenStructure>& structure) const {
@@ -439,10 +439,9 @@ void runRender(const RenderOptions& options, base::Progress& progress) {
   if (options.paths.empty()) requireSource("", *options.scene);
   checkTarget(options.target);
   if (options.target.any() && options.frames->frames)
-    throw Error(
-        ErrorKind::usage, "", "--frames",
-        "with --error or --time every run would choose settings of its own: take those that --explain "
-        "says of one picture");
+    throw Error(ErrorKind::usage, "", "--frames",
+                "conflicts with --error and --time: each run would choose different settings; set those that "
+                "--explain prints for one image");
   const RenderPlan plan = planOf(options);
   std::optional<MadeFolder> made;
   if (!plan.folder.empty()) made.emplace(plan.folder);

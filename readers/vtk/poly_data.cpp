@@ -97,7 +97,7 @@ TriangleMesh decodePolyData(const std::filesystem::path& path, base::Progress& p
   reader->SetFileName(path.c_str());
   reader->Update();
   progress.throwIfStopped();
-  if (!messages.errors().empty()) throwInput(file, "", "VTK refuses it: " + messages.errors().front());
+  if (!messages.errors().empty()) throwInput(file, "", "VTK cannot read it: " + messages.errors().front());
 
   TriangleMesh mesh;
   vtkPolyData* const data = reader->GetOutput();

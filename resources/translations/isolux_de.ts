@@ -5051,27 +5051,27 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
 <context>
     <name>sentences</name>
     <message>
-        <source>There is no surface: an axis of the volume has one voxel only</source>
-        <translation>Es gibt keine Oberfläche: eine Achse des Volumens hat nur ein Voxel</translation>
+        <source>No surface: the volume has only one voxel along an axis</source>
+        <translation>Keine Oberfläche: Das Volumen hat längs einer Achse nur ein Voxel</translation>
     </message>
     <message>
-        <source>There is no surface: every voxel is missing</source>
-        <translation>Es gibt keine Oberfläche: alle Voxel fehlen</translation>
+        <source>No surface: all voxels are missing</source>
+        <translation>Keine Oberfläche: Alle Voxel fehlen</translation>
     </message>
     <message>
-        <source>No surface at %1: the values lie between %2 and %3</source>
-        <translation>Keine Oberfläche bei %1: die Werte liegen zwischen %2 und %3</translation>
+        <source>No surface at %1: the data range is %2 to %3</source>
+        <translation>Keine Oberfläche bei %1: Der Wertebereich ist %2 bis %3</translation>
     </message>
     <message>
         <source>The camera looks away from the volume</source>
         <translation>Die Kamera blickt vom Volumen weg</translation>
     </message>
     <message>
-        <source>The volume lies outside the picture</source>
-        <translation>Das Volumen liegt außerhalb des Bildes</translation>
+        <source>The volume is outside the image</source>
+        <translation>Das Volumen ist außerhalb des Bildes</translation>
     </message>
     <message>
-        <source>No surface is seen from here</source>
+        <source>No surface is visible from here</source>
         <translation>Von hier ist keine Oberfläche zu sehen</translation>
     </message>
     <message>
@@ -5179,20 +5179,20 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Kantenstärke</translation>
     </message>
     <message>
-        <source>the point does not lie on the surface: there is none within three voxels of it</source>
-        <translation>der Punkt liegt nicht auf der Oberfläche: im Umkreis von drei Voxeln ist keine</translation>
+        <source>the point is not on the surface: no surface within three voxels</source>
+        <translation>der Punkt ist nicht auf der Oberfläche: keine Oberfläche im Umkreis von drei Voxeln</translation>
     </message>
     <message>
-        <source>point %1 does not lie on the surface: there is none within three voxels of it</source>
-        <translation>Punkt %1 liegt nicht auf der Oberfläche: im Umkreis von drei Voxeln ist keine</translation>
+        <source>point %1 is not on the surface: no surface within three voxels</source>
+        <translation>Punkt %1 ist nicht auf der Oberfläche: keine Oberfläche im Umkreis von drei Voxeln</translation>
     </message>
     <message>
-        <source>the point lies %1 mm off the surface</source>
-        <translation>der Punkt liegt %1 mm neben der Oberfläche</translation>
+        <source>the point is %1 mm off the surface</source>
+        <translation>der Punkt ist %1 mm von der Oberfläche entfernt</translation>
     </message>
     <message>
-        <source>point %1 lies %2 mm off the surface</source>
-        <translation>Punkt %1 liegt %2 mm neben der Oberfläche</translation>
+        <source>point %1 is %2 mm off the surface</source>
+        <translation>Punkt %1 ist %2 mm von der Oberfläche entfernt</translation>
     </message>
     <message>
         <source>no isosurface of %1 within three voxels of the point</source>
@@ -5203,32 +5203,32 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>keine Isofläche von %1 im Umkreis von drei Voxeln um Punkt %2</translation>
     </message>
     <message>
-        <source>the point lies outside the volume or beside missing voxels</source>
-        <translation>der Punkt liegt außerhalb des Volumens oder neben fehlenden Voxeln</translation>
+        <source>the point is outside the volume or next to missing voxels</source>
+        <translation>der Punkt ist außerhalb des Volumens oder neben fehlenden Voxeln</translation>
     </message>
     <message>
-        <source>no way along the surface leads from point %1 to point %2</source>
-        <translation>entlang der Oberfläche führt kein Weg von Punkt %1 zu Punkt %2</translation>
+        <source>no path along the surface from point %1 to point %2</source>
+        <translation>kein Weg entlang der Oberfläche von Punkt %1 zu Punkt %2</translation>
     </message>
     <message>
-        <source>two of the points lie in one place</source>
-        <translation>zwei der Punkte liegen an einer Stelle</translation>
+        <source>two of the points coincide</source>
+        <translation>zwei der Punkte fallen zusammen</translation>
     </message>
     <message>
-        <source>the points lie on a line</source>
-        <translation>die Punkte liegen auf einer Geraden</translation>
+        <source>the points are on a line</source>
+        <translation>die Punkte sind auf einer Geraden</translation>
     </message>
     <message>
-        <source>the inside does not end within the data behind the point</source>
-        <translation>das Innere endet hinter dem Punkt nicht innerhalb der Daten</translation>
+        <source>the inside behind the point extends beyond the data</source>
+        <translation>das Innere hinter dem Punkt reicht über die Daten hinaus</translation>
     </message>
     <message>
-        <source>the point lies in no piece of isovalue %1</source>
-        <translation>der Punkt liegt in keinem Teil zum Isowert %1</translation>
+        <source>the point is in no connected component at isovalue %1</source>
+        <translation>der Punkt ist in keinem Teil zum Isowert %1</translation>
     </message>
     <message>
-        <source>the piece goes on beyond the data: it is open</source>
-        <translation>das Teil reicht über die Daten hinaus: es ist offen</translation>
+        <source>the component is open: it extends beyond the data</source>
+        <translation>das Teil ist offen: Es reicht über die Daten hinaus</translation>
     </message>
     <message>
         <source>not enough memory</source>
@@ -5239,12 +5239,12 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>angehalten</translation>
     </message>
     <message>
-        <source>no settings keep %1 ms; the quickest take about %2 ms, and a smaller picture less</source>
-        <translation>keine Einstellungen halten %1 ms ein; die schnellsten brauchen etwa %2 ms, ein kleineres Bild weniger</translation>
+        <source>no settings keep %1 ms; the fastest take about %2 ms; choose a smaller image</source>
+        <translation>keine Einstellungen halten %1 ms ein; die schnellsten brauchen etwa %2 ms; ein kleineres Bild wählen</translation>
     </message>
     <message>
-        <source>no settings keep %1; the least that can be promised is %2</source>
-        <translation>keine Einstellungen halten ein: %1; das Kleinste, was sich zusagen lässt, ist %2</translation>
+        <source>no settings keep %1; the smallest guaranteed error is %2</source>
+        <translation>keine Einstellungen halten ein: %1; der kleinste zugesicherte Fehler ist %2</translation>
     </message>
     <message>
         <source>depth at most %1 mm</source>
@@ -5315,23 +5315,23 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>Teile fehlen</translation>
     </message>
     <message>
-        <source>no settings keep %1; the least that can be promised is %2; a larger picture, gi.samples above 1024 or gi.lattice_scale above 2 may keep it</source>
-        <translation>keine Einstellungen halten ein: %1; das Kleinste, was sich zusagen lässt, ist %2; ein größeres Bild, gi.samples über 1024 oder gi.lattice_scale über 2 mag es einhalten</translation>
+        <source>no settings keep %1; the smallest guaranteed error is %2; a larger image, gi.samples above 1024 or gi.lattice_scale above 2 may keep it</source>
+        <translation>keine Einstellungen halten ein: %1; der kleinste zugesicherte Fehler ist %2; ein größeres Bild, gi.samples über 1024 oder gi.lattice_scale über 2 mag es einhalten</translation>
     </message>
     <message>
-        <source>source.kind says so</source>
-        <translation>source.kind gibt es an</translation>
+        <source>source.kind is set</source>
+        <translation>source.kind ist gesetzt</translation>
     </message>
     <message>
         <source>its values are few whole numbers that fill regions</source>
         <translation>die Werte sind wenige ganze Zahlen, die Bereiche füllen</translation>
     </message>
     <message>
-        <source>its file says so</source>
+        <source>its file states it</source>
         <translation>die Datei gibt es an</translation>
     </message>
     <message>
-        <source>it was made of a mesh</source>
+        <source>it was made from a mesh</source>
         <translation>aus einem Netz erzeugt</translation>
     </message>
     <message>
@@ -5343,7 +5343,7 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>die Werte sind in %1</translation>
     </message>
     <message>
-        <source>its values range as those of a CT do</source>
+        <source>its data range is that of a CT</source>
         <translation>der Wertebereich ist der eines CT</translation>
     </message>
     <message>
@@ -5363,8 +5363,8 @@ Speicher, Threads und das Tempo bei Bewegung stehen unter Bearbeiten, Einstellun
         <translation>die Werte sind ohne Rauschen</translation>
     </message>
     <message>
-        <source>nothing says more</source>
-        <translation>nichts sagt Näheres</translation>
+        <source>there is no other evidence</source>
+        <translation>es gibt keine weiteren Hinweise</translation>
     </message>
 </context>
 <context>

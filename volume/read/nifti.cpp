@@ -416,7 +416,7 @@ NiftiFiles openNifti(const fs::path& path) {
   if (pairs) {
     files.dataPath = extension == ".img" ? path : counterpart(files.headerPath, ".img");
     if (files.dataPath.empty())
-      throwInput(headerBytes.name(), "data file", "the .img file beside this header is missing");
+      throwInput(headerBytes.name(), "data file", "the .img file of this header is missing");
   }
   Payload& payload = files.header.payload;
   if (pairs ? isPacked(FileBytes(files.dataPath).head(4)) : compressedHeader) {

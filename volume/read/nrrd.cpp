@@ -272,7 +272,8 @@ void Header::readSpace() {
     } else if (name == "scanner-xyz" || name == "3d-right-handed" || name == "3d-left-handed") {
       patientSpace_ = false;
       if (name == "3d-left-handed") toLps_ = {-1.0, 1.0, 1.0};  // or it would be shown mirrored
-      warnings_.push_back("the space \"" + name + "\" does not say where the patient lies; taken as LPS");
+      warnings_.push_back("the space \"" + name +
+                          "\" does not state the patient's orientation; taken as LPS");
     } else {
       throwInput(file_, space->place(), "the space " + inQuotes(space->value) + " is not known");
     }
@@ -352,8 +353,7 @@ void Header::assignAxes(ImageHeader& header) {
                    " axes are spatial; 2 or 3 are needed");
   const std::size_t first = spatial_.front(), last = spatial_.back();
   if (last - first + 1 != spatial_.size())
-    throwInput(file_, sizes.place(),
-               "an axis that is not spatial stands between spatial ones; not supported");
+    throwInput(file_, sizes.place(), "a non-spatial axis between spatial ones; not supported");
   for (std::size_t i = 0; i < spatial_.size(); ++i) header.dims[i] = axes_[spatial_[i]].size;
   if (first > 1 || axes_.size() - last > 3)
     throwInput(file_, sizes.place(), "more axes that are not spatial than are supported");

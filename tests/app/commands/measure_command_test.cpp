@@ -89,7 +89,7 @@ TEST(MeasureCommand, TheCurvatureOfAPieceIsToldTabledAndPlotted) {
 }
 
 TEST(MeasureCommand, AsksForWhatIsThereOfCurvature) {
-  expectRefused(2, {"measure", "phantom:ball:16", "--curvature", "--piece", "1"}, "there is no piece 1");
+  expectRefused(2, {"measure", "phantom:ball:16", "--curvature", "--piece", "1"}, "unknown piece 1");
   expectRefused(2, {"measure", "phantom:ball:16", "--piece", "0"}, "--curvature");
   expectRefused(2, {"measure", "phantom:ball:16", "--histograms", "a.txt"}, ".csv");
   expectRefused(2, {"measure", "phantom:ball:16", "--plot", "a.png"}, ".svg");
@@ -137,7 +137,7 @@ TEST(MeasureCommand, OpenSurfacesAreMarkedOrRefused) {
 }
 
 TEST(MeasureCommand, WhatCannotBeMeasuredIsOneLine) {
-  expectRefused(3, {"measure", "phantom:ball:16", "--isovalue", "1000"}, "there is no surface");
+  expectRefused(3, {"measure", "phantom:ball:16", "--isovalue", "1000"}, "no surface; the data range is");
   expectRefused(3, {"measure", "phantom:ball:16", "--thickness", "100,0,0"}, "no isosurface");
   expectRefused(2, {"measure", "phantom:ball:16", "--thickness", "1,2"}, "is no position");
   expectRefused(2, {"measure", "phantom:ball:16", "--distance", "1,2,3"}, "2 positions");

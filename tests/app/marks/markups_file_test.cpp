@@ -161,7 +161,7 @@ TEST(MarkupsFile, WrongFilesAreRefusedWithThePlace) {
       HasSubstr("neither mm nor um"));
   EXPECT_THAT(
       refusal(R"({"markups": [{"type": "Fiducial", "controlPoints": [{"position": [1e30, 0, 0]}]}]})"),
-      HasSubstr("is not allowed"));
+      HasSubstr("invalid value"));
 }
 
 // Names that are free were looked for before the marks were counted: minutes for 10 000.
@@ -178,12 +178,12 @@ TEST(MarkReports, ATableHasARowForEachQuantity) {
   std::vector<app::MarkReport> reports(2);
   reports[0].quantities = {{"straight", 3.5, 0.25, "mm"}, {"straight_1_2", 3.5, {}, "mm"}};
   reports[0].notes = {"far, off"};
-  reports[1].problem = "the points lie on a line";
+  reports[1].problem = "the points are on a line";
   EXPECT_EQ(app::marksCsv(marks, reports),
             "mark,kind,points_mm,quantity,value,error,unit,notes\n"
             "\"a, \"\"b\"\"\",distance,\"0 0 0; 1 2 3\",straight,3.5,0.25,mm,\"far, off\"\n"
             "\"a, \"\"b\"\"\",distance,\"0 0 0; 1 2 3\",straight_1_2,3.5,,mm,\"far, off\"\n"
-            "c,circle,0 0 0,,,,,the points lie on a line\n");
+            "c,circle,0 0 0,,,,,the points are on a line\n");
 }
 
 TEST(MarkReports, ATableRunsNothingInASpreadsheetAndMovesNoCursor) {

@@ -79,7 +79,7 @@ TEST(DicomFiles, OldFilesBeginWithTheirFirstElement) {
   // Numbers are no elements.
   const std::string raw = test::bytesOf(test::ramp<std::int16_t>(2000, 8));
   test::writeFile(folder / "raw.bin", raw);
-  expectError(folder / "raw.bin", "no volume format is recognised");
+  expectError(folder / "raw.bin", "unknown volume format");
 }
 
 TEST(DicomFiles, TheIndexOfADiscOpensItsFolder) {

@@ -305,7 +305,7 @@ TEST(Nifti, BigEndianGzipAndPairs) {
   file.magic = "ni1";
   file.voxOffset = 0;
   writeFile(folder / "p.hdr", file.header());
-  expectError(folder / "p.hdr", ".img file beside this header is missing");
+  expectError(folder / "p.hdr", ".img file of this header is missing");
   writeFile(folder / "p.img", file.voxels);
   EXPECT_EQ(valuesOf(readFile(folder / "p.hdr")), zeroToSeven);
   EXPECT_EQ(valuesOf(readFile(folder / "p.img")), zeroToSeven);

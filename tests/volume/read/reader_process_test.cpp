@@ -91,7 +91,7 @@ TEST(ReaderProcess, ItsErrorsArePassedOn) {
 TEST(ReaderProcess, AnswersThatMakeNoSenseAreRefused) {
   expectRefusal(readByFake("another version"), "not of this version");
   expectRefusal(readByFake("unknown message"), "out of range");
-  expectRefusal(readByFake("mesh instead"), "none to what was asked");
+  expectRefusal(readByFake("mesh instead"), "does not answer the request");
   expectRefusal(readByFake("endless message"), "out of range");
   expectRefusal(readByFake("truncated body"), "ends too early");
   expectRefusal(readByFake("body too long"), "behind its end");

@@ -146,7 +146,7 @@ nlohmann::json parseJson(const std::string& text, const std::string& file,
     if (!json.is_object()) base::throwInput(file, "", "is no JSON object");
     if (warnings)
       for (const std::string& key : watch.twice())
-        warnings->push_back("the key " + inQuotes(key) + " stands twice in " +
+        warnings->push_back("the key " + inQuotes(key) + " occurs twice in " +
                             std::filesystem::path(file).filename().string() + "; the last one counts");
     return json;
   } catch (const nlohmann::json::parse_error& error) {

@@ -149,7 +149,7 @@ ZarrArray::Place ZarrArray::placeInShard(const Bytes& shard, const std::string& 
   constexpr std::uint64_t none = ~std::uint64_t{0};
   if (place.offset == none && place.size == none) return place;
   if (place.offset > shard.size() || place.size > shard.size() - place.offset)
-    throwInput(shard.name(), placeText(index), "damaged: it lies behind the end of the shard");
+    throwInput(shard.name(), placeText(index), "damaged: beyond the end of the shard");
   return place;
 }
 

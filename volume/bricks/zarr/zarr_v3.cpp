@@ -160,7 +160,7 @@ void readCodecs(const JsonField& field, ZarrMetadata& metadata) {
       return readSharding(codec, metadata);
     }
     if (codec.name == "transpose" || codec.name == "bytes") {
-      if (asBytes) entry.refuse("the codec " + codec.name + " stands behind bytes");
+      if (asBytes) entry.refuse("the codec " + codec.name + " follows bytes");
       if (codec.name == "transpose") {
         transpose(codec, format.order);
         continue;

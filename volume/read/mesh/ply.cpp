@@ -98,7 +98,7 @@ PlyHeader parseHeader(std::string_view data, const std::string& file) {
       header.elements.push_back(std::move(element));
     } else if (word == "property") {
       if (header.elements.empty())
-        throwInput(file, linePlace(lines.number()), "a property stands before the first element");
+        throwInput(file, linePlace(lines.number()), "a property before the first element");
       header.elements.back().properties.push_back(propertyOf(*line, file, lines.number()));
     } else if (word == "end_header") {
       if (!hasFormat) throwInput(file, "format", "is missing");

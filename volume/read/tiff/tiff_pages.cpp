@@ -168,7 +168,7 @@ class Walk {
     for (std::size_t i = 0; i < at.size(); ++i) {
       if (at[i] > bytes_.size() || sizes[i] > bytes_.size() - at[i])
         throwInput(bytes_.name(), place,
-                   "truncated: strip " + std::to_string(i + 1) + " lies behind the end of the file");
+                   "truncated: strip " + std::to_string(i + 1) + " is beyond the end of the file");
       if (i > 0 && at[i] != at[i - 1] + sizes[i - 1]) page.contiguous = false;
     }
   }

@@ -24,7 +24,7 @@ std::optional<Tag> Tags::next() {
       at_ = end + 3;
       continue;
     }
-    if (text_.substr(begin).starts_with("<!")) fail(begin, "document types and entities are refused");
+    if (text_.substr(begin).starts_with("<!")) fail(begin, "document types and entities are not supported");
     const std::size_t end = endOfTag(begin);
     at_ = end;
     if (text_[begin + 1] == '?') continue;
