@@ -237,7 +237,7 @@ PhantomRequest parsePhantom(std::string_view text) {
     const bool whole = error == std::errc() && end == digits.data() + digits.size();
     if (!whole || request.size < kMinimumSize || request.size > kMaximumSize)
       throw base::Error(base::ErrorKind::usage, "", "phantom size",
-                        "\"" + std::string(digits) + "\" is no whole number from " +
+                        "\"" + std::string(digits) + "\" is not a whole number from " +
                             std::to_string(kMinimumSize) + " to " + std::to_string(kMaximumSize));
   }
   return request;

@@ -139,9 +139,9 @@ TEST(MarkupsFile, WhatIsNoMarkIsNoted) {
 }
 
 TEST(MarkupsFile, WrongFilesAreRefusedWithThePlace) {
-  EXPECT_THAT(refusal("not json"), HasSubstr("no JSON"));
+  EXPECT_THAT(refusal("not json"), HasSubstr("is not JSON"));
   EXPECT_THAT(refusal(R"({"markups": [{"type": "Line", "controlPoints": [{"position": [1e999, 0, 0]}]}]})"),
-              HasSubstr("no JSON"));
+              HasSubstr("is not JSON"));
   EXPECT_THAT(refusal("{}"), HasSubstr("no list \"markups\""));
   EXPECT_THAT(refusal("[1]"), HasSubstr("no list \"markups\""));
   EXPECT_THAT(refusal(R"({"markups": [1]})"), HasSubstr("markups[0]"));
@@ -150,7 +150,7 @@ TEST(MarkupsFile, WrongFilesAreRefusedWithThePlace) {
   EXPECT_THAT(refusal(R"({"markups": [{"type": "Line", "controlPoints": [{"position": [1, 2]}]}]})"),
               HasSubstr("markups[0].controlPoints[0].position"));
   EXPECT_THAT(refusal(R"({"markups": [{"type": "Line", "controlPoints": [{"position": [1, 2, "3"]}]}]})"),
-              HasSubstr("is no [x, y, z]"));
+              HasSubstr("is not [x, y, z]"));
   EXPECT_THAT(refusal(R"({"markups": [{"type": "Line", "controlPoints": [{"position": [1, 2, 3]}]}]})"),
               HasSubstr("two points or more"));
   EXPECT_THAT(

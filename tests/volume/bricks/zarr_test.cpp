@@ -283,7 +283,7 @@ TEST(Zarr, BareWordsOfPythonAreRead) {
   EXPECT_THAT(volume.warnings, testing::Contains(HasSubstr("valid range")));
   Files files = labelled("");
   files["v/.zattrs"] = R"({"a": NaN, "b": nil})";
-  EXPECT_THAT(refusal(files), HasSubstr("v/.zattrs: byte 18: is no JSON"));
+  EXPECT_THAT(refusal(files), HasSubstr("v/.zattrs: byte 18: is not JSON"));
 }
 
 TEST(Zarr, AKeyThatStandsTwiceIsSaid) {

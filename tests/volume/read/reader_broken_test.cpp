@@ -74,7 +74,7 @@ TEST_F(BrokenFiles, MetaImage) {
        {"data file is missing", with("2 2 2", "ElementDataFile = nothing.raw\n"), "no such file"},
        {"path escapes", with("2 2 2", "ElementDataFile = ../../etc/passwd\n"), "path leaves"},
        {"absolute path", with("2 2 2", "ElementDataFile = /etc/passwd\n"), "path leaves"},
-       {"data file is a folder", with("2 2 2", "ElementDataFile = .\n"), "is no file"},
+       {"data file is a folder", with("2 2 2", "ElementDataFile = .\n"), "is not a file"},
        {"compressed rubbish", with("2 2 2", "CompressedData = True\n", "no zlib stream"), "damaged"},
        {"compressed and too short", with("2 2 2", "CompressedData = True\n", test::zlibbed("abc")),
         "truncated"},

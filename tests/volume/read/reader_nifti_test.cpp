@@ -184,7 +184,7 @@ TEST(Nifti, KindsOfNumbers) {
   file.intent = 1002;
   EXPECT_TRUE(test::warns(read(file), "labels"));
   const auto path = test::temporaryFolder() / "surface.nii";
-  for (const auto& [intent, reason] : {std::pair(3006, "CIFTI"), std::pair(1008, "no voxels")}) {
+  for (const auto& [intent, reason] : {std::pair(3006, "CIFTI"), std::pair(1008, "not voxels")}) {
     file.intent = intent;
     writeFile(path, file.bytes());
     expectError(path, reason);

@@ -111,7 +111,7 @@ TEST(ReaderProcess, MeshesAndImagesAreCheckedToo) {
   base::Progress progress;
   expectRefusal(
       outcomeOf([&](Outcome&) { volume::readMeshBy(fakeReader(), "wrong triangle", 1 << 20, progress); }),
-      "no point of the mesh");
+      "is not a point of the mesh");
   expectRefusal(outcomeOf([&](Outcome&) { volume::readImageBy(fakeReader(), "endless image", progress); }),
                 "larger than one may be");
 }

@@ -87,7 +87,7 @@ OpenBeside openBeside(const fs::path& header) {
       throwInput(header.string(), place, "path leaves the folder of the header: \"..\" is not allowed");
     const fs::path file = header.parent_path() / relative;
     if (!fs::exists(file, ignored)) throwInput(header.string(), place, "no such file");
-    if (!fs::is_regular_file(file, ignored)) throwInput(header.string(), place, "is no file");
+    if (!fs::is_regular_file(file, ignored)) throwInput(header.string(), place, "is not a file");
     return std::make_unique<FileBytes>(file);
   };
 }

@@ -22,10 +22,10 @@ class Walk {
  public:
   Walk(const Bytes& bytes, const base::Progress& progress) : bytes_(bytes), progress_(progress) {
     const std::string head = bytes.head(16);
-    if (!looksLikeTiff(head)) throwInput(bytes.name(), "byte 0", "is no TIFF header");
+    if (!looksLikeTiff(head)) throwInput(bytes.name(), "byte 0", "is not a TIFF header");
     file_.bigEndian = head[0] == 'M';
     wide_ = number(2, 2) == 43;
-    if (wide_ && number(4, 2) != 8) throwInput(bytes.name(), "byte 4", "is no BigTIFF header");
+    if (wide_ && number(4, 2) != 8) throwInput(bytes.name(), "byte 4", "is not a BigTIFF header");
   }
 
   TiffFile pages() {

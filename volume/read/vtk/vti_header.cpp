@@ -256,7 +256,7 @@ VtiHeader Check::run() {
     const auto n = integerOf(*components);
     if (!n || *n < 1)
       throwInput(file_, "DataArray NumberOfComponents",
-                 inQuotes(*components) + " is no number of components");
+                 inQuotes(*components) + " is not a number of components");
     header_.image.components = *n;
   }
 
@@ -290,7 +290,8 @@ void Check::checkSize(const Array& array) {
     if (!layout_.hasAppended) throwInput(file_, "AppendedData", "truncated: is missing");
     const auto text = array.tag.find("offset");
     const auto offset = text ? integerOf(*text) : std::nullopt;
-    if (!offset || *offset < 0) throwInput(file_, "DataArray offset", "is no position in the appended data");
+    if (!offset || *offset < 0)
+      throwInput(file_, "DataArray offset", "is not a position in the appended data");
     const std::uint64_t begin = layout_.appendedAt + static_cast<std::uint64_t>(*offset);
     if (begin >= bytes_.size())
       throwInput(file_, "DataArray offset",

@@ -78,7 +78,7 @@ void checkArrayClaims(const Tag& tag, const Bytes& bytes) {
     if (!text) return;
     const auto count = integerOf(*text);
     if (!count || *count < static_cast<std::int64_t>(least))
-      base::throwInput(bytes.name(), place + key, inQuotes(*text) + " is no number of things");
+      base::throwInput(bytes.name(), place + key, inQuotes(*text) + " is not a count");
     if (static_cast<std::uint64_t>(*count) > most)
       base::throwInput(bytes.name(), place + key,
                        "truncated: the file is too short for " + std::string(*text));
