@@ -229,7 +229,7 @@ void addNotes(const scene::Scene& scene, const render::FrameReport& report, cons
               std::vector<std::string>& notes) {
   static_cast<void>(scene);
   notes = light.warnings;
-  if (report.empty) notes.push_back("the picture is empty: " + report.empty->reason);
+  if (report.empty) notes.push_back("the image is empty: " + report.empty->reason);
   for (const std::string& error : report.glErrors)
     notes.push_back("the graphics driver reports an error: " + error);
   if (report.bricks.missing > 0.0)

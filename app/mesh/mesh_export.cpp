@@ -89,11 +89,10 @@ std::string meshText(const volume::SurfaceMesh& made) {
 std::string meshWarning(const volume::SurfaceMesh& made) {
   std::string text;
   if (made.beyond > 0)
-    text = base::shortText(made.toleranceMm, 3) + " mm was not reached at " + std::to_string(made.beyond) +
-           (made.beyond == 1 ? " place" : " places") + ", the farthest " +
-           base::shortText(made.largestDistanceMm, 3) + " mm from the surface at " +
-           base::shortText(made.farthest.x, 5) + "," + base::shortText(made.farthest.y, 5) + "," +
-           base::shortText(made.farthest.z, 5);
+    text = "tolerance " + base::shortText(made.toleranceMm, 3) + " mm not reached at " +
+           std::to_string(made.beyond) + (made.beyond == 1 ? " place" : " places") + ": maximum deviation " +
+           base::shortText(made.largestDistanceMm, 3) + " mm at " + base::shortText(made.farthest.x, 5) +
+           "," + base::shortText(made.farthest.y, 5) + "," + base::shortText(made.farthest.z, 5);
   if (made.astray > 0)
     text += (text.empty() ? "" : "; ") + std::to_string(made.astray) +
             " points are off the surface: the spline is thinner there than its samples";

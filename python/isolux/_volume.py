@@ -185,7 +185,7 @@ class Volume:
         wish.light = value_text(light or "")
         wish.light_around, wish.accuracy, wish.explain = bool(light_around), bool(accuracy), bool(explain)
         if context not in ("auto", "software", "egl", "osmesa"):
-            raise ValueError(f'context: {context!r} is none of "auto", "software", "egl" and "osmesa"')
+            raise ValueError(f'context: unknown value {context!r}; choose "auto", "software", "egl" or "osmesa"')
         wish.context = context
         with told(progress) as tell:
             drawn = self._own().render(wish, tell)

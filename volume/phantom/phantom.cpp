@@ -198,7 +198,8 @@ const PhantomInfo& phantomNamed(const std::string& name) {
     if (info.name == name) return info;
   std::string known;
   for (const PhantomInfo& info : kPhantoms) known += (known.empty() ? "" : ", ") + std::string(info.name);
-  throw base::Error(base::ErrorKind::usage, "", "phantom", "\"" + name + "\" is none of " + known);
+  throw base::Error(base::ErrorKind::usage, "", "phantom",
+                    "unknown name \"" + name + "\"; choose one of " + known);
 }
 
 Grid makePhantom(const PhantomRequest& request, base::Progress& progress) {

@@ -41,7 +41,7 @@ void separateTimeSteps(const SlicePlanes& planes, const std::vector<double>& alo
   TimeSteps steps = separateRepeats(groups, planes.tags);
   if (steps.count > 1 && groups.size() == 1 && !steps.stated)
     throwInput(file, "slice positions",
-               "all " + std::to_string(steps.count) + " slices lie at the same place");
+               "all " + std::to_string(steps.count) + " slices have the same position");
   stack.order = std::move(steps.order);
   stack.timeSteps = steps.count;
   stack.warnings = std::move(steps.warnings);
