@@ -1,8 +1,8 @@
 // Defines the exception type for errors of the user, of an input file or of the host.
 //
 // An Error becomes one line on stderr, "isolux: FILE: PLACE: REASON", and the exit code of its kind
-// (docs/commands.md). Internal errors are asserts, not Errors. Exceptions never cross threads: a job catches
-// the Error and stores it as a value, and the job's owner reads it.
+// (docs/reference/outputs.md). Internal errors are asserts, not Errors. Exceptions never cross threads: a job
+// catches the Error and stores it as a value, and the job's owner reads it.
 #pragma once
 
 #include <stdexcept>

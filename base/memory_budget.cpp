@@ -145,19 +145,19 @@ void MemoryBudget::check(std::size_t bytes, std::string_view what, std::string_v
 Error MemoryBudget::refusal(std::size_t bytes, std::string_view what, std::string_view remedy) const {
   if (bytes > left())
     return {ErrorKind::memory, "", "", overBudgetText(bytes, held(), limit(), what, remedy)};
-  std::string text = std::string(what) + " would take " + memoryText(bytes) + ", more than the " +
-                     memoryText(systemLeft_ ? systemLeft_() : 0) + " that the system has left";
+  std::string text = "out of memory for " + std::string(what) + ": " + memoryText(bytes) + " needed, " +
+                     memoryText(systemLeft_ ? systemLeft_() : 0) + " left in the system";
   if (!remedy.empty()) text += "; " + std::string(remedy);
   return {ErrorKind::memory, "", "", text};
 }
 
 std::string overBudgetText(std::size_t bytes, std::size_t held, std::size_t limit, std::string_view what,
                            std::string_view remedy) {
-  std::string text = std::string(what) + " would take " + memoryText(bytes);
-  if (held > 0) text += " beside the " + memoryText(held) + " that are held";
-  text += ", more than the memory budget of " + memoryText(limit) + "; ";
-  if (!remedy.empty()) text += std::string(remedy) + ", ";
-  return text + "--memory-budget changes the budget";
+  std::string text = "out of memory for " + std::string(what) + ": " + memoryText(bytes) + " needed";
+  if (held > 0) text += ", " + memoryText(held) + " in use";
+  text += ", memory budget of " + memoryText(limit) + "; ";
+  if (!remedy.empty()) text += std::string(remedy) + ", or ";
+  return text + "raise --memory-budget";
 }
 
 MemoryBudget& machineMemory() {

@@ -1,5 +1,6 @@
-// The tables of Hadwiger et al. 2005 beside ours, as Markdown for docs/papers.md: the paper's way (sampled
-// hits, four refinements, cubic derivatives by filtered lookups, shaders) and the defaults of this program.
+// The tables of Hadwiger et al. 2005 beside ours, as Markdown for docs/records/2026-11-paper-tables.md: the
+// paper's way (sampled hits, four refinements, cubic derivatives by filtered lookups, shaders) and the
+// defaults of this program.
 #include <algorithm>
 #include <cstdio>
 #include <optional>

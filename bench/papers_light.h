@@ -1,4 +1,4 @@
-// The tables of Wyman et al. 2006 beside ours, as Markdown for docs/papers.md.
+// The tables of Wyman et al. 2006 beside ours, as Markdown for docs/records/2026-11-paper-tables.md.
 #pragma once
 
 #include <filesystem>

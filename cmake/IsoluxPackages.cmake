@@ -1,4 +1,4 @@
-# Every third-party library, found once, and only where it is needed. docs/dependencies.md says why each is here.
+# Every third-party library, found once, and only where it is needed. docs/developers/dependencies.md says why each is here.
 
 # --- the program and its readers
 find_package(Threads REQUIRED)

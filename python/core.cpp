@@ -187,7 +187,7 @@ scene::Scene Core::sceneOf(const app::SceneOptions& options) const {
   for (const std::string& assignment : options.assignments)
     if (assignment.starts_with("source."))
       throw Error(ErrorKind::usage, "", std::string(scene::pathOf(assignment)),
-                  "says what to open; a volume that is open cannot change it");
+                  "selects the volume to open; it cannot change in an open volume");
   scene::Scene scene = app::sceneOf(path_, options, *prepared_);
   scene.source = source_;
   return scene;
@@ -229,7 +229,7 @@ void addNotes(const scene::Scene& scene, const render::FrameReport& report, cons
               std::vector<std::string>& notes) {
   static_cast<void>(scene);
   notes = light.warnings;
-  if (report.empty) notes.push_back("the picture is empty: " + report.empty->reason);
+  if (report.empty) notes.push_back("the image is empty: " + report.empty->reason);
   for (const std::string& error : report.glErrors)
     notes.push_back("the graphics driver reports an error: " + error);
   if (report.bricks.missing > 0.0)

@@ -63,7 +63,7 @@ void translate(std::exception_ptr thrown) {
     ::PyErr_SetString(PyExc_OSError, error.what());
   } catch (const std::system_error& error) {
     ::PyErr_SetString(PyExc_MemoryError,
-                      ("the system gives no more threads or memory: " + error.code().message()).c_str());
+                      ("the system provides no more threads or memory: " + error.code().message()).c_str());
   }
 }
 
@@ -161,8 +161,7 @@ void save(const Picture& picture, const std::string& name) {
   app::checkOutput(guard, name, "save");
   const std::string session = sessionOf(picture, file.parent_path());
   if (file.extension() == ".png") {
-    if (picture.color.rgba.empty())
-      throw Error(ErrorKind::usage, name, "", "there is no picture: image=False");
+    if (picture.color.rgba.empty()) throw Error(ErrorKind::usage, name, "", "no image: image=False");
     app::writePng(picture.color, file, session);
   } else if (file.extension() != ".exr") {
     throw Error(ErrorKind::usage, name, "", "the name of a picture must end in .png or .exr");

@@ -39,12 +39,11 @@ Shown shownOf(const scene::Scene& scene) {
 EmptyPicture noSurface(const std::vector<double>& values, const volume::Grid& grid) {
   const glm::ivec3 dims = grid.dims();
   if (std::min({dims.x, dims.y, dims.z}) < 2)
-    return {"There is no surface: an axis of the volume has one voxel only", Remedy::none};
-  if (!(grid.minimum() <= grid.maximum()))
-    return {"There is no surface: every voxel is missing", Remedy::none};
+    return {"No surface: the volume has only one voxel along an axis", Remedy::none};
+  if (!(grid.minimum() <= grid.maximum())) return {"No surface: all voxels are missing", Remedy::none};
   std::string list;
   for (const double value : values) list += (list.empty() ? "" : ", ") + base::shortText(value);
-  return {"No surface at " + list + ": the values lie between " + base::shortText(grid.minimum()) + " and " +
+  return {"No surface at " + list + ": the data range is " + base::shortText(grid.minimum()) + " to " +
               base::shortText(grid.maximum()),
           Remedy::isovalue};
 }
@@ -52,9 +51,8 @@ EmptyPicture noSurface(const std::vector<double>& values, const volume::Grid& gr
 // Of a volume that is in view.
 std::optional<EmptyPicture> whatHides(const scene::Scene& scene) {
   if (!(scene.pieces == scene::Pieces{}))
-    return EmptyPicture{"Every piece of the surface that could be seen here is hidden", Remedy::pieces};
-  if (scene::cutsSurfaces(scene))
-    return EmptyPicture{"The cuts leave nothing of the surface to be seen", Remedy::cuts};
+    return EmptyPicture{"All connected components that would be visible here are hidden", Remedy::pieces};
+  if (scene::cutsSurfaces(scene)) return EmptyPicture{"The cuts remove all of the surface", Remedy::cuts};
   return std::nullopt;
 }
 
@@ -79,8 +77,8 @@ EmptyPicture notInView(const scene::Scene& scene, const volume::GridGeometry& ge
   }
   if (behind == 8) return {"The camera looks away from the volume", Remedy::view};
   if (behind == 0 && *std::max_element(beyond.begin(), beyond.end()) == 8)
-    return {"The volume lies outside the picture", Remedy::view};
-  return whatHides(scene).value_or(EmptyPicture{"No surface is seen from here", Remedy::view});
+    return {"The volume is outside the image", Remedy::view};
+  return whatHides(scene).value_or(EmptyPicture{"No surface is visible from here", Remedy::view});
 }
 
 }  // namespace

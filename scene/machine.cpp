@@ -13,28 +13,27 @@ namespace {
 std::vector<MachineSetting> makeMachineSettings() {
   std::vector<MachineSetting> list;
   list.push_back(entry<Machine>("memory.gpu_budget_mb", ISOLUX_MEMBER(memory.gpuBudgetMb), {16, 1048576},
-                                "MiB", "Graphics memory that the voxels may use."));
-  list.push_back(choiceEntry<Machine>(
-      "memory.layout", ISOLUX_MEMBER(memory.layout),
-      "The volume as one texture, or as bricks of which only those needed are resident; auto takes one "
-      "texture where it fits."));
+                                "MiB", "Graphics memory that voxels may use."));
+  list.push_back(
+      choiceEntry<Machine>("memory.layout", ISOLUX_MEMBER(memory.layout),
+                           "Layout of the volume on the graphics card: one texture, or bricks of which only "
+                           "those needed are resident; auto takes one texture if it fits."));
   list.push_back(choiceEntry<Machine>(
       "memory.voxels", ISOLUX_MEMBER(voxels),
-      "Where a volume's voxels are while it is drawn: all in memory, or in the file, of which parts are read "
-      "when they are needed; auto leaves them in the file where they do not fit into memory."));
+      "Location of the voxels while drawing: memory, or the file, of which parts are read when needed (out "
+      "of core). auto takes the file if the volume does not fit in memory."));
   list.push_back(entry<Machine>("memory.ram_budget_mb", ISOLUX_MEMBER(ramBudgetMb), {16, 1048576}, "MiB",
-                                "Memory for parts of a volume that stays in its file."));
+                                "Memory for bricks of an out-of-core volume."));
   list.push_back(entry<Machine>("gi.threads", ISOLUX_MEMBER(threads), {1, 1024}, "",
-                                "Threads that compute light; auto is one per core."));
-  list.push_back(entry<Machine>(
-      "picture.adaptive", ISOLUX_MEMBER(adaptive), noRange, "",
-      "Pictures in motion shrink until they are quick enough; the full picture follows at rest."));
+                                "CPU threads that compute light; auto is one per core."));
+  list.push_back(entry<Machine>("picture.adaptive", ISOLUX_MEMBER(adaptive), noRange, "",
+                                "Draws interactive frames at a lower resolution until they are fast enough; "
+                                "the full image follows at rest."));
   list.push_back(entry<Machine>("picture.motion_target", ISOLUX_MEMBER(motionTarget), {5, 2000}, "ms",
-                                "How long a picture in motion may take."));
-  list.push_back(choiceEntry<Machine>(
-      "picture.executor", ISOLUX_MEMBER(executor),
-      "What computes hits and derivatives of pictures: the graphics card, or the processor (exact hits "
-      "only); auto takes the processor where OpenGL is software."));
+                                "Time limit of an interactive frame."));
+  list.push_back(choiceEntry<Machine>("picture.executor", ISOLUX_MEMBER(executor),
+                                      "Device that computes hits and derivatives: the graphics card, or the "
+                                      "CPU (exact hits only); auto takes the CPU if OpenGL is software."));
   return list;
 }
 

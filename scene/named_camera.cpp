@@ -51,11 +51,11 @@ StandardView standardViewNamed(std::string_view name, WorldAxes axes) {
     if (word == known.back() || glm::dot(side, axis) > 0.9) return view;
   }
   const std::string meant = base::nearest(word, known);
-  throw base::Error(base::ErrorKind::usage, "", "--view",
-                    '"' + std::string(name) +
-                        "\" is none of left, right, anterior, posterior, superior, inferior, +x, -x, +y, -y, "
-                        "+z, -z" +
-                        (meant.empty() ? "" : "; did you mean " + meant + "?"));
+  throw base::Error(
+      base::ErrorKind::usage, "", "--view",
+      "unknown view \"" + std::string(name) +
+          "\"; choose one of left, right, anterior, posterior, superior, inferior, +x, -x, +y, -y, +z, -z" +
+          (meant.empty() ? "" : "; did you mean " + meant + "?"));
 }
 
 Camera turnedAbout(const Camera& camera, glm::dvec3 axis, double degrees) {

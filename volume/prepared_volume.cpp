@@ -132,7 +132,7 @@ void setFirstView(PreparedVolume& prepared, base::Progress& progress) {
 // What reads the rest of a file that cannot be read to its end.
 std::string remedyOfDamage(const scene::Source& source, base::Progress& progress) {
   const bool helps = !source.aroundDamage && isReadInParts(source, progress);
-  return helps ? "; source.around_damage=true reads what can be read" : "";
+  return helps ? "; source.around_damage=true reads the rest" : "";
 }
 
 // What reads less of a volume that is too large for memory.
@@ -178,7 +178,7 @@ CsgResult readSource(const scene::Source& source, base::Progress& progress) {
   CsgResult result;
   result.volume = readAsked(source, options, progress);
   if (source.csg != scene::Csg::none && !combines)
-    result.volume.warnings.emplace_back("source.csg_path is empty: there is no second volume to combine");
+    result.volume.warnings.emplace_back("source.csg_path is empty; give a second volume");
   if (!combines) return result;
   second.grid = result.volume.grid->geometry();
   return combined(result.volume, readVolume(source.csgPath, second, progress), source.csg, source.csgValue,

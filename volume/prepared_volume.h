@@ -20,7 +20,7 @@
 
 namespace isolux::volume {
 
-// Cells per axis of the min-max blocks; docs/architecture.md has the measurements behind it.
+// Cells per axis of the min-max blocks; docs/records/2026-11-benchmarks.md has the measurements behind it.
 inline constexpr int kBlockCells = 8;
 
 struct PreparedVolume {

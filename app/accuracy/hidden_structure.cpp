@@ -63,7 +63,7 @@ HiddenStructure hiddenStructure(render::Renderer& renderer, const scene::Scene& 
   for (const double isovalue : isovalues)
     if (!cut.cuts(isovalue)) leastCut = isovalue;
   volume::parallelSteps(
-      static_cast<std::size_t>(size.y), progress, {0.0, 1.0, "looking for what the level hides"},
+      static_cast<std::size_t>(size.y), progress, {0.0, 1.0, "looking for structure lost in the level"},
       [&](std::size_t y) {
         for (int x = 0; x < size.x; ++x) {
           const std::size_t i = y * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);

@@ -1,6 +1,7 @@
 // Bounds of the light that pixels show where it is stored: how far E may be from path tracing at the pixel's
 // own point. Found from the picture itself: where it changes when half of the texels are left out, and from
-// paths traced at some pixels, which say by how much to multiply that (docs/numerics.md has the derivation).
+// paths traced at some pixels, which say by how much to multiply that (docs/explanation/accuracy.md has the
+// derivation).
 #pragma once
 
 #include <cstddef>

@@ -54,7 +54,7 @@ nlohmann::ordered_json accuracyJson(const Accuracy& accuracy) {
 }
 
 std::string accuracyLine(const Accuracy& accuracy) {
-  std::string line = "accuracy of 99 % of what is seen: ";
+  std::string line = "error bounds at the 99th percentile of visible pixels: ";
   if (accuracy.seen == accuracy.uncertain)
     line += accuracy.seen == 0 ? "nothing is seen, " : "nothing is seen for certain, ";
   else

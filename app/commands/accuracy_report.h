@@ -9,7 +9,7 @@
 
 namespace isolux::app {
 
-// docs/commands.md has the keys; null for what no pixel has.
+// docs/reference/outputs.md has the keys; null for what no pixel has.
 nlohmann::ordered_json accuracyJson(const Accuracy& accuracy);
 // "accuracy: 99 % of pixels: depth ± 1.2e-05 mm, normal ± 0.003 degrees, ..., 0.02 % of pixels are not
 // certain"

@@ -270,61 +270,57 @@ void runBake(const BakeOptions& options, base::Progress& progress) {
 
 Command makeBake(CLI::App& program) {
   CLI::App* const parser =
-      program.add_subcommand("bake", "Compute the light of a volume's isosurfaces and write it to a file");
+      program.add_subcommand("bake", "Bake the global illumination of a volume's isosurfaces to a file");
   auto options = std::make_shared<BakeOptions>();
   parser->add_option("PATH", options->path,
                      "A volume file, a DICOM folder, phantom:NAME[:SIZE], or a session");
   parser
       ->add_option(
           "--out", options->out,
-          "The file to write (.vti, opens in ParaView); an interrupted bake of the same light goes on "
-          "from it")
+          "File to write (.vti, opens in ParaView); an interrupted bake of the same light resumes from it")
       ->type_name("FILE")
       ->required();
-  parser->add_option("--stats", options->stats, "Write what was computed and what it cost as JSON")
+  parser->add_option("--stats", options->stats, "Write results and costs as JSON (docs/reference/outputs.md)")
       ->type_name("FILE");
   parser->add_option("--size", options->size, "Pixels of the view, with gi.extent=view; default 1024x768")
       ->type_name("WxH");
   parser
-      ->add_option(
-          "--part", options->part,
-          "Only part i of n, into FILE.part-i-of-n.vti: parts are baked anywhere, in any order, and put "
-          "together by isolux merge")
+      ->add_option("--part", options->part,
+                   "Bake only part I of N, into FILE.part-I-of-N.vti. Parts may be baked anywhere, in any "
+                   "order; isolux merge joins them")
       ->type_name("I/N");
-  parser->add_flag(
-      "--mix-arithmetic", options->mixArithmetic,
-      "Go on with a bake that was begun on a processor whose last bits differ; the file says so");
+  parser->add_flag("--mix-arithmetic", options->mixArithmetic,
+                   "Resume a bake from a CPU whose results differ in the last bits; the file records it");
   parser
       ->add_option("--arithmetic", options->arithmetic,
-                   "no-fma: compute without fused multiplication, as processors without AVX2 do, so that "
-                   "light is the same on both")
+                   "no-fma: compute without fused multiply-add, as CPUs without AVX2 do; light is then "
+                   "bit-identical on both")
       ->type_name("no-fma")
       ->check(CLI::IsMember({"no-fma"}).description(""));
   parser
       ->add_option("--checkpoint", options->checkpointSeconds,
-                   "Write what there is every SECONDS; default 60")
+                   "Save the result so far every SECONDS; default 60")
       ->type_name("SECONDS")
       ->check(CLI::Range(0.1, 1e6).description(""));
   parser
       ->add_option("--pieces", options->pieces,
-                   "Write the light also as N pieces and their index (.pvti, opens in ParaView)")
+                   "Also write the light as N pieces and their index (.pvti, opens in ParaView)")
       ->type_name("N")
       ->check(CLI::Range(1, 4096).description(""));
-  CLI::Option* const mpi = parser->add_flag(
-      "--mpi", options->mpi, "Bake over the ranks of MPI also where no launcher's variables are there");
-  parser->add_flag("--no-mpi", options->noMpi, "Under an MPI launcher, too, bake alone")->excludes(mpi);
+  CLI::Option* const mpi =
+      parser->add_flag("--mpi", options->mpi, "Bake over MPI ranks even if no launcher's variables are set");
+  parser->add_flag("--no-mpi", options->noMpi, "Bake alone, even under an MPI launcher")->excludes(mpi);
   parser->add_flag("--send-volume", options->sendVolume,
-                   "Over MPI: rank 0 reads the volume and sends it to all");
-  parser->add_flag("--overwrite", options->overwrite,
-                   "Replace --out also where it is something other than stored light");
-  parser->add_flag("--explain", options->explain, "Print what is stored, and why");
+                   "With MPI: rank 0 reads the volume and sends it to all");
+  parser->add_flag("--overwrite", options->overwrite, "Replace --out even if it is not baked light");
+  parser->add_flag("--explain", options->explain, "Print what is baked, and why");
   options->context = addContextOption(*parser);
   addThreadsOption(*parser);
   options->threads = parser->get_option("--threads");
   options->scene = addSceneOptions(*parser);
   addVolumeOptions(*parser, options->scene);
   parser->footer(
-      "All texels are lit unless gi.extent says otherwise.\n"
+      "All texels are lit unless gi.extent limits them.\n"
       "Examples:\n"
       "  isolux bake engine.nii.gz --environment probe.hdr --out engine_light.vti\n"
       "  isolux bake ct.nii.gz --set gi.extent=band --set gi.band=200,400 --out bone.vti --stats bone.json\n"

@@ -89,20 +89,20 @@ std::shared_ptr<SceneOptions> addSceneOptions(CLI::App& parser, Draws draws) {
   addOfSurface("--look", assign("look.mode"), "MODE", "Short for --set look.mode=MODE");
   addOfSurface(
       "--environment", [options](const std::string& value) { addEnvironment(value, options->assignments); },
-      "NAME|FILE",
-      "The light around everything: studio, window, overcast or sunset, or a light probe (.hdr, .exr)");
+      "NAME|FILE", "Environment: studio, window, overcast, sunset, or an environment map (.hdr, .exr)");
   addOfSurface(
       "--camera", [options](const std::string& value) { addCamera(value, options->assignments); },
       "\"EYE TARGET UP FOV\"",
       "\"ex,ey,ez tx,ty,tz ux,uy,uz fov\": world mm (x left, y back, z up), vertical degrees");
   addOfSurface("--executor", assign("picture.executor"), "NAME",
-               "What computes hits and derivatives: auto, gpu, cpu; short for --set picture.executor=NAME");
+               "Device for hits and derivatives: auto, gpu, cpu; short for --set picture.executor=NAME");
   add("--raw", assign("source.raw"), "TEXT",
-      "How to read a file without header: \"WxHxD TYPE [little|big] [spacing x,y,z] [header BYTES]\"");
+      "Layout of a file without a header: \"WxHxD TYPE [little|big] [spacing x,y,z] [header BYTES]\"");
   add("--time-step", assign("source.time_step"), "N",
-      "Which time step of a file that has several, from 0; short for --set source.time_step=N");
+      "Time step of a file with several, from 0; short for --set source.time_step=N");
   add("--channel", assign("source.component"), "N",
-      "Which channel or component, from 0; -1: the magnitude; short for --set source.component=N");
+      "Channel of a file with several values per voxel, from 0; -1: the magnitude; short for --set "
+      "source.component=N");
   return options;
 }
 
@@ -112,10 +112,9 @@ void addCameraOptions(CLI::App& parser, const std::shared_ptr<SceneOptions>& opt
   constexpr const char* group = "Camera";
   CameraWish& wish = options->camera;
   parser
-      .add_option(
-          "--view", wish.view,
-          "From left, right, anterior, posterior, superior or inferior; or from the end of an axis, as "
-          "+x or -y")
+      .add_option("--view", wish.view,
+                  "View from left, right, anterior, posterior, superior or inferior, or from the end of an "
+                  "axis, as +x or -y")
       ->type_name("SIDE")
       ->check([](const std::string& name) -> std::string {
         try {
@@ -132,9 +131,10 @@ void addCameraOptions(CLI::App& parser, const std::shared_ptr<SceneOptions>& opt
         ->check(CLI::Range(-36000.0, 36000.0).description(""))
         ->group(group);
   };
-  angle("--azimuth", wish.azimuth, "Then turn about the target: the eye goes to its right, about up");
-  angle("--elevation", wish.elevation, "Then the eye goes up, over the top and down behind");
-  angle("--roll", wish.roll, "Then roll about the line of sight: the picture turns clockwise");
+  angle("--azimuth", wish.azimuth,
+        "Then orbit the target: move the eye to its right, about the up direction");
+  angle("--elevation", wish.elevation, "Then orbit upwards: move the eye up, over the top and down behind");
+  angle("--roll", wish.roll, "Then roll about the line of sight: turn the image clockwise");
   parser
       .add_option_function<std::string>(
           "--fit",
@@ -145,7 +145,7 @@ void addCameraOptions(CLI::App& parser, const std::shared_ptr<SceneOptions>& opt
       ->type_name("surface|volume")
       ->check(CLI::IsMember({"surface", "volume"}).description(""))
       ->group(group);
-  parser.add_option("--zoom", wish.zoom, "Then go nearer: 2 shows everything twice as large")
+  parser.add_option("--zoom", wish.zoom, "Then move closer: 2 shows everything twice as large")
       ->type_name("F")
       ->check(CLI::Range(1e-3, 1e3).description(""))
       ->group(group);
@@ -155,9 +155,8 @@ void addCameraOptions(CLI::App& parser, const std::shared_ptr<SceneOptions>& opt
 
 void addVolumeOptions(CLI::App& parser, const std::shared_ptr<SceneOptions>& options, bool cameras) {
   parser
-      .add_option(
-          "--preset", options->preset,
-          "Show this preset (`isolux presets`), or that of a file; --session comes before, --set after")
+      .add_option("--preset", options->preset,
+                  "Apply this preset (`isolux presets`) or preset file, after --session and before --set")
       ->type_name("NAME|FILE")
       ->group("Scene");
   parser.add_option("--shift", options->shift, "Add this to the isovalues of the preset, data units")
@@ -180,8 +179,8 @@ int mostThreads() {
 void printThreadsNote(const CLI::App& parser) {
   const CLI::Option* const option = parser.get_option_no_throw("--threads");
   if (option == nullptr || option->count() == 0 || option->as<int>() <= mostThreads()) return;
-  std::cerr << "isolux: note: " << mostThreads()
-            << " threads are used, the most that this machine makes sense of\n";
+  std::cerr << "isolux: note: --threads: " << mostThreads()
+            << " threads are used, the most that is useful on this computer\n";
 }
 
 void addThreadsOption(CLI::App& parser) {
@@ -196,7 +195,7 @@ void addThreadsOption(CLI::App& parser) {
                 std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, count);
             setenv("LP_NUM_THREADS", std::to_string(std::min(threads, 32)).c_str(), 0);  // Mesa's llvmpipe
           },
-          "How many CPU threads to use; default: all")
+          "Number of CPU threads; default: all")
       ->type_name("N")
       ->check(CLI::Range(1, 1024).description(""));
 }
@@ -215,8 +214,8 @@ void addMemoryOption(CLI::App& parser) {
             if (!*limit) *limit = std::make_unique<Limit>();
             base::machineMemory().setLimit(base::parseMemorySize(size));
           },
-          "How much memory volumes, light and pictures may take together, as 16G or 800M; default: what the "
-          "machine has left, less a reserve")
+          "Memory limit for volumes, light and images together, as 16G or 800M; default: free memory less a "
+          "reserve")
       ->type_name("SIZE");
 }
 
@@ -229,10 +228,9 @@ std::shared_ptr<FrameChoice> addFrameOptions(CLI::App& parser) {
   parser
       .add_option_function<std::string>(
           "--frames", [choice](const std::string& text) { choice->frames = parseFrames(text); },
-          "Only these pictures of the series, numbered from 0; no movie is made")
+          "Draw only these images of the series, numbered from 0; no movie is made")
       ->type_name("A-B");
-  parser.add_flag("--skip-existing", choice->skipExisting,
-                  "Draw only pictures whose files are not there yet");
+  parser.add_flag("--skip-existing", choice->skipExisting, "Draw only images whose files do not exist yet");
   return choice;
 }
 
@@ -241,7 +239,7 @@ std::shared_ptr<render::ContextChoice> addContextOption(CLI::App& parser) {
   parser
       .add_option_function<std::string>(
           "--context", [choice](const std::string& word) { *choice = render::contextChoiceNamed(word); },
-          "Where to draw: auto (default; `isolux doctor` says which), software, egl, osmesa")
+          "Graphics context: auto (default; `isolux doctor` shows which), software, egl, osmesa")
       ->type_name("NAME")
       ->check(CLI::IsMember({"auto", "software", "egl", "osmesa"}).description(""));
   return choice;
@@ -270,7 +268,7 @@ scene::Scene startingScene(const std::string& path, const SceneOptions& options)
   if (!options.session.empty()) scene = loadSession(options.session);
   if (!path.empty() && isSession(path)) {
     if (!options.session.empty())
-      throw Error(ErrorKind::usage, path, "", "is a session itself; give one, not two");
+      throw Error(ErrorKind::usage, path, "", "is itself a session; give either PATH or --session");
     scene = loadSession(path);
   } else if (!path.empty()) {
     const bool same = fs::absolute(path).lexically_normal() == fs::path(scene.source.path);
@@ -298,8 +296,7 @@ scene::Scene sceneOf(const std::string& path, const SceneOptions& options) {
   scene::Scene scene = startingScene(path, options);
   applyAssignments(scene, options);
   if (!options.camera.view.empty() && assigns(options, "camera.up"))
-    throw Error(ErrorKind::usage, "", "--view",
-                "says what is up, as camera.up does; --roll turns the picture");
+    throw Error(ErrorKind::usage, "", "--view", "conflicts with camera.up; use --roll to turn the image");
   if (!options.preset.empty()) findPreset(options.preset);  // an unknown one is told of before any work
   return scene;
 }

@@ -54,8 +54,8 @@ void declare(Program& program) {
   parser.require_subcommand(0, 1);
   parser.add_option(
       "PATH", program.window.path,
-      "Open the window on this: a volume file, a DICOM folder, phantom:NAME[:SIZE], a session, or a "
-      ".png that carries one; default: the head phantom, or the session's volume");
+      "Open this in the window: a volume file, a DICOM folder, phantom:NAME[:SIZE], a session, or a .png "
+      "that carries one; default: the head phantom, or the session's volume");
   parser
       .add_option("--record", program.window.record,
                   "Record every change in the window to this file, for replay")
@@ -64,7 +64,7 @@ void declare(Program& program) {
   addVolumeOptions(parser, program.window.scene);
   addThreadsOption(parser);
   parser.footer(
-      "A file with the name of a subcommand is opened as ./NAME. `isolux SUBCOMMAND --help` explains each.\n"
+      "Open a file that has the name of a subcommand as ./NAME. `isolux SUBCOMMAND --help` explains each.\n"
       "Exit codes: 0 success, 2 wrong command line, 3 unreadable input, 4 no graphics context, 5 out of "
       "memory,\n"
       "130 interrupted.\n\n"
@@ -221,12 +221,13 @@ int guarded(Body body, const std::function<bool(bool interrupted)>& mayReport) {
                .what();
     exitCode = static_cast<int>(ErrorKind::input);
   } catch (const std::system_error& error) {  // threads, above all
-    line = "the system gives no more threads or memory: " + error.code().message();
+    line = "the system provides no more threads or memory: " + error.code().message();
     exitCode = static_cast<int>(ErrorKind::memory);
   } catch (const std::exception& error) {
     const bool refused = refusesThreads(error);
-    line = refused ? "the system gives no more threads"
-                   : std::string("a mistake in Isolux itself: ") + error.what();
+    line = refused
+               ? "cannot create a thread; raise the process limit (ulimit -u)"
+               : std::string("internal error: ") + error.what() + "; please report it with the command line";
     exitCode = refused ? static_cast<int>(ErrorKind::memory) : 1;
   }
   const bool interrupted = exitCode == static_cast<int>(ErrorKind::interrupted);

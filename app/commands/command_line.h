@@ -25,7 +25,7 @@ struct WindowRequest {
 };
 using OpenWindow = std::function<int(const WindowRequest&)>;
 
-// Returns the exit code (docs/commands.md). Never throws.
+// Returns the exit code (docs/reference/outputs.md). Never throws.
 int runCommandLine(int argc, char** argv, const OpenWindow& openWindow);
 
 }  // namespace isolux::app

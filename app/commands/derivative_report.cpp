@@ -126,7 +126,7 @@ void printDerivatives(const DerivativeFacts& facts) {
   line("scale of normals", numberText(asked.normalScale, drawn.normalScale, " mm", reasons.normalReason));
   if (facts.curvature) printTaken(facts.drawn.look, *facts.curvature);
   if (facts.unknownShare)
-    std::printf("curvature means nothing (confidence below 0.5) on %.1f %% of what is seen\n",
+    std::printf("curvature is not significant (confidence below 0.5) on %.1f %% of the visible surface\n",
                 100.0 * *facts.unknownShare);
   std::fflush(stdout);
 }
@@ -142,9 +142,8 @@ void printRest(const scene::Scene& drawn, const volume::PreparedVolume& volume) 
   std::printf("field of hits: %s", json["field"].get<std::string>().c_str());
   if (!json["share_beside_spline"].is_null())
     std::printf(
-        " (%.0f %% of what can be seen lies over %.1f voxel beside the spline's surface; pictures at rest "
-        "take the "
-        "spline's hits from %.0f %% on)",
+        " (%.0f %% of the visible surface is over %.1f voxel off the spline's surface; final images take the "
+        "spline's hits from %.0f %%)",
         100.0 * json["share_beside_spline"].get<double>(), volume::kSeenGapVoxels,
         100.0 * volume::kManyBesideSpline);
   std::printf("\n");

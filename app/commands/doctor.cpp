@@ -86,7 +86,7 @@ void printExecutors(std::ostream& out, base::Progress& progress) {
     return base::shortText(hitMilliseconds(renderer, scene, executor), 3) + " ms, of the cubic field " +
            base::shortText(hitMilliseconds(renderer, cubic, executor), 3) + " ms";
   };
-  out << "\nHits and gradients of a picture of 256x256 (phantom:gyroid:96):\n";
+  out << "\nHits and gradients of an image of 256x256 (phantom:gyroid:96):\n";
   const bool taken = render::takesProcessor(scene::Executor::automatic, *context->gl());
   out << (taken ? "  " : "* ") << "gpu: " << measured(scene::Executor::gpu) << '\n';
   if (!volume::SurfaceCaster::available()) {
@@ -95,7 +95,7 @@ void printExecutors(std::ostream& out, base::Progress& progress) {
   }
   out << (taken ? "* " : "  ") << "cpu: " << measured(scene::Executor::cpu) << " ("
       << volume::SurfaceCaster::target() << ")\n"
-      << "* is what --executor auto takes: the processor where OpenGL is software.\n";
+      << "* marks the choice of --executor auto: the CPU if OpenGL is software.\n";
 }
 
 }  // namespace
@@ -127,13 +127,13 @@ void printDoctor(std::ostream& out, base::Progress& progress) {
            "(libegl-mesa0 and libgl1-mesa-dri draw without a graphics card).\n";
   else
     out << "* " << chosen
-        << " is what --context auto takes: a GPU through EGL goes first, then OSMesa, then software EGL.\n";
+        << " is the choice of --context auto: first a GPU through EGL, then OSMesa, then software EGL.\n";
   if (!chosen.empty()) printExecutors(out, progress);
 }
 
 Command makeDoctor(CLI::App& program) {
   CLI::App* const parser =
-      program.add_subcommand("doctor", "Say what this machine offers: graphics contexts, memory, libraries");
+      program.add_subcommand("doctor", "Print graphics contexts, memory and libraries of this computer");
   parser->footer("Example:\n  isolux doctor");
   return {parser, [](base::Progress& progress) { printDoctor(std::cout, progress); }};
 }

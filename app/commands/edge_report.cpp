@@ -60,13 +60,13 @@ std::string edgeText(const EdgeReport& report) {
   if (edges.points == 0) return surface + " is empty";
   std::string text;
   if (edges.within50)
-    text += "half of " + surface + " lies within " + millimetres(*edges.within50) + " of an edge, ";
+    text += "half of " + surface + " is within " + millimetres(*edges.within50) + " of an edge, ";
   if (edges.within90) text += "90 % within " + millimetres(*edges.within90) + ", ";
   const double without = 100.0 * static_cast<double>(edges.without) / static_cast<double>(edges.points);
   text += base::shortText(without, 2) + " % " + (edges.within50 ? "" : "of " + surface + " ") +
           "have none within " + millimetres(report.searchMm);
   if (edges.median)
-    text += "; the edge lies " + millimetres(std::abs(*edges.median)) +
+    text += "; the edge is " + millimetres(std::abs(*edges.median)) +
             (*edges.median < 0.0 ? " inside" : " outside") + " (median), from " +
             base::shortText(*edges.low, 2) + " to " + millimetres(*edges.high) + " (5 % to 95 %)";
   return text;

@@ -70,7 +70,7 @@ void runIndex(const IndexOptions& options, base::Progress& progress) {
 
 Command makeIndex(CLI::App& program) {
   CLI::App* const parser =
-      program.add_subcommand("index", "Index a volume file of which parts are read when they are drawn");
+      program.add_subcommand("index", "Index an out-of-core volume: value ranges of its bricks");
   auto options = std::make_shared<IndexOptions>();
   options->scene = addSceneOptions(*parser);
   parser->add_option(
@@ -78,13 +78,13 @@ Command makeIndex(CLI::App& program) {
       "Raw, or NRRD, MetaImage, NIfTI and .vti (appended raw) without compression, OME-Zarr, HDF5");
   parser
       ->add_option("--out", options->out,
-                   "The index; default: PATH.index, or the user's cache where that folder cannot be written. "
-                   "Pictures look for it there only")
+                   "Index file; default: PATH.index, or the user's cache if that folder is not writable. "
+                   "Images look for it only there")
       ->type_name("FILE");
   parser
       ->add_option("--part", options->part,
-                   "Only part I of N of the volume, into FILE.part-I-of-N; the same command without --part "
-                   "takes what parts there are, does the rest and writes the index")
+                   "Index only part I of N, into FILE.part-I-of-N. The same command without --part joins the "
+                   "existing parts, computes the rest and writes the index")
       ->type_name("I/N");
   parser->footer(
       "Examples:\n"

@@ -239,19 +239,21 @@ EdgeReport edgesWithProgressBar(const scene::Scene& scene,
 
 Command makeInfo(CLI::App& program) {
   CLI::App* const parser =
-      program.add_subcommand("info", "Say what a volume is: size, spacing, orientation, values");
+      program.add_subcommand("info", "Print a volume's size, spacing, orientation and values");
   auto options = std::make_shared<InfoOptions>();
   parser->add_option("PATH", options->path,
                      "A volume file, a DICOM folder, phantom:NAME[:SIZE], or a session");
-  parser->add_flag("--json", options->json, "Print one JSON object instead of text (docs/commands.md)");
+  parser->add_flag("--json", options->json,
+                   "Print one JSON object instead of text (docs/reference/outputs.md)");
   parser->add_flag(
       "--pieces", options->pieces,
-      "The connected pieces of the isosurface's inside, the largest first: volume, area, bounds");
-  parser->add_flag("--edge", options->edge,
-                   "Say how far the isosurface lies from the edge of its object, and how clear that is");
+      "List the connected components (pieces) inside the isosurface, largest first: volume, area, bounds");
+  parser->add_flag(
+      "--edge", options->edge,
+      "Print the distance from the isosurface to the edge of the object, and the strength of that edge");
   parser->add_flag("--series", options->series,
                    "List the DICOM series of a folder or disc, by patient and study, without reading voxels");
-  parser->add_flag("--anonymous", options->anonymous, "With --series: do not name the patients");
+  parser->add_flag("--anonymous", options->anonymous, "With --series: omit the patients' names");
   const auto sceneOptions = addSceneOptions(*parser);
   addThreadsOption(*parser);
   parser->footer("Example:\n  isolux info head.nii.gz --json");

@@ -118,7 +118,7 @@ ordered_json curvatureOf(const MeasureOptions& options, scene::Scene scene, cons
     const std::size_t id = *options.piece, count = pieces->list().size();
     if (id >= count)
       throw Error(ErrorKind::usage, "", "--piece",
-                  "there is no piece " + std::to_string(id) + ": the surface has " + std::to_string(count));
+                  "unknown piece " + std::to_string(id) + ": the surface has " + std::to_string(count));
     part.shown.assign(count, false);
     part.shown[id] = true;
     title += ", piece " + std::to_string(id);
@@ -184,7 +184,7 @@ void checkCurvatureFiles(const MeasureOptions& options, const SceneOptions& scen
   mustEnd(options.histograms, "--histograms", ".csv");
   mustEnd(options.plot, "--plot", ".svg");
   if (options.piece && !options.wantsCurvature())
-    throw Error(ErrorKind::usage, "", "--piece", "is of --curvature, which is not asked for");
+    throw Error(ErrorKind::usage, "", "--piece", "requires --curvature; add it or omit --piece");
   if (!options.plot.empty()) requireGnuplot(options.plot);
   OutputGuard guard = outputGuard(options.path, sceneOptions, scene);
   checkOutput(guard, options.histograms, "--histograms");
@@ -193,38 +193,41 @@ void checkCurvatureFiles(const MeasureOptions& options, const SceneOptions& scen
 
 void addMeasureOptions(CLI::App& parser, MeasureOptions& options) {
   parser.add_option("PATH", options.path, "A volume file, a DICOM folder, phantom:NAME[:SIZE], or a session");
-  parser.add_flag("--json", options.json, "Print one JSON object instead of text (docs/commands.md)");
-  parser.add_option("--box", options.box, "Only within this box of the world, two corners in mm")
+  parser.add_flag("--json", options.json,
+                  "Print one JSON object instead of text (docs/reference/outputs.md)");
+  parser.add_option("--box", options.box, "Measure only inside this box of the world, two corners in mm")
       ->type_name("\"x,y,z x,y,z\"");
   const auto points = [&parser](const char* name, std::vector<std::string>& into, const char* type,
                                 const char* help) {
     parser.add_option(name, into, help)->type_name(type)->expected(1)->take_all();
   };
   points("--distance", options.distances, "\"P Q\"",
-         "Between two points, straight and along the surface; may be repeated");
+         "Distance between two points, straight and along the surface; may be repeated");
   points("--angle", options.angles, "\"A B C [D]\"",
-         "At B, or between the planes ABC and BCD; may be repeated");
-  points("--circle", options.circles, "\"A B C\"", "Through three points; may be repeated");
-  points(
-      "--thickness", options.thicknesses, "P",
-      "At a point of the surface: along the inward normal, and of the largest ball inside; may be repeated");
+         "Angle at B, or between the planes ABC and BCD; may be repeated");
+  points("--circle", options.circles, "\"A B C\"", "Circle through three points; may be repeated");
+  points("--thickness", options.thicknesses, "P",
+         "Thickness at a surface point: along the inward normal, and diameter of the inscribed sphere; may "
+         "be repeated");
   parser.add_flag("--curvature", options.curvature,
-                  "How the surface is curved: what parts of its area have which curvature");
-  parser.add_option("--histograms", options.histograms, "That as a table: a new .csv")->type_name("FILE");
-  parser.add_option("--plot", options.plot, "That as a plot: a new .svg; needs gnuplot")->type_name("FILE");
+                  "Curvature distribution: fractions of the surface area per curvature");
+  parser
+      .add_option("--histograms", options.histograms,
+                  "Write the curvature distribution as a table: a new .csv")
+      ->type_name("FILE");
+  parser.add_option("--plot", options.plot, "Plot the curvature distribution: a new .svg; needs gnuplot")
+      ->type_name("FILE");
   parser
       .add_option("--piece", options.piece,
-                  "Of this piece only (its id, 0: the largest), not of all that are shown")
+                  "Curvature of this connected component only (piece id, 0: the largest); default: all that "
+                  "are shown")
       ->type_name("ID");
-  parser
-      .add_option("--marks", options.marks,
-                  "Measure each mark of this file too, instead of those of the session")
+  parser.add_option("--marks", options.marks, "Measure the marks of this file instead of the session's")
       ->type_name("FILE.mrk.json");
-  parser.add_option("--out", options.out, "Write what the marks say as a table")->type_name("FILE.csv");
+  parser.add_option("--out", options.out, "Write the values of the marks as a table")->type_name("FILE.csv");
   parser.add_flag("--closed", options.closed,
-                  "Refuse an open surface instead of measuring what the data hold");
-  parser.add_flag("--anyway", options.anyway,
-                  "Measure where spacing was assumed or slices were resampled, too");
+                  "Reject an open surface instead of measuring the part inside the data");
+  parser.add_flag("--anyway", options.anyway, "Measure even if spacing was assumed or slices were resampled");
 }
 
 }  // namespace

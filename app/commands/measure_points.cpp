@@ -65,7 +65,7 @@ ordered_json distanceJson(MeasuredSurface& measured, const std::string& text, ba
   }
   const auto way = geodesic(surface, measured.graphOnce(progress), from->world, to->world, progress);
   if (!way) {
-    json["along_surface_reason"] = "no way along the surface leads from one to the other";
+    json["along_surface_reason"] = "no path along the surface between the points";
     return json;
   }
   json["along_surface_mm"] = measuredJson(way->lengthMm, way->parts);

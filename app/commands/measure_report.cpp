@@ -88,7 +88,7 @@ ordered_json measuredJson(const volume::Measured& measured, const volume::ErrorP
 }
 
 std::string openReason(const volume::SurfaceMeasure& surface) {
-  if (surface.meetsBorder) return "the inside goes on beyond the volume's border";
+  if (surface.meetsBorder) return "the inside extends beyond the volume's border";
   return "the inside goes on where voxels are missing";
 }
 

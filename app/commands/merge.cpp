@@ -37,19 +37,18 @@ void runMerge(const MergeOptions& options, base::Progress& progress) {
 }  // namespace
 
 Command makeMerge(CLI::App& program) {
-  CLI::App* const parser = program.add_subcommand("merge", "Put the parts of a light bake together");
+  CLI::App* const parser = program.add_subcommand("merge", "Join the parts of a light bake");
   auto options = std::make_shared<MergeOptions>();
   parser
       ->add_option("PART", options->parts, "Files of isolux bake --part: all parts of one bake, in any order")
       ->required();
-  parser->add_option("--out", options->out, "The file to write (.vti): what the bake made at once would be")
+  parser->add_option("--out", options->out, "File to write (.vti): equals that of an undivided bake")
       ->type_name("FILE")
       ->required();
   parser->add_flag("--mix-arithmetic", options->mixArithmetic,
-                   "Merge parts whose last bits may differ, as they were computed with and without fused "
-                   "multiplication; the file says so");
-  parser->add_flag("--overwrite", options->overwrite,
-                   "Replace --out also where it is something other than stored light");
+                   "Merge parts computed with and without fused multiply-add, whose last bits may differ; "
+                   "the file records it");
+  parser->add_flag("--overwrite", options->overwrite, "Replace --out even if it is not baked light");
   parser->footer(
       "Examples:\n"
       "  for i in 1 2 3; do isolux bake ct.nii.gz --out ct.vti --part $i/3; done\n"

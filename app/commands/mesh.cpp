@@ -78,20 +78,18 @@ Command makeMesh(CLI::App& program) {
   parser
       ->add_option("--out", options->out,
                    "A new .stl, .ply (with normals), .obj, or .vtp (with normals, kappa1, kappa2, "
-                   "confidence, and color_value "
-                   "where there is a color.volume)")
+                   "confidence; color_value if color.volume is set)")
       ->required();
   parser
       ->add_option("--tolerance", options->tolerance,
-                   "Split triangles until they lie no farther from the surface, mm")
+                   "Split triangles until they deviate from the surface by at most this, mm")
       ->check(CLI::Range(1e-6, 1e6));
-  parser->add_flag("--closed", options->closed, "Close the surface where it leaves the volume");
-  parser->add_flag("--json", options->json, "Say what was written as one JSON object");
+  parser->add_flag("--closed", options->closed, "Cap openings at the volume border");
+  parser->add_flag("--json", options->json, "Print one JSON object about the mesh");
   options->scene = addSceneOptions(*parser);
   addThreadsOption(*parser);
   parser->footer(
-      "Points lie on the surface of hit.field, mm, in the volume's world; pieces that `pieces.` hides are "
-      "left out. "
+      "Vertices are on the surface of hit.field, in world mm; components hidden by `pieces.` are omitted.\n"
       "Examples:\n"
       "  isolux mesh ct.nii.gz --isovalue 300 --out skull.stl --closed --tolerance 0.05\n"
       "  isolux mesh ct.nii.gz --isovalue 300 --out skull.vtp --json");

@@ -81,18 +81,18 @@ Command makePhantom(CLI::App& program) {
   auto options = std::make_shared<PhantomOptions>();
   volume::PhantomRequest& request = options->request;
   request.name.clear();
-  parser->add_option("NAME", request.name, "Which one; `isolux phantom list` prints the names")->required();
+  parser->add_option("NAME", request.name, "Name of the phantom; `isolux phantom list` prints all")
+      ->required();
   parser->add_option("--size", request.size, "Voxels per axis; default: the phantom's own")
       ->type_name("N")
       ->check(CLI::Range(2, 1024).description(""));
-  parser->add_option("--out", options->out, "The file to write: .mhd, .mha, .nrrd or .vti")
-      ->type_name("FILE");
+  parser->add_option("--out", options->out, "File to write: .mhd, .mha, .nrrd or .vti")->type_name("FILE");
   parser
       ->add_option("--noise", request.noise,
                    "Standard deviation of added Gaussian noise, in data units; default 0")
       ->type_name("SIGMA")
       ->check(CLI::NonNegativeNumber.description(""));
-  parser->add_option("--seed", request.seed, "Of the noise; default 1")->type_name("N");
+  parser->add_option("--seed", request.seed, "Seed of the noise; default 1")->type_name("N");
   addThreadsOption(*parser);
   parser->footer(
       "Examples:\n"

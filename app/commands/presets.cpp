@@ -70,35 +70,34 @@ void keepPreset(const PresetsOptions& options, base::Progress& progress) {
       presetOf(scene, name, options.title.empty() ? options.save : options.title, prepared.get());
   if (preset.settings.empty())
     throw base::Error(base::ErrorKind::usage, "", "--save",
-                      "nothing differs from the defaults; --session or --set say what the preset sets");
+                      "every setting has its default value; set some with --session or --set");
   std::cout << savePreset(preset, options.overwrite).string() << '\n';
 }
 
 }  // namespace
 
 Command makePresets(CLI::App& program) {
-  CLI::App* const parser = program.add_subcommand(
-      "presets", "List the presets, say which apply to a volume, or save one of your own");
+  CLI::App* const parser =
+      program.add_subcommand("presets", "List presets, show which apply to a volume, or save your own");
   auto options = std::make_shared<PresetsOptions>();
   parser->add_option("PATH", options->path,
-                     "Say of this volume which presets apply, and why the others do not");
-  CLI::Option* const json = parser->add_flag("--json", options->json, "As a JSON list (docs/presets.md)");
+                     "Show which presets apply to this volume, and why the others do not");
+  CLI::Option* const json =
+      parser->add_flag("--json", options->json, "Print a JSON list (docs/reference/file-formats-isolux.md)");
   CLI::Option* const save =
       parser
           ->add_option(
               "--save", options->save,
-              "Save the settings of --session, --set and their short forms as a preset of this name, "
-              "and print its file")
+              "Save the settings of --session, --set and their short forms as a preset, and print its file")
           ->type_name("NAME")
           ->excludes(json);
-  parser->add_option("--title", options->title, "Of the saved preset, for menus; default: its name")
+  parser->add_option("--title", options->title, "Title of the saved preset in menus; default: its name")
       ->type_name("TEXT")
       ->needs(save);
-  parser->add_flag("--overwrite", options->overwrite, "Replace a preset of your own of this name")
-      ->needs(save);
+  parser->add_flag("--overwrite", options->overwrite, "Replace your own preset of this name")->needs(save);
   options->scene = addSceneOptions(*parser);
   parser->footer(
-      "A preset is shown by `isolux render PATH --preset NAME`, or in the window's menu Presets. Examples:\n"
+      "Apply a preset with `isolux render PATH --preset NAME` or from the window's menu Presets. Examples:\n"
       "  isolux presets ct.nii.gz\n"
       "  isolux presets --save \"my bone\" --session skull.isolux\n"
       "  isolux presets --save soft --set look.mode=gi --set look.ambient=0.3");

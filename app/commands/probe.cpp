@@ -168,7 +168,7 @@ Probed probed(const ProbeOptions& options, const scene::Scene& scene,
   }
   if (outside > 0)
     printNote(std::to_string(outside) + " of " + std::to_string(points.size()) +
-              " points lie outside the volume or beside missing voxels, the first in line " +
+              " points are outside the volume or next to missing voxels, the first in line " +
               std::to_string(firstOutside));
   if (missed > 0)
     printNote(std::to_string(missed) + " of " + std::to_string(rays.size()) +
@@ -180,7 +180,7 @@ Probed probed(const ProbeOptions& options, const scene::Scene& scene,
 
 Command makeProbe(CLI::App& program) {
   CLI::App* const parser = program.add_subcommand(
-      "probe", "Say what a volume holds at points of the world, and where rays hit its isosurface");
+      "probe", "Sample a volume at points of the world, and find where rays hit its isosurface");
   auto options = std::make_shared<ProbeOptions>();
   parser->add_option("PATH", options->path,
                      "A volume file, a DICOM folder, phantom:NAME[:SIZE], or a session");
@@ -190,7 +190,7 @@ Command makeProbe(CLI::App& program) {
       ->add_option("--rays", options->rays,
                    "Rows of x,y,z,dx,dy,dz: origin in world mm and direction; gives the first hit")
       ->type_name("FILE.csv");
-  parser->add_flag("--json", options->json, "Print JSON instead of a table (docs/commands.md)");
+  parser->add_flag("--json", options->json, "Print JSON instead of a table (docs/reference/outputs.md)");
   const auto sceneOptions = addSceneOptions(*parser);
   addThreadsOption(*parser);
   parser->footer("Example:\n  isolux probe head.nii.gz --points points.csv --json");

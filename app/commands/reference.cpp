@@ -136,15 +136,14 @@ void runReference(const ReferenceOptions& options, base::Progress& progress) {
 
 Command makeReference(CLI::App& program) {
   CLI::App* const parser = program.add_subcommand(
-      "reference", "Path trace every pixel, without stored light: the yardstick of look gi");
+      "reference", "Path trace every pixel, without baked light: the reference for look gi");
   auto options = std::make_shared<ReferenceOptions>();
   parser->add_option(
       "PATH", options->path,
       "A volume file, a DICOM folder, phantom:NAME[:SIZE], a session, or a .png that carries one");
   parser
-      ->add_option(
-          "--out", options->out,
-          "The picture to write: .exr (float, docs/commands.md has its channels) or .png (8 bit sRGB)")
+      ->add_option("--out", options->out,
+                   "Image to write: .exr (float; channels: docs/reference/outputs.md) or .png (8 bit sRGB)")
       ->type_name("FILE")
       ->required();
   parser->add_option("--spp", options->samples, "Light paths per pixel; default 256")
@@ -152,15 +151,15 @@ Command makeReference(CLI::App& program) {
       ->check(CLI::Range(1, 1000000).description(""));
   parser
       ->add_option("--size", options->size,
-                   "Pixels; default: those of the .png that the session comes from, else 1024x768")
+                   "Pixels; default: those of the session's .png, otherwise 1024x768")
       ->type_name("WxH");
-  parser->add_option("--stats", options->stats, "Write what was computed and what it cost as JSON")
+  parser->add_option("--stats", options->stats, "Write results and costs as JSON (docs/reference/outputs.md)")
       ->type_name("FILE");
   addThreadsOption(*parser);
   options->scene = addSceneOptions(*parser);
   addVolumeOptions(*parser, options->scene);
   parser->footer(
-      "Ctrl-C leaves the picture as it was at most a few seconds before. Examples:\n"
+      "Ctrl-C keeps the image as of at most a few seconds before. Examples:\n"
       "  isolux reference phantom:head --set light.environment.file=sky.hdr --out head.exr\n"
       "  isolux reference picture.png --spp 4096 --set gi.bounces=4 --out truth.exr");
   return {parser, [options](base::Progress& progress) { runReference(*options, progress); }};

@@ -319,7 +319,7 @@ class RenderRun {
     whole_ = volume::indexedVolume(source, progress_);
     if (!whole_ && asksStructure())
       throw Error(ErrorKind::usage, source.path, marksStructure(options_) ? "--error-overlay" : "--aov",
-                  "what a coarser level hides is known from the volume's index, which `isolux index` makes");
+                  "requires the volume's index; make it with `isolux index`");
   }
 
   std::vector<FloatChannel> otherChannels(const std::optional<HiddenStructure>& structure) const {
@@ -439,10 +439,9 @@ void runRender(const RenderOptions& options, base::Progress& progress) {
   if (options.paths.empty()) requireSource("", *options.scene);
   checkTarget(options.target);
   if (options.target.any() && options.frames->frames)
-    throw Error(
-        ErrorKind::usage, "", "--frames",
-        "with --error or --time every run would choose settings of its own: take those that --explain "
-        "says of one picture");
+    throw Error(ErrorKind::usage, "", "--frames",
+                "conflicts with --error and --time: each run would choose different settings; set those that "
+                "--explain prints for one image");
   const RenderPlan plan = planOf(options);
   std::optional<MadeFolder> made;
   if (!plan.folder.empty()) made.emplace(plan.folder);
@@ -455,64 +454,61 @@ void runRender(const RenderOptions& options, base::Progress& progress) {
 }  // namespace
 
 Command makeRender(CLI::App& program) {
-  CLI::App* const parser = program.add_subcommand("render", "Draw pictures to files, without a window");
+  CLI::App* const parser = program.add_subcommand("render", "Draw images to files, without a window");
   auto options = std::make_shared<RenderOptions>();
   parser->add_option(
       "PATH", options->paths,
       "Volume files, DICOM folders, phantom:NAME[:SIZE], sessions, or .png that carry one; each is drawn");
   parser
-      ->add_option("--out", options->out,
-                   "The picture to write: .png (8 bit sRGB, with its session) or .exr (float), - for a .png "
-                   "to standard "
-                   "output; of several, {name}, {n}, {i} and {value} stand for what tells them apart")
+      ->add_option(
+          "--out", options->out,
+          "Image to write: .png (8 bit sRGB, with its session), .exr (float), or - for a .png to standard "
+          "output. If there are several, {name}, {n}, {i} and {value} in FILE number or name them")
       ->type_name("FILE")
       ->required();
   parser
       ->add_option("--size", options->size,
-                   "Pixels; default: those of the .png that the session comes from, else 1024x768")
+                   "Pixels; default: those of the session's .png, otherwise 1024x768")
       ->type_name("WxH");
   parser
-      ->add_option("--aov", options->aov,
-                   "Write these deferred images to the .exr instead of the colours: " + imageNames() + ", " +
-                       kHiddenStructure)
+      ->add_option(
+          "--aov", options->aov,
+          "Write these AOVs to the .exr instead of the colours: " + imageNames() + ", " + kHiddenStructure)
       ->type_name("LIST");
-  parser
-      ->add_option("--stats", options->stats,
-                   "Write what was computed and what it cost as JSON (docs/commands.md)")
+  parser->add_option("--stats", options->stats, "Write results and costs as JSON (docs/reference/outputs.md)")
       ->type_name("FILE");
-  parser->add_flag(
-      "--accuracy", options->accuracy,
-      "Bound the errors of depth, normal, curvature and stored light of each pixel: in --stats, and "
-      "a line of --explain");
+  parser->add_flag("--accuracy", options->accuracy,
+                   "Bound the errors of depth, normal, curvature and baked light of each pixel; printed by "
+                   "--stats and --explain");
   parser
       ->add_option("--error-overlay", options->overlay,
-                   "Paint the bounds of an error on the picture (" + overlayNames() +
-                       "), hatched where they exceed --error; limits: hatching alone; " + kStructureOverlay +
+                   "Paint the bounds of an error on the image (" + overlayNames() +
+                       "), hatched where they exceed --error; limits: hatching only; " + kStructureOverlay +
                        ": hatching where source.level may hide a surface")
       ->type_name("ERROR");
   parser
       ->add_option("--light", options->light,
-                   "Take stored light from this file of `isolux bake`; what is missing is baked")
+                   "Use the baked light of this file of `isolux bake`; missing light is baked")
       ->type_name("FILE");
   parser->add_flag("--light-around", options->lightAround,
-                   "Store light around what is seen, too, as the window does: its picture bit for bit, and "
-                   "less noise at rims, for a quarter to a half more of the bake's time");
+                   "Also bake light around the visible surface, as the window does: an image bit-identical "
+                   "to the window's, with less noise at rims, for 25 to 50 % more bake time");
   CLI::Option* const sweep =
       parser
           ->add_option("--sweep", options->sweep,
-                       "A picture of each of COUNT evenly spaced values of a setting that is a number")
+                       "Draw an image for each of COUNT evenly spaced values of a numeric setting")
           ->type_name("PATH=LOW:HIGH:COUNT");
   parser
       ->add_option("--turntable", options->turntable,
-                   "N views once around the volume's up axis, and a movie when ffmpeg is found")
+                   "Draw N views around the volume's up axis, and a movie if ffmpeg is installed")
       ->type_name("N")
       ->check(CLI::Range(1, 100000).description(""))
       ->excludes(sweep);
-  parser->add_option("--fps", options->fps, "Pictures per second of the turntable's movie; default 24")
+  parser->add_option("--fps", options->fps, "Frames per second of the turntable's movie; default 24")
       ->type_name("N")
       ->check(CLI::Range(0.01, 240.0).description(""));
   parser->add_flag("--explain", options->explain,
-                   "Print each pass, whether it ran, and why; and what is stored of the light");
+                   "Print each pass, whether it ran, and why; and what light is baked");
   parser
       ->add_option("--repeat", options->repeat,
                    "Draw N frames after one to warm up; --stats has their median time")

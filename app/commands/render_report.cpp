@@ -124,7 +124,7 @@ void noteOfPicture(const scene::Scene& scene, const render::FrameReport& report)
   if (const int missing = scene::ghostsWithoutRoom(scene))
     printNote("isosurface.ghost: " + std::to_string(missing) +
               " of the two ghosts is missing, because further isosurfaces are shown");
-  if (report.empty) printNote("the picture is empty: " + report.empty->reason);
+  if (report.empty) printNote("the image is empty: " + report.empty->reason);
   for (const std::string& error : report.glErrors)
     printNote("the graphics driver reports an error: " + error);
   if (report.bricks.missing > 0.0)

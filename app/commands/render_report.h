@@ -18,7 +18,7 @@ struct Drawn {
   int repeat = 0;                // how many were
 };
 
-// docs/commands.md has the keys. `scene`: as it was drawn, but for the hits of pictures at rest.
+// docs/reference/outputs.md has the keys. `scene`: as it was drawn, but for the hits of pictures at rest.
 // accuracy: none where nobody asked for it.
 nlohmann::ordered_json renderJson(const scene::Scene& scene, const render::FrameRequest& request,
                                   const volume::PreparedVolume& prepared,

@@ -11,15 +11,15 @@ void addTargetOptions(CLI::App& parser, TargetOptions& options) {
   CLI::Option* const error =
       parser
           .add_option("--error", options.error,
-                      "Choose the settings of least work whose errors are at most these: depth in mm or vox, "
+                      "Choose the cheapest settings whose errors are at most these: depth in mm or vox, "
                       "missed (pixels) in %, normal in deg, curvature and light in %, as "
-                      "depth=0.01mm,light=2%; what --set says stays")
+                      "depth=0.01mm,light=2%. Settings given by --set stay")
           ->type_name("LIST")
           ->excludes("--light");
   parser
       .add_option(
           "--time", options.time,
-          "Choose the most accurate settings whose frames take at most this on this machine, as 100ms")
+          "Choose the most accurate settings whose frames take at most this on this computer, as 100ms")
       ->type_name("TIME")
       ->excludes(error);
 }

@@ -156,13 +156,13 @@ void runReplay(const ReplayOptions& options, base::Progress& progress) {
 
 Command makeReplay(CLI::App& program) {
   CLI::App* const parser = program.add_subcommand(
-      "replay", "Draw a recording as numbered frames, and a movie when ffmpeg is found");
+      "replay", "Draw a recording as numbered frames, and a movie if ffmpeg is installed");
   auto options = std::make_shared<ReplayOptions>();
   parser->add_option("RECORDING", options->recording, "A file made by `isolux PATH --record FILE`")
       ->required();
   parser
       ->add_option("--out", options->out,
-                   "The folder for frame_00000.png, frame_00001.png, ... and movie.mp4; made if missing")
+                   "Folder for frame_00000.png, frame_00001.png, ... and movie.mp4; created if missing")
       ->type_name("DIR")
       ->required();
   parser->add_option("--fps", options->fps, "Frames per second of the recording's time; default 30")

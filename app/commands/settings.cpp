@@ -170,8 +170,8 @@ void printMarkdown(std::ostream& out) {
     if (its != title) {
       out << "\n## " << its << "\n\n";
       if (ofMachine)
-        out << "Not part of a session. `--set` sets them for one run; the window keeps them for its user "
-               "(Edit, Preferences).\n\n";
+        out << "They describe the computer and are not part of a session. `--set` applies them to one run; "
+               "the window keeps them per user (Edit, Preferences).\n\n";
       title = its;
     }
     const std::string value = valueText(byDefault), allowed = allowedText(setting);
@@ -188,10 +188,10 @@ Command makeSettings(CLI::App& program) {
   CLI::App* const parser =
       program.add_subcommand("settings", "List every setting: path, type, default, range, unit, meaning");
   auto options = std::make_shared<SettingsOptions>();
-  parser->add_option("WORD", options->word, "Only settings whose path or meaning contains this");
-  CLI::Option* const markdown =
-      parser->add_flag("--markdown", options->markdown, "All of them as the page docs/reference/settings.md");
-  parser->add_flag("--json", options->json, "As a JSON list")->excludes(markdown);
+  parser->add_option("WORD", options->word, "Only settings whose path or description contains this");
+  CLI::Option* const markdown = parser->add_flag("--markdown", options->markdown,
+                                                 "Print all settings as the page docs/reference/settings.md");
+  parser->add_flag("--json", options->json, "Print a JSON list")->excludes(markdown);
   parser->footer("Examples:\n  isolux settings camera\n  isolux settings --json > settings.json");
   return {parser, [options](base::Progress&) {
             if (options->markdown)

@@ -183,41 +183,40 @@ void runSlice(const SliceOptions& options, base::Progress& progress) {
 
 Command makeSlice(CLI::App& program) {
   CLI::App* const parser = program.add_subcommand(
-      "slice", "Draw the values on a plane with the isosurfaces' curves, or write them as numbers");
+      "slice", "Draw a slice with the isosurfaces' contours, or write its values as numbers");
   auto options = std::make_shared<SliceOptions>();
   parser->add_option(
       "PATH", options->path,
       "A volume file, a DICOM folder, phantom:NAME[:SIZE], a session, or a .png that carries one");
   parser
       ->add_option("--plane", options->plane,
-                   "axial, coronal, sagittal (across the world's z, y, x), or a point and a normal "
+                   "axial, coronal or sagittal (normal to the world's z, y, x), or a point and a normal "
                    "\"px,py,pz nx,ny,nz\", mm")
       ->type_name("PLANE")
       ->required();
   parser
       ->add_option("--at", options->at,
-                   "Where on that axis, mm; of a point and a normal: how far along the normal. Default: "
-                   "slice.position; 0")
+                   "Position on that axis, mm; with a point and a normal: distance along the normal. "
+                   "Default: slice.position; 0")
       ->type_name("MM");
   parser
       ->add_option("--out", options->out,
-                   "A new .png (grey values through level and width, isocontours with their "
-                   "isovalues, letters, ruler), or a .exr "
-                   "with one channel `value`")
+                   "A new .png (grey values through window level and width, isocontours with their "
+                   "isovalues, orientation labels, "
+                   "ruler), or a .exr with one channel `value`")
       ->type_name("FILE")
       ->required();
-  parser
-      ->add_option("--size", options->size,
-                   "Pixels; default: 1024x768 of a .png, the voxels' own size of a .exr")
+  parser->add_option("--size", options->size, "Pixels; default: 1024x768 for a .png, voxel size for a .exr")
       ->type_name("WxH");
   parser
       ->add_option("--stats", options->stats,
-                   "Write where the pixels lie, level, width and contours to a JSON file")
+                   "Write the position of the pixels, level, width and contours as JSON")
       ->type_name("FILE");
   options->scene = addSceneOptions(*parser, Draws::slice);
   addThreadsOption(*parser);
   parser->footer(
-      "What a slice shows is in the settings of slice. (`isolux settings`). No graphics context is needed.\n"
+      "The settings of slice. (`isolux settings slice`) choose what is shown. No graphics context is "
+      "needed.\n"
       "Examples:\n"
       "  isolux slice head.nii.gz --plane axial --at 12 --out axial.png --isovalue 300\n"
       "  isolux slice head.nii.gz --plane \"0,0,0 0,1,1\" --set slice.slab=5 --out slab.exr --stats "

@@ -101,22 +101,21 @@ void runStudy(const StudyOptions& options, base::Progress& progress) {
 
 Command makeStudy(CLI::App& program) {
   CLI::App* const parser = program.add_subcommand(
-      "study",
-      "Measure what accuracy costs: error against time of each quality setting, of surfaces and light");
+      "study", "Measure error against time of each quality setting, for surfaces and light");
   auto options = std::make_shared<StudyOptions>();
   parser->add_option(
       "PATH", options->path,
       "A volume file, a DICOM folder, phantom:NAME[:SIZE], a session, or a .png that carries one");
   parser
       ->add_option("--out", options->out,
-                   "The folder for study.md, study.json and a plot per knob; made if missing")
+                   "Folder for study.md, study.json and a plot per quality setting; created if missing")
       ->type_name("DIR")
       ->required();
   std::string known;
   for (const Knob& knob : knobs()) known += (known.empty() ? "" : ",") + std::string(knob.name);
-  parser->add_option("--knobs", options->knobs, "Only these of " + known)->type_name("LIST");
-  parser->add_option("--size", options->size, "Pixels of the picture; default 256x256")->type_name("WxH");
-  parser->add_option("--repeat", options->repeat, "Frames measured of each setting, in turns; default 7")
+  parser->add_option("--knobs,--settings", options->knobs, "Study only these of " + known)->type_name("LIST");
+  parser->add_option("--size", options->size, "Pixels of the image; default 256x256")->type_name("WxH");
+  parser->add_option("--repeat", options->repeat, "Frames measured per value, in turns; default 7")
       ->type_name("N")
       ->check(CLI::Range(1, 1000).description(""));
   options->context = addContextOption(*parser);
@@ -124,13 +123,13 @@ Command makeStudy(CLI::App& program) {
   options->scene = addSceneOptions(*parser);
   addVolumeOptions(*parser, options->scene);
   parser->footer(
-      "What the figures mean: docs/accuracy.md. Examples:\n"
+      "docs/explanation/accuracy.md explains the figures. Examples:\n"
       "  isolux study phantom:head --out head_study\n"
-      "  isolux study ct.nii.gz --isovalue 300 --knobs rate,method --size 512x512 --out hits\n"
+      "  isolux study ct.nii.gz --isovalue 300 --settings rate,method --size 512x512 --out hits\n"
       "  isolux study ct.nii.gz --preset ct_bone --view anterior --fit surface --out bone\n"
-      "  isolux study picture.png --knobs derivatives_field,fetch --out shapes\n"
-      "  isolux study ct.nii.gz --set light.environment.file=probe.hdr --knobs samples,interpolation --out "
-      "light");
+      "  isolux study picture.png --settings derivatives_field,fetch --out shapes\n"
+      "  isolux study ct.nii.gz --set light.environment.file=probe.hdr --settings samples,interpolation "
+      "--out light");
   return {parser, [options](base::Progress& progress) { runStudy(*options, progress); }};
 }
 

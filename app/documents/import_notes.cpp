@@ -10,9 +10,9 @@ namespace {
 
 // The worst first.
 constexpr std::array<std::string_view, 13> kGraveWords{
-    "cannot be read", "checksum",    "unreadable",     "are missing", "count as missing",
-    "interpolated",   "resampled",   "boundary edge",  "one side",    "gantry tilt",
-    "assumed",        "not certain", "beside the line"};
+    "cannot be read", "checksum",    "unreadable",    "are missing", "count as missing",
+    "interpolated",   "resampled",   "boundary edge", "one side",    "gantry tilt",
+    "assumed",        "not certain", "off the line"};
 
 std::size_t rankOf(const std::string& note) {
   const auto found = std::find_if(kGraveWords.begin(), kGraveWords.end(), [&](std::string_view word) {

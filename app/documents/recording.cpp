@@ -85,7 +85,7 @@ Recording::Step stepOf(const json& entry, const std::string& file, const std::st
 
 void checkMayRecordInto(const fs::path& file) {
   if (!readBeginning(file, 1).empty() && !isRecording(file))
-    throwInput(file.string(), "", "is no recording: Isolux does not write one over it");
+    throwInput(file.string(), "", "is not a recording and is not overwritten");
 }
 
 Recorder::Recorder(const fs::path& file, const scene::Scene& start)

@@ -93,7 +93,7 @@ std::vector<glm::dvec3> parsePoints(const std::string& text, const std::string& 
   for (std::string word; words >> word;) {
     const auto numbers = numbersOf(word, ",");
     if (!numbers || numbers->size() != 3)
-      throw Error(ErrorKind::usage, "", option, '"' + word + "\" is no position x,y,z in mm");
+      throw Error(ErrorKind::usage, "", option, '"' + word + "\" is not a position x,y,z in mm");
     points.emplace_back((*numbers)[0], (*numbers)[1], (*numbers)[2]);
   }
   if (points.size() >= fewest && points.size() <= most) return points;

@@ -41,8 +41,8 @@ void PieceJob::find(Work& work) {
 }
 
 void PieceJob::run(Work& work) {
-  work.error =
-      caughtError(work.volume->volume.name, "find the pieces of the isosurface", [&] { find(work); });
+  work.error = caughtError(work.volume->volume.name, "find the connected components of the isosurface",
+                           [&] { find(work); });
   work.finished.store(true, std::memory_order_release);
 }
 

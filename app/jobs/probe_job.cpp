@@ -64,7 +64,7 @@ ProbeJob::ProbeJob(scene::Environment settings)
           run) {}
 
 void ProbeJob::run(Work& work) {
-  work.error = caughtError(work.settings.file, "load the light probe",
+  work.error = caughtError(work.settings.file, "load the environment map",
                            [&] { work.thumbnail = thumbnailOf(*gi::loadEnvironment(work.settings)); });
   work.finished.store(true, std::memory_order_release);
 }

@@ -27,7 +27,7 @@ struct StructureWork {
     std::optional<render::Tile> taken;                     // by the picture's own legend
     KnownStructure known;
   };
-  static constexpr const char* kDoes = "look for what the overview hides";
+  static constexpr const char* kDoes = "look for structure lost in the overview";
   void run(base::Progress& progress);
 
   Subject subject;

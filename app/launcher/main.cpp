@@ -164,13 +164,13 @@ class Supervisor {
   void start(const char* program, char** arguments) {
     const pid_t self = ::getpid();
     command_ = ::fork();
-    if (command_ < 0) fail("the system refuses another process");
+    if (command_ < 0) fail("cannot create a process; raise the process limit (ulimit -u)");
     if (command_ > 0) return;
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody is left without its supervisor
     if (::getppid() != self) ::_exit(kInterrupted);
     sigprocmask(SIG_SETMASK, &before_, nullptr);
     ::execv(program, arguments);
-    fail("cannot start isolux-program, which belongs beside it or in ../libexec/isolux");
+    fail("cannot start isolux-program; expected next to isolux or in ../libexec/isolux");
   }
 
   int watch() {
@@ -279,7 +279,7 @@ int main(int argc, char** argv) {
   if (!runsCommand(argc, argv)) {
     findProgram(program);
     ::execv(program, argv);
-    fail("cannot start isolux-program, which belongs beside it or in ../libexec/isolux");
+    fail("cannot start isolux-program; expected next to isolux or in ../libexec/isolux");
   }
   Supervisor supervisor;
   findProgram(program);

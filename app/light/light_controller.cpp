@@ -62,9 +62,9 @@ base::Error described(const std::exception_ptr& failure) {
   } catch (const std::bad_alloc&) {
     return {base::ErrorKind::memory, "", "light", "not enough memory"};
   } catch (const std::exception& error) {
-    return {base::ErrorKind::input, "", "light", std::string("a mistake in Isolux itself: ") + error.what()};
+    return {base::ErrorKind::input, "", "light", std::string("internal error: ") + error.what()};
   } catch (...) {
-    return {base::ErrorKind::input, "", "light", "a mistake in Isolux itself"};
+    return {base::ErrorKind::input, "", "light", "internal error"};
   }
 }
 
@@ -186,7 +186,8 @@ LightController::LightController(Options options) : parts_(std::make_unique<Part
   try {
     parts_->thread = std::jthread([parts = parts_.get()](const std::stop_token& stop) { parts->run(stop); });
   } catch (const std::system_error&) {
-    throw base::Error(base::ErrorKind::memory, "", "light", "the system refuses a thread to plan it");
+    throw base::Error(base::ErrorKind::memory, "", "light",
+                      "cannot create a thread; raise the process limit (ulimit -u)");
   }
 }
 

@@ -106,7 +106,7 @@ const LightPlan& LightPlanner::plan(const scene::Scene& given, const VolumePoint
   takeBakes();
   if (environment_->badPixels() > 0)
     plan_.warnings.push_back(std::to_string(environment_->badPixels()) +
-                             " pixels of the light probe are no numbers or negative: replaced");
+                             " pixels of the environment map are negative or not numbers; replaced");
   if (tracer_ && tracer_->beyondSimd())
     plan_.warnings.emplace_back(
         "light is traced at about a third of the speed: the volume has more voxels than the SIMD tracer "
@@ -114,8 +114,8 @@ const LightPlan& LightPlanner::plan(const scene::Scene& given, const VolumePoint
         "(about 1600 x 1600 x 1600)");
   if (choice.wanted && !choice.onShown && !tracer_->hidden().empty())
     plan_.warnings.emplace_back(
-        "stored light is that of all pieces: only light of one isosurface (gi.texels=shown) leaves out "
-        "hidden ones");
+        "baked light includes hidden connected components; only light of one isosurface (gi.texels=shown) "
+        "omits them");
   for (const auto& bake : plan_.bakes())
     if (const int wanted = threads(); bake->counters().threads < wanted)
       plan_.warnings.push_back("the system gives " + std::to_string(bake->counters().threads) + " of the " +

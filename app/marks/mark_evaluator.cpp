@@ -121,7 +121,7 @@ void MarkEvaluator::addNotes(const Surface& surface, const std::vector<Placed>& 
     const Placed& point = points[i];
     const std::string which = points.size() == 1 ? "the point" : "point " + std::to_string(i + 1);
     if (!point.onSurface) {
-      report.notes.push_back(which + " does not lie on the surface: there is none within three voxels of it");
+      report.notes.push_back(which + " is not on the surface: no surface within three voxels");
       continue;
     }
     const double off = glm::length(point.onSurface->world - point.at.world);
@@ -159,7 +159,7 @@ MarkReport MarkEvaluator::evaluate(const scene::Mark& mark, base::Progress& prog
   if (doubt_) report.notes.push_back("lengths are doubtful: " + *doubt_);
   if (const auto apart = volume::widestSlicesMm(volume_->volume.warnings))
     report.notes.push_back("slices are up to " + base::shortText(*apart, 3) +
-                           " mm apart: the error counts what may lie between them");
+                           " mm apart: the error includes what may be between them");
   measureNoise(progress);
   if (mark.kind == MarkKind::point) {
     point(mark, report, progress);
@@ -229,7 +229,7 @@ void MarkEvaluator::addShape(glm::dvec3 world, MarkReport& report, base::Progres
   const auto found = probe_->at(world);
   auto& list = report.quantities;
   if (!found) {
-    report.problem = "the point lies outside the volume or beside missing voxels";
+    report.problem = "the point is outside the volume or next to missing voxels";
     return;
   }
   const double noise = surfaces_.front().of.noise.at(found->value);

@@ -3,7 +3,7 @@
 // A mark's points stay where they are in mm, whatever the isovalue is. What needs the surface (a way along
 // it, a thickness, a piece) takes the isosurface that is nearest to the mark's first point among those that
 // are shown, and of that the point nearest to the mark's; how far that is off is said in a note once it is
-// more than half a voxel's diagonal. Definitions and errors: volume/measure, docs/measuring.md.
+// more than half a voxel's diagonal. Definitions and errors: volume/measure, docs/explanation/measurement.md.
 #pragma once
 
 #include <memory>

@@ -50,8 +50,8 @@ void MarkEvaluator::path(Surface& surface, const std::vector<Placed>& points, Ma
     const auto way =
         geodesic(surface.of, graph, points[i - 1].onSurface->world, points[i].onSurface->world, progress);
     if (!way) {
-      report.problem = "no way along the surface leads from point " + std::to_string(i) + " to point " +
-                       std::to_string(i + 1);
+      report.problem =
+          "no path along the surface from point " + std::to_string(i) + " to point " + std::to_string(i + 1);
       report.line.clear();
       return;
     }
@@ -75,13 +75,13 @@ void MarkEvaluator::angle(const std::vector<Placed>& points, MarkReport& report)
   if (degrees)
     report.quantities.push_back(quantityOf("angle", *degrees, "°"));
   else
-    report.problem = "two of the points lie in one place";
+    report.problem = "two of the points coincide";
 }
 
 void MarkEvaluator::circle(const std::vector<Placed>& points, MarkReport& report) const {
   const auto circle = circleThrough(points[0].at, points[1].at, points[2].at);
   if (!circle) {
-    report.problem = "the points lie on a line";
+    report.problem = "the points are on a line";
     return;
   }
   report.quantities.push_back(quantityOf("radius", circle->radiusMm, "mm"));
@@ -104,7 +104,7 @@ void MarkEvaluator::thickness(Surface& surface, const Placed& point, MarkReport&
     report.quantities.push_back(quantityOf("ball", ball->diameterMm, "mm"));
     report.centre = ball->centre;
   }
-  if (!ray && !ball) report.problem = "the inside does not end within the data behind the point";
+  if (!ray && !ball) report.problem = "the inside behind the point extends beyond the data";
 }
 
 void MarkEvaluator::piece(Surface& surface, const Placed& point, MarkReport& report,
@@ -125,7 +125,8 @@ void MarkEvaluator::piece(Surface& surface, const Placed& point, MarkReport& rep
       id = pieceAt(point.onSurface->world - depth * least * point.onSurface->facet);
     }
   if (id == volume::Pieces::kNone) {
-    report.problem = "the point lies in no piece of isovalue " + base::shortText(surface.of.isovalue);
+    report.problem =
+        "the point is in no connected component at isovalue " + base::shortText(surface.of.isovalue);
     return;
   }
   if (!surface.sizes)
@@ -137,7 +138,7 @@ void MarkEvaluator::piece(Surface& surface, const Placed& point, MarkReport& rep
   report.quantities.push_back(quantityOf("area", found.surface.areaMm2, "mm²"));
   report.quantities.push_back({"piece", static_cast<double>(id), {}, ""});
   report.quantities.push_back({"pieces", static_cast<double>(surface.sizes->pieces.size()), {}, ""});
-  if (found.surface.open()) report.notes.push_back("the piece goes on beyond the data: it is open");
+  if (found.surface.open()) report.notes.push_back("the component is open: it extends beyond the data");
 }
 
 }  // namespace isolux::app

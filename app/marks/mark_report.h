@@ -14,7 +14,7 @@
 namespace isolux::app {
 
 struct MarkQuantity {
-  std::string name;  // "straight", "kappa1": docs/measuring.md lists them
+  std::string name;  // "straight", "kappa1": docs/reference/outputs.md lists them
   double value = 0.0;
   std::optional<double> error;  // the same unit; nothing where none is known
   std::string unit;             // "mm", "HU"; empty: a plain number

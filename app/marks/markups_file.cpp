@@ -101,11 +101,11 @@ struct MarkupPoint {
 
 glm::dvec3 positionOf(const Markup& markup, const json& point, const std::string& place) {
   const json& position = point.value("position", json());
-  if (!position.is_array() || position.size() != 3) markup.fail(place + ".position", "is no [x, y, z]");
+  if (!position.is_array() || position.size() != 3) markup.fail(place + ".position", "is not [x, y, z]");
   glm::dvec3 world(0.0);
   for (int axis = 0; axis < 3; ++axis) {
     const json& number = position[static_cast<std::size_t>(axis)];
-    if (!number.is_number()) markup.fail(place + ".position", "is no [x, y, z]");
+    if (!number.is_number()) markup.fail(place + ".position", "is not [x, y, z]");
     world[axis] = number.get<double>();
   }
   return world;
@@ -119,13 +119,13 @@ std::vector<MarkupPoint> pointsOf(const Markup& markup, std::vector<std::string>
   const bool lps = isLps(markup);
   const double scale = millimetresOf(markup);
   const json list = markup.object.value("controlPoints", json::array());
-  if (!list.is_array()) markup.fail(".controlPoints", "is no list");
+  if (!list.is_array()) markup.fail(".controlPoints", "is not a list");
   std::vector<MarkupPoint> points;
   std::size_t unset = 0;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const std::string place = ".controlPoints[" + std::to_string(i) + ']';
     const json& point = list[i];
-    if (!point.is_object()) markup.fail(place, "is no object");
+    if (!point.is_object()) markup.fail(place, "is not an object");
     if (point.contains("positionStatus") && point["positionStatus"] != "defined") {
       ++unset;
       continue;
@@ -177,7 +177,7 @@ void addMarkup(const Markup& markup, ReadMarks& result) {
   const bool fiducial = type == "Fiducial";
   const auto kind = kindOf(markup, type);
   if (!fiducial && !kind) {
-    result.notes.push_back(markup.place + ": a markup of type " + type + " is no mark");
+    result.notes.push_back(markup.place + ": a markup of type " + type + " is not a mark");
     return;
   }
   std::vector<MarkupPoint> points = pointsOf(markup, result.notes);
@@ -237,17 +237,17 @@ ReadMarks parseMarkups(const std::string& text, const std::string& file) {
   try {
     whole = json::parse(text);
   } catch (const json::parse_error& error) {
-    base::throwInput(file, "byte " + std::to_string(error.byte), "is no JSON: not a Markups file");
+    base::throwInput(file, "byte " + std::to_string(error.byte), "is not JSON: not a Markups file");
   } catch (const json::exception&) {  // a number that no double holds
-    base::throwInput(file, "", "is no JSON: not a Markups file");
+    base::throwInput(file, "", "is not JSON: not a Markups file");
   }
   if (!whole.is_object() || !whole.contains("markups") || !whole["markups"].is_array())
-    base::throwInput(file, "", "is no Markups file: it has no list \"markups\"");
+    base::throwInput(file, "", "is not a Markups file: it has no list \"markups\"");
   ReadMarks result;
   const json& list = whole["markups"];
   for (std::size_t i = 0; i < list.size(); ++i) {
     const Markup markup{list[i], file, "markups[" + std::to_string(i) + ']'};
-    if (!list[i].is_object()) markup.fail("", "is no object");
+    if (!list[i].is_object()) markup.fail("", "is not an object");
     addMarkup(markup, result);
   }
   checkMarks(result.marks, file);

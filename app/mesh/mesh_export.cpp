@@ -69,9 +69,9 @@ volume::SurfaceMesh exportMesh(const MeshWish& wish, scene::Scene resolved,
   progress.report(0.0, "making a mesh");
   volume::SurfaceMesh found = extracted(wish, resolved, volume, progress);
   if (found.mesh.triangles.empty())
-    throw base::Error(base::ErrorKind::input, resolved.source.path, "isosurface.value",
-                      "there is no surface at " + base::shortText(resolved.isosurface.value.value()) +
-                          ": nothing is written");
+    throw base::Error(
+        base::ErrorKind::input, resolved.source.path, "isosurface.value",
+        "no surface at " + base::shortText(resolved.isosurface.value.value()) + "; no file is written");
   addRounding(wish, volume, found);
   const std::vector<volume::PointArray> arrays = arraysOf(wish, resolved, volume, found, progress);
   progress.throwIfStopped();
@@ -81,7 +81,7 @@ volume::SurfaceMesh exportMesh(const MeshWish& wish, scene::Scene resolved,
 
 std::string meshText(const volume::SurfaceMesh& made) {
   return std::to_string(made.mesh.triangles.size()) + " triangles, " +
-         std::to_string(made.mesh.points.size()) + " points; no farther from the surface than " +
+         std::to_string(made.mesh.points.size()) + " points; maximum deviation " +
          base::shortText(made.largestDistanceMm, 3) + " mm, " +
          (made.openEdges == 0 ? "closed" : std::to_string(made.openEdges) + " open edges");
 }
@@ -89,14 +89,13 @@ std::string meshText(const volume::SurfaceMesh& made) {
 std::string meshWarning(const volume::SurfaceMesh& made) {
   std::string text;
   if (made.beyond > 0)
-    text = base::shortText(made.toleranceMm, 3) + " mm was not reached at " + std::to_string(made.beyond) +
-           (made.beyond == 1 ? " place" : " places") + ", the farthest " +
-           base::shortText(made.largestDistanceMm, 3) + " mm from the surface at " +
-           base::shortText(made.farthest.x, 5) + "," + base::shortText(made.farthest.y, 5) + "," +
-           base::shortText(made.farthest.z, 5);
+    text = "tolerance " + base::shortText(made.toleranceMm, 3) + " mm not reached at " +
+           std::to_string(made.beyond) + (made.beyond == 1 ? " place" : " places") + ": maximum deviation " +
+           base::shortText(made.largestDistanceMm, 3) + " mm at " + base::shortText(made.farthest.x, 5) +
+           "," + base::shortText(made.farthest.y, 5) + "," + base::shortText(made.farthest.z, 5);
   if (made.astray > 0)
     text += (text.empty() ? "" : "; ") + std::to_string(made.astray) +
-            " points lie beside the surface: the spline's is thinner there than its samples'";
+            " points are off the surface: the spline is thinner there than its samples";
   return text;
 }
 

@@ -1,5 +1,5 @@
-// A preset: a name for what is shown, and the settings that show it. docs/presets.md has the form of the
-// files.
+// A preset: a name for what is shown, and the settings that show it. docs/reference/file-formats-isolux.md
+// has the form of the files.
 #pragma once
 
 #include <filesystem>

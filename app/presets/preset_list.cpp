@@ -78,7 +78,7 @@ Preset findPreset(const std::string& nameOrFile) {
   }
   const std::string meant = base::nearest(nameOrFile, known);
   throw Error(ErrorKind::usage, "", "--preset",
-              '"' + nameOrFile + "\" is no preset" +
+              '"' + nameOrFile + "\" is not a preset" +
                   (meant.empty() ? "; `isolux presets` lists them" : ", did you mean " + meant + "?"));
 }
 
@@ -105,7 +105,7 @@ fs::path savePreset(const Preset& preset, bool overwrite) {
   if (isBuiltIn(preset.name))
     throw Error(ErrorKind::usage, "", preset.name, "is a preset of the program; take another name");
   const fs::path folder = presetFolder();
-  if (folder.empty()) base::throwInput("", "", "there is no home folder to keep presets in");
+  if (folder.empty()) base::throwInput("", "", "no home folder for presets");
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) base::throwInput(folder.string(), "", "cannot be made: " + error.message());

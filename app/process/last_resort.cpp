@@ -34,14 +34,16 @@ Ending endingOf(const std::exception_ptr& thrown) {
   } catch (const std::bad_alloc&) {
     return {"isolux: not enough memory\n", memory};
   } catch (const std::system_error&) {
-    return {"isolux: the system gives no more threads or memory\n", memory};
+    return {"isolux: the system provides no more threads or memory; raise the limits (ulimit -u)\n", memory};
   } catch (const base::Error& error) {
     if (error.kind() == base::ErrorKind::memory) return {"isolux: not enough memory\n", memory};
   } catch (const std::exception& error) {
-    if (refusesThreads(error)) return {"isolux: the system gives no more threads or memory\n", memory};
+    if (refusesThreads(error))
+      return {"isolux: the system provides no more threads or memory; raise the limits (ulimit -u)\n",
+              memory};
   } catch (...) {
   }
-  return {"isolux: a mistake in Isolux itself: an exception that nobody caught\n", 1};
+  return {"isolux: internal error: unhandled exception; please report it with the command line\n", 1};
 }
 
 [[noreturn]] void endWithOneLine() {

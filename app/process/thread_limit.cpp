@@ -60,12 +60,13 @@ ThreadShare::ThreadShare() {
   const int given = threadsAvailable(kUsers * cores + kFew);
   if (given == kUsers * cores + kFew) return;
   if (given == 0)  // oneTBB would end the process
-    throw base::Error(base::ErrorKind::memory, "", "threads", "the system gives not one more (ulimit -u)");
+    throw base::Error(base::ErrorKind::memory, "", "threads",
+                      "cannot create a thread; raise the process limit (ulimit -u)");
   const int share = std::clamp((given - kFew) / kUsers, 0, cores);
   limit_ = std::make_unique<Limit>(static_cast<std::size_t>(std::max(share, 1)));
   ::setenv("LP_NUM_THREADS", std::to_string(share).c_str(), 1);  // of llvmpipe; 0: it works on the caller's
-  note_ = "the system gives " + std::to_string(given) + " more threads: work is done with " +
-          (share > 1 ? std::to_string(share) : std::string("one"));
+  note_ = "threads: the system provides only " + std::to_string(given) +
+          " more (ulimit -u); Isolux works with " + (share > 1 ? std::to_string(share) : std::string("one"));
 }
 
 ThreadShare::~ThreadShare() = default;

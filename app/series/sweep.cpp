@@ -66,7 +66,7 @@ Sweep parseSweep(const std::string& text) {
     refuseSweep(sweep.path, "is a setting of the machine and changes no picture");
   const scene::Setting& setting = scene::setting(sweep.path);
   if (setting.type != scene::SettingType::number && setting.type != scene::SettingType::integer)
-    refuseSweep(sweep.path, "is no number and cannot be swept");
+    refuseSweep(sweep.path, "is not a number and cannot be swept");
   if (sweep.path.starts_with("source."))
     refuseSweep(sweep.path, "cannot be swept: one volume is loaded for all pictures");
   if (setting.type == scene::SettingType::integer)

@@ -41,11 +41,11 @@ std::vector<Knob> parseKnobs(const std::string& list) {
     const Knob* const knob = find(word);
     if (!knob) {
       const std::string suggestion = base::nearest(word, known);
-      std::string reason = "there is no knob \"" + word + '"';
+      std::string reason = "unknown quality setting \"" + word + '"';
       if (!suggestion.empty()) {
         reason += ", did you mean " + suggestion + '?';
       } else {
-        reason += "; there are";
+        reason += "; choose from";
         for (const std::string& name : known) reason += ' ' + name;
       }
       throw base::Error(base::ErrorKind::usage, "", "--knobs", reason);
@@ -98,7 +98,7 @@ std::string whyWithoutEffect(const Knob& knob, const scene::Scene& scene) {
   if (knob.measure != Measure::light) return {};
   const scene::Scene lit = litScene(knob, scene);
   if (knob.transfer && scene::hasOneColor(scene.light.environment) && scene.gi.mode != scene::GiMode::off)
-    return "the sky has one colour, which one number of transfer says";
+    return "the environment is constant: transfer needs one number only";
   return std::string(scene::whyInactive(knob.setting, lit));
 }
 

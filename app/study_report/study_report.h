@@ -1,4 +1,4 @@
-// A study as study.json (docs/accuracy.md has its keys) and as study.md, a table per knob.
+// A study as study.json (docs/reference/outputs.md has its keys) and as study.md, a table per knob.
 #pragma once
 
 #include <string>

@@ -54,7 +54,7 @@ void requireQuantity(const std::string& name) {
   const std::vector<std::string> known = namesOfQuantities();
   if (std::find(known.begin(), known.end(), name) != known.end()) return;
   const std::string suggestion = base::nearest(name, known);
-  std::string reason = "there is no error \"" + name + '"';
+  std::string reason = "unknown error \"" + name + '"';
   if (!suggestion.empty()) {
     reason += ", did you mean " + suggestion + '?';
   } else {

@@ -10,7 +10,7 @@
 
 namespace isolux::app {
 
-// docs/commands.md has the keys.
+// docs/reference/outputs.md has the keys.
 nlohmann::ordered_json targetJson(const TargetAnswer& answer);
 // "chosen because ...", then a line for each combination that was measured.
 std::vector<std::string> targetLines(const TargetAnswer& answer);

@@ -181,8 +181,9 @@ void TargetSearch::addSurface(TargetAnswer& answer, base::Progress& progress) {
     const bool unknown =
         !isOfLight(limit) && std::isnan(answer.measured.front().errors[indexOf(limit.quantity)].bound);
     if (unknown)
-      answer.notes.push_back(std::string(nameOf(limit.quantity)) +
-                             " is ignored: nothing that is seen stands clear of the volume's noise");
+      answer.notes.push_back(
+          std::string(nameOf(limit.quantity)) +
+          " is ignored: it is not significant against the volume's noise at any visible pixel");
     return unknown;
   });
   answer.asked = answer.limits.size();
@@ -209,7 +210,7 @@ void TargetSearch::addSurface(TargetAnswer& answer, base::Progress& progress) {
                errorText(limit.quantity, error.bound);
   }
   throw Error(ErrorKind::usage, "", "--error",
-              "no settings keep " + limitsText(limits) + "; the least that can be promised is " + found);
+              "no settings keep " + limitsText(limits) + "; the smallest guaranteed error is " + found);
 }
 
 void TargetSearch::addLight(TargetAnswer& answer, const MeasuredCandidate& surface,
@@ -230,7 +231,7 @@ void TargetSearch::addLight(TargetAnswer& answer, const MeasuredCandidate& surfa
   if (!chosen) {
     const double least = lit[nearestTo(lit, {&*limit, 1})].errors[indexOf(Quantity::light)].bound;
     throw Error(ErrorKind::usage, "", "--error",
-                "no settings keep " + limitsText({&*limit, 1}) + "; the least that can be promised is " +
+                "no settings keep " + limitsText({&*limit, 1}) + "; the smallest guaranteed error is " +
                     errorText(Quantity::light, least) +
                     "; a larger picture, gi.samples above 1024 or gi.lattice_scale above 2 may keep it");
   }

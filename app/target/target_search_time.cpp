@@ -94,16 +94,15 @@ std::optional<TargetAnswer> TargetSearch::keepTime(double milliseconds, base::Pr
     if (one.milliseconds <= kTimeMargin * milliseconds) {
       answer.chosen = answer.measured.size() - 1;
       answer.expectedMilliseconds = one.milliseconds;
-      answer.reason = "it is the most accurate of what was drawn within " +
-                      base::shortText(100.0 * kTimeMargin, 3) + " % of " + base::shortText(milliseconds, 4) +
-                      " ms";
+      answer.reason = "it is the most accurate one drawn within " + base::shortText(100.0 * kTimeMargin, 3) +
+                      " % of " + base::shortText(milliseconds, 4) + " ms";
       return answer;
     }
     tooMuch = one.candidate.cost;
     quickest = std::min(quickest, one.milliseconds);
   }
   throw base::Error(base::ErrorKind::usage, "", "--time",
-                    "no settings keep " + base::shortText(milliseconds, 4) + " ms; the quickest take about " +
+                    "no settings keep " + base::shortText(milliseconds, 4) + " ms; the fastest take about " +
                         base::shortText(std::ceil(quickest / kTimeMargin), 9) +
                         " ms, and a smaller picture less");
 }

@@ -2,8 +2,9 @@
 // knob.
 //
 // The unit is an exact trilinear hit by a shader. The constants are ratios of passes that `isolux study` and
-// `isolux_bench render` measured in software OpenGL (docs/accuracy.md, docs/benchmarks.md), once for shaders
-// and once for the processor; what only shaders can do costs the same for both.
+// `isolux_bench render` measured in software OpenGL (docs/explanation/accuracy.md,
+// docs/records/2026-11-benchmarks.md), once for shaders and once for the processor; what only shaders can do
+// costs the same for both.
 #pragma once
 
 #include "scene/scene.h"

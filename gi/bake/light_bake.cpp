@@ -315,7 +315,8 @@ void LightBake::setThreads(int threads) {
       threads = parts_->leaveThreadsToOthers();
       if (threads == 0)
         parts_->fail(std::make_exception_ptr(
-            base::Error(base::ErrorKind::memory, "", "light", "the system refuses a thread to compute it")));
+            base::Error(base::ErrorKind::memory, "", "light",
+                        "cannot create a thread; raise the process limit (ulimit -u)")));
     }
   }
   parts_->threads = std::max(threads, 1);

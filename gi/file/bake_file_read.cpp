@@ -75,12 +75,12 @@ void checkShape(const LatticeGeometry& geometry, const LightContent& content, co
   if (wanted.contains("lattice_scale") && wanted["lattice_scale"].is_number() &&
       LatticeGeometry::make(geometry.volumeDims, wanted["lattice_scale"].get<double>(), geometry.isovalue) !=
           geometry)
-    throwInput(file, "ImageData WholeExtent", "is not that of the lattice that the key tells of");
+    throwInput(file, "ImageData WholeExtent", "does not match the lattice of the key");
   const std::string kind = content.kind == LightContent::Kind::transfer ? "transfer" : "irradiance";
   if ((wanted.contains("content") && wanted["content"] != kind) ||
       (wanted.contains("channels") && wanted["channels"] != content.channels) ||
       (wanted.contains("sh_order") && wanted["sh_order"] != content.order))
-    throwInput(file, "Array content", "is not what the key tells of");
+    throwInput(file, "Array content", "does not match the key");
 }
 
 // Where the texel of a lattice with an isovalue was lit: a function of the volume and of what is hidden of
@@ -203,7 +203,7 @@ std::string keyDifference(const std::string& stored, const std::string& wanted) 
   const auto differs = [&](const std::string& name) {
     return a.contains(name) != b.contains(name) || (a.contains(name) && a[name] != b[name]);
   };
-  if (differs("format")) return "was baked by another version of Isolux, whose light is not that of this one";
+  if (differs("format")) return "was baked by another version of Isolux with different light";
   if (differs("volume")) return "the volume is another one";
   for (const json* keys : {&b, &a})
     for (const auto& [name, value] : keys->items())

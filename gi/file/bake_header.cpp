@@ -17,10 +17,10 @@ constexpr std::size_t kHeaderWithin = std::size_t{1} << 20;
 // A text as VTK writes it: the codes of its characters, then 0.
 std::string textOf(std::string_view codes, const std::string& file, const std::string& place) {
   const auto numbers = volume::integersOf(codes);
-  if (!numbers || numbers->empty() || numbers->back() != 0) throwInput(file, place, "is no text");
+  if (!numbers || numbers->empty() || numbers->back() != 0) throwInput(file, place, "is not text");
   std::string text;
   for (std::size_t i = 0; i + 1 < numbers->size(); ++i) {
-    if ((*numbers)[i] < 1 || (*numbers)[i] > 255) throwInput(file, place, "is no text");
+    if ((*numbers)[i] < 1 || (*numbers)[i] > 255) throwInput(file, place, "is not text");
     text += static_cast<char>((*numbers)[i]);
   }
   return text;

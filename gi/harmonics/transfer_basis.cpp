@@ -16,7 +16,8 @@ using Rows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajo
 using Vector = Eigen::VectorXf;
 
 // How much an error in a band counts. Environments have less in the higher bands. Of the exponents 0, 1/2, 1
-// and 2 this one has the smallest mean error under three light probes (docs/architecture.md).
+// and 2 this one has the smallest mean error under three light probes
+// (docs/explanation/global-illumination.md).
 double bandWeight(int band) {
   return 1.0 / std::sqrt(1.0 + band);
 }

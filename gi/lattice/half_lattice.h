@@ -1,7 +1,7 @@
 // Interpolates baked lighting from half of its texels, to estimate the sampling error.
 //
 // The difference between the two halves shows the noise of paths and the effect of the texels' positions
-// (docs/numerics.md).
+// (docs/explanation/accuracy.md).
 #pragma once
 
 #include <memory>

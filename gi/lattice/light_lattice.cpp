@@ -29,7 +29,7 @@ LightLattice::LightLattice(const LatticeGeometry& geometry, LightContent content
     : geometry_(geometry),
       content_(content),
       key_(std::move(key)),
-      held_(base::machineMemory().reserve(geometry.blockCount() * kTableEntry, "the table of stored light",
+      held_(base::machineMemory().reserve(geometry.blockCount() * kTableEntry, "the table of baked light",
                                           remedyFor(content))),
       blocks_(geometry.blockCount()) {}
 
@@ -63,7 +63,7 @@ void LightLattice::write(std::uint32_t block, LatticeBlock in) {
          static_cast<std::size_t>(kTexelsOfBlock) * static_cast<std::size_t>(content_.components()));
   assert(in.places.size() == (geometry_.isovalue ? kTexelsOfBlock : 0));
   if (in.held.bytes() == 0)
-    in.held = base::machineMemory().reserve(in.bytes(), "more stored light", remedyFor(content_));
+    in.held = base::machineMemory().reserve(in.bytes(), "more baked light", remedyFor(content_));
   share(block, std::make_shared<const LatticeBlock>(std::move(in)));  // the last that can throw
 }
 

@@ -97,7 +97,8 @@ Environment::Environment(int width, int height, std::vector<glm::vec3> pixels)
     : width_(width), height_(height), pixels_(std::move(pixels)) {
   assert(width >= 1 && height >= 1);
   if (pixels_.size() >> 31 != 0)
-    throw base::Error(base::ErrorKind::memory, "", "", "a light probe of 2^31 pixels or more is not sampled");
+    throw base::Error(base::ErrorKind::memory, "", "",
+                      "an environment map of 2^31 pixels or more is not supported");
   assert(pixels_.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   repair();
   sumUp();

@@ -88,7 +88,7 @@ Reference::Reference(std::shared_ptr<const volume::PreparedVolume> volume,
                      std::shared_ptr<const volume::IsosurfaceTracer> tracer,
                      std::shared_ptr<const Environment> environment, const scene::Scene& resolved,
                      const Options& options, base::Progress& progress)
-    : held_(base::machineMemory().reserve(bytesOf(options.size), "a path traced picture of this size",
+    : held_(base::machineMemory().reserve(bytesOf(options.size), "a path traced image of this size",
                                           "a smaller one needs less")),
       scene_(checked(resolved)),
       volume_(std::move(volume)),

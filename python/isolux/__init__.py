@@ -6,7 +6,7 @@
     >>> p.save("head.png")
 
 Lengths are millimetres, positions (x, y, z) of the world; arrays are indexed (z, y, x) unless a Volume is told otherwise.
-docs/python.md shows what can be done.
+docs/reference/python.md shows what can be done.
 """
 
 import atexit as _atexit

@@ -12,226 +12,225 @@ Path = str | os.PathLike[str]
 Look = Literal["blinn_phong", "lambert", "tone", "kappa1", "kappa2", "mean_curvature", "gaussian_curvature", "shape_index", "curvedness", "curvature_2d", "accessibility", "edge_offset", "flow", "gi", "normal", "depth"]
 
 SettingsDict = TypedDict("SettingsDict", {
-    "source.path": str | os.PathLike[str],  # The volume: a file, a DICOM folder, a triangle mesh, or phantom:NAME[:SIZE].
-    "source.raw": str | os.PathLike[str],  # How to read a file without a header: "WxHxD TYPE [little|big] [spacing x,y,z] [header BYTES]".
-    "source.series": str | os.PathLike[str],  # The SeriesInstanceUID to take from a DICOM folder; empty takes the series with most slices.
-    "source.component": int,  # Which component of a file with several per voxel; -1 is their magnitude.
-    "source.time_step": int,  # Which time step of a file with several.
-    "source.kind": Literal["auto", "ct_hu", "ct", "mr", "microscopy", "simulation", "distance", "labels", "other"],  # What kind of data the volume is: a CT in Hounsfield units or in others, an MR scan, a distance field; auto decides by its file and its values. Presets and the first isovalue depend on it.
-    "source.level": int,  # How coarsely a large file is read: 0 is its own voxels, each further level the means of twice as many along each axis, from the file where it has them.
-    "source.around_damage": bool,  # Whether voxels that cannot be read of a file in chunks are missing ones; otherwise the file is refused.
-    "source.mesh_voxels": int,  # How finely a triangle mesh becomes a distance field: voxels along its longest axis.
-    "source.csg": Literal["none", "union", "intersection", "difference"],  # How a second volume is combined with the first, as solids on one grid.
-    "source.csg_path": str | os.PathLike[str],  # The second volume, as source.path. A phantom without SIZE is made on the first volume's grid.
-    "source.csg_value": float | Literal["auto"] | None,  # The isovalue of the second volume's surface, in its own units; auto takes the suggested one.
-    "isosurface.name": str | os.PathLike[str],  # What the surface is called in lists and at its line on the histogram.
-    "isosurface.value": float | Literal["auto"] | None,  # The isovalue; auto is by isosurface.suggestion.
-    "isosurface.suggestion": Literal["object", "contrast"],  # What an automatic isovalue is: the border of the whole object to what surrounds it (skin in a scan of a head), or the clearest border within it (often bone).
-    "isosurface.inside": Literal["above", "below"],  # Which side of the isovalue is solid; the normal points away from it.
-    "isosurface.albedo": Sequence[Any] | str,  # The diffuse reflectance of the surface.
-    "isosurface.albedo_source": Literal["color", "map"],  # Whether isosurfaces have the reflectances given, or those of a colour map over the isovalue.
-    "isosurface.albedo_map": Literal["auto", "viridis", "cividis", "inferno", "gray", "coolwarm", "blue_orange", "purple_green", "spectral"],  # The colour map over the isovalue; auto is viridis.
-    "isosurface.albedo_low": float | Literal["auto"] | None,  # The isovalue at the lower end of that map; auto is the volume's minimum.
-    "isosurface.albedo_high": float | Literal["auto"] | None,  # The isovalue at the upper end of that map; auto is the volume's maximum.
-    "isosurface.opacity": float,  # How much of what lies behind the surface it hides; 1 hides all.
-    "isosurface.facing_opacity": float,  # Times the opacity where the surface faces the viewer; where it is seen edge on it keeps its opacity.
-    "isosurface.layers": int,  # How many crossings along a ray are composited at most, where surfaces are transparent.
-    "isosurface.ghost": float,  # Draws the first surface twice more, transparent, at its isovalue plus and minus this many times the noise: how far noise may move it; 0 draws none.
-    "isosurface.ghost_opacity": float,  # How much of what lies behind them those two surfaces hide.
-    "isosurface.clipped": bool,  # Whether planes and box of clip. cut the first surface, too.
+    "source.path": str | os.PathLike[str],  # Volume to draw: a file, a DICOM folder, a triangle mesh, or phantom:NAME[:SIZE].
+    "source.raw": str | os.PathLike[str],  # Layout of a file without a header: "WxHxD TYPE [little|big] [spacing x,y,z] [header BYTES]".
+    "source.series": str | os.PathLike[str],  # SeriesInstanceUID of the series to read from a DICOM folder; empty selects the series with the most slices.
+    "source.component": int,  # Channel to read from a file with several values per voxel; -1 reads the magnitude of the vector.
+    "source.time_step": int,  # Time step to read from a file with several, counted from 0.
+    "source.kind": Literal["auto", "ct_hu", "ct", "mr", "microscopy", "simulation", "distance", "labels", "other"],  # Kind of data: CT in Hounsfield or other units, MR, distance field …; auto decides from the file and its values. Presets and the first isovalue depend on it.
+    "source.level": int,  # Resolution level of a large file: 0 is full resolution, each further level halves it along each axis. Levels stored in the file are used; others are averaged.
+    "source.around_damage": bool,  # Treats unreadable voxels of a chunked file as missing; otherwise the file is rejected.
+    "source.mesh_voxels": int,  # Resolution of the distance field made from a triangle mesh: voxels along the longest axis.
+    "source.csg": Literal["none", "union", "intersection", "difference"],  # Boolean operation that combines a second volume with the first, as solids on one grid.
+    "source.csg_path": str | os.PathLike[str],  # Second volume of the Boolean operation, given as in source.path. A phantom without SIZE uses the first volume's grid.
+    "source.csg_value": float | Literal["auto"] | None,  # Isovalue of the second volume, in its own units; auto uses the suggested one.
+    "isosurface.name": str | os.PathLike[str],  # Name of the surface in lists and on the histogram.
+    "isosurface.value": float | Literal["auto"] | None,  # Isovalue of the first surface; auto follows isosurface.suggestion.
+    "isosurface.suggestion": Literal["object", "contrast"],  # Automatic isovalue: the boundary of the whole object (skin in a scan of a head), or the clearest boundary inside it (often bone).
+    "isosurface.inside": Literal["above", "below"],  # Side of the isovalue that is solid; the normal points away from it.
+    "isosurface.albedo": Sequence[Any] | str,  # Diffuse reflectance of the surface.
+    "isosurface.albedo_source": Literal["color", "map"],  # Source of the isosurfaces' reflectances: a colour per surface, or a colour map over the isovalue.
+    "isosurface.albedo_map": Literal["auto", "viridis", "cividis", "inferno", "gray", "coolwarm", "blue_orange", "purple_green", "spectral"],  # Colour map over the isovalue; auto is viridis.
+    "isosurface.albedo_low": float | Literal["auto"] | None,  # Isovalue at the lower end of that map; auto is the volume's minimum.
+    "isosurface.albedo_high": float | Literal["auto"] | None,  # Isovalue at the upper end of that map; auto is the volume's maximum.
+    "isosurface.opacity": float,  # Opacity of the surface; 1 hides everything behind it.
+    "isosurface.facing_opacity": float,  # View-dependent opacity: factor on the opacity where the surface faces the viewer; edge-on the opacity is unchanged.
+    "isosurface.layers": int,  # Maximum number of surface crossings composited along a ray, where surfaces are transparent.
+    "isosurface.ghost": float,  # Draws two uncertainty surfaces: transparent isosurfaces at the first isovalue ± this many standard deviations of the noise. They bound the shift due to noise; 0 draws none.
+    "isosurface.ghost_opacity": float,  # Opacity of the uncertainty surfaces.
+    "isosurface.clipped": bool,  # Applies clip planes and clip box to the first surface.
     "isosurface2.shown": bool,  # Draws one more isosurface of the same volume.
-    "isosurface2.name": str | os.PathLike[str],  # What that surface is called.
-    "isosurface2.value": float | Literal["auto"] | None,  # Its isovalue; auto takes the next suggestion of the histogram outside the first surface, or inside where there is none.
-    "isosurface2.albedo": Sequence[Any] | str,  # The diffuse reflectance of that surface.
-    "isosurface2.opacity": float,  # How much of what lies behind that surface it hides; 1 hides all.
-    "isosurface2.facing_opacity": float,  # Times that opacity where the surface faces the viewer.
-    "isosurface2.clipped": bool,  # Whether planes and box of clip. cut that surface, too.
+    "isosurface2.name": str | os.PathLike[str],  # Name of that surface.
+    "isosurface2.value": float | Literal["auto"] | None,  # Isovalue of that surface; auto takes the histogram's next suggestion outside the first surface, or inside if there is none.
+    "isosurface2.albedo": Sequence[Any] | str,  # Diffuse reflectance of that surface.
+    "isosurface2.opacity": float,  # Opacity of that surface; 1 hides everything behind it.
+    "isosurface2.facing_opacity": float,  # View-dependent opacity: factor on that opacity where the surface faces the viewer.
+    "isosurface2.clipped": bool,  # Applies clip planes and clip box to that surface.
     "isosurface3.shown": bool,  # Draws one more isosurface of the same volume.
-    "isosurface3.name": str | os.PathLike[str],  # What that surface is called.
-    "isosurface3.value": float | Literal["auto"] | None,  # Its isovalue; auto takes the next suggestion of the histogram outside the first surface, or inside where there is none.
-    "isosurface3.albedo": Sequence[Any] | str,  # The diffuse reflectance of that surface.
-    "isosurface3.opacity": float,  # How much of what lies behind that surface it hides; 1 hides all.
-    "isosurface3.facing_opacity": float,  # Times that opacity where the surface faces the viewer.
-    "isosurface3.clipped": bool,  # Whether planes and box of clip. cut that surface, too.
+    "isosurface3.name": str | os.PathLike[str],  # Name of that surface.
+    "isosurface3.value": float | Literal["auto"] | None,  # Isovalue of that surface; auto takes the histogram's next suggestion outside the first surface, or inside if there is none.
+    "isosurface3.albedo": Sequence[Any] | str,  # Diffuse reflectance of that surface.
+    "isosurface3.opacity": float,  # Opacity of that surface; 1 hides everything behind it.
+    "isosurface3.facing_opacity": float,  # View-dependent opacity: factor on that opacity where the surface faces the viewer.
+    "isosurface3.clipped": bool,  # Applies clip planes and clip box to that surface.
     "isosurface4.shown": bool,  # Draws one more isosurface of the same volume.
-    "isosurface4.name": str | os.PathLike[str],  # What that surface is called.
-    "isosurface4.value": float | Literal["auto"] | None,  # Its isovalue; auto takes the next suggestion of the histogram outside the first surface, or inside where there is none.
-    "isosurface4.albedo": Sequence[Any] | str,  # The diffuse reflectance of that surface.
-    "isosurface4.opacity": float,  # How much of what lies behind that surface it hides; 1 hides all.
-    "isosurface4.facing_opacity": float,  # Times that opacity where the surface faces the viewer.
-    "isosurface4.clipped": bool,  # Whether planes and box of clip. cut that surface, too.
-    "pieces.keep": int,  # How many connected pieces of each isosurface are shown, the largest first; 0 shows all.
-    "pieces.smallest": float,  # Pieces that enclose less than this are not shown.
-    "pieces.hidden": Sequence[Any] | str,  # World points; pieces that hold one of them are not shown.
-    "pieces.only": Sequence[Any] | str,  # World points; where there are any, only pieces that hold one of them are shown.
-    "pieces.within": float | Literal["auto"] | None,  # Only pieces of which at least half lies in the body above this value are shown, the skin's for example: a headrest and a table are not. What is thinner than 8 mm is no body; auto shows pieces wherever they lie.
-    "pieces.depth": float,  # How deep in that body half of a piece must lie, as a fraction of the body's greatest depth: a brain does, its scalp does not.
-    "clip.planes": Sequence[Any] | str,  # Up to six planes "px,py,pz nx,ny,nz; ...", a point and a normal each: what lies on the side that the normal points to is cut away.
-    "clip.box": Sequence[Any] | str,  # Two opposite corners "x,y,z; x,y,z" of a box outside which everything is cut away; none cuts nothing.
-    "clip.box_rotation": Sequence[Any] | str,  # How the box is turned about its centre.
-    "clip.removed": Sequence[Any] | str,  # Two opposite corners "x,y,z; x,y,z" of each of up to eight boxes in which everything is cut away; they may lie far outside the volume.
-    "clip.cap": Literal["none", "inside", "whole"],  # What cut faces show: nothing, the voxels' values where the inside was cut, or the values of the whole face.
-    "slice.level": float | Literal["auto"] | None,  # The value shown as middle grey in slices and on cut faces; auto is found from the volume.
-    "slice.width": float | Literal["auto"] | None,  # How far values reach from black to white there; auto is found from the volume.
-    "slice.map": Literal["auto", "viridis", "cividis", "inferno", "gray", "coolwarm", "blue_orange", "purple_green", "spectral"],  # Their colour map; auto is gray.
-    "slice.field": Literal["trilinear", "cubic", "cubic_interpolating"],  # The reconstruction that slices and cut faces show between the voxels.
-    "slice.slab": float,  # How thick slices are, half before and half behind their plane; 0 shows the plane itself.
-    "slice.slab_mode": Literal["mean", "maximum", "minimum"],  # What a thick slice shows of the values along its normal.
-    "slice.convention": Literal["radiological", "neurological"],  # Whether the patient's right is on the left of axial and coronal slices (radiological), or on the right.
-    "slice.contour_width": float,  # The width of the isosurfaces' curves in slices; 0 draws none.
-    "slice.noise_band": float,  # Fills where the first surface's curve would lie at its isovalue plus and minus this many times the noise; 0 fills nothing.
-    "slice.position": Sequence[Any] | str | Literal["auto"] | None,  # Where the three slices meet; auto is the centre of the volume.
-    "marks.list": Sequence[Any] | str,  # What is marked and measured: a list of {kind, name, points, color, shown}.
-    "hit.method": Literal["sampled", "exact"],  # How rays find the surface: equidistant samples with refinement, or the first root of the interpolant in every cell.
-    "hit.field": Literal["trilinear", "cubic", "cubic_interpolating"],  # The reconstruction whose surface is hit: trilinear; the tri-cubic B-spline, which is the smoothest and shrinks what is thin until it is gone; or the B-spline that passes through the samples, which holds wires, twigs and vessels together where trilinear hits draw beads.
-    "hit.rate": float,  # How densely a ray is sampled; method sampled only.
-    "hit.near_factor": float,  # How many times denser the samples are near the isovalue; method sampled only.
-    "hit.near_threshold": float | Literal["auto"] | None,  # Samples closer to the isovalue than this are near; auto is what the volume's values change by from one sample to the next; method sampled only.
+    "isosurface4.name": str | os.PathLike[str],  # Name of that surface.
+    "isosurface4.value": float | Literal["auto"] | None,  # Isovalue of that surface; auto takes the histogram's next suggestion outside the first surface, or inside if there is none.
+    "isosurface4.albedo": Sequence[Any] | str,  # Diffuse reflectance of that surface.
+    "isosurface4.opacity": float,  # Opacity of that surface; 1 hides everything behind it.
+    "isosurface4.facing_opacity": float,  # View-dependent opacity: factor on that opacity where the surface faces the viewer.
+    "isosurface4.clipped": bool,  # Applies clip planes and clip box to that surface.
+    "pieces.keep": int,  # Maximum number of connected components (pieces) shown per isosurface, largest first; 0 shows all.
+    "pieces.smallest": float,  # Hides connected components that enclose a smaller volume.
+    "pieces.hidden": Sequence[Any] | str,  # Hides the connected components that contain one of these world points.
+    "pieces.only": Sequence[Any] | str,  # If not empty, shows only the connected components that contain one of these world points.
+    "pieces.within": float | Literal["auto"] | None,  # Shows only connected components of which at least half is inside the body above this value, for example the skin's. This hides a headrest and a table. Structures thinner than 8 mm do not count as body; auto shows components everywhere.
+    "pieces.depth": float,  # Minimum depth inside that body of half of a component, as a fraction of the body's greatest depth. A brain is deep enough, its scalp is not.
+    "clip.planes": Sequence[Any] | str,  # Up to six clip planes "px,py,pz nx,ny,nz; ...", a point and a normal each; they remove the side that the normal points to.
+    "clip.box": Sequence[Any] | str,  # Two opposite corners "x,y,z; x,y,z" of the clip box, which removes everything outside it; empty removes nothing.
+    "clip.box_rotation": Sequence[Any] | str,  # Rotation of the clip box about its centre.
+    "clip.cap": Literal["none", "inside", "whole"],  # Cap of cut faces: none, the voxels' values where the inside was cut, or the values of the whole face.
+    "slice.level": float | Literal["auto"] | None,  # Window level: the value shown as middle grey in slices and on cut faces; auto is found from the volume.
+    "slice.width": float | Literal["auto"] | None,  # Window width: the range of values from black to white in slices and on cut faces; auto is found from the volume.
+    "slice.map": Literal["auto", "viridis", "cividis", "inferno", "gray", "coolwarm", "blue_orange", "purple_green", "spectral"],  # Colour map of slices and cut faces; auto is gray.
+    "slice.field": Literal["trilinear", "cubic", "cubic_interpolating"],  # Interpolation between voxels in slices and on cut faces.
+    "slice.slab": float,  # Slab thickness of slices, half in front of and half behind their plane; 0 shows the plane itself.
+    "slice.slab_mode": Literal["mean", "maximum", "minimum"],  # Projection through a slab: maximum (MIP), minimum (MinIP) or average along its normal.
+    "slice.convention": Literal["radiological", "neurological"],  # Display convention of axial and coronal slices: the patient's right on the left (radiological) or on the right (neurological).
+    "slice.contour_width": float,  # Width of the isosurfaces' contours in slices; 0 draws none.
+    "slice.noise_band": float,  # Fills the uncertainty band of the first surface's contour: its isovalue ± this many standard deviations of the noise; 0 fills nothing.
+    "slice.position": Sequence[Any] | str | Literal["auto"] | None,  # Point where the three slices meet; auto is the centre of the volume.
+    "marks.list": Sequence[Any] | str,  # List of measurements: {kind, name, points, color, shown} each.
+    "hit.method": Literal["sampled", "exact"],  # Intersection of rays with the surface: equidistant samples with refinement, or the first root of the interpolant in the cell.
+    "hit.field": Literal["trilinear", "cubic", "cubic_interpolating"],  # Interpolant whose surface is drawn. Trilinear; the cubic B-spline, smoothest, which shrinks thin structures until they vanish; or the interpolating cubic B-spline, which keeps wires, twigs and vessels connected where trilinear hits draw beads.
+    "hit.rate": float,  # Sampling rate along a ray; method sampled only.
+    "hit.near_factor": float,  # Factor by which sampling is denser near the isovalue; method sampled only.
+    "hit.near_threshold": float | Literal["auto"] | None,  # Distance from the isovalue within which sampling is denser; auto is the typical change of value from one sample to the next; method sampled only.
     "hit.refinements": int,  # Regula falsi steps after a sampled hit; method sampled only.
-    "derivatives.field": Literal["trilinear", "cubic", "cubic_interpolating"],  # The reconstruction that gradients and curvature come from: trilinear, the tri-cubic B-spline, or the B-spline that passes through the samples.
-    "derivatives.fetch": Literal["fast", "exact"],  # How cubic derivatives read the volume: by the texture unit's linear filter, whose weights many GPUs round to 8 bits, or by single voxels weighted in float.
-    "derivatives.noise": float | Literal["auto"] | None,  # Standard deviation of the noise of a voxel, which the confidence in curvature is measured against; auto estimates it from the volume.
-    "derivatives.scale": float | Literal["auto"] | None,  # The scale of curvature, lines and flow: standard deviation of the Gaussian that the volume is smoothed with before second derivatives are taken, the same in all directions; 0 smooths nothing, auto chooses by the noise.
-    "derivatives.normal_scale": float | Literal["auto"] | None,  # The same for the normals of shading and contours.
-    "edge.search": float | Literal["auto"] | None,  # How far along the normal, each way, the edge of the object is looked for; auto takes what the spacing and the scale ask for.
-    "edge.contrast": float,  # How far the gradient at an edge must stand out of what noise makes of gradients; weaker ones are no edges.
-    "color.volume": str | os.PathLike[str],  # A second volume that colours the surface by its values there, as source.path; empty takes none.
-    "color.raw": str | os.PathLike[str],  # How to read it, as source.raw.
-    "color.component": int,  # Which of its components, as source.component.
-    "color.time_step": int,  # Which of its time steps, as source.time_step.
-    "color.field": Literal["trilinear", "cubic", "cubic_interpolating"],  # The reconstruction its values are taken from.
-    "color.map": Literal["auto", "viridis", "cividis", "inferno", "gray", "coolwarm", "blue_orange", "purple_green", "spectral"],  # The colour map over its values; auto is viridis.
-    "color.low": float | Literal["auto"] | None,  # The value at the lower end of the map; auto is found from what the surface shows.
-    "color.high": float | Literal["auto"] | None,  # The value at the upper end of the map; auto is found from what the surface shows.
-    "color.below": float,  # Shows the largest value within this distance below the surface; 0 shows that of the surface itself.
-    "color.strength": float,  # How much of the surface's own colour is covered.
-    "color.fade": bool,  # Lets the strength rise from nothing at the lower end of the map to its value at the upper end.
-    "color.isolines": float,  # Lines of equal values this far apart; 0 draws none.
-    "color.isoline_width": float,  # Their width.
-    "look.mode": Literal["blinn_phong", "lambert", "tone", "kappa1", "kappa2", "mean_curvature", "gaussian_curvature", "shape_index", "curvedness", "curvature_2d", "accessibility", "edge_offset", "flow", "gi", "normal", "depth"],  # What the picture shows: the surface under a shading, or a measure of it in colour.
-    "look.shading": Literal["unlit", "lambert", "blinn_phong", "tone", "gi"],  # The shading under the modes that give a colour: the curvature maps, accessibility and flow; gi is stored global illumination.
-    "look.ambient": float,  # Light from everywhere, as a fraction of the albedo.
-    "look.ambient_variation": float,  # How much brighter the ambient light is from above the picture than from below.
+    "derivatives.field": Literal["trilinear", "cubic", "cubic_interpolating"],  # Interpolant for gradients and curvature: trilinear, the cubic B-spline, or the interpolating cubic B-spline.
+    "derivatives.fetch": Literal["fast", "exact"],  # Voxel access of cubic derivatives: the texture unit's linear filter, whose weights many GPUs round to 8 bits, or single voxels weighted in float.
+    "derivatives.noise": float | Literal["auto"] | None,  # Standard deviation of a voxel's noise, from which the confidence in curvature is computed; auto estimates it from the volume.
+    "derivatives.scale": float | Literal["auto"] | None,  # Scale σ of curvature, lines and flow: standard deviation of the isotropic Gaussian that smooths the volume before second derivatives are taken; 0 does not smooth, auto chooses from the noise.
+    "derivatives.normal_scale": float | Literal["auto"] | None,  # Scale σ of the normals used by shading and contours, as derivatives.scale.
+    "edge.search": float | Literal["auto"] | None,  # Search distance for the edge of the object along the normal, in both directions; auto depends on spacing and scale.
+    "edge.contrast": float,  # Minimum gradient magnitude of an edge, in standard deviations of the gradient's noise; weaker maxima are ignored.
+    "color.volume": str | os.PathLike[str],  # Second volume whose values colour the surface, given as in source.path; empty is none.
+    "color.raw": str | os.PathLike[str],  # Layout of the second volume's file without a header, as source.raw.
+    "color.component": int,  # Channel of the second volume, as source.component.
+    "color.time_step": int,  # Time step of the second volume, as source.time_step.
+    "color.field": Literal["trilinear", "cubic", "cubic_interpolating"],  # Interpolation of the second volume.
+    "color.map": Literal["auto", "viridis", "cividis", "inferno", "gray", "coolwarm", "blue_orange", "purple_green", "spectral"],  # Colour map over the second volume's values; auto is viridis.
+    "color.low": float | Literal["auto"] | None,  # Value at the lower end of the map; auto is found from the values on the surface.
+    "color.high": float | Literal["auto"] | None,  # Value at the upper end of the map; auto is found from the values on the surface.
+    "color.below": float,  # Shows the largest value within this depth below the surface; 0 shows the value at the surface.
+    "color.strength": float,  # Opacity of these colours over the surface's own colour.
+    "color.fade": bool,  # Fades the strength in, from 0 at the lower end of the map to its full value at the upper end.
+    "color.isolines": float,  # Interval between isolines of the second volume; 0 draws none.
+    "color.isoline_width": float,  # Width of the isolines.
+    "look.mode": Literal["blinn_phong", "lambert", "tone", "kappa1", "kappa2", "mean_curvature", "gaussian_curvature", "shape_index", "curvedness", "curvature_2d", "accessibility", "edge_offset", "flow", "gi", "normal", "depth"],  # Look (display mode): the shaded surface, or a quantity shown in colour.
+    "look.shading": Literal["unlit", "lambert", "blinn_phong", "tone", "gi"],  # Shading of looks that give a colour: the curvature maps, crevice shading and flow; gi is baked global illumination.
+    "look.ambient": float,  # Ambient light, as a fraction of the albedo.
+    "look.ambient_variation": float,  # Hemisphere lighting: how much brighter the ambient light is from the top of the image than from the bottom.
     "look.specular": float,  # Strength of the highlight.
     "look.shininess": float,  # Exponent of the highlight; larger is smaller and sharper.
-    "look.tone_cool": Sequence[Any] | str,  # Tone shading: the colour of what faces away from the light.
-    "look.tone_warm": Sequence[Any] | str,  # Tone shading: the colour of what faces the light.
-    "look.inner_tint": Sequence[Any] | str,  # Multiplies the surface's own colour where its inner side is seen; white is no tint.
-    "look.texture": Literal["none", "marble", "wood", "checker"],  # A solid texture, carved from rather than wrapped around the surface; varies the albedo.
-    "look.texture_scale": float | Literal["auto"] | None,  # Size of the solid texture's features; auto is a tenth of the volume.
-    "look.shadow": float,  # Strength of the light's hard shadow, found by a second exact ray from each point.
-    "look.occlusion": float,  # How much what stands near keeps light away, as far as the picture shows it: darkens crevices.
-    "look.occlusion_radius": float | Literal["auto"] | None,  # How far things count as near; auto is a fifth of the volume.
-    "look.fog": float,  # How much the far end of the volume fades.
-    "look.fog_color": Sequence[Any] | str | Literal["auto"] | None,  # What distant things fade to; auto is the background.
-    "look.colormap": Literal["auto", "viridis", "cividis", "inferno", "gray", "coolwarm", "blue_orange", "purple_green", "spectral"],  # Colours of a measure; auto takes a diverging map for what has a sign, else viridis.
-    "look.range_low": float | Literal["auto"] | None,  # The measure at the lower end of the colour map; auto from the surface's own values.
-    "look.range_high": float | Literal["auto"] | None,  # The measure at the upper end of the colour map; auto from the surface's own values.
-    "look.curvature_points": Sequence[Any] | str | Literal["auto"] | None,  # Mode curvature_2d: control points [kappa1, kappa2, r, g, b] of the colour map, kappas in parts of the range; auto is hue by the kind of shape and saturation by how curved it is.
-    "look.legend": bool,  # Draws a legend with units where colours stand for numbers.
-    "look.legend_corner": Literal["auto", "lower_right", "lower_left", "upper_right", "upper_left"],  # Where the legend stands; auto is the corner that shows least of the surface.
-    "look.accessibility": float,  # Darkens what is hollow, by curvature, as if dirt had gathered there.
-    "look.ridges": float,  # Strength of ridge and valley lines: where the surface is most curved, across the line.
-    "look.ridge_threshold": float | Literal["auto"] | None,  # Curvature from which on a ridge or valley is drawn; auto from the surface's own values.
+    "look.tone_cool": Sequence[Any] | str,  # Tone shading: colour of parts that face away from the light.
+    "look.tone_warm": Sequence[Any] | str,  # Tone shading: colour of parts that face the light.
+    "look.inner_tint": Sequence[Any] | str,  # Back-face tint: multiplies the surface's own colour where its inner side is visible; white is no tint.
+    "look.texture": Literal["none", "marble", "wood", "checker"],  # Solid (3-D) texture that varies the albedo.
+    "look.texture_scale": float | Literal["auto"] | None,  # Size of the solid texture's features; auto is a tenth of the volume's diagonal.
+    "look.shadow": float,  # Strength of the key light's hard shadow; an exact shadow ray per pixel.
+    "look.occlusion": float,  # Strength of screen-space occlusion: nearby surfaces visible in the image darken crevices.
+    "look.occlusion_radius": float | Literal["auto"] | None,  # Radius within which surfaces occlude; auto is a fifth of the volume's diagonal.
+    "look.fog": float,  # Amount by which the far end of the volume fades.
+    "look.fog_color": Sequence[Any] | str | Literal["auto"] | None,  # Colour of the fog; auto is the background.
+    "look.colormap": Literal["auto", "viridis", "cividis", "inferno", "gray", "coolwarm", "blue_orange", "purple_green", "spectral"],  # Colour map of the quantity; auto is diverging for signed quantities, otherwise viridis.
+    "look.range_low": float | Literal["auto"] | None,  # Quantity at the lower end of the colour map; auto is found from the values on the surface.
+    "look.range_high": float | Literal["auto"] | None,  # Quantity at the upper end of the colour map; auto is found from the values on the surface.
+    "look.curvature_points": Sequence[Any] | str | Literal["auto"] | None,  # Control points [kappa1, kappa2, r, g, b] of the colour map of curvature_2d; kappas are fractions of the range. auto: hue is the kind of shape, saturation the curvedness.
+    "look.legend": bool,  # Draws a legend with units where colours show a quantity.
+    "look.legend_corner": Literal["auto", "lower_right", "lower_left", "upper_right", "upper_left"],  # Corner of the legend; auto is the corner that covers least of the surface.
+    "look.accessibility": float,  # Crevice shading (accessibility, Miller 1994): darkens hollows by curvature, like dirt.
+    "look.ridges": float,  # Strength of ridge and valley lines: curvature maxima across the line.
+    "look.ridge_threshold": float | Literal["auto"] | None,  # Minimum curvature of ridge and valley lines; auto is found from the values on the surface.
     "look.ridge_width": float,  # Width of ridge and valley lines, in the unit of look.ridge_width_unit.
-    "look.ridge_width_unit": Literal["pixels", "mm"],  # Whether ridge and valley lines are as wide in the picture or on the surface.
-    "look.ridge_length": float | Literal["auto"] | None,  # Ridges and valleys that are shorter, or shorter than 3 % of the picture's width, fade out; auto is the radius of the least curvature that is drawn.
+    "look.ridge_width_unit": Literal["pixels", "mm"],  # Unit of the width of ridge and valley lines: pixels of the image, or mm on the surface.
+    "look.ridge_length": float | Literal["auto"] | None,  # Minimum length of ridge and valley lines; shorter lines, and those below 3 % of the image width, fade out. auto is the radius of the least curvature drawn.
     "look.ridge_color": Sequence[Any] | str,  # Colour of ridges.
     "look.valley_color": Sequence[Any] | str,  # Colour of valleys.
-    "look.contours": float | Literal["auto"] | None,  # Strength of the silhouette lines; auto is 0.5 under tone shading, else none.
-    "look.suggestive_contours": float,  # Strength of suggestive contours: where a silhouette would appear from nearby.
-    "look.contour_width": float,  # Width of contour lines, the same all over the picture.
+    "look.contours": float | Literal["auto"] | None,  # Strength of silhouette lines; auto is 0.5 under tone shading, otherwise 0.
+    "look.suggestive_contours": float,  # Strength of suggestive contours: lines that would be silhouettes in a nearby view.
+    "look.contour_width": float,  # Width of contour lines, uniform across the image.
     "look.contour_color": Sequence[Any] | str,  # Colour of contour lines.
-    "look.background_top": Sequence[Any] | str,  # Background at the top of the picture.
-    "look.background_bottom": Sequence[Any] | str,  # Background at the bottom of the picture.
-    "flow.strength": float,  # Streaks along the directions of curvature, over any look.
-    "flow.direction": Literal["maximum", "minimum"],  # Along the direction of the larger or of the smaller principal curvature.
+    "look.background_top": Sequence[Any] | str,  # Background at the top of the image.
+    "look.background_bottom": Sequence[Any] | str,  # Background at the bottom of the image.
+    "flow.strength": float,  # Strength of streaks along the principal curvature directions, over any look.
+    "flow.direction": Literal["maximum", "minimum"],  # Direction of the streaks: of the larger or the smaller principal curvature.
     "flow.length": float,  # Length of a streak.
-    "flow.grain": float,  # Size of the noise's grains.
-    "flow.animate": bool,  # Lets the streaks move, in the window.
-    "flow.speed": float,  # How often the pattern passes in a second.
-    "flow.time": float,  # Where the animation stands.
-    "light.setup": Literal["three_point", "key"],  # How the surface is lit: three_point by the light (the key light), a fill light and rim lights, each kept away by what stands near; key by the light alone.
-    "light.space": Literal["camera", "world"],  # Whether the light moves with the viewer or stays with the volume.
-    "light.direction": Sequence[Any] | str,  # Toward the light, in camera axes (right, up, toward the viewer) or world axes; any length but zero.
-    "light.color": Sequence[Any] | str,  # Colour of the light.
-    "light.intensity": float,  # Brightness of the light.
-    "light.fill": float,  # Brightness of a light from the viewer's other side, in parts of the light's own.
-    "light.rim": float,  # Brightness of two lights from behind, left and right, in parts of the light's own.
+    "flow.grain": float,  # Grain size of the noise.
+    "flow.animate": bool,  # Animates the streaks in the window.
+    "flow.speed": float,  # Speed of the animation: periods of the pattern per second.
+    "flow.time": float,  # Time of the animation.
+    "light.setup": Literal["three_point", "key"],  # Lighting: three_point has a key light, a fill light and rim lights, each occluded by nearby surfaces; key has the key light alone.
+    "light.space": Literal["camera", "world"],  # Fixes the key light to the viewer or to the volume.
+    "light.direction": Sequence[Any] | str,  # Direction towards the key light, in camera axes (right, up, towards the viewer) or world axes; any length but zero.
+    "light.color": Sequence[Any] | str,  # Colour of the key light.
+    "light.intensity": float,  # Brightness of the key light.
+    "light.fill": float,  # Brightness of the fill light, on the viewer's other side, as a fraction of the key light's.
+    "light.rim": float,  # Brightness of the two rim lights, behind left and right, as a fraction of the key light's.
     "light.headlight": float,  # Brightness of a white light at the eye.
-    "light.environment.file": str | os.PathLike[str],  # The light probe around everything, equirectangular, its first row up: .hdr, .exr, ...; empty is none.
-    "light.environment.constant": Sequence[Any] | str | Literal["auto"] | None,  # The radiance of a sky of one colour, where there is no light probe; auto is none.
-    "light.environment.builtin": Literal["studio", "window", "overcast", "sunset"],  # The light where there is neither a light probe nor a sky of one colour.
-    "light.environment.azimuth": float,  # Turns the environment about the vertical: counterclockwise from above.
-    "light.environment.elevation": float,  # Tilts the environment before it is turned: raises the light that comes from the front.
-    "light.environment.rotation": Sequence[Any] | str,  # Turns the environment from its own axes to the world's, before azimuth and elevation.
-    "light.environment.exposure": float,  # Multiplies the environment's radiance by 2 to this power.
-    "light.environment.moves": bool,  # The environment will be turned or exchanged: gi.mode auto then stores light so that this costs nothing anew.
+    "light.environment.file": str | os.PathLike[str],  # Environment map, equirectangular, first row at the top: .hdr, .exr, ...; empty is none.
+    "light.environment.constant": Sequence[Any] | str | Literal["auto"] | None,  # Radiance of a constant environment, used if there is no environment map; auto is none.
+    "light.environment.builtin": Literal["studio", "window", "overcast", "sunset"],  # Built-in environment, used if there is neither an environment map nor a constant environment.
+    "light.environment.azimuth": float,  # Rotation of the environment about the vertical, counterclockwise from above.
+    "light.environment.elevation": float,  # Tilt of the environment before its rotation; raises light from the front.
+    "light.environment.rotation": Sequence[Any] | str,  # Rotation from the environment's axes to the world's, before azimuth and elevation.
+    "light.environment.exposure": float,  # Exposure of the environment: multiplies its radiance by 2 to this power.
+    "light.environment.moves": bool,  # Bakes light that allows the environment to be rotated or exchanged without a new bake; with gi.mode=auto.
     "light.environment.visible": bool,  # Shows the environment behind the surface.
-    "lamp1.shown": bool,  # Switches on a lamp of global illumination.
-    "lamp1.kind": Literal["point", "directional", "sphere"],  # A point, a distant lamp, or a luminous sphere.
-    "lamp1.position": Sequence[Any] | str | Literal["auto"] | None,  # Where a point or sphere is; auto is above the volume, toward the front and the left.
-    "lamp1.direction": Sequence[Any] | str,  # Toward a distant lamp, world axes; any length but zero.
-    "lamp1.radius": float | Literal["auto"] | None,  # Of a luminous sphere; larger gives softer shadows; auto is a tenth of the volume.
-    "lamp1.angle": float,  # Diameter of a distant lamp as seen from the volume; the sun has 0.53, 0 gives hard shadows.
-    "lamp1.color": Sequence[Any] | str,  # Colour of the lamp.
-    "lamp1.intensity": float,  # Brightness of a white surface at the volume's centre that faces the lamp.
-    "lamp2.shown": bool,  # Switches on a lamp of global illumination.
-    "lamp2.kind": Literal["point", "directional", "sphere"],  # A point, a distant lamp, or a luminous sphere.
-    "lamp2.position": Sequence[Any] | str | Literal["auto"] | None,  # Where a point or sphere is; auto is above the volume, toward the front and the left.
-    "lamp2.direction": Sequence[Any] | str,  # Toward a distant lamp, world axes; any length but zero.
-    "lamp2.radius": float | Literal["auto"] | None,  # Of a luminous sphere; larger gives softer shadows; auto is a tenth of the volume.
-    "lamp2.angle": float,  # Diameter of a distant lamp as seen from the volume; the sun has 0.53, 0 gives hard shadows.
-    "lamp2.color": Sequence[Any] | str,  # Colour of the lamp.
-    "lamp2.intensity": float,  # Brightness of a white surface at the volume's centre that faces the lamp.
-    "lamp3.shown": bool,  # Switches on a lamp of global illumination.
-    "lamp3.kind": Literal["point", "directional", "sphere"],  # A point, a distant lamp, or a luminous sphere.
-    "lamp3.position": Sequence[Any] | str | Literal["auto"] | None,  # Where a point or sphere is; auto is above the volume, toward the front and the left.
-    "lamp3.direction": Sequence[Any] | str,  # Toward a distant lamp, world axes; any length but zero.
-    "lamp3.radius": float | Literal["auto"] | None,  # Of a luminous sphere; larger gives softer shadows; auto is a tenth of the volume.
-    "lamp3.angle": float,  # Diameter of a distant lamp as seen from the volume; the sun has 0.53, 0 gives hard shadows.
-    "lamp3.color": Sequence[Any] | str,  # Colour of the lamp.
-    "lamp3.intensity": float,  # Brightness of a white surface at the volume's centre that faces the lamp.
-    "gi.mode": Literal["auto", "off", "irradiance", "transfer", "vicinity", "shadow"],  # What is stored of the light: irradiance (static light), transfer (spherical harmonics: the environment may move), vicinity (a sky of one colour, no bounces), shadow (no bounces); auto takes the least that the scene needs.
-    "gi.extent": Literal["full", "band", "view"],  # Which texels are lit: all, those that isovalues of gi.band can show, or those that are seen.
-    "gi.band": Sequence[Any] | str | Literal["auto"] | None,  # The isovalues of interest, low and high; auto is a twentieth of the volume's range about the isovalue.
-    "gi.texels": Literal["auto", "own", "shown"],  # Where texels are lit: each on its own isosurface, so that light is there for every isovalue, or where the shown isosurface passes it, which is more exact and of one isovalue; auto is shown with gi.extent=view. Where several isosurfaces are shown, texels are lit on their own.
-    "gi.samples": int,  # More have less noise: four times as many halve it.
-    "gi.sequence": Literal["sobol_owen", "r2", "random"],  # The directions of a texel's paths: scrambled Sobol points, Roberts' R2 with a shift for each texel, or independent random numbers.
-    "gi.bounces": int,  # Diffuse reflections on a light's way to a texel; 0 is direct light only.
-    "gi.roulette_depth": int,  # From this bounce on paths end at random, with the probability that light is absorbed.
-    "gi.environment_share": float | Literal["auto"] | None,  # The part of the directions that is drawn from the environment instead of the surface; auto is 0.75 under a light probe, 0.5 with more than one bounce.
-    "gi.lattice_scale": float,  # How finely light is stored.
-    "gi.interpolation": Literal["closest_isovalue", "nearest", "trilinear", "tricubic", "weighted"],  # How stored light is read between texels; weighted favours texels whose normal fits, and takes the noise out along their isosurfaces.
-    "gi.precision": Literal["r11g11b10", "half"],  # Numbers in which irradiance is kept on the graphics card: 4 or 8 bytes per texel.
-    "gi.sh_order": int,  # Bands of spherical harmonics of stored transfer; more follow sharper light.
-    "gi.sh_window": float,  # Damps high bands of the environment against ringing.
-    "gi.components": int,  # Stored transfer is compressed to at most this many principal components.
-    "gi.component_bits": int,  # On average: those that vary more get more. A texel's bits are rounded up to 32.
-    "camera.eye": Sequence[Any] | str | Literal["auto"] | None,  # Where the viewer is; auto is by camera.frames.
-    "camera.target": Sequence[Any] | str | Literal["auto"] | None,  # The point looked at and turned about; auto is the centre of what is framed.
-    "camera.up": Sequence[Any] | str | Literal["auto"] | None,  # The direction that points up in the picture; auto is superior (y for meshes), or anterior (the front) when looking along it.
-    "camera.frames": Literal["surface", "volume"],  # What fills the picture of an automatic camera: the surface, a patient's from the front, anything else's from where most of it is seen; or the volume, from the front.
-    "camera.fov": float,  # Vertical field of view; an orthographic picture is as high as this at the target's distance.
-    "camera.projection": Literal["perspective", "orthographic"],  # Whether distant things look smaller.
-    "picture.supersampling": int,  # Anti-aliasing of a picture at rest.
-    "picture.rest_hits": Literal["auto", "same", "cubic_interpolating"],  # The reconstruction whose surface pictures at rest show where hit.field is trilinear: the same, or the B-spline that passes through the samples; auto takes that where more than a tenth of the visible surface lies over a tenth of a voxel beside it. Deferred images (--aov) and stored light keep hit.field.
-    "picture.exposure": float | Literal["auto"] | None,  # Brightness of pictures lit by global illumination; auto is by picture.metering.
-    "picture.metering": Literal["surface", "lights"],  # What an automatic exposure fits: the lit surface as it is seen from the front, whatever the view, or the lights, so that a white surface in the open is nearly white.
-    "picture.letters": bool,  # Letters at the edges of the finished picture: which end of the patient's axes, or of the world's where the file states no orientation, lies there. The window always shows them.
-    "picture.scale_bar": bool,  # A bar of a round length on the finished picture; in perspective it is that of the depth of camera.target. The window always shows it.
-    "picture.isovalue": bool,  # The isovalues of the surfaces that are shown, with their unit, on the finished picture.
-    "picture.caveats": bool,  # A line on the finished picture for each thing that it leaves out or that nobody measured: pieces that are hidden, missing slices that are interpolated. Without any, nothing is written.
-    "picture.transparent": bool,  # The finished picture has no background: its alpha is how much of each pixel is covered.
-    "picture.pixel_ratio": float,  # Pixels of the finished picture for each pixel that widths and lengths of lines and streaks are stated in: 2 in a picture twice as large, for the same look.
-    "memory.gpu_budget_mb": int,  # Graphics memory that the voxels may use.
-    "memory.layout": Literal["auto", "whole", "bricks"],  # The volume as one texture, or as bricks of which only those needed are resident; auto takes one texture where it fits.
-    "memory.voxels": Literal["auto", "memory", "file"],  # Where a volume's voxels are while it is drawn: all in memory, or in the file, of which parts are read when they are needed; auto leaves them in the file where they do not fit into memory.
-    "memory.ram_budget_mb": int,  # Memory for parts of a volume that stays in its file.
-    "gi.threads": int | Literal["auto"] | None,  # Threads that compute light; auto is one per core.
-    "picture.adaptive": bool,  # Pictures in motion shrink until they are quick enough; the full picture follows at rest.
-    "picture.motion_target": float,  # How long a picture in motion may take.
-    "picture.executor": Literal["auto", "gpu", "cpu"],  # What computes hits and derivatives of pictures: the graphics card, or the processor (exact hits only); auto takes the processor where OpenGL is software.
+    "lamp1.shown": bool,  # Switches on a light source of global illumination.
+    "lamp1.kind": Literal["point", "directional", "sphere"],  # Kind of the light source: a point, a distant (directional) light, or a luminous sphere.
+    "lamp1.position": Sequence[Any] | str | Literal["auto"] | None,  # Position of a point or sphere light; auto is above the volume, towards the front and the left.
+    "lamp1.direction": Sequence[Any] | str,  # Direction towards a distant light, world axes; any length but zero.
+    "lamp1.radius": float | Literal["auto"] | None,  # Radius of a sphere light; a larger one gives softer shadows; auto is a tenth of the volume's diagonal.
+    "lamp1.angle": float,  # Angular diameter of a distant light; the sun has 0.53, 0 gives hard shadows.
+    "lamp1.color": Sequence[Any] | str,  # Colour of the light source.
+    "lamp1.intensity": float,  # Brightness of a white surface at the volume's centre that faces the light source.
+    "lamp2.shown": bool,  # Switches on a light source of global illumination.
+    "lamp2.kind": Literal["point", "directional", "sphere"],  # Kind of the light source: a point, a distant (directional) light, or a luminous sphere.
+    "lamp2.position": Sequence[Any] | str | Literal["auto"] | None,  # Position of a point or sphere light; auto is above the volume, towards the front and the left.
+    "lamp2.direction": Sequence[Any] | str,  # Direction towards a distant light, world axes; any length but zero.
+    "lamp2.radius": float | Literal["auto"] | None,  # Radius of a sphere light; a larger one gives softer shadows; auto is a tenth of the volume's diagonal.
+    "lamp2.angle": float,  # Angular diameter of a distant light; the sun has 0.53, 0 gives hard shadows.
+    "lamp2.color": Sequence[Any] | str,  # Colour of the light source.
+    "lamp2.intensity": float,  # Brightness of a white surface at the volume's centre that faces the light source.
+    "lamp3.shown": bool,  # Switches on a light source of global illumination.
+    "lamp3.kind": Literal["point", "directional", "sphere"],  # Kind of the light source: a point, a distant (directional) light, or a luminous sphere.
+    "lamp3.position": Sequence[Any] | str | Literal["auto"] | None,  # Position of a point or sphere light; auto is above the volume, towards the front and the left.
+    "lamp3.direction": Sequence[Any] | str,  # Direction towards a distant light, world axes; any length but zero.
+    "lamp3.radius": float | Literal["auto"] | None,  # Radius of a sphere light; a larger one gives softer shadows; auto is a tenth of the volume's diagonal.
+    "lamp3.angle": float,  # Angular diameter of a distant light; the sun has 0.53, 0 gives hard shadows.
+    "lamp3.color": Sequence[Any] | str,  # Colour of the light source.
+    "lamp3.intensity": float,  # Brightness of a white surface at the volume's centre that faces the light source.
+    "gi.mode": Literal["auto", "off", "irradiance", "transfer", "vicinity", "shadow"],  # Quantity that is baked: irradiance (static light), transfer (spherical harmonics, rotatable environment), vicinity (constant environment, no bounces) or shadow (no bounces); auto bakes the cheapest that the scene allows.
+    "gi.extent": Literal["full", "band", "view"],  # Texels that are lit: all, those needed for the isovalues of gi.band, or the visible ones.
+    "gi.band": Sequence[Any] | str | Literal["auto"] | None,  # Isovalues of interest, low and high; auto is the isovalue ± a twentieth of the volume's range.
+    "gi.texels": Literal["auto", "own", "shown"],  # Surface on which texels are lit: own is each sample's own isosurface, for any isovalue; shown is the displayed isosurface, more accurate but for one isovalue. auto is shown with gi.extent=view, otherwise own. With several isosurfaces it is own.
+    "gi.samples": int,  # Light paths per texel; four times as many halve the noise.
+    "gi.sequence": Literal["sobol_owen", "r2", "random"],  # Sampling sequence of path directions: scrambled Sobol points, Roberts' R2 shifted per texel, or independent random numbers.
+    "gi.bounces": int,  # Maximum number of diffuse reflections of a light path; 0 is direct light only.
+    "gi.roulette_depth": int,  # Bounce at which Russian roulette begins: paths then end at random, with the probability that light is absorbed.
+    "gi.environment_share": float | Literal["auto"] | None,  # Fraction of light samples drawn from the environment instead of the surface (MIS); auto is 0.75 under an environment map, 0.5 with more than one bounce.
+    "gi.lattice_scale": float,  # Resolution of baked light.
+    "gi.interpolation": Literal["closest_isovalue", "nearest", "trilinear", "tricubic", "weighted"],  # Interpolation of baked light between texels; weighted favours texels whose normal fits, and smooths noise along their isosurfaces.
+    "gi.precision": Literal["r11g11b10", "half"],  # Number format of irradiance on the graphics card: 4 or 8 bytes per texel.
+    "gi.sh_order": int,  # Number of spherical harmonic bands of baked transfer; more bands resolve sharper light.
+    "gi.sh_window": float,  # Damping of the environment's high bands against ringing.
+    "gi.components": int,  # Maximum number of principal components to which baked transfer is compressed.
+    "gi.component_bits": int,  # Mean number of bits per component; components that vary more get more. A texel's bits are rounded up to 32.
+    "camera.eye": Sequence[Any] | str | Literal["auto"] | None,  # Position of the viewer; auto follows camera.frames.
+    "camera.target": Sequence[Any] | str | Literal["auto"] | None,  # Point that the camera looks at and turns about; auto is the centre of the framed object.
+    "camera.up": Sequence[Any] | str | Literal["auto"] | None,  # Upward direction of the image; auto is superior (y for meshes), or anterior (the front) when looking along it.
+    "camera.frames": Literal["surface", "volume"],  # Object that the automatic camera frames: the surface or the volume. A patient's surface and the volume are seen from the front, other surfaces from where most of them is visible.
+    "camera.fov": float,  # Vertical field of view; an orthographic image has this height at the target's distance.
+    "camera.projection": Literal["perspective", "orthographic"],  # Perspective (distant parts look smaller) or orthographic projection.
+    "picture.supersampling": int,  # Anti-aliasing of final images.
+    "picture.rest_hits": Literal["auto", "same", "cubic_interpolating"],  # Interpolant of final images if hit.field is trilinear: same, or the interpolating B-spline. auto takes the spline if more than a tenth of the visible surface is over a tenth of a voxel off. AOVs and baked light keep hit.field.
+    "picture.exposure": float | Literal["auto"] | None,  # Exposure of images lit by global illumination; auto follows picture.metering.
+    "picture.metering": Literal["surface", "lights"],  # Basis of automatic exposure: the lit surface seen from the front, independent of the view; or the lights, which makes an unoccluded white surface nearly white.
+    "picture.letters": bool,  # Draws orientation labels at the edges of the final image: the ends of the patient's axes, or of the world's if the file states no orientation. The window always shows them.
+    "picture.scale_bar": bool,  # Draws a scale bar of a round length on the final image; in perspective it is true at the depth of camera.target. The window always shows it.
+    "picture.isovalue": bool,  # Writes the isovalues of the visible surfaces, with their unit, on the final image.
+    "picture.caveats": bool,  # Writes a line on the final image for each omission or interpolation: hidden connected components, interpolated missing slices. Nothing is written if there is none.
+    "picture.transparent": bool,  # Leaves out the background of the final image; its alpha is the covered fraction of each pixel.
+    "picture.pixel_ratio": float,  # Pixels of the final image per pixel in which line and streak sizes are stated. Use 2 in an image twice as large, for the same look.
+    "memory.gpu_budget_mb": int,  # Graphics memory that voxels may use.
+    "memory.layout": Literal["auto", "whole", "bricks"],  # Layout of the volume on the graphics card: one texture, or bricks of which only those needed are resident; auto takes one texture if it fits.
+    "memory.voxels": Literal["auto", "memory", "file"],  # Location of the voxels while drawing: memory, or the file, of which parts are read when needed (out of core). auto takes the file if the volume does not fit in memory.
+    "memory.ram_budget_mb": int,  # Memory for bricks of an out-of-core volume.
+    "gi.threads": int | Literal["auto"] | None,  # CPU threads that compute light; auto is one per core.
+    "picture.adaptive": bool,  # Draws interactive frames at a lower resolution until they are fast enough; the full image follows at rest.
+    "picture.motion_target": float,  # Time limit of an interactive frame.
+    "picture.executor": Literal["auto", "gpu", "cpu"],  # Device that computes hits and derivatives: the graphics card, or the CPU (exact hits only); auto takes the CPU if OpenGL is software.
 }, total=False)
 
 class IsoluxWarning(UserWarning): ...

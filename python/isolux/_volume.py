@@ -185,7 +185,7 @@ class Volume:
         wish.light = value_text(light or "")
         wish.light_around, wish.accuracy, wish.explain = bool(light_around), bool(accuracy), bool(explain)
         if context not in ("auto", "software", "egl", "osmesa"):
-            raise ValueError(f'context: {context!r} is none of "auto", "software", "egl" and "osmesa"')
+            raise ValueError(f'context: unknown value {context!r}; choose "auto", "software", "egl" or "osmesa"')
         wish.context = context
         with told(progress) as tell:
             drawn = self._own().render(wish, tell)
@@ -255,7 +255,7 @@ class Volume:
         return Record(json.loads(text))
 
     def study(self, knobs="", isovalue=None, *, size=(256, 256), repeat=7, settings=None, progress=None):
-        """What accuracy costs in time: error against time of each quality setting (docs/accuracy.md).
+        """Measures error against time of each quality setting (docs/explanation/accuracy.md).
 
         `knobs`: names, or "rate,method"; all unless told. Returns the record of `isolux study`'s study.json.
         """

@@ -119,7 +119,7 @@ vtkSmartPointer<vtkDICOMReader> decodeFiles(const std::vector<DicomFile>& files,
   progress.throwIfStopped();
   if (!messages.errors().empty())
     throwInput(files.size() == 1 ? files[0].path.string() : name, "pixel data",
-               "vtk-dicom refuses it: " + messages.errors().front() + inSyntax(files[0]));
+               "vtk-dicom cannot read it: " + messages.errors().front() + inSyntax(files[0]));
   if (const std::string& file = reader->undecoded(); !file.empty())
     throwInput(file, "pixel data",
                "cannot be decoded: damaged, or beyond what GDCM knows" + inSyntax(files[0]));

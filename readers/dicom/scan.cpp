@@ -53,7 +53,7 @@ std::vector<DicomFile> scanDicomFolder(const fs::path& folder, int depth, base::
                        " DICOM files are unreadable and left out; the first: " + firstReason);
   if (others > 0)
     warnings.push_back(std::to_string(others) +
-                       " DICOM objects are no scans and left out; the first: " + firstOther);
+                       " DICOM objects are not scans and are skipped; the first: " + firstOther);
   return files;
 }
 

@@ -176,9 +176,9 @@ Candidate chosenOf(hid_t file, const std::vector<Candidate>& candidates, const s
   std::vector<std::string> names;
   for (std::size_t i = 0; i < std::min<std::size_t>(candidates.size(), 5); ++i)
     names.push_back(candidates[i].path);
-  throwInput(name, path,
-             "there is no such dataset of numbers; the file has " + joined(names) +
-                 (candidates.size() > 5 ? ", ..." : ""));
+  throwInput(
+      name, path,
+      "unknown dataset of numbers; the file has " + joined(names) + (candidates.size() > 5 ? ", ..." : ""));
 }
 
 }  // namespace isolux::readers

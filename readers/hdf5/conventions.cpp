@@ -229,7 +229,7 @@ void readVtkHdf(hid_t group, Candidate& chosen, const std::string& name, ArraySt
   if (type != "ImageData")
     throwInput(name, "/VTKHDF",
                "its type " + inQuotes(type) +
-                   " is no regular volume; save it as ImageData (ParaView: Resample To Image)");
+                   " is not a regular volume; save it as ImageData (ParaView: Resample To Image)");
   const bool cells = chosen.path.starts_with("/VTKHDF/CellData/");
   const auto extent = numbersOfAttribute(group, "WholeExtent"),
              spacing = numbersOfAttribute(group, "Spacing"), origin = numbersOfAttribute(group, "Origin"),

@@ -216,7 +216,7 @@ Hdf5Handle openedFile(const std::string& name) {
   if (!access || ::H5Pset_driver(access.get(), recordingDriver(), nullptr) < 0)
     throwInput(name, "", "the HDF5 library cannot be used: " + hdf5Complaint());
   Hdf5Handle file(::H5Fopen(name.c_str(), H5F_ACC_RDONLY, access.get()));
-  if (!file) throwInput(name, "", "is no HDF5 file, or damaged: " + hdf5Complaint());
+  if (!file) throwInput(name, "", "is not an HDF5 file, or damaged: " + hdf5Complaint());
   return file;
 }
 

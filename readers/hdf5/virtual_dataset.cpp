@@ -71,7 +71,7 @@ std::vector<Source> sourcesOf(hid_t properties, const std::string& name, const s
     if (!box || !part)
       throwInput(name, place,
                  "it is made of parts of " + source.file + ":" + source.dataset +
-                     " that are no boxes, or have no end, which is not read; open that");
+                     " that are not boxes or are unlimited, which is not supported; open that");
     source.place = *box;
     source.part = *part;
     sources.push_back(std::move(source));
@@ -120,7 +120,7 @@ class Assembly {
     const bool leaves = path.is_absolute() ||
                         std::any_of(path.begin(), path.end(), [](const auto& part) { return part == ".."; });
     if (leaves)
-      throwInput(name_, table_.layout.dataset, "its source " + name + " lies outside the folder of the file");
+      throwInput(name_, table_.layout.dataset, "its source " + name + " is outside the folder of the file");
     table_.layout.files.push_back(name);
     return files_.emplace(name, openedFile((fs::path(name_).parent_path() / path).string()))
         .first->second.get();
@@ -181,7 +181,7 @@ class Assembly {
         toStride *= (whole.dims[axis] - 1) / chunk + 1;
         atStride *= (from.size[axis] - 1) / chunk + 1;
       }
-      if (to >= table_.chunks.size() || at >= stored.chunks.size()) refuse(source, "lies outside the whole");
+      if (to >= table_.chunks.size() || at >= stored.chunks.size()) refuse(source, "is outside the whole");
       Hdf5Chunk& chunk = table_.chunks[static_cast<std::size_t>(to)];
       chunk = stored.chunks[static_cast<std::size_t>(at)];
       chunk.file = file;

@@ -113,7 +113,7 @@ DecodedImage decodeImage(const fs::path& file, base::Progress& progress) {
   if (static_cast<std::int64_t>(spec.width) * spec.height > kMostImagePixels || spec.nchannels > 1024)
     throwInput(path, "header",
                std::to_string(spec.width) + " x " + std::to_string(spec.height) + " pixels of " +
-                   std::to_string(spec.nchannels) + " channels are more than a light probe may have");
+                   std::to_string(spec.nchannels) + " channels are too many for an environment map");
   allowDecoding(fs::file_size(file));
   DecodedImage image{spec.width, spec.height, readPixels(*input, spec, path, progress)};
   image.pixels =

@@ -45,7 +45,7 @@ void checkClaims(const Bytes& bytes, const base::Progress& progress) {
       if (!claim) continue;
       const auto count = integerOf(*claim);
       if (!count || *count < 0)
-        throwInput(bytes.name(), std::string("Piece ") + key, inQuotes(*claim) + " is no number of things");
+        throwInput(bytes.name(), std::string("Piece ") + key, inQuotes(*claim) + " is not a count");
       if (static_cast<std::uint64_t>(*count) > bytes.size() * kBestDeflateRatio / leastBytes)
         throwInput(bytes.name(), std::string("Piece ") + key,
                    "truncated: the file is too short for " + std::string(*claim));
@@ -97,7 +97,7 @@ TriangleMesh decodePolyData(const std::filesystem::path& path, base::Progress& p
   reader->SetFileName(path.c_str());
   reader->Update();
   progress.throwIfStopped();
-  if (!messages.errors().empty()) throwInput(file, "", "VTK refuses it: " + messages.errors().front());
+  if (!messages.errors().empty()) throwInput(file, "", "VTK cannot read it: " + messages.errors().front());
 
   TriangleMesh mesh;
   vtkPolyData* const data = reader->GetOutput();

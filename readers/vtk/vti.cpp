@@ -68,7 +68,7 @@ DecodedVolume decodeVti(const std::filesystem::path& path, const ReadOptions& op
   }
   progress.throwIfStopped();
   if (!messages.errors().empty())
-    throwInput(name, "DataArray " + header.array, "VTK refuses it: " + messages.errors().front());
+    throwInput(name, "DataArray " + header.array, "VTK cannot read it: " + messages.errors().front());
   vtkImageData* image = reader->GetOutput();
   vtkDataSetAttributes* data = header.cells ? static_cast<vtkDataSetAttributes*>(image->GetCellData())
                                             : static_cast<vtkDataSetAttributes*>(image->GetPointData());

@@ -144,7 +144,7 @@ class EglContext final : public OffscreenContext {
       std::array<EGLDeviceEXT, 16> devices{};
       EGLint count = 0;
       if (!queryDevices(static_cast<EGLint>(devices.size()), devices.data(), &count) || device >= count)
-        fail(kind_, "there is no such device");
+        fail(kind_, "unknown device");
       display_ = getDisplay(EGL_PLATFORM_DEVICE_EXT, devices[static_cast<std::size_t>(device)], nullptr);
     }
     EGLint major = 0, minor = 0;

@@ -80,7 +80,7 @@ base::MemoryBudget::Held ownMemory(const Gl& gl, std::size_t bytes, const char* 
   return base::machineMemory().reserve(bytes, what, remedy);
 }
 
-constexpr const char* kSmallerPicture = "a smaller picture or a lower picture.supersampling needs less";
+constexpr const char* kSmallerPicture = "a smaller image or a lower picture.supersampling needs less";
 constexpr const char* kLessOnGpu = "a lower memory.gpu_budget_mb needs less";
 
 }  // namespace
@@ -120,7 +120,7 @@ std::vector<float> Texture::readFloats(int channels, const volume::Rectangle& pa
   constexpr GLenum formats[] = {0, GL_RED, GL_RG, GL_RGB, GL_RGBA};
   const std::size_t row = static_cast<std::size_t>(part.size.x) * static_cast<std::size_t>(channels);
   const std::size_t count = row * static_cast<std::size_t>(part.size.y);
-  base::machineMemory().check(count * sizeof(float), "a copy of the picture", kSmallerPicture);
+  base::machineMemory().check(count * sizeof(float), "a copy of the image", kSmallerPicture);
   std::vector<float> values(count);
   gl().PixelStorei(GL_PACK_ALIGNMENT, 1);
   // Sizes are 32 bits for GL: rows at a time.

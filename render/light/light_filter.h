@@ -15,7 +15,7 @@
 // neighbour's position. The factor is a Gaussian of this difference. Its width is half a standard error of
 // the difference of two estimates of n paths, each error taken as 1 / sqrt(n) of their mean. Shadow edges are
 // preserved. This is a steering kernel (Takeda, Farsiu & Milanfar 2007). The widths minimise the error
-// against path-traced pixels (docs/accuracy.md).
+// against path-traced pixels (docs/explanation/accuracy.md).
 //
 // A lookup at the position where a texel is lit reads eight texels that are lit elsewhere, and does not
 // reproduce its light. The difference is added to the texel (one step of Van Cittert's iteration, 1931), so

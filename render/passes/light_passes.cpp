@@ -235,7 +235,7 @@ void FrameLight::setBackground(FrameState& frame, Program& p, int unit) {
 
 void LightPass::declare(Declaring& d) const {
   const LightState& light = d.asked.light;
-  d.writes(image::light).notNeeded("no look reads stored light");
+  d.writes(image::light).notNeeded("no look reads baked light");
   d.input("lattice", light.storage).input("stored light", light.skyRevision, light.lampsRevision);
   d.input("stored light of inner sides", light.innerSkyRevision, light.innerLampsRevision);
   d.input("uploads left over", light.unfinished);

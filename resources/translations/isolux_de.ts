@@ -4499,35 +4499,35 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
 <context>
     <name>looks</name>
     <message>
-        <source>a light surface whose hollows are dark, as if dirt had gathered there</source>
-        <translation>eine helle Oberfläche mit dunklen Vertiefungen, als hätte sich dort Schmutz gesammelt</translation>
+        <source>crevice shading (accessibility): a light surface with dark hollows, like dirt</source>
+        <translation>Zugänglichkeit: eine helle Oberfläche mit dunklen Vertiefungen, wie Schmutz</translation>
     </message>
     <message>
-        <source>both principal curvatures at once: hue is the kind of shape, grey is flat</source>
-        <translation>beide Hauptkrümmungen zugleich: der Farbton ist die Art der Form, Grau ist flach</translation>
+        <source>both principal curvatures: hue shows the kind of shape, grey is flat</source>
+        <translation>beide Hauptkrümmungen: der Farbton zeigt die Art der Form, Grau ist flach</translation>
     </message>
     <message>
-        <source>cool where the surface is turned away from the light, warm where it faces it</source>
+        <source>cool where the surface faces away from the light, warm where it faces the light</source>
         <translation>kalt, wo die Oberfläche vom Licht abgewandt ist, warm, wo sie ihm zugewandt ist</translation>
     </message>
     <message>
-        <source>how far outside the surface the edge of the object lies: negative is within; grey has none</source>
-        <translation>wie weit außerhalb der Oberfläche die Kante des Objekts liegt: negativ ist innerhalb; Grau hat keine</translation>
+        <source>the distance from the surface to the edge of the object: positive is outside, grey has no edge</source>
+        <translation>der Abstand von der Oberfläche zur Kante des Objekts: positiv ist außerhalb, Grau hat keine Kante</translation>
     </message>
     <message>
-        <source>how strongly the surface is curved, whatever its shape</source>
-        <translation>wie stark die Oberfläche gekrümmt ist, gleich welcher Form</translation>
+        <source>the strength of curvature, regardless of shape</source>
+        <translation>die Stärke der Krümmung, gleich welcher Form</translation>
     </message>
     <message>
-        <source>streaks along the directions of curvature</source>
-        <translation>Streifen längs der Krümmungsrichtungen</translation>
+        <source>streaks along the principal curvature directions</source>
+        <translation>Streifen längs der Hauptkrümmungsrichtungen</translation>
     </message>
     <message>
         <source>the distance from the viewer, in even steps of lightness</source>
         <translation>die Entfernung vom Betrachter, in gleichmäßigen Helligkeitsstufen</translation>
     </message>
     <message>
-        <source>the kind of shape whatever its size: -1 cup, 0 saddle, 1 cap</source>
+        <source>the kind of shape, regardless of size: -1 cup, 0 saddle, 1 cap</source>
         <translation>die Art der Form, gleich welcher Größe: -1 Mulde, 0 Sattel, 1 Kuppe</translation>
     </message>
     <message>
@@ -4543,15 +4543,15 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>die äußere Normale als Farbe, Achsen des Raums</translation>
     </message>
     <message>
-        <source>the product of both: positive on domes and in cups, negative on saddles</source>
-        <translation>das Produkt beider: positiv auf Kuppen und in Mulden, negativ auf Sätteln</translation>
+        <source>the product of both principal curvatures: positive on domes and in cups, negative on saddles</source>
+        <translation>das Produkt beider Hauptkrümmungen: positiv auf Kuppen und in Mulden, negativ auf Sätteln</translation>
     </message>
     <message>
         <source>the smaller principal curvature</source>
         <translation>die kleinere Hauptkrümmung</translation>
     </message>
     <message>
-        <source>the surface&apos;s own colour in stored global illumination</source>
+        <source>the surface&apos;s own colour under baked global illumination</source>
         <translation>die eigene Farbe der Oberfläche in gespeicherter globaler Beleuchtung</translation>
     </message>
     <message>
@@ -4652,8 +4652,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>ein Blatt, dünner als ein Voxel</translation>
     </message>
     <message>
-        <source>half a ball, cut obliquely into parallel sheets and gaps of two voxels each</source>
-        <translation>eine halbe Kugel, schräg in parallele Blätter und Lücken von je zwei Voxeln geschnitten</translation>
+        <source>half a ball, cut obliquely into parallel sheets and gaps, each two voxels thick</source>
+        <translation>eine halbe Kugel, schräg in parallele Blätter und Lücken geschnitten, je zwei Voxel dick</translation>
     </message>
     <message>
         <source>height below a hyperbolic paraboloid</source>
@@ -4668,12 +4668,12 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>vorzeichenbehafteter Abstand zu einer geneigten Ebene</translation>
     </message>
     <message>
-        <source>signed distance to a torus round the z axis</source>
+        <source>signed distance to a torus around the z axis</source>
         <translation>vorzeichenbehafteter Abstand zu einem Torus um die z-Achse</translation>
     </message>
     <message>
-        <source>signed distance to an endless cylinder along z</source>
-        <translation>vorzeichenbehafteter Abstand zu einem endlosen Zylinder längs z</translation>
+        <source>signed distance to an infinite cylinder along z</source>
+        <translation>vorzeichenbehafteter Abstand zu einem unendlichen Zylinder längs z</translation>
     </message>
     <message>
         <source>six interlocking rings of wire with a smooth profile 1.4 voxels wide</source>
@@ -4684,23 +4684,23 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>glattes Zufallsfeld mit weißem Rauschen</translation>
     </message>
     <message>
-        <source>the reconstruction test signal of Marschner and Lobb</source>
-        <translation>das Testsignal für Rekonstruktion von Marschner und Lobb</translation>
+        <source>the Marschner-Lobb test signal for reconstruction</source>
+        <translation>das Marschner-Lobb-Testsignal für Rekonstruktion</translation>
     </message>
     <message>
         <source>the triply periodic gyroid, four periods per edge</source>
         <translation>der dreifach periodische Gyroid, vier Perioden je Kante</translation>
     </message>
     <message>
-        <source>two balls that touch in one point, where the gradient vanishes</source>
+        <source>two balls that touch at one point, where the gradient vanishes</source>
         <translation>zwei Kugeln, die sich in einem Punkt berühren, wo der Gradient verschwindet</translation>
     </message>
 </context>
 <context>
     <name>presets</name>
     <message>
-        <source>A level of a computed field.</source>
-        <translation>Ein Niveau eines berechneten Felds.</translation>
+        <source>Isosurface of a computed field.</source>
+        <translation>Isofläche eines berechneten Felds.</translation>
     </message>
     <message>
         <source>CT bone</source>
@@ -4731,11 +4731,11 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Abstandsfeld</translation>
     </message>
     <message>
-        <source>Enamel and metal in a CT, within a faint hull of bone.</source>
+        <source>Enamel and metal in a CT, inside a faint shell of bone.</source>
         <translation>Zahnschmelz und Metall in einem CT, in einer schwachen Hülle aus Knochen.</translation>
     </message>
     <message>
-        <source>Lungs and airways in a CT: the border of the air within the body.</source>
+        <source>Lungs and airways in a CT: the boundary of the air inside the body.</source>
         <translation>Lunge und Atemwege in einem CT: die Grenze der Luft im Körper.</translation>
     </message>
     <message>
@@ -4759,36 +4759,36 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Simulation</translation>
     </message>
     <message>
-        <source>Stained structures of a microscope&apos;s stack, in green on black.</source>
+        <source>Stained structures in a microscopy stack, green on black.</source>
         <translation>Gefärbte Strukturen eines Mikroskopstapels, grün auf schwarz.</translation>
     </message>
     <message>
-        <source>The outer skin in a CT, with the room&apos;s air left out.</source>
+        <source>Outer skin in a CT, without the air of the room.</source>
         <translation>Die äußere Haut in einem CT, ohne die Luft des Raums.</translation>
     </message>
     <message>
-        <source>The outer skin in a magnetic resonance scan.</source>
-        <translation>Die äußere Haut in einer Magnetresonanzaufnahme.</translation>
+        <source>Outer skin in an MR scan.</source>
+        <translation>Äußere Haut in einer MR-Aufnahme.</translation>
     </message>
     <message>
-        <source>The skeleton in a CT, in ivory under soft light.</source>
+        <source>Skeleton in a CT, in ivory under soft light.</source>
         <translation>Das Skelett in einem CT, elfenbeinfarben in weichem Licht.</translation>
     </message>
     <message>
-        <source>The surface of a mesh or distance field: where the distance is 0, coloured by mean curvature.</source>
-        <translation>Die Fläche eines Netzes oder Abstandsfelds: wo der Abstand 0 ist, gefärbt nach mittlerer Krümmung.</translation>
+        <source>Surface of a mesh or distance field (distance 0), coloured by mean curvature.</source>
+        <translation>Fläche eines Netzes oder Abstandsfelds (Abstand 0), gefärbt nach mittlerer Krümmung.</translation>
     </message>
     <message>
-        <source>The white matter of a T1 scan, of a brain alone or in its head.</source>
-        <translation>Die weiße Substanz einer T1-Aufnahme, eines Gehirns allein oder in seinem Kopf.</translation>
+        <source>White matter in a T1 scan of a brain alone or of a whole head.</source>
+        <translation>Weiße Substanz in einer T1-Aufnahme eines Gehirns allein oder eines ganzen Kopfes.</translation>
     </message>
     <message>
-        <source>Vessels filled with contrast agent in a CT, with the bone that is as dense.</source>
-        <translation>Mit Kontrastmittel gefüllte Gefäße in einem CT, mit dem Knochen, der ebenso dicht ist.</translation>
+        <source>Contrast-filled vessels in a CT, with bone of the same density.</source>
+        <translation>Mit Kontrastmittel gefüllte Gefäße in einem CT, mit Knochen gleicher Dichte.</translation>
     </message>
     <message>
-        <source>Vessels in a time-of-flight angiography.</source>
-        <translation>Gefäße in einer Time-of-Flight-Angiographie.</translation>
+        <source>Vessels in a time-of-flight MR angiogram.</source>
+        <translation>Gefäße in einer Time-of-Flight-MR-Angiographie.</translation>
     </message>
     <message>
         <source>its values are not distances in mm</source>
@@ -4799,8 +4799,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>darin findet sich keine weiße Substanz einer T1-Aufnahme</translation>
     </message>
     <message>
-        <source>Bone through skin that is transparent where it faces the viewer and dense where it is seen from the side.</source>
-        <translation>Knochen durch Haut, die zum Betrachter hin durchsichtig und von der Seite gesehen dicht ist.</translation>
+        <source>Bone through skin; the skin is transparent where it faces the viewer and dense edge-on.</source>
+        <translation>Knochen durch Haut; die Haut ist zum Betrachter hin durchsichtig und von der Kante gesehen dicht.</translation>
     </message>
     <message>
         <source>it is a CT</source>
@@ -4830,44 +4830,44 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
 <context>
     <name>reasons</name>
     <message>
-        <source>a sky of one colour has no bright places</source>
-        <translation>ein einfarbiger Himmel hat keine hellen Stellen</translation>
+        <source>a constant environment has no bright areas</source>
+        <translation>eine konstante Umgebung hat keine hellen Stellen</translation>
     </message>
     <message>
-        <source>a sky of one colour looks the same however it is turned</source>
-        <translation>ein einfarbiger Himmel sieht gedreht gleich aus</translation>
+        <source>a constant environment looks the same in every rotation</source>
+        <translation>eine konstante Umgebung sieht gedreht gleich aus</translation>
     </message>
     <message>
-        <source>a sky of one colour may change anyway</source>
-        <translation>ein einfarbiger Himmel darf sich ohnehin ändern</translation>
+        <source>a constant environment can change without a new bake</source>
+        <translation>eine konstante Umgebung kann sich ohne neue Berechnung ändern</translation>
     </message>
     <message>
-        <source>colours do not stand for numbers in this look</source>
-        <translation>Farben stehen in dieser Darstellung nicht für Zahlen</translation>
+        <source>this look shows no quantity in colour</source>
+        <translation>diese Darstellung zeigt keine Größe in Farbe</translation>
     </message>
     <message>
-        <source>contours have no strength</source>
-        <translation>Konturen haben keine Stärke</translation>
+        <source>the strength of contours is 0</source>
+        <translation>die Stärke der Konturen ist 0</translation>
     </message>
     <message>
-        <source>depth is the same from either side</source>
-        <translation>die Tiefe ist von beiden Seiten gleich</translation>
+        <source>depth does not depend on the side</source>
+        <translation>die Tiefe hängt nicht von der Seite ab</translation>
     </message>
     <message>
-        <source>derivatives at a scale are read by single voxels</source>
-        <translation>Ableitungen mit Skala werden Voxel für Voxel gelesen</translation>
+        <source>derivatives at a scale σ &gt; 0 read single voxels</source>
+        <translation>Ableitungen mit einer Skala σ &gt; 0 lesen einzelne Voxel</translation>
     </message>
     <message>
         <source>every isosurface is opaque</source>
         <translation>alle Isoflächen sind deckend</translation>
     </message>
     <message>
-        <source>gi.mode is direct light only</source>
-        <translation>gi.mode ist nur direktes Licht</translation>
+        <source>gi.mode has direct light only</source>
+        <translation>gi.mode hat nur direktes Licht</translation>
     </message>
     <message>
-        <source>gi.mode says what is stored</source>
-        <translation>gi.mode sagt, was gespeichert wird</translation>
+        <source>gi.mode sets what is baked</source>
+        <translation>gi.mode bestimmt, was gespeichert wird</translation>
     </message>
     <message>
         <source>hits are exact</source>
@@ -4878,31 +4878,31 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Treffer sind abgetastet</translation>
     </message>
     <message>
-        <source>hits are those of a spline already</source>
-        <translation>Treffer sind schon die eines Splines</translation>
+        <source>hit.field is already a spline</source>
+        <translation>hit.field ist schon ein Spline</translation>
     </message>
     <message>
-        <source>isosurfaces have the reflectances given</source>
-        <translation>Isoflächen haben die angegebenen Reflexionsgrade</translation>
+        <source>each isosurface has its own colour</source>
+        <translation>jede Isofläche hat ihre eigene Farbe</translation>
     </message>
     <message>
-        <source>light is stored on the surface that hit.field shows</source>
-        <translation>Licht ist auf der Fläche gespeichert, die hit.field zeigt</translation>
+        <source>light is baked on the surface of hit.field</source>
+        <translation>Licht ist auf der Fläche von hit.field gespeichert</translation>
     </message>
     <message>
         <source>no bounces are traced</source>
         <translation>es werden keine Reflexionen verfolgt</translation>
     </message>
     <message>
-        <source>no box cuts anything</source>
-        <translation>kein Quader schneidet etwas weg</translation>
+        <source>no clip box is set</source>
+        <translation>kein Schnittquader ist gesetzt</translation>
     </message>
     <message>
         <source>no flow is drawn: the look is not flow and flow.strength is 0</source>
         <translation>es wird keine Strömung gezeichnet: die Darstellung ist nicht Strömung, und flow.strength ist 0</translation>
     </message>
     <message>
-        <source>no irradiance is stored</source>
+        <source>no irradiance is baked</source>
         <translation>es wird keine Bestrahlungsstärke gespeichert</translation>
     </message>
     <message>
@@ -4910,8 +4910,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>es werden keine Isolinien gezeichnet</translation>
     </message>
     <message>
-        <source>pieces are shown wherever they lie</source>
-        <translation>Teile werden gezeigt, wo immer sie liegen</translation>
+        <source>connected components are shown everywhere</source>
+        <translation>Teile werden überall gezeigt</translation>
     </message>
     <message>
         <source>no isosurface is shown</source>
@@ -4922,7 +4922,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>es wird keine Legende gezeichnet</translation>
     </message>
     <message>
-        <source>no light is stored</source>
+        <source>no light is baked</source>
         <translation>es wird kein Licht gespeichert</translation>
     </message>
     <message>
@@ -4930,40 +4930,40 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>kein zweites Volumen ist mit dem ersten verknüpft</translation>
     </message>
     <message>
-        <source>no transfer is stored</source>
+        <source>no transfer is baked</source>
         <translation>es wird kein Transfer gespeichert</translation>
     </message>
     <message>
-        <source>nothing is cut away</source>
-        <translation>nichts ist weggeschnitten</translation>
+        <source>no clip plane or clip box is set</source>
+        <translation>weder Schnittebene noch Schnittquader ist gesetzt</translation>
     </message>
     <message>
-        <source>nothing is shown of the second volume</source>
-        <translation>vom zweiten Volumen wird nichts gezeigt</translation>
+        <source>the second volume is not visible</source>
+        <translation>das zweite Volumen ist nicht zu sehen</translation>
     </message>
     <message>
         <source>only Blinn-Phong shading has a highlight</source>
         <translation>nur Blinn-Phong-Schattierung hat ein Glanzlicht</translation>
     </message>
     <message>
-        <source>only local shading has this light</source>
-        <translation>nur lokale Schattierung hat dieses Licht</translation>
+        <source>only local shading uses this light</source>
+        <translation>nur lokale Schattierung verwendet dieses Licht</translation>
     </message>
     <message>
         <source>paths end before that bounce</source>
         <translation>Pfade enden vor dieser Reflexion</translation>
     </message>
     <message>
-        <source>ridge and valley lines have no strength</source>
-        <translation>Grat- und Tallinien haben keine Stärke</translation>
+        <source>the strength of ridge and valley lines is 0</source>
+        <translation>die Stärke der Grat- und Tallinien ist 0</translation>
     </message>
     <message>
         <source>several isosurfaces are shown</source>
         <translation>mehrere Isoflächen werden gezeigt</translation>
     </message>
     <message>
-        <source>slices have no thickness</source>
-        <translation>Schichten haben keine Dicke</translation>
+        <source>the slab thickness is 0</source>
+        <translation>die Dicke der Schichten ist 0</translation>
     </message>
     <message>
         <source>texels are not chosen by isovalue</source>
@@ -4974,8 +4974,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>diese Isofläche wird nicht gezeigt</translation>
     </message>
     <message>
-        <source>that lamp is off</source>
-        <translation>diese Lampe ist aus</translation>
+        <source>that light source is off</source>
+        <translation>diese Lichtquelle ist aus</translation>
     </message>
     <message>
         <source>the albedo comes from a colour map</source>
@@ -4986,43 +4986,43 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>die Belichtung ist gesetzt</translation>
     </message>
     <message>
-        <source>the highlight has no strength</source>
-        <translation>das Glanzlicht hat keine Stärke</translation>
+        <source>the strength of the highlight is 0</source>
+        <translation>die Stärke des Glanzlichts ist 0</translation>
     </message>
     <message>
-        <source>the key light brightens nothing</source>
-        <translation>das Hauptlicht erhellt nichts</translation>
+        <source>the key light has no effect</source>
+        <translation>das Hauptlicht hat keine Wirkung</translation>
     </message>
     <message>
-        <source>the key light stands alone</source>
-        <translation>das Hauptlicht steht allein</translation>
+        <source>the key light is the only light</source>
+        <translation>das Hauptlicht ist das einzige Licht</translation>
     </message>
     <message>
-        <source>nothing keeps light away</source>
-        <translation>nichts hält Licht ab</translation>
+        <source>occlusion is off</source>
+        <translation>Verdeckung ist aus</translation>
     </message>
     <message>
-        <source>the lamp has a position</source>
-        <translation>die Lampe hat eine Position</translation>
+        <source>the light source has a position</source>
+        <translation>die Lichtquelle hat eine Position</translation>
     </message>
     <message>
-        <source>the lamp is distant</source>
-        <translation>die Lampe ist fern</translation>
+        <source>the light source is distant</source>
+        <translation>die Lichtquelle ist fern</translation>
     </message>
     <message>
-        <source>the lamp is no sphere</source>
-        <translation>die Lampe ist keine Kugel</translation>
+        <source>the light source is not a sphere</source>
+        <translation>die Lichtquelle ist keine Kugel</translation>
     </message>
     <message>
-        <source>the lamp is not distant</source>
-        <translation>die Lampe ist nicht fern</translation>
+        <source>the light source is not distant</source>
+        <translation>die Lichtquelle ist nicht fern</translation>
     </message>
     <message>
         <source>the look is not curvature 2D</source>
         <translation>die Darstellung ist nicht κ₁ und κ₂</translation>
     </message>
     <message>
-        <source>the look shows accessibility at full strength</source>
+        <source>the look shows crevice shading at full strength</source>
         <translation>die Darstellung zeigt Zugänglichkeit in voller Stärke</translation>
     </message>
     <message>
@@ -5030,12 +5030,12 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>die Darstellung zeigt Strömung in voller Stärke</translation>
     </message>
     <message>
-        <source>the samples near the isovalue are no denser than the others</source>
-        <translation>die Abtastung nahe dem Isowert ist nicht dichter als sonst</translation>
+        <source>hit.near_factor is 1</source>
+        <translation>hit.near_factor ist 1</translation>
     </message>
     <message>
-        <source>the second volume&apos;s colours have no strength</source>
-        <translation>die Farben des zweiten Volumens haben keine Stärke</translation>
+        <source>the strength of the second volume&apos;s colours is 0</source>
+        <translation>die Stärke der Farben des zweiten Volumens ist 0</translation>
     </message>
     <message>
         <source>the shading is not global illumination</source>
@@ -5050,16 +5050,16 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>die Quelle ist kein Dreiecksnetz</translation>
     </message>
     <message>
-        <source>there are no ghosts</source>
-        <translation>es gibt keine Rauschflächen</translation>
+        <source>no uncertainty surfaces are drawn</source>
+        <translation>es werden keine Rauschflächen gezeichnet</translation>
     </message>
     <message>
-        <source>there is a light probe</source>
-        <translation>es gibt ein Umgebungsbild</translation>
+        <source>an environment map is set</source>
+        <translation>ein Umgebungsbild ist gesetzt</translation>
     </message>
     <message>
-        <source>there is a sky of one colour</source>
-        <translation>es gibt einen einfarbigen Himmel</translation>
+        <source>a constant environment is set</source>
+        <translation>eine konstante Umgebung ist gesetzt</translation>
     </message>
     <message>
         <source>there is no fog</source>
@@ -5074,8 +5074,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>es gibt keine Textur</translation>
     </message>
     <message>
-        <source>this look does not show one number in colour</source>
-        <translation>diese Darstellung zeigt keine einzelne Zahl in Farbe</translation>
+        <source>this look does not show a single quantity in colour</source>
+        <translation>diese Darstellung zeigt keine einzelne Größe in Farbe</translation>
     </message>
     <message>
         <source>this look does not show the surface&apos;s own colour</source>
@@ -5094,70 +5094,70 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>diese Darstellung braucht keine Ableitungen</translation>
     </message>
     <message>
-        <source>this look shows a raw quantity, with nothing laid over it</source>
-        <translation>diese Darstellung zeigt eine rohe Größe, über der nichts liegt</translation>
+        <source>this look shows a raw quantity without overlays</source>
+        <translation>diese Darstellung zeigt eine rohe Größe ohne Überlagerungen</translation>
     </message>
     <message>
         <source>this look shows no edges</source>
         <translation>diese Darstellung zeigt keine Kanten</translation>
     </message>
     <message>
-        <source>this shading does not take its brightness from the key light</source>
-        <translation>diese Schattierung nimmt ihre Helligkeit nicht vom Hauptlicht</translation>
+        <source>this shading ignores the brightness of the key light</source>
+        <translation>diese Schattierung beachtet die Helligkeit des Hauptlichts nicht</translation>
     </message>
     <message>
-        <source>trilinear derivatives are read in one way only</source>
-        <translation>trilineare Ableitungen werden nur auf eine Weise gelesen</translation>
+        <source>this setting affects cubic derivatives only</source>
+        <translation>diese Einstellung betrifft nur kubische Ableitungen</translation>
     </message>
     <message>
         <source>trilinear derivatives have no scale</source>
         <translation>trilineare Ableitungen haben keine Skala</translation>
     </message>
     <message>
-        <source>nothing is drawn whose width is stated in pixels</source>
-        <translation>nichts wird gezeichnet, dessen Breite in Pixeln angegeben ist</translation>
+        <source>no lines or streaks sized in pixels are drawn</source>
+        <translation>es werden keine Linien oder Streifen mit Größe in Pixeln gezeichnet</translation>
     </message>
     <message>
-        <source>that surface has no opacity</source>
-        <translation>diese Fläche hat keine Deckkraft</translation>
+        <source>the opacity of that surface is 0</source>
+        <translation>die Deckkraft dieser Fläche ist 0</translation>
     </message>
     <message>
-        <source>the surface has no opacity</source>
-        <translation>die Fläche hat keine Deckkraft</translation>
+        <source>the opacity of the surface is 0</source>
+        <translation>die Deckkraft der Fläche ist 0</translation>
     </message>
     <message>
-        <source>the camera is given</source>
-        <translation>die Kamera ist gegeben</translation>
+        <source>camera.eye is set</source>
+        <translation>camera.eye ist gesetzt</translation>
     </message>
     <message>
-        <source>the isovalue is given</source>
-        <translation>der Isowert ist gegeben</translation>
+        <source>the isovalue is set</source>
+        <translation>der Isowert ist gesetzt</translation>
     </message>
 </context>
 <context>
     <name>sentences</name>
     <message>
-        <source>There is no surface: an axis of the volume has one voxel only</source>
-        <translation>Es gibt keine Oberfläche: eine Achse des Volumens hat nur ein Voxel</translation>
+        <source>No surface: the volume has only one voxel along an axis</source>
+        <translation>Keine Oberfläche: Das Volumen hat längs einer Achse nur ein Voxel</translation>
     </message>
     <message>
-        <source>There is no surface: every voxel is missing</source>
-        <translation>Es gibt keine Oberfläche: alle Voxel fehlen</translation>
+        <source>No surface: all voxels are missing</source>
+        <translation>Keine Oberfläche: Alle Voxel fehlen</translation>
     </message>
     <message>
-        <source>No surface at %1: the values lie between %2 and %3</source>
-        <translation>Keine Oberfläche bei %1: die Werte liegen zwischen %2 und %3</translation>
+        <source>No surface at %1: the data range is %2 to %3</source>
+        <translation>Keine Oberfläche bei %1: Der Wertebereich ist %2 bis %3</translation>
     </message>
     <message>
         <source>The camera looks away from the volume</source>
         <translation>Die Kamera blickt vom Volumen weg</translation>
     </message>
     <message>
-        <source>The volume lies outside the picture</source>
-        <translation>Das Volumen liegt außerhalb des Bildes</translation>
+        <source>The volume is outside the image</source>
+        <translation>Das Volumen ist außerhalb des Bildes</translation>
     </message>
     <message>
-        <source>No surface is seen from here</source>
+        <source>No surface is visible from here</source>
         <translation>Von hier ist keine Oberfläche zu sehen</translation>
     </message>
     <message>
@@ -5265,20 +5265,20 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Kantenstärke</translation>
     </message>
     <message>
-        <source>the point does not lie on the surface: there is none within three voxels of it</source>
-        <translation>der Punkt liegt nicht auf der Oberfläche: im Umkreis von drei Voxeln ist keine</translation>
+        <source>the point is not on the surface: no surface within three voxels</source>
+        <translation>der Punkt ist nicht auf der Oberfläche: keine Oberfläche im Umkreis von drei Voxeln</translation>
     </message>
     <message>
-        <source>point %1 does not lie on the surface: there is none within three voxels of it</source>
-        <translation>Punkt %1 liegt nicht auf der Oberfläche: im Umkreis von drei Voxeln ist keine</translation>
+        <source>point %1 is not on the surface: no surface within three voxels</source>
+        <translation>Punkt %1 ist nicht auf der Oberfläche: keine Oberfläche im Umkreis von drei Voxeln</translation>
     </message>
     <message>
-        <source>the point lies %1 mm off the surface</source>
-        <translation>der Punkt liegt %1 mm neben der Oberfläche</translation>
+        <source>the point is %1 mm off the surface</source>
+        <translation>der Punkt ist %1 mm von der Oberfläche entfernt</translation>
     </message>
     <message>
-        <source>point %1 lies %2 mm off the surface</source>
-        <translation>Punkt %1 liegt %2 mm neben der Oberfläche</translation>
+        <source>point %1 is %2 mm off the surface</source>
+        <translation>Punkt %1 ist %2 mm von der Oberfläche entfernt</translation>
     </message>
     <message>
         <source>no isosurface of %1 within three voxels of the point</source>
@@ -5289,32 +5289,32 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>keine Isofläche von %1 im Umkreis von drei Voxeln um Punkt %2</translation>
     </message>
     <message>
-        <source>the point lies outside the volume or beside missing voxels</source>
-        <translation>der Punkt liegt außerhalb des Volumens oder neben fehlenden Voxeln</translation>
+        <source>the point is outside the volume or next to missing voxels</source>
+        <translation>der Punkt ist außerhalb des Volumens oder neben fehlenden Voxeln</translation>
     </message>
     <message>
-        <source>no way along the surface leads from point %1 to point %2</source>
-        <translation>entlang der Oberfläche führt kein Weg von Punkt %1 zu Punkt %2</translation>
+        <source>no path along the surface from point %1 to point %2</source>
+        <translation>kein Weg entlang der Oberfläche von Punkt %1 zu Punkt %2</translation>
     </message>
     <message>
-        <source>two of the points lie in one place</source>
-        <translation>zwei der Punkte liegen an einer Stelle</translation>
+        <source>two of the points coincide</source>
+        <translation>zwei der Punkte fallen zusammen</translation>
     </message>
     <message>
-        <source>the points lie on a line</source>
-        <translation>die Punkte liegen auf einer Geraden</translation>
+        <source>the points are on a line</source>
+        <translation>die Punkte sind auf einer Geraden</translation>
     </message>
     <message>
-        <source>the inside does not end within the data behind the point</source>
-        <translation>das Innere endet hinter dem Punkt nicht innerhalb der Daten</translation>
+        <source>the inside behind the point extends beyond the data</source>
+        <translation>das Innere hinter dem Punkt reicht über die Daten hinaus</translation>
     </message>
     <message>
-        <source>the point lies in no piece of isovalue %1</source>
-        <translation>der Punkt liegt in keinem Teil zum Isowert %1</translation>
+        <source>the point is in no connected component at isovalue %1</source>
+        <translation>der Punkt ist in keinem Teil zum Isowert %1</translation>
     </message>
     <message>
-        <source>the piece goes on beyond the data: it is open</source>
-        <translation>das Teil reicht über die Daten hinaus: es ist offen</translation>
+        <source>the component is open: it extends beyond the data</source>
+        <translation>das Teil ist offen: Es reicht über die Daten hinaus</translation>
     </message>
     <message>
         <source>not enough memory</source>
@@ -5325,12 +5325,12 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>angehalten</translation>
     </message>
     <message>
-        <source>no settings keep %1 ms; the quickest take about %2 ms, and a smaller picture less</source>
-        <translation>keine Einstellungen halten %1 ms ein; die schnellsten brauchen etwa %2 ms, ein kleineres Bild weniger</translation>
+        <source>no settings keep %1 ms; the fastest take about %2 ms; choose a smaller image</source>
+        <translation>keine Einstellungen halten %1 ms ein; die schnellsten brauchen etwa %2 ms; ein kleineres Bild wählen</translation>
     </message>
     <message>
-        <source>no settings keep %1; the least that can be promised is %2</source>
-        <translation>keine Einstellungen halten ein: %1; das Kleinste, was sich zusagen lässt, ist %2</translation>
+        <source>no settings keep %1; the smallest guaranteed error is %2</source>
+        <translation>keine Einstellungen halten ein: %1; der kleinste zugesicherte Fehler ist %2</translation>
     </message>
     <message>
         <source>depth at most %1 mm</source>
@@ -5401,23 +5401,23 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Teile fehlen</translation>
     </message>
     <message>
-        <source>no settings keep %1; the least that can be promised is %2; a larger picture, gi.samples above 1024 or gi.lattice_scale above 2 may keep it</source>
-        <translation>keine Einstellungen halten ein: %1; das Kleinste, was sich zusagen lässt, ist %2; ein größeres Bild, gi.samples über 1024 oder gi.lattice_scale über 2 mag es einhalten</translation>
+        <source>no settings keep %1; the smallest guaranteed error is %2; a larger image, gi.samples above 1024 or gi.lattice_scale above 2 may keep it</source>
+        <translation>keine Einstellungen halten ein: %1; der kleinste zugesicherte Fehler ist %2; ein größeres Bild, gi.samples über 1024 oder gi.lattice_scale über 2 mag es einhalten</translation>
     </message>
     <message>
-        <source>source.kind says so</source>
-        <translation>source.kind gibt es an</translation>
+        <source>source.kind is set</source>
+        <translation>source.kind ist gesetzt</translation>
     </message>
     <message>
         <source>its values are few whole numbers that fill regions</source>
         <translation>die Werte sind wenige ganze Zahlen, die Bereiche füllen</translation>
     </message>
     <message>
-        <source>its file says so</source>
+        <source>its file states it</source>
         <translation>die Datei gibt es an</translation>
     </message>
     <message>
-        <source>it was made of a mesh</source>
+        <source>it was made from a mesh</source>
         <translation>aus einem Netz erzeugt</translation>
     </message>
     <message>
@@ -5429,7 +5429,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>die Werte sind in %1</translation>
     </message>
     <message>
-        <source>its values range as those of a CT do</source>
+        <source>its data range is that of a CT</source>
         <translation>der Wertebereich ist der eines CT</translation>
     </message>
     <message>
@@ -5449,79 +5449,79 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>die Werte sind ohne Rauschen</translation>
     </message>
     <message>
-        <source>nothing says more</source>
-        <translation>nichts sagt Näheres</translation>
+        <source>there is no other evidence</source>
+        <translation>es gibt keine weiteren Hinweise</translation>
     </message>
 </context>
 <context>
     <name>settings</name>
     <message>
-        <source>A point, a distant lamp, or a luminous sphere.</source>
-        <translation>Ein Punkt, eine ferne Lampe oder eine leuchtende Kugel.</translation>
+        <source>Kind of the light source: a point, a distant (directional) light, or a luminous sphere.</source>
+        <translation>Art der Lichtquelle: ein Punkt, ein fernes (gerichtetes) Licht oder eine leuchtende Kugel.</translation>
     </message>
     <message>
-        <source>A second volume that colours the surface by its values there, as source.path; empty takes none.</source>
-        <translation>Ein zweites Volumen, dessen Werte die Oberfläche färben, wie source.path; leer nimmt keines.</translation>
+        <source>Second volume whose values colour the surface, given as in source.path; empty is none.</source>
+        <translation>Zweites Volumen, dessen Werte die Oberfläche färben, angegeben wie source.path; leer ist keines.</translation>
     </message>
     <message>
-        <source>A solid texture, carved from rather than wrapped around the surface; varies the albedo.</source>
-        <translation>Eine Festkörpertextur, aus der die Oberfläche wie geschnitzt ist; variiert die Albedo.</translation>
+        <source>Solid (3-D) texture that varies the albedo.</source>
+        <translation>Festkörpertextur (3-D), die die Albedo variiert.</translation>
     </message>
     <message>
-        <source>Along the direction of the larger or of the smaller principal curvature.</source>
-        <translation>Längs der Richtung der größeren oder der kleineren Hauptkrümmung.</translation>
+        <source>Direction of the streaks: of the larger or the smaller principal curvature.</source>
+        <translation>Richtung der Streifen: die der größeren oder der kleineren Hauptkrümmung.</translation>
     </message>
     <message>
-        <source>Anti-aliasing of a picture at rest.</source>
-        <translation>Kantenglättung eines ruhenden Bildes.</translation>
+        <source>Anti-aliasing of final images.</source>
+        <translation>Kantenglättung fertiger Bilder.</translation>
     </message>
     <message>
-        <source>Background at the bottom of the picture.</source>
+        <source>Background at the bottom of the image.</source>
         <translation>Hintergrund am unteren Rand des Bildes.</translation>
     </message>
     <message>
-        <source>Background at the top of the picture.</source>
+        <source>Background at the top of the image.</source>
         <translation>Hintergrund am oberen Rand des Bildes.</translation>
     </message>
     <message>
-        <source>Bands of spherical harmonics of stored transfer; more follow sharper light.</source>
-        <translation>Bänder der Kugelflächenfunktionen des gespeicherten Transfers; mehr folgen schärferem Licht.</translation>
+        <source>Number of spherical harmonic bands of baked transfer; more bands resolve sharper light.</source>
+        <translation>Anzahl der Bänder der Kugelflächenfunktionen des gespeicherten Transfers; mehr Bänder lösen schärferes Licht auf.</translation>
     </message>
     <message>
         <source>Brightness of a white light at the eye.</source>
         <translation>Helligkeit eines weißen Lichts am Auge.</translation>
     </message>
     <message>
-        <source>Brightness of a light from the viewer&apos;s other side, in parts of the light&apos;s own.</source>
-        <translation>Helligkeit eines Lichts von der anderen Seite des Betrachters, in Teilen der des Lichts selbst.</translation>
+        <source>Brightness of the fill light, on the viewer&apos;s other side, as a fraction of the key light&apos;s.</source>
+        <translation>Helligkeit des Aufhelllichts, auf der anderen Seite des Betrachters, als Anteil der des Hauptlichts.</translation>
     </message>
     <message>
-        <source>Brightness of two lights from behind, left and right, in parts of the light&apos;s own.</source>
-        <translation>Helligkeit zweier Lichter von hinten, links und rechts, in Teilen der des Lichts selbst.</translation>
+        <source>Brightness of the two rim lights, behind left and right, as a fraction of the key light&apos;s.</source>
+        <translation>Helligkeit der zwei Kantenlichter, hinten links und rechts, als Anteil der des Hauptlichts.</translation>
     </message>
     <message>
-        <source>How the surface is lit: three_point by the light (the key light), a fill light and rim lights, each kept away by what stands near; key by the light alone.</source>
-        <translation>Wie die Fläche beleuchtet wird: three_point durch das Licht (das Hauptlicht), ein Aufhelllicht und Kantenlichter, die das Nahe jeweils abhält; key durch das Licht allein.</translation>
+        <source>Lighting: three_point has a key light, a fill light and rim lights, each occluded by nearby surfaces; key has the key light alone.</source>
+        <translation>Beleuchtung: three_point hat Haupt-, Aufhell- und Kantenlichter, jeweils von nahen Flächen verdeckt; key hat das Hauptlicht allein.</translation>
     </message>
     <message>
-        <source>How much what stands near keeps light away, as far as the picture shows it: darkens crevices.</source>
-        <translation>Wie sehr das Nahe Licht abhält, soweit das Bild es zeigt: verdunkelt Spalten.</translation>
+        <source>Strength of screen-space occlusion: nearby surfaces visible in the image darken crevices.</source>
+        <translation>Stärke der Verdeckung im Bildraum: nahe Flächen, die das Bild zeigt, verdunkeln Spalten.</translation>
     </message>
     <message>
-        <source>How far things count as near; auto is a fifth of the volume.</source>
-        <translation>Bis wohin etwas als nah gilt; automatisch ist ein Fünftel des Volumens.</translation>
+        <source>Radius within which surfaces occlude; auto is a fifth of the volume's diagonal.</source>
+        <translation>Radius, in dem Flächen verdecken; auto ist ein Fünftel der Diagonale des Volumens.</translation>
     </message>
     <message>
-        <source>Brightness of a white surface at the volume&apos;s centre that faces the lamp.</source>
-        <translation>Helligkeit einer weißen Fläche in der Mitte des Volumens, die der Lampe zugewandt ist.</translation>
+        <source>Brightness of a white surface at the volume&apos;s centre that faces the light source.</source>
+        <translation>Helligkeit einer weißen Fläche in der Mitte des Volumens, die der Lichtquelle zugewandt ist.</translation>
     </message>
     <message>
-        <source>Brightness of pictures lit by global illumination; auto is by picture.metering.</source>
-        <translation>Helligkeit von Bildern mit globaler Beleuchtung; auto richtet sich nach picture.metering.</translation>
+        <source>Exposure of images lit by global illumination; auto follows picture.metering.</source>
+        <translation>Belichtung von Bildern mit globaler Beleuchtung; auto richtet sich nach picture.metering.</translation>
     </message>
     <message>
-        <source>Brightness of the light.</source>
-        <translation>Helligkeit des Lichts.</translation>
+        <source>Brightness of the key light.</source>
+        <translation>Helligkeit des Hauptlichts.</translation>
     </message>
     <message>
         <source>Colour of contour lines.</source>
@@ -5532,595 +5532,595 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Farbe der Grate.</translation>
     </message>
     <message>
-        <source>Colour of the lamp.</source>
-        <translation>Farbe der Lampe.</translation>
+        <source>Colour of the light source.</source>
+        <translation>Farbe der Lichtquelle.</translation>
     </message>
     <message>
-        <source>Colour of the light.</source>
-        <translation>Farbe des Lichts.</translation>
+        <source>Colour of the key light.</source>
+        <translation>Farbe des Hauptlichts.</translation>
     </message>
     <message>
         <source>Colour of valleys.</source>
         <translation>Farbe der Täler.</translation>
     </message>
     <message>
-        <source>Colours of a measure; auto takes a diverging map for what has a sign, else viridis.</source>
-        <translation>Farben eines Maßes; auto nimmt eine divergierende Skala für Maße mit Vorzeichen, sonst Viridis.</translation>
+        <source>Colour map of the quantity; auto is diverging for signed quantities, otherwise viridis.</source>
+        <translation>Farbskala der Größe; auto ist divergierend für Größen mit Vorzeichen, sonst Viridis.</translation>
     </message>
     <message>
-        <source>Curvature from which on a ridge or valley is drawn; auto from the surface&apos;s own values.</source>
-        <translation>Krümmung, von der an ein Grat oder Tal gezeichnet wird; auto aus den Werten der Oberfläche.</translation>
+        <source>Minimum curvature of ridge and valley lines; auto is found from the values on the surface.</source>
+        <translation>Mindestkrümmung der Grat- und Tallinien; auto folgt aus den Werten auf der Oberfläche.</translation>
     </message>
     <message>
-        <source>Damps high bands of the environment against ringing.</source>
-        <translation>Dämpft hohe Bänder der Umgebung gegen Überschwingen.</translation>
+        <source>Damping of the environment's high bands against ringing.</source>
+        <translation>Dämpfung der hohen Bänder der Umgebung gegen Überschwingen.</translation>
     </message>
     <message>
-        <source>Darkens what is hollow, by curvature, as if dirt had gathered there.</source>
-        <translation>Dunkelt Hohles nach der Krümmung ab, als hätte sich dort Schmutz gesammelt.</translation>
+        <source>Crevice shading (accessibility, Miller 1994): darkens hollows by curvature, like dirt.</source>
+        <translation>Zugänglichkeit (Miller 1994): verdunkelt Vertiefungen nach der Krümmung, wie Schmutz.</translation>
     </message>
     <message>
-        <source>Diameter of a distant lamp as seen from the volume; the sun has 0.53, 0 gives hard shadows.</source>
-        <translation>Durchmesser einer fernen Lampe, vom Volumen aus gesehen; die Sonne hat 0.53, 0 gibt harte Schatten.</translation>
+        <source>Angular diameter of a distant light; the sun has 0.53, 0 gives hard shadows.</source>
+        <translation>Winkeldurchmesser eines fernen Lichts; die Sonne hat 0.53, 0 gibt harte Schatten.</translation>
     </message>
     <message>
-        <source>Diffuse reflections on a light&apos;s way to a texel; 0 is direct light only.</source>
-        <translation>Diffuse Reflexionen auf dem Weg des Lichts zu einem Texel; 0 ist nur direktes Licht.</translation>
+        <source>Maximum number of diffuse reflections of a light path; 0 is direct light only.</source>
+        <translation>Höchstzahl diffuser Reflexionen eines Lichtpfads; 0 ist nur direktes Licht.</translation>
     </message>
     <message>
-        <source>Draws a legend with units where colours stand for numbers.</source>
-        <translation>Zeichnet eine Legende mit Einheiten, wo Farben für Zahlen stehen.</translation>
+        <source>Draws a legend with units where colours show a quantity.</source>
+        <translation>Zeichnet eine Legende mit Einheiten, wo Farben eine Größe zeigen.</translation>
     </message>
     <message>
         <source>Draws one more isosurface of the same volume.</source>
         <translation>Zeichnet eine weitere Isofläche desselben Volumens.</translation>
     </message>
     <message>
-        <source>Draws the first surface twice more, transparent, at its isovalue plus and minus this many times the noise: how far noise may move it; 0 draws none.</source>
-        <translation>Zeichnet die erste Fläche zweimal zusätzlich, durchsichtig, beim Isowert plus und minus so viele Male dem Rauschen: wie weit Rauschen sie verschieben kann; 0 zeichnet keine.</translation>
+        <source>Draws two uncertainty surfaces: transparent isosurfaces at the first isovalue ± this many standard deviations of the noise. They bound the shift due to noise; 0 draws none.</source>
+        <translation>Zeichnet zwei Rauschflächen: durchsichtige Isoflächen beim ersten Isowert ± so vielen Standardabweichungen des Rauschens. Sie begrenzen die Verschiebung durch Rauschen; 0 zeichnet keine.</translation>
     </message>
     <message>
         <source>Exponent of the highlight; larger is smaller and sharper.</source>
         <translation>Exponent des Glanzlichts; größer ist kleiner und schärfer.</translation>
     </message>
     <message>
-        <source>Fills where the first surface&apos;s curve would lie at its isovalue plus and minus this many times the noise; 0 fills nothing.</source>
-        <translation>Füllt den Bereich, in dem die Kurve der ersten Fläche beim Isowert plus und minus so viele Male dem Rauschen läge; 0 füllt nichts.</translation>
+        <source>Fills the uncertainty band of the first surface&apos;s contour: its isovalue ± this many standard deviations of the noise; 0 fills nothing.</source>
+        <translation>Füllt das Unsicherheitsband der Kontur der ersten Fläche: ihr Isowert ± so viele Standardabweichungen des Rauschens; 0 füllt nichts.</translation>
     </message>
     <message>
-        <source>From this bounce on paths end at random, with the probability that light is absorbed.</source>
-        <translation>Von dieser Reflexion an enden Pfade zufällig, mit der Wahrscheinlichkeit, dass Licht absorbiert wird.</translation>
+        <source>Bounce at which Russian roulette begins: paths then end at random, with the probability that light is absorbed.</source>
+        <translation>Reflexion, an der russisches Roulette beginnt: Pfade enden dann zufällig, mit der Wahrscheinlichkeit, dass Licht absorbiert wird.</translation>
     </message>
     <message>
-        <source>Graphics memory that the voxels may use.</source>
+        <source>Graphics memory that voxels may use.</source>
         <translation>Grafikspeicher, den die Voxel belegen dürfen.</translation>
     </message>
     <message>
-        <source>Memory for parts of a volume that stays in its file.</source>
-        <translation>Arbeitsspeicher für Teile eines Volumens, das in seiner Datei bleibt.</translation>
+        <source>Memory for bricks of an out-of-core volume.</source>
+        <translation>Arbeitsspeicher für Blöcke eines Volumens, das in seiner Datei bleibt.</translation>
     </message>
     <message>
-        <source>Where a volume&apos;s voxels are while it is drawn: all in memory, or in the file, of which parts are read when they are needed; auto leaves them in the file where they do not fit into memory.</source>
-        <translation>Wo die Voxel eines Volumens liegen, während es gezeichnet wird: alle im Arbeitsspeicher oder in der Datei, von der Teile gelesen werden, wenn sie gebraucht werden; auto lässt sie in der Datei, wenn sie nicht in den Arbeitsspeicher passen.</translation>
+        <source>Location of the voxels while drawing: memory, or the file, of which parts are read when needed (out of core). auto takes the file if the volume does not fit in memory.</source>
+        <translation>Ort der Voxel beim Zeichnen: der Arbeitsspeicher oder die Datei, von der Teile nach Bedarf gelesen werden. auto nimmt die Datei, wenn das Volumen nicht in den Arbeitsspeicher passt.</translation>
     </message>
     <message>
-        <source>How a second volume is combined with the first, as solids on one grid.</source>
-        <translation>Wie ein zweites Volumen mit dem ersten verknüpft wird, als Körper auf einem Gitter.</translation>
+        <source>Boolean operation that combines a second volume with the first, as solids on one grid.</source>
+        <translation>Boolesche Operation, die ein zweites Volumen mit dem ersten verknüpft, als Körper auf einem Gitter.</translation>
     </message>
     <message>
-        <source>How cubic derivatives read the volume: by the texture unit&apos;s linear filter, whose weights many GPUs round to 8 bits, or by single voxels weighted in float.</source>
-        <translation>Wie kubische Ableitungen das Volumen lesen: mit dem linearen Filter der Textureinheit, dessen Gewichte viele GPUs auf 8 Bit runden, oder Voxel für Voxel mit Gleitkommagewichten.</translation>
+        <source>Voxel access of cubic derivatives: the texture unit&apos;s linear filter, whose weights many GPUs round to 8 bits, or single voxels weighted in float.</source>
+        <translation>Voxelzugriff kubischer Ableitungen: der lineare Filter der Textureinheit, dessen Gewichte viele GPUs auf 8 Bit runden, oder einzelne Voxel mit Gleitkommagewichten.</translation>
     </message>
     <message>
-        <source>How densely a ray is sampled; method sampled only.</source>
-        <translation>Wie dicht ein Strahl abgetastet wird; nur bei Verfahren Abgetastet.</translation>
+        <source>Sampling rate along a ray; method sampled only.</source>
+        <translation>Abtastrate längs eines Strahls; nur bei Verfahren Abgetastet.</translation>
     </message>
     <message>
-        <source>How far along the normal, each way, the edge of the object is looked for; auto takes what the spacing and the scale ask for.</source>
-        <translation>Wie weit längs der Normalen in beide Richtungen nach der Kante des Objekts gesucht wird; auto richtet sich nach Voxelabstand und Skala.</translation>
+        <source>Search distance for the edge of the object along the normal, in both directions; auto depends on spacing and scale.</source>
+        <translation>Suchstrecke für die Kante des Objekts längs der Normalen, in beide Richtungen; auto hängt von Voxelabstand und Skala ab.</translation>
     </message>
     <message>
-        <source>How far the gradient at an edge must stand out of what noise makes of gradients; weaker ones are no edges.</source>
-        <translation>Wie weit der Gradient an einer Kante aus dem herausragen muss, was Rauschen aus Gradienten macht; schwächere sind keine Kanten.</translation>
+        <source>Minimum gradient magnitude of an edge, in standard deviations of the gradient's noise; weaker maxima are ignored.</source>
+        <translation>Mindestbetrag des Gradienten einer Kante, in Standardabweichungen des Gradientenrauschens; schwächere Maxima bleiben außer Acht.</translation>
     </message>
     <message>
-        <source>How far values reach from black to white there; auto is found from the volume.</source>
-        <translation>Wie weit Werte dort von Schwarz bis Weiß reichen; auto folgt aus dem Volumen.</translation>
+        <source>Window width: the range of values from black to white in slices and on cut faces; auto is found from the volume.</source>
+        <translation>Fensterbreite: der Wertebereich von Schwarz bis Weiß in Schichten und auf Schnittflächen; auto folgt aus dem Volumen.</translation>
     </message>
     <message>
-        <source>How finely a triangle mesh becomes a distance field: voxels along its longest axis.</source>
-        <translation>Wie fein ein Dreiecksnetz zum Abstandsfeld wird: Voxel entlang seiner längsten Achse.</translation>
+        <source>Resolution of the distance field made from a triangle mesh: voxels along the longest axis.</source>
+        <translation>Auflösung des Abstandsfelds eines Dreiecksnetzes: Voxel entlang der längsten Achse.</translation>
     </message>
     <message>
-        <source>How finely light is stored.</source>
-        <translation>Wie fein Licht gespeichert wird.</translation>
+        <source>Resolution of baked light.</source>
+        <translation>Auflösung des gespeicherten Lichts.</translation>
     </message>
     <message>
-        <source>How long a picture in motion may take.</source>
-        <translation>Wie lange ein Bild bei Bewegung dauern darf.</translation>
+        <source>Time limit of an interactive frame.</source>
+        <translation>Zeitgrenze eines Bildes bei Bewegung.</translation>
     </message>
     <message>
-        <source>How many connected pieces of each isosurface are shown, the largest first; 0 shows all.</source>
-        <translation>Wie viele zusammenhängende Teile jeder Isofläche gezeigt werden, das größte zuerst; 0 zeigt alle.</translation>
+        <source>Maximum number of connected components (pieces) shown per isosurface, largest first; 0 shows all.</source>
+        <translation>Höchstzahl der gezeigten zusammenhängenden Teile je Isofläche, das größte zuerst; 0 zeigt alle.</translation>
     </message>
     <message>
-        <source>How many crossings along a ray are composited at most, where surfaces are transparent.</source>
-        <translation>Wie viele Durchtritte längs eines Strahls höchstens überlagert werden, wo Flächen durchsichtig sind.</translation>
+        <source>Maximum number of surface crossings composited along a ray, where surfaces are transparent.</source>
+        <translation>Höchstzahl der Durchtritte, die längs eines Strahls überlagert werden, wo Flächen durchsichtig sind.</translation>
     </message>
     <message>
-        <source>How many times denser the samples are near the isovalue; method sampled only.</source>
-        <translation>Wie viel dichter die Abtastung nahe dem Isowert ist; nur bei Verfahren Abgetastet.</translation>
+        <source>Factor by which sampling is denser near the isovalue; method sampled only.</source>
+        <translation>Faktor, um den die Abtastung nahe dem Isowert dichter ist; nur bei Verfahren Abgetastet.</translation>
     </message>
     <message>
-        <source>How much brighter the ambient light is from above the picture than from below.</source>
-        <translation>Wie viel heller das Grundlicht von oben im Bild ist als von unten.</translation>
+        <source>Hemisphere lighting: how much brighter the ambient light is from the top of the image than from the bottom.</source>
+        <translation>Hemisphärenlicht: wie viel heller das Grundlicht vom oberen Bildrand ist als vom unteren.</translation>
     </message>
     <message>
-        <source>How much of the surface&apos;s own colour is covered.</source>
-        <translation>Wie viel von der eigenen Farbe der Oberfläche überdeckt wird.</translation>
+        <source>Opacity of these colours over the surface&apos;s own colour.</source>
+        <translation>Deckkraft dieser Farben über der eigenen Farbe der Oberfläche.</translation>
     </message>
     <message>
-        <source>How much of what lies behind that surface it hides; 1 hides all.</source>
-        <translation>Wie viel diese Fläche von dem verdeckt, was hinter ihr liegt; 1 verdeckt alles.</translation>
+        <source>Opacity of that surface; 1 hides everything behind it.</source>
+        <translation>Deckkraft dieser Fläche; 1 verdeckt alles hinter ihr.</translation>
     </message>
     <message>
-        <source>How much of what lies behind the surface it hides; 1 hides all.</source>
-        <translation>Wie viel die Oberfläche von dem verdeckt, was hinter ihr liegt; 1 verdeckt alles.</translation>
+        <source>Opacity of the surface; 1 hides everything behind it.</source>
+        <translation>Deckkraft der Fläche; 1 verdeckt alles hinter ihr.</translation>
     </message>
     <message>
-        <source>How much of what lies behind them those two surfaces hide.</source>
-        <translation>Wie viel diese zwei Flächen von dem verdecken, was hinter ihnen liegt.</translation>
+        <source>Opacity of the uncertainty surfaces.</source>
+        <translation>Deckkraft der Rauschflächen.</translation>
     </message>
     <message>
-        <source>How much the far end of the volume fades.</source>
-        <translation>Wie stark das ferne Ende des Volumens verblasst.</translation>
+        <source>Amount by which the far end of the volume fades.</source>
+        <translation>Stärke, mit der das ferne Ende des Volumens verblasst.</translation>
     </message>
     <message>
-        <source>How often the pattern passes in a second.</source>
-        <translation>Wie oft das Muster in einer Sekunde durchläuft.</translation>
+        <source>Speed of the animation: periods of the pattern per second.</source>
+        <translation>Geschwindigkeit der Animation: Perioden des Musters je Sekunde.</translation>
     </message>
     <message>
-        <source>How rays find the surface: equidistant samples with refinement, or the first root of the interpolant in every cell.</source>
-        <translation>Wie Strahlen die Oberfläche finden: gleichabständige Abtastung mit Verfeinerung oder die erste Nullstelle des Interpolanten in jeder Zelle.</translation>
+        <source>Intersection of rays with the surface: equidistant samples with refinement, or the first root of the interpolant in the cell.</source>
+        <translation>Schnitt von Strahlen mit der Fläche: gleichabständige Abtastung mit Verfeinerung oder die erste Nullstelle des Interpolanten in der Zelle.</translation>
     </message>
     <message>
-        <source>How stored light is read between texels; weighted favours texels whose normal fits, and takes the noise out along their isosurfaces.</source>
-        <translation>Wie gespeichertes Licht zwischen Texeln gelesen wird; gewichtet bevorzugt Texel mit passender Normale und nimmt das Rauschen längs ihrer Isoflächen heraus.</translation>
+        <source>Interpolation of baked light between texels; weighted favours texels whose normal fits, and smooths noise along their isosurfaces.</source>
+        <translation>Interpolation des gespeicherten Lichts zwischen Texeln; gewichtet bevorzugt Texel mit passender Normale und glättet das Rauschen längs ihrer Isoflächen.</translation>
     </message>
     <message>
-        <source>How the box is turned about its centre.</source>
-        <translation>Wie der Quader um seine Mitte gedreht ist.</translation>
+        <source>Rotation of the clip box about its centre.</source>
+        <translation>Drehung des Schnittquaders um seine Mitte.</translation>
     </message>
     <message>
-        <source>How thick slices are, half before and half behind their plane; 0 shows the plane itself.</source>
-        <translation>Wie dick Schichten sind, zur Hälfte vor und hinter ihrer Ebene; 0 zeigt die Ebene selbst.</translation>
+        <source>Slab thickness of slices, half in front of and half behind their plane; 0 shows the plane itself.</source>
+        <translation>Dicke der Schichten, zur Hälfte vor und hinter ihrer Ebene; 0 zeigt die Ebene selbst.</translation>
     </message>
     <message>
-        <source>How to read a file without a header: &quot;WxHxD TYPE [little|big] [spacing x,y,z] [header BYTES]&quot;.</source>
-        <translation>Wie eine Datei ohne Kopf zu lesen ist: „BxHxT TYP [little|big] [spacing x,y,z] [header BYTES]“.</translation>
+        <source>Layout of a file without a header: &quot;WxHxD TYPE [little|big] [spacing x,y,z] [header BYTES]&quot;.</source>
+        <translation>Aufbau einer Datei ohne Kopf: „BxHxT TYP [little|big] [spacing x,y,z] [header BYTES]“.</translation>
     </message>
     <message>
-        <source>How deep in that body half of a piece must lie, as a fraction of the body&apos;s greatest depth: a brain does, its scalp does not.</source>
-        <translation>Wie tief in diesem Körper die Hälfte eines Teils liegen muss, als Anteil seiner größten Tiefe: ein Gehirn tut es, seine Kopfhaut nicht.</translation>
+        <source>Minimum depth inside that body of half of a component, as a fraction of the body&apos;s greatest depth. A brain is deep enough, its scalp is not.</source>
+        <translation>Mindesttiefe der Hälfte eines Teils in diesem Körper, als Anteil der größten Tiefe des Körpers. Ein Gehirn liegt tief genug, seine Kopfhaut nicht.</translation>
     </message>
     <message>
-        <source>How to read it, as source.raw.</source>
-        <translation>Wie es zu lesen ist, wie source.raw.</translation>
+        <source>Layout of the second volume's file without a header, as source.raw.</source>
+        <translation>Aufbau der Datei des zweiten Volumens ohne Kopf, wie source.raw.</translation>
     </message>
     <message>
         <source>Length of a streak.</source>
         <translation>Länge eines Streifens.</translation>
     </message>
     <message>
-        <source>Lets the streaks move, in the window.</source>
-        <translation>Lässt die Streifen im Fenster wandern.</translation>
+        <source>Animates the streaks in the window.</source>
+        <translation>Bewegt die Streifen im Fenster.</translation>
     </message>
     <message>
-        <source>Lets the strength rise from nothing at the lower end of the map to its value at the upper end.</source>
-        <translation>Lässt die Stärke von null am unteren Ende der Skala bis zu ihrem Wert am oberen Ende steigen.</translation>
+        <source>Fades the strength in, from 0 at the lower end of the map to its full value at the upper end.</source>
+        <translation>Blendet die Stärke ein, von 0 am unteren Ende der Skala bis zum vollen Wert am oberen Ende.</translation>
     </message>
     <message>
-        <source>Light from everywhere, as a fraction of the albedo.</source>
-        <translation>Licht von überall, als Anteil der Albedo.</translation>
+        <source>Ambient light, as a fraction of the albedo.</source>
+        <translation>Grundlicht, als Anteil der Albedo.</translation>
     </message>
     <message>
-        <source>Lines of equal values this far apart; 0 draws none.</source>
-        <translation>Linien gleicher Werte in diesem Abstand; 0 zeichnet keine.</translation>
+        <source>Interval between isolines of the second volume; 0 draws none.</source>
+        <translation>Abstand der Isolinien des zweiten Volumens; 0 zeichnet keine.</translation>
     </message>
     <message>
-        <source>Mode curvature_2d: control points [kappa1, kappa2, r, g, b] of the colour map, kappas in parts of the range; auto is hue by the kind of shape and saturation by how curved it is.</source>
-        <translation>Darstellung curvature_2d: Stützpunkte [kappa1, kappa2, r, g, b] der Farbskala, Kappas als Anteile des Bereichs; auto ist der Farbton nach der Form und die Sättigung nach der Stärke der Krümmung.</translation>
+        <source>Control points [kappa1, kappa2, r, g, b] of the colour map of curvature_2d; kappas are fractions of the range. auto: hue is the kind of shape, saturation the curvedness.</source>
+        <translation>Stützpunkte [kappa1, kappa2, r, g, b] der Farbskala von curvature_2d; Kappas sind Anteile des Bereichs. auto: Farbton nach der Art der Form, Sättigung nach der Stärke der Krümmung.</translation>
     </message>
     <message>
-        <source>More have less noise: four times as many halve it.</source>
-        <translation>Mehr haben weniger Rauschen: viermal so viele halbieren es.</translation>
+        <source>Light paths per texel; four times as many halve the noise.</source>
+        <translation>Lichtpfade je Texel; viermal so viele halbieren das Rauschen.</translation>
     </message>
     <message>
-        <source>Multiplies the environment&apos;s radiance by 2 to this power.</source>
-        <translation>Multipliziert die Strahldichte der Umgebung mit 2 hoch diesem Wert.</translation>
+        <source>Exposure of the environment: multiplies its radiance by 2 to this power.</source>
+        <translation>Belichtung der Umgebung: multipliziert ihre Strahldichte mit 2 hoch diesem Wert.</translation>
     </message>
     <message>
-        <source>Multiplies the surface&apos;s own colour where its inner side is seen; white is no tint.</source>
-        <translation>Multipliziert die eigene Farbe der Oberfläche, wo ihre Innenseite zu sehen ist; Weiß tönt nicht.</translation>
+        <source>Back-face tint: multiplies the surface&apos;s own colour where its inner side is visible; white is no tint.</source>
+        <translation>Tönung der Rückseite: multipliziert die eigene Farbe der Oberfläche, wo ihre Innenseite zu sehen ist; Weiß tönt nicht.</translation>
     </message>
     <message>
-        <source>Numbers in which irradiance is kept on the graphics card: 4 or 8 bytes per texel.</source>
-        <translation>Zahlen, in denen die Bestrahlungsstärke auf der Grafikkarte liegt: 4 oder 8 Byte je Texel.</translation>
+        <source>Number format of irradiance on the graphics card: 4 or 8 bytes per texel.</source>
+        <translation>Zahlenformat der Bestrahlungsstärke auf der Grafikkarte: 4 oder 8 Byte je Texel.</translation>
     </message>
     <message>
-        <source>Of a luminous sphere; larger gives softer shadows; auto is a tenth of the volume.</source>
-        <translation>Einer leuchtenden Kugel; größer gibt weichere Schatten; auto ist ein Zehntel des Volumens.</translation>
+        <source>Radius of a sphere light; a larger one gives softer shadows; auto is a tenth of the volume's diagonal.</source>
+        <translation>Radius eines Kugellichts; größer gibt weichere Schatten; auto ist ein Zehntel der Diagonale des Volumens.</translation>
     </message>
     <message>
-        <source>On average: those that vary more get more. A texel&apos;s bits are rounded up to 32.</source>
-        <translation>Im Mittel: was mehr schwankt, bekommt mehr. Die Bits eines Texels werden auf 32 aufgerundet.</translation>
+        <source>Mean number of bits per component; components that vary more get more. A texel&apos;s bits are rounded up to 32.</source>
+        <translation>Mittlere Zahl der Bits je Komponente; Komponenten, die mehr schwanken, bekommen mehr. Die Bits eines Texels werden auf 32 aufgerundet.</translation>
     </message>
     <message>
-        <source>Pictures in motion shrink until they are quick enough; the full picture follows at rest.</source>
-        <translation>Bilder bei Bewegung werden kleiner, bis sie schnell genug sind; in Ruhe folgt das volle Bild.</translation>
+        <source>Draws interactive frames at a lower resolution until they are fast enough; the full image follows at rest.</source>
+        <translation>Zeichnet Bilder bei Bewegung in geringerer Auflösung, bis sie schnell genug sind; in Ruhe folgt das volle Bild.</translation>
     </message>
     <message>
-        <source>Only pieces of which at least half lies in the body above this value are shown, the skin&apos;s for example: a headrest and a table are not. What is thinner than 8 mm is no body; auto shows pieces wherever they lie.</source>
-        <translation>Nur Teile, die mindestens zur Hälfte im Körper über diesem Wert liegen, etwa dem der Haut, werden gezeigt: Kopfstütze und Liege nicht. Was dünner als 8 mm ist, ist kein Körper; auto zeigt Teile, wo immer sie liegen.</translation>
+        <source>Shows only connected components of which at least half is inside the body above this value, for example the skin&apos;s. This hides a headrest and a table. Structures thinner than 8 mm do not count as body; auto shows components everywhere.</source>
+        <translation>Zeigt nur zusammenhängende Teile, die mindestens zur Hälfte im Körper über diesem Wert liegen, etwa dem der Haut. Kopfstütze und Liege sind dann verborgen. Strukturen dünner als 8 mm gelten nicht als Körper; auto zeigt Teile überall.</translation>
     </message>
     <message>
-        <source>Pieces that enclose less than this are not shown.</source>
-        <translation>Teile, die weniger umschließen, werden nicht gezeigt.</translation>
+        <source>Hides connected components that enclose a smaller volume.</source>
+        <translation>Verbirgt zusammenhängende Teile, die ein kleineres Volumen umschließen.</translation>
     </message>
     <message>
         <source>Regula falsi steps after a sampled hit; method sampled only.</source>
         <translation>Regula-falsi-Schritte nach einem abgetasteten Treffer; nur bei Verfahren Abgetastet.</translation>
     </message>
     <message>
-        <source>Ridges and valleys that are shorter, or shorter than 3 % of the picture&apos;s width, fade out; auto is the radius of the least curvature that is drawn.</source>
-        <translation>Grate und Täler, die kürzer sind oder kürzer als 3 % der Bildbreite, blenden aus; auto ist der Radius der geringsten gezeichneten Krümmung.</translation>
+        <source>Minimum length of ridge and valley lines; shorter lines, and those below 3 % of the image width, fade out. auto is the radius of the least curvature drawn.</source>
+        <translation>Mindestlänge der Grat- und Tallinien; kürzere und solche unter 3 % der Bildbreite blenden aus. auto ist der Radius der geringsten gezeichneten Krümmung.</translation>
     </message>
     <message>
-        <source>Samples closer to the isovalue than this are near; auto is what the volume&apos;s values change by from one sample to the next; method sampled only.</source>
-        <translation>Näher als dies am Isowert gilt als nahe; auto ist die Änderung der Werte von einem Abtastpunkt zum nächsten; nur bei Verfahren Abgetastet.</translation>
+        <source>Distance from the isovalue within which sampling is denser; auto is the typical change of value from one sample to the next; method sampled only.</source>
+        <translation>Abstand vom Isowert, innerhalb dessen die Abtastung dichter ist; auto ist die typische Änderung des Werts von einem Abtastpunkt zum nächsten; nur bei Verfahren Abgetastet.</translation>
     </message>
     <message>
         <source>Shows the environment behind the surface.</source>
         <translation>Zeigt die Umgebung hinter der Oberfläche.</translation>
     </message>
     <message>
-        <source>Shows the largest value within this distance below the surface; 0 shows that of the surface itself.</source>
-        <translation>Zeigt den größten Wert bis zu dieser Tiefe unter der Oberfläche; 0 zeigt den der Oberfläche selbst.</translation>
+        <source>Shows the largest value within this depth below the surface; 0 shows the value at the surface.</source>
+        <translation>Zeigt den größten Wert bis zu dieser Tiefe unter der Oberfläche; 0 zeigt den Wert auf der Oberfläche.</translation>
     </message>
     <message>
-        <source>Size of the noise&apos;s grains.</source>
+        <source>Grain size of the noise.</source>
         <translation>Korngröße des Rauschens.</translation>
     </message>
     <message>
-        <source>Size of the solid texture&apos;s features; auto is a tenth of the volume.</source>
-        <translation>Größe der Muster der Festkörpertextur; auto ist ein Zehntel des Volumens.</translation>
+        <source>Size of the solid texture&apos;s features; auto is a tenth of the volume&apos;s diagonal.</source>
+        <translation>Größe der Muster der Festkörpertextur; auto ist ein Zehntel der Diagonale des Volumens.</translation>
     </message>
     <message>
-        <source>Standard deviation of the noise of a voxel, which the confidence in curvature is measured against; auto estimates it from the volume.</source>
-        <translation>Standardabweichung des Rauschens eines Voxels, an der die Konfidenz der Krümmung gemessen wird; auto schätzt sie aus dem Volumen.</translation>
+        <source>Standard deviation of a voxel's noise, from which the confidence in curvature is computed; auto estimates it from the volume.</source>
+        <translation>Standardabweichung des Rauschens eines Voxels, aus der die Konfidenz der Krümmung berechnet wird; auto schätzt sie aus dem Volumen.</translation>
     </message>
     <message>
-        <source>Stored transfer is compressed to at most this many principal components.</source>
-        <translation>Gespeicherter Transfer wird auf höchstens so viele Hauptkomponenten verdichtet.</translation>
+        <source>Maximum number of principal components to which baked transfer is compressed.</source>
+        <translation>Höchstzahl der Hauptkomponenten, auf die gespeicherter Transfer verdichtet wird.</translation>
     </message>
     <message>
-        <source>Streaks along the directions of curvature, over any look.</source>
-        <translation>Streifen längs der Krümmungsrichtungen, über jeder Darstellung.</translation>
+        <source>Strength of streaks along the principal curvature directions, over any look.</source>
+        <translation>Stärke der Streifen längs der Hauptkrümmungsrichtungen, über jeder Darstellung.</translation>
     </message>
     <message>
-        <source>Strength of ridge and valley lines: where the surface is most curved, across the line.</source>
-        <translation>Stärke der Grat- und Tallinien: wo die Oberfläche quer zur Linie am stärksten gekrümmt ist.</translation>
+        <source>Strength of ridge and valley lines: curvature maxima across the line.</source>
+        <translation>Stärke der Grat- und Tallinien: Maxima der Krümmung quer zur Linie.</translation>
     </message>
     <message>
-        <source>Strength of suggestive contours: where a silhouette would appear from nearby.</source>
-        <translation>Stärke der angedeuteten Konturen: wo ein Umriss aus einem nahen Blickwinkel erschiene.</translation>
+        <source>Strength of suggestive contours: lines that would be silhouettes in a nearby view.</source>
+        <translation>Stärke der angedeuteten Konturen: Linien, die aus einem nahen Blickwinkel Umrisse wären.</translation>
     </message>
     <message>
         <source>Strength of the highlight.</source>
         <translation>Stärke des Glanzlichts.</translation>
     </message>
     <message>
-        <source>Strength of the light&apos;s hard shadow, found by a second exact ray from each point.</source>
-        <translation>Stärke des harten Schattens des Lichts, gefunden durch einen zweiten exakten Strahl von jedem Punkt.</translation>
+        <source>Strength of the key light&apos;s hard shadow; an exact shadow ray per pixel.</source>
+        <translation>Stärke des harten Schattens des Hauptlichts; ein exakter Schattenstrahl je Pixel.</translation>
     </message>
     <message>
-        <source>Strength of the silhouette lines; auto is 0.5 under tone shading, else none.</source>
-        <translation>Stärke der Umrisslinien; auto ist 0.5 bei Warm-Kalt-Schattierung, sonst keine.</translation>
+        <source>Strength of silhouette lines; auto is 0.5 under tone shading, otherwise 0.</source>
+        <translation>Stärke der Umrisslinien; auto ist 0.5 bei Warm-Kalt-Schattierung, sonst 0.</translation>
     </message>
     <message>
-        <source>Switches on a lamp of global illumination.</source>
-        <translation>Schaltet eine Lampe der globalen Beleuchtung ein.</translation>
+        <source>Switches on a light source of global illumination.</source>
+        <translation>Schaltet eine Lichtquelle der globalen Beleuchtung ein.</translation>
     </message>
     <message>
-        <source>The SeriesInstanceUID to take from a DICOM folder; empty takes the series with most slices.</source>
-        <translation>Die SeriesInstanceUID, die aus einem DICOM-Ordner genommen wird; leer nimmt die Serie mit den meisten Schichten.</translation>
+        <source>SeriesInstanceUID of the series to read from a DICOM folder; empty selects the series with the most slices.</source>
+        <translation>SeriesInstanceUID der Serie, die aus einem DICOM-Ordner gelesen wird; leer wählt die Serie mit den meisten Schichten.</translation>
     </message>
     <message>
-        <source>The colour map over its values; auto is viridis.</source>
-        <translation>Die Farbskala über seinen Werten; auto ist Viridis.</translation>
+        <source>Colour map over the second volume's values; auto is viridis.</source>
+        <translation>Farbskala über den Werten des zweiten Volumens; auto ist Viridis.</translation>
     </message>
     <message>
-        <source>The colour map over the isovalue; auto is viridis.</source>
-        <translation>Die Farbskala über dem Isowert; auto ist Viridis.</translation>
+        <source>Colour map over the isovalue; auto is viridis.</source>
+        <translation>Farbskala über dem Isowert; auto ist Viridis.</translation>
     </message>
     <message>
-        <source>The diffuse reflectance of that surface.</source>
-        <translation>Der diffuse Reflexionsgrad dieser Fläche.</translation>
+        <source>Diffuse reflectance of that surface.</source>
+        <translation>Diffuser Reflexionsgrad dieser Fläche.</translation>
     </message>
     <message>
-        <source>The diffuse reflectance of the surface.</source>
-        <translation>Der diffuse Reflexionsgrad der Oberfläche.</translation>
+        <source>Diffuse reflectance of the surface.</source>
+        <translation>Diffuser Reflexionsgrad der Fläche.</translation>
     </message>
     <message>
-        <source>The direction that points up in the picture; auto is superior (y for meshes), or anterior (the front) when looking along it.</source>
-        <translation>Die Richtung, die im Bild nach oben zeigt; auto ist superior (y bei Netzen) oder anterior (vorn), wenn entlang davon geblickt wird.</translation>
+        <source>Upward direction of the image; auto is superior (y for meshes), or anterior (the front) when looking along it.</source>
+        <translation>Richtung, die im Bild nach oben zeigt; auto ist superior (y bei Netzen) oder anterior (vorn), wenn entlang davon geblickt wird.</translation>
     </message>
     <message>
-        <source>The directions of a texel&apos;s paths: scrambled Sobol points, Roberts&apos; R2 with a shift for each texel, or independent random numbers.</source>
-        <translation>Die Richtungen der Pfade eines Texels: verwürfelte Sobol-Punkte, Roberts’ R2 mit einer Verschiebung je Texel oder unabhängige Zufallszahlen.</translation>
+        <source>Sampling sequence of path directions: scrambled Sobol points, Roberts&apos; R2 shifted per texel, or independent random numbers.</source>
+        <translation>Folge der Pfadrichtungen: verwürfelte Sobol-Punkte, Roberts’ R2 mit einer Verschiebung je Texel oder unabhängige Zufallszahlen.</translation>
     </message>
     <message>
-        <source>The environment will be turned or exchanged: gi.mode auto then stores light so that this costs nothing anew.</source>
-        <translation>Die Umgebung wird gedreht oder getauscht: gi.mode auto speichert das Licht dann so, dass dies nichts neu kostet.</translation>
+        <source>Bakes light that allows the environment to be rotated or exchanged without a new bake; with gi.mode=auto.</source>
+        <translation>Speichert Licht so, dass die Umgebung ohne neue Berechnung gedreht oder getauscht werden kann; bei gi.mode=auto.</translation>
     </message>
     <message>
-        <source>The isovalue at the lower end of that map; auto is the volume&apos;s minimum.</source>
-        <translation>Der Isowert am unteren Ende dieser Skala; auto ist das Minimum des Volumens.</translation>
+        <source>Isovalue at the lower end of that map; auto is the volume&apos;s minimum.</source>
+        <translation>Isowert am unteren Ende dieser Skala; auto ist das Minimum des Volumens.</translation>
     </message>
     <message>
-        <source>The isovalue at the upper end of that map; auto is the volume&apos;s maximum.</source>
-        <translation>Der Isowert am oberen Ende dieser Skala; auto ist das Maximum des Volumens.</translation>
+        <source>Isovalue at the upper end of that map; auto is the volume&apos;s maximum.</source>
+        <translation>Isowert am oberen Ende dieser Skala; auto ist das Maximum des Volumens.</translation>
     </message>
     <message>
-        <source>The isovalue of the second volume&apos;s surface, in its own units; auto takes the suggested one.</source>
-        <translation>Der Isowert der Oberfläche des zweiten Volumens, in dessen Einheiten; auto nimmt den vorgeschlagenen.</translation>
+        <source>Isovalue of the second volume, in its own units; auto uses the suggested one.</source>
+        <translation>Isowert des zweiten Volumens, in dessen Einheiten; auto verwendet den vorgeschlagenen.</translation>
     </message>
     <message>
-        <source>The isovalues of interest, low and high; auto is a twentieth of the volume&apos;s range about the isovalue.</source>
-        <translation>Die wichtigen Isowerte, von und bis; auto ist ein Zwanzigstel des Wertebereichs um den Isowert.</translation>
+        <source>Isovalues of interest, low and high; auto is the isovalue ± a twentieth of the volume&apos;s range.</source>
+        <translation>Wichtige Isowerte, von und bis; auto ist der Isowert ± ein Zwanzigstel des Wertebereichs.</translation>
     </message>
     <message>
-        <source>The light probe around everything, equirectangular, its first row up: .hdr, .exr, ...; empty is none.</source>
-        <translation>Das Umgebungsbild rings um alles, äquirektangular, die erste Zeile oben: .hdr, .exr, ...; leer ist keines.</translation>
+        <source>Environment map, equirectangular, first row at the top: .hdr, .exr, ...; empty is none.</source>
+        <translation>Umgebungsbild, äquirektangular, erste Zeile oben: .hdr, .exr, ...; leer ist keines.</translation>
     </message>
     <message>
-        <source>The light where there is neither a light probe nor a sky of one colour.</source>
-        <translation>Das Licht, wo es weder ein Umgebungsbild noch einen einfarbigen Himmel gibt.</translation>
+        <source>Built-in environment, used if there is neither an environment map nor a constant environment.</source>
+        <translation>Eingebaute Umgebung, wenn es weder ein Umgebungsbild noch eine konstante Umgebung gibt.</translation>
     </message>
     <message>
-        <source>The measure at the lower end of the colour map; auto from the surface&apos;s own values.</source>
-        <translation>Das Maß am unteren Ende der Farbskala; auto aus den Werten der Oberfläche.</translation>
+        <source>Quantity at the lower end of the colour map; auto is found from the values on the surface.</source>
+        <translation>Größe am unteren Ende der Farbskala; auto folgt aus den Werten auf der Oberfläche.</translation>
     </message>
     <message>
-        <source>The measure at the upper end of the colour map; auto from the surface&apos;s own values.</source>
-        <translation>Das Maß am oberen Ende der Farbskala; auto aus den Werten der Oberfläche.</translation>
+        <source>Quantity at the upper end of the colour map; auto is found from the values on the surface.</source>
+        <translation>Größe am oberen Ende der Farbskala; auto folgt aus den Werten auf der Oberfläche.</translation>
     </message>
     <message>
-        <source>The part of the directions that is drawn from the environment instead of the surface; auto is 0.75 under a light probe, 0.5 with more than one bounce.</source>
-        <translation>Der Anteil der Richtungen, der nach der Umgebung statt nach der Oberfläche gewählt wird; auto ist 0.75 unter einem Umgebungsbild, 0.5 bei mehr als einer Reflexion.</translation>
+        <source>Fraction of light samples drawn from the environment instead of the surface (MIS); auto is 0.75 under an environment map, 0.5 with more than one bounce.</source>
+        <translation>Anteil der Lichtproben, die nach der Umgebung statt nach der Oberfläche gezogen werden (MIS); auto ist 0.75 unter einem Umgebungsbild, 0.5 bei mehr als einer Reflexion.</translation>
     </message>
     <message>
-        <source>The radiance of a sky of one colour, where there is no light probe; auto is none.</source>
-        <translation>Die Strahldichte eines einfarbigen Himmels, wo es kein Umgebungsbild gibt; auto ist keiner.</translation>
+        <source>Radiance of a constant environment, used if there is no environment map; auto is none.</source>
+        <translation>Strahldichte einer konstanten Umgebung, wenn es kein Umgebungsbild gibt; auto ist keine.</translation>
     </message>
     <message>
-        <source>The reconstruction its values are taken from.</source>
-        <translation>Die Rekonstruktion, aus der seine Werte stammen.</translation>
+        <source>Interpolation of the second volume.</source>
+        <translation>Interpolation des zweiten Volumens.</translation>
     </message>
     <message>
-        <source>The reconstruction that gradients and curvature come from: trilinear, the tri-cubic B-spline, or the B-spline that passes through the samples.</source>
-        <translation>Die Rekonstruktion, aus der Gradienten und Krümmung stammen: trilinear, der trikubische B-Spline oder der B-Spline durch die Abtastwerte.</translation>
+        <source>Interpolant for gradients and curvature: trilinear, the cubic B-spline, or the interpolating cubic B-spline.</source>
+        <translation>Interpolant für Gradienten und Krümmung: trilinear, der kubische B-Spline oder der interpolierende kubische B-Spline.</translation>
     </message>
     <message>
-        <source>The reconstruction that slices and cut faces show between the voxels.</source>
-        <translation>Die Rekonstruktion, die Schichten und Schnittflächen zwischen den Voxeln zeigen.</translation>
+        <source>Interpolation between voxels in slices and on cut faces.</source>
+        <translation>Interpolation zwischen den Voxeln in Schichten und auf Schnittflächen.</translation>
     </message>
     <message>
-        <source>The reconstruction whose surface is hit: trilinear; the tri-cubic B-spline, which is the smoothest and shrinks what is thin until it is gone; or the B-spline that passes through the samples, which holds wires, twigs and vessels together where trilinear hits draw beads.</source>
-        <translation>Die Rekonstruktion, deren Fläche getroffen wird: trilinear; der trikubische B-Spline, der am glattesten ist und Dünnes schrumpfen lässt, bis es fort ist; oder der B-Spline durch die Abtastwerte, der Drähte, Zweige und Gefäße zusammenhält, wo trilineare Treffer Perlen zeichnen.</translation>
+        <source>Interpolant whose surface is drawn. Trilinear; the cubic B-spline, smoothest, which shrinks thin structures until they vanish; or the interpolating cubic B-spline, which keeps wires, twigs and vessels connected where trilinear hits draw beads.</source>
+        <translation>Interpolant, dessen Fläche gezeichnet wird. Trilinear; der kubische B-Spline, am glattesten, der dünne Strukturen schrumpfen lässt, bis sie verschwinden; oder der interpolierende kubische B-Spline, der Drähte, Zweige und Gefäße zusammenhält, wo trilineare Treffer Perlen zeichnen.</translation>
     </message>
     <message>
-        <source>The reconstruction whose surface pictures at rest show where hit.field is trilinear: the same, or the B-spline that passes through the samples; auto takes that where more than a tenth of the visible surface lies over a tenth of a voxel beside it. Deferred images (--aov) and stored light keep hit.field.</source>
-        <translation>Die Rekonstruktion, deren Fläche ruhende Bilder zeigen, wo hit.field trilinear ist: dieselbe oder der B-Spline durch die Abtastwerte; auto nimmt diesen, wo mehr als ein Zehntel der sichtbaren Oberfläche über ein Zehntel Voxel daneben liegt. Einzelbilder (--aov) und gespeichertes Licht bleiben bei hit.field.</translation>
+        <source>Interpolant of final images if hit.field is trilinear: same, or the interpolating B-spline. auto takes the spline if more than a tenth of the visible surface is over a tenth of a voxel off. AOVs and baked light keep hit.field.</source>
+        <translation>Interpolant fertiger Bilder, wenn hit.field trilinear ist: derselbe oder der interpolierende B-Spline. auto nimmt den Spline, wenn mehr als ein Zehntel der sichtbaren Oberfläche um über ein Zehntel Voxel abweicht. AOVs und gespeichertes Licht bleiben bei hit.field.</translation>
     </message>
     <message>
-        <source>The same for the normals of shading and contours.</source>
-        <translation>Dasselbe für die Normalen von Schattierung und Konturen.</translation>
+        <source>Scale σ of the normals used by shading and contours, as derivatives.scale.</source>
+        <translation>Skala σ der Normalen für Schattierung und Konturen, wie derivatives.scale.</translation>
     </message>
     <message>
-        <source>The scale of curvature, lines and flow: standard deviation of the Gaussian that the volume is smoothed with before second derivatives are taken, the same in all directions; 0 smooths nothing, auto chooses by the noise.</source>
-        <translation>Die Skala von Krümmung, Linien und Strömung: Standardabweichung der Gauß-Glättung des Volumens vor den zweiten Ableitungen, in allen Richtungen gleich; 0 glättet nicht, auto wählt nach dem Rauschen.</translation>
+        <source>Scale σ of curvature, lines and flow: standard deviation of the isotropic Gaussian that smooths the volume before second derivatives are taken; 0 does not smooth, auto chooses from the noise.</source>
+        <translation>Skala σ von Krümmung, Linien und Strömung: Standardabweichung der isotropen Gauß-Glättung des Volumens vor den zweiten Ableitungen; 0 glättet nicht, auto wählt nach dem Rauschen.</translation>
     </message>
     <message>
-        <source>The second volume, as source.path. A phantom without SIZE is made on the first volume&apos;s grid.</source>
-        <translation>Das zweite Volumen, wie source.path. Ein Phantom ohne GRÖSSE entsteht auf dem Gitter des ersten.</translation>
+        <source>Second volume of the Boolean operation, given as in source.path. A phantom without SIZE uses the first volume&apos;s grid.</source>
+        <translation>Zweites Volumen der booleschen Operation, angegeben wie source.path. Ein Phantom ohne GRÖSSE übernimmt das Gitter des ersten.</translation>
     </message>
     <message>
-        <source>The shading under the modes that give a colour: the curvature maps, accessibility and flow; gi is stored global illumination.</source>
-        <translation>Die Schattierung unter den Darstellungen, die eine Farbe geben: Krümmungen, Zugänglichkeit und Strömung; gi ist gespeicherte globale Beleuchtung.</translation>
+        <source>Shading of looks that give a colour: the curvature maps, crevice shading and flow; gi is baked global illumination.</source>
+        <translation>Schattierung der Darstellungen, die eine Farbe geben: Krümmungen, Zugänglichkeit und Strömung; gi ist gespeicherte globale Beleuchtung.</translation>
     </message>
     <message>
-        <source>The value at the lower end of the map; auto is found from what the surface shows.</source>
-        <translation>Der Wert am unteren Ende der Skala; auto folgt aus dem, was die Oberfläche zeigt.</translation>
+        <source>Value at the lower end of the map; auto is found from the values on the surface.</source>
+        <translation>Wert am unteren Ende der Skala; auto folgt aus den Werten auf der Oberfläche.</translation>
     </message>
     <message>
-        <source>The value at the upper end of the map; auto is found from what the surface shows.</source>
-        <translation>Der Wert am oberen Ende der Skala; auto folgt aus dem, was die Oberfläche zeigt.</translation>
+        <source>Value at the upper end of the map; auto is found from the values on the surface.</source>
+        <translation>Wert am oberen Ende der Skala; auto folgt aus den Werten auf der Oberfläche.</translation>
     </message>
     <message>
-        <source>The value shown as middle grey in slices and on cut faces; auto is found from the volume.</source>
-        <translation>Der Wert, der in Schichten und auf Schnittflächen mittelgrau erscheint; auto folgt aus dem Volumen.</translation>
+        <source>Window level: the value shown as middle grey in slices and on cut faces; auto is found from the volume.</source>
+        <translation>Fenstermitte: der Wert, der in Schichten und auf Schnittflächen mittelgrau erscheint; auto folgt aus dem Volumen.</translation>
     </message>
     <message>
-        <source>The volume as one texture, or as bricks of which only those needed are resident; auto takes one texture where it fits.</source>
-        <translation>Das Volumen als eine Textur oder als Blöcke, von denen nur die nötigen geladen sind; auto nimmt eine Textur, wo sie passt.</translation>
+        <source>Layout of the volume on the graphics card: one texture, or bricks of which only those needed are resident; auto takes one texture if it fits.</source>
+        <translation>Anordnung des Volumens auf der Grafikkarte: eine Textur oder Blöcke, von denen nur die nötigen geladen sind; auto nimmt eine Textur, wenn sie passt.</translation>
     </message>
     <message>
-        <source>The volume: a file, a DICOM folder, a triangle mesh, or phantom:NAME[:SIZE].</source>
-        <translation>Das Volumen: eine Datei, ein DICOM-Ordner, ein Dreiecksnetz oder phantom:NAME[:GRÖSSE].</translation>
+        <source>Volume to draw: a file, a DICOM folder, a triangle mesh, or phantom:NAME[:SIZE].</source>
+        <translation>Gezeichnetes Volumen: eine Datei, ein DICOM-Ordner, ein Dreiecksnetz oder phantom:NAME[:GRÖSSE].</translation>
     </message>
     <message>
-        <source>The width of the isosurfaces&apos; curves in slices; 0 draws none.</source>
-        <translation>Die Breite der Kurven der Isoflächen in Schichten; 0 zeichnet keine.</translation>
+        <source>Width of the isosurfaces&apos; contours in slices; 0 draws none.</source>
+        <translation>Breite der Konturen der Isoflächen in Schichten; 0 zeichnet keine.</translation>
     </message>
     <message>
-        <source>Their colour map; auto is gray.</source>
-        <translation>Ihre Farbskala; auto ist Grau.</translation>
+        <source>Colour map of slices and cut faces; auto is gray.</source>
+        <translation>Farbskala von Schichten und Schnittflächen; auto ist Grau.</translation>
     </message>
     <message>
-        <source>Their width.</source>
-        <translation>Ihre Breite.</translation>
+        <source>Width of the isolines.</source>
+        <translation>Breite der Isolinien.</translation>
     </message>
     <message>
-        <source>Threads that compute light; auto is one per core.</source>
-        <translation>Threads, die Licht berechnen; auto ist einer je Kern.</translation>
+        <source>CPU threads that compute light; auto is one per core.</source>
+        <translation>CPU-Threads, die Licht berechnen; auto ist einer je Kern.</translation>
     </message>
     <message>
-        <source>Tilts the environment before it is turned: raises the light that comes from the front.</source>
-        <translation>Kippt die Umgebung vor dem Drehen: hebt das Licht, das von vorn kommt.</translation>
+        <source>Tilt of the environment before its rotation; raises light from the front.</source>
+        <translation>Kippung der Umgebung vor der Drehung; hebt Licht von vorn.</translation>
     </message>
     <message>
-        <source>Tone shading: the colour of what faces away from the light.</source>
-        <translation>Warm-Kalt-Schattierung: die Farbe dessen, was vom Licht abgewandt ist.</translation>
+        <source>Tone shading: colour of parts that face away from the light.</source>
+        <translation>Warm-Kalt-Schattierung: Farbe von Stellen, die vom Licht abgewandt sind.</translation>
     </message>
     <message>
-        <source>Tone shading: the colour of what faces the light.</source>
-        <translation>Warm-Kalt-Schattierung: die Farbe dessen, was dem Licht zugewandt ist.</translation>
+        <source>Tone shading: colour of parts that face the light.</source>
+        <translation>Warm-Kalt-Schattierung: Farbe von Stellen, die dem Licht zugewandt sind.</translation>
     </message>
     <message>
-        <source>Toward a distant lamp, world axes; any length but zero.</source>
-        <translation>Zu einer fernen Lampe hin, Achsen des Raums; jede Länge außer null.</translation>
+        <source>Direction towards a distant light, world axes; any length but zero.</source>
+        <translation>Richtung zu einem fernen Licht, Achsen des Raums; jede Länge außer null.</translation>
     </message>
     <message>
-        <source>Toward the light, in camera axes (right, up, toward the viewer) or world axes; any length but zero.</source>
-        <translation>Zum Licht hin, in Achsen der Kamera (rechts, oben, zum Betrachter) oder des Raums; jede Länge außer null.</translation>
+        <source>Direction towards the key light, in camera axes (right, up, towards the viewer) or world axes; any length but zero.</source>
+        <translation>Richtung zum Hauptlicht, in Achsen der Kamera (rechts, oben, zum Betrachter) oder des Raums; jede Länge außer null.</translation>
     </message>
     <message>
-        <source>Turns the environment about the vertical: counterclockwise from above.</source>
-        <translation>Dreht die Umgebung um die Senkrechte: von oben gesehen gegen den Uhrzeigersinn.</translation>
+        <source>Rotation of the environment about the vertical, counterclockwise from above.</source>
+        <translation>Drehung der Umgebung um die Senkrechte, von oben gesehen gegen den Uhrzeigersinn.</translation>
     </message>
     <message>
-        <source>Turns the environment from its own axes to the world&apos;s, before azimuth and elevation.</source>
-        <translation>Dreht die Umgebung von ihren eigenen Achsen zu denen des Raums, vor Azimut und Höhenwinkel.</translation>
+        <source>Rotation from the environment&apos;s axes to the world&apos;s, before azimuth and elevation.</source>
+        <translation>Drehung von den Achsen der Umgebung zu denen des Raums, vor Azimut und Höhenwinkel.</translation>
     </message>
     <message>
-        <source>Two opposite corners &quot;x,y,z; x,y,z&quot; of a box outside which everything is cut away; none cuts nothing.</source>
-        <translation>Zwei gegenüberliegende Ecken „x,y,z; x,y,z“ eines Quaders, außerhalb dessen alles weggeschnitten wird; keiner schneidet nichts.</translation>
+        <source>Two opposite corners &quot;x,y,z; x,y,z&quot; of the clip box, which removes everything outside it; empty removes nothing.</source>
+        <translation>Zwei gegenüberliegende Ecken „x,y,z; x,y,z“ des Schnittquaders, der alles außerhalb entfernt; leer entfernt nichts.</translation>
     </message>
     <message>
-        <source>Up to six planes &quot;px,py,pz nx,ny,nz; ...&quot;, a point and a normal each: what lies on the side that the normal points to is cut away.</source>
-        <translation>Bis zu sechs Ebenen „px,py,pz nx,ny,nz; ...“, je ein Punkt und eine Normale: Was auf der Seite liegt, zu der die Normale zeigt, wird weggeschnitten.</translation>
+        <source>Up to six clip planes &quot;px,py,pz nx,ny,nz; ...&quot;, a point and a normal each; they remove the side that the normal points to.</source>
+        <translation>Bis zu sechs Schnittebenen „px,py,pz nx,ny,nz; ...“, je ein Punkt und eine Normale; sie entfernen die Seite, zu der die Normale zeigt.</translation>
     </message>
     <message>
-        <source>Vertical field of view; an orthographic picture is as high as this at the target&apos;s distance.</source>
-        <translation>Senkrechter Bildwinkel; ein orthographisches Bild ist so hoch wie dieser in der Entfernung des Ziels.</translation>
+        <source>Vertical field of view; an orthographic image has this height at the target&apos;s distance.</source>
+        <translation>Senkrechter Bildwinkel; ein orthographisches Bild hat diese Höhe in der Entfernung des Ziels.</translation>
     </message>
     <message>
-        <source>What a thick slice shows of the values along its normal.</source>
-        <translation>Was eine dicke Schicht von den Werten längs ihrer Normalen zeigt.</translation>
+        <source>Projection through a slab: maximum (MIP), minimum (MinIP) or average along its normal.</source>
+        <translation>Projektion durch eine dicke Schicht: Maximum (MIP), Minimum (MinIP) oder Mittel längs ihrer Normalen.</translation>
     </message>
     <message>
-        <source>What an automatic exposure fits: the lit surface as it is seen from the front, whatever the view, or the lights, so that a white surface in the open is nearly white.</source>
-        <translation>Wonach sich eine automatische Belichtung richtet: nach der beleuchteten Oberfläche von vorn, wie auch immer die Ansicht ist, oder nach den Lichtern, so dass eine weiße Fläche im Freien fast weiß ist.</translation>
+        <source>Basis of automatic exposure: the lit surface seen from the front, independent of the view; or the lights, which makes an unoccluded white surface nearly white.</source>
+        <translation>Grundlage der automatischen Belichtung: die beleuchtete Oberfläche von vorn, unabhängig von der Ansicht; oder die Lichter, womit eine unverdeckte weiße Fläche fast weiß ist.</translation>
     </message>
     <message>
-        <source>What computes hits and derivatives of pictures: the graphics card, or the processor (exact hits only); auto takes the processor where OpenGL is software.</source>
-        <translation>Was Treffer und Ableitungen der Bilder berechnet: die Grafikkarte oder der Prozessor (nur exakte Treffer); auto nimmt den Prozessor, wo OpenGL Software ist.</translation>
+        <source>Device that computes hits and derivatives: the graphics card, or the CPU (exact hits only); auto takes the CPU if OpenGL is software.</source>
+        <translation>Gerät, das Treffer und Ableitungen berechnet: die Grafikkarte oder die CPU (nur exakte Treffer); auto nimmt die CPU, wenn OpenGL Software ist.</translation>
     </message>
     <message>
-        <source>What cut faces show: nothing, the voxels&apos; values where the inside was cut, or the values of the whole face.</source>
-        <translation>Was Schnittflächen zeigen: nichts, die Werte der Voxel, wo das Innere geschnitten wurde, oder die Werte der ganzen Fläche.</translation>
+        <source>Cap of cut faces: none, the voxels&apos; values where the inside was cut, or the values of the whole face.</source>
+        <translation>Füllung von Schnittflächen: keine, die Werte der Voxel, wo das Innere geschnitten wurde, oder die Werte der ganzen Fläche.</translation>
     </message>
     <message>
-        <source>What distant things fade to; auto is the background.</source>
-        <translation>Wohin Fernes verblasst; auto ist der Hintergrund.</translation>
+        <source>Colour of the fog; auto is the background.</source>
+        <translation>Farbe des Nebels; auto ist der Hintergrund.</translation>
     </message>
     <message>
-        <source>What is marked and measured: a list of {kind, name, points, color, shown}.</source>
-        <translation>Was markiert und gemessen ist: eine Liste aus {kind, name, points, color, shown}.</translation>
+        <source>List of measurements: {kind, name, points, color, shown} each.</source>
+        <translation>Liste der Messungen: je {kind, name, points, color, shown}.</translation>
     </message>
     <message>
-        <source>What is stored of the light: irradiance (static light), transfer (spherical harmonics: the environment may move), vicinity (a sky of one colour, no bounces), shadow (no bounces); auto takes the least that the scene needs.</source>
-        <translation>Was vom Licht gespeichert wird: Bestrahlungsstärke (festes Licht), Transfer (Kugelflächenfunktionen: die Umgebung darf sich bewegen), Nachbarschaft (einfarbiger Himmel, keine Reflexionen), Schatten (keine Reflexionen); auto nimmt das Geringste, was die Szene braucht.</translation>
+        <source>Quantity that is baked: irradiance (static light), transfer (spherical harmonics, rotatable environment), vicinity (constant environment, no bounces) or shadow (no bounces); auto bakes the cheapest that the scene allows.</source>
+        <translation>Gespeicherte Größe: Bestrahlungsstärke (festes Licht), Transfer (Kugelflächenfunktionen, drehbare Umgebung), Nachbarschaft (konstante Umgebung, keine Reflexionen) oder Schatten (keine Reflexionen); auto speichert die billigste, die die Szene zulässt.</translation>
     </message>
     <message>
-        <source>What the picture shows: the surface under a shading, or a measure of it in colour.</source>
-        <translation>Was das Bild zeigt: die Oberfläche unter einer Schattierung oder ein Maß von ihr in Farbe.</translation>
+        <source>Look (display mode): the shaded surface, or a quantity shown in colour.</source>
+        <translation>Darstellung: die schattierte Oberfläche oder eine Größe in Farbe.</translation>
     </message>
     <message>
-        <source>Where a point or sphere is; auto is above the volume, toward the front and the left.</source>
-        <translation>Wo ein Punkt oder eine Kugel ist; auto ist über dem Volumen, vorn und links.</translation>
+        <source>Position of a point or sphere light; auto is above the volume, towards the front and the left.</source>
+        <translation>Position eines Punkt- oder Kugellichts; auto ist über dem Volumen, vorn und links.</translation>
     </message>
     <message>
-        <source>Where texels are lit: each on its own isosurface, so that light is there for every isovalue, or where the shown isosurface passes it, which is more exact and of one isovalue; auto is shown with gi.extent=view. Where several isosurfaces are shown, texels are lit on their own.</source>
-        <translation>Wo Texel beleuchtet werden: jedes auf seiner eigenen Isofläche, so dass für jeden Isowert Licht da ist, oder wo die gezeigte Isofläche an ihm vorbeigeht, was genauer ist und für einen Isowert gilt; auto ist bei gi.extent=view die gezeigte. Bei mehreren gezeigten Isoflächen werden Texel auf ihren eigenen beleuchtet.</translation>
+        <source>Surface on which texels are lit: own is each sample's own isosurface, for any isovalue; shown is the displayed isosurface, more accurate but for one isovalue. auto is shown with gi.extent=view, otherwise own. With several isosurfaces it is own.</source>
+        <translation>Fläche, auf der Texel beleuchtet werden: own ist die eigene Isofläche jedes Abtastwerts, für jeden Isowert; shown ist die gezeigte Isofläche, genauer, aber für einen Isowert. auto ist shown bei gi.extent=view, sonst own. Bei mehreren Isoflächen gilt own.</translation>
     </message>
     <message>
-        <source>Where the animation stands.</source>
-        <translation>Wo die Animation steht.</translation>
+        <source>Time of the animation.</source>
+        <translation>Zeitpunkt der Animation.</translation>
     </message>
     <message>
-        <source>Where the legend stands; auto is the corner that shows least of the surface.</source>
-        <translation>Wo die Legende steht; auto ist die Ecke, die am wenigsten von der Oberfläche zeigt.</translation>
+        <source>Corner of the legend; auto is the corner that covers least of the surface.</source>
+        <translation>Ecke der Legende; auto ist die Ecke, die am wenigsten von der Oberfläche verdeckt.</translation>
     </message>
     <message>
-        <source>Where the three slices meet; auto is the centre of the volume.</source>
-        <translation>Wo sich die drei Schichten treffen; auto ist die Mitte des Volumens.</translation>
+        <source>Point where the three slices meet; auto is the centre of the volume.</source>
+        <translation>Punkt, in dem sich die drei Schichten treffen; auto ist die Mitte des Volumens.</translation>
     </message>
     <message>
-        <source>Whether distant things look smaller.</source>
-        <translation>Ob Fernes kleiner aussieht.</translation>
+        <source>Perspective (distant parts look smaller) or orthographic projection.</source>
+        <translation>Perspektivische (Fernes sieht kleiner aus) oder orthographische Projektion.</translation>
     </message>
     <message>
-        <source>Whether isosurfaces have the reflectances given, or those of a colour map over the isovalue.</source>
-        <translation>Ob Isoflächen die angegebenen Reflexionsgrade haben oder die einer Farbskala über dem Isowert.</translation>
+        <source>Source of the isosurfaces' reflectances: a colour per surface, or a colour map over the isovalue.</source>
+        <translation>Quelle der Reflexionsgrade der Isoflächen: eine Farbe je Fläche oder eine Farbskala über dem Isowert.</translation>
     </message>
     <message>
-        <source>Whether planes and box of clip. cut that surface, too.</source>
-        <translation>Ob Ebenen und Quader von clip. auch diese Fläche schneiden.</translation>
+        <source>Applies clip planes and clip box to that surface.</source>
+        <translation>Wendet Schnittebenen und Schnittquader auf diese Fläche an.</translation>
     </message>
     <message>
-        <source>Whether planes and box of clip. cut the first surface, too.</source>
-        <translation>Ob Ebenen und Quader von clip. auch die erste Fläche schneiden.</translation>
+        <source>Applies clip planes and clip box to the first surface.</source>
+        <translation>Wendet Schnittebenen und Schnittquader auf die erste Fläche an.</translation>
     </message>
     <message>
-        <source>Whether ridge and valley lines are as wide in the picture or on the surface.</source>
-        <translation>Ob die Breite der Grat- und Tallinien im Bild oder auf der Oberfläche gilt.</translation>
+        <source>Unit of the width of ridge and valley lines: pixels of the image, or mm on the surface.</source>
+        <translation>Einheit der Breite der Grat- und Tallinien: Pixel im Bild oder mm auf der Oberfläche.</translation>
     </message>
     <message>
-        <source>Whether the light moves with the viewer or stays with the volume.</source>
-        <translation>Ob das Licht mit dem Betrachter wandert oder beim Volumen bleibt.</translation>
+        <source>Fixes the key light to the viewer or to the volume.</source>
+        <translation>Bindet das Hauptlicht an den Betrachter oder an das Volumen.</translation>
     </message>
     <message>
-        <source>Whether the patient&apos;s right is on the left of axial and coronal slices (radiological), or on the right.</source>
-        <translation>Ob die rechte Seite des Patienten in axialen und koronalen Schichten links liegt (radiologisch) oder rechts.</translation>
+        <source>Display convention of axial and coronal slices: the patient&apos;s right on the left (radiological) or on the right (neurological).</source>
+        <translation>Darstellung axialer und koronaler Schichten: die rechte Seite des Patienten links (radiologisch) oder rechts (neurologisch).</translation>
     </message>
     <message>
-        <source>Which component of a file with several per voxel; -1 is their magnitude.</source>
-        <translation>Welche Komponente einer Datei mit mehreren je Voxel; -1 ist ihr Betrag.</translation>
+        <source>Channel to read from a file with several values per voxel; -1 reads the magnitude of the vector.</source>
+        <translation>Kanal einer Datei mit mehreren Werten je Voxel; -1 liest den Betrag des Vektors.</translation>
     </message>
     <message>
-        <source>Which of its components, as source.component.</source>
-        <translation>Welche seiner Komponenten, wie source.component.</translation>
+        <source>Channel of the second volume, as source.component.</source>
+        <translation>Kanal des zweiten Volumens, wie source.component.</translation>
     </message>
     <message>
-        <source>Which of its time steps, as source.time_step.</source>
-        <translation>Welcher seiner Zeitschritte, wie source.time_step.</translation>
+        <source>Time step of the second volume, as source.time_step.</source>
+        <translation>Zeitschritt des zweiten Volumens, wie source.time_step.</translation>
     </message>
     <message>
-        <source>Which side of the isovalue is solid; the normal points away from it.</source>
-        <translation>Welche Seite des Isowerts fest ist; die Normale zeigt von ihr weg.</translation>
+        <source>Side of the isovalue that is solid; the normal points away from it.</source>
+        <translation>Seite des Isowerts, die fest ist; die Normale zeigt von ihr weg.</translation>
     </message>
     <message>
-        <source>Which texels are lit: all, those that isovalues of gi.band can show, or those that are seen.</source>
-        <translation>Welche Texel beleuchtet werden: alle, jene, die Isowerte von gi.band zeigen können, oder jene, die zu sehen sind.</translation>
+        <source>Texels that are lit: all, those needed for the isovalues of gi.band, or the visible ones.</source>
+        <translation>Beleuchtete Texel: alle, die für die Isowerte von gi.band nötigen oder die sichtbaren.</translation>
     </message>
     <message>
-        <source>Which time step of a file with several.</source>
-        <translation>Welcher Zeitschritt einer Datei mit mehreren.</translation>
+        <source>Time step to read from a file with several, counted from 0.</source>
+        <translation>Zeitschritt einer Datei mit mehreren, ab 0 gezählt.</translation>
     </message>
     <message>
-        <source>Width of contour lines, the same all over the picture.</source>
+        <source>Width of contour lines, uniform across the image.</source>
         <translation>Breite der Konturlinien, im ganzen Bild gleich.</translation>
     </message>
     <message>
@@ -6128,87 +6128,87 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Breite der Grat- und Tallinien, in der Einheit von look.ridge_width_unit.</translation>
     </message>
     <message>
-        <source>World points; pieces that hold one of them are not shown.</source>
-        <translation>Punkte im Raum; Teile, die einen davon enthalten, werden nicht gezeigt.</translation>
+        <source>Hides the connected components that contain one of these world points.</source>
+        <translation>Verbirgt die zusammenhängenden Teile, die einen dieser Punkte im Raum enthalten.</translation>
     </message>
     <message>
-        <source>World points; where there are any, only pieces that hold one of them are shown.</source>
-        <translation>Punkte im Raum; gibt es welche, werden nur Teile gezeigt, die einen davon enthalten.</translation>
+        <source>If not empty, shows only the connected components that contain one of these world points.</source>
+        <translation>Zeigt, wenn nicht leer, nur die zusammenhängenden Teile, die einen dieser Punkte im Raum enthalten.</translation>
     </message>
     <message>
-        <source>A bar of a round length on the finished picture; in perspective it is that of the depth of camera.target. The window always shows it.</source>
-        <translation>Ein Maßstab von runder Länge auf dem fertigen Bild; in der Perspektive gilt er in der Tiefe von camera.target. Das Fenster zeigt ihn immer.</translation>
+        <source>Draws a scale bar of a round length on the final image; in perspective it is true at the depth of camera.target. The window always shows it.</source>
+        <translation>Zeichnet einen Maßstab von runder Länge auf das fertige Bild; in der Perspektive gilt er in der Tiefe von camera.target. Das Fenster zeigt ihn immer.</translation>
     </message>
     <message>
-        <source>Its isovalue; auto takes the next suggestion of the histogram outside the first surface, or inside where there is none.</source>
-        <translation>Ihr Isowert; auto nimmt den nächsten Vorschlag des Histogramms außerhalb der ersten Fläche, oder innerhalb, wo es keinen gibt.</translation>
+        <source>Isovalue of that surface; auto takes the histogram's next suggestion outside the first surface, or inside if there is none.</source>
+        <translation>Isowert dieser Fläche; auto nimmt den nächsten Vorschlag des Histogramms außerhalb der ersten Fläche oder, gibt es keinen, innerhalb.</translation>
     </message>
     <message>
-        <source>Letters at the edges of the finished picture: which end of the patient&apos;s axes, or of the world&apos;s where the file states no orientation, lies there. The window always shows them.</source>
-        <translation>Buchstaben an den Rändern des fertigen Bildes: welches Ende der Achsen des Patienten dort liegt, oder der Welt, wo die Datei keine Orientierung angibt. Das Fenster zeigt sie immer.</translation>
+        <source>Draws orientation labels at the edges of the final image: the ends of the patient&apos;s axes, or of the world&apos;s if the file states no orientation. The window always shows them.</source>
+        <translation>Zeichnet Orientierungsbuchstaben an die Ränder des fertigen Bildes: die Enden der Achsen des Patienten oder, wenn die Datei keine Orientierung angibt, des Raums. Das Fenster zeigt sie immer.</translation>
     </message>
     <message>
-        <source>Pixels of the finished picture for each pixel that widths and lengths of lines and streaks are stated in: 2 in a picture twice as large, for the same look.</source>
-        <translation>Pixel des fertigen Bildes für jedes Pixel, in dem Breiten und Längen von Linien und Streifen angegeben sind: 2 in einem doppelt so großen Bild, das gleich aussehen soll.</translation>
+        <source>Pixels of the final image per pixel in which line and streak sizes are stated. Use 2 in an image twice as large, for the same look.</source>
+        <translation>Pixel des fertigen Bildes je Pixel, in dem Größen von Linien und Streifen angegeben sind. 2 in einem doppelt so großen Bild erhält das Aussehen.</translation>
     </message>
     <message>
-        <source>The finished picture has no background: its alpha is how much of each pixel is covered.</source>
-        <translation>Das fertige Bild hat keinen Hintergrund: sein Alpha ist der bedeckte Teil jedes Pixels.</translation>
+        <source>Leaves out the background of the final image; its alpha is the covered fraction of each pixel.</source>
+        <translation>Lässt den Hintergrund des fertigen Bildes weg; sein Alpha ist der bedeckte Anteil jedes Pixels.</translation>
     </message>
     <message>
-        <source>The isovalues of the surfaces that are shown, with their unit, on the finished picture.</source>
-        <translation>Die Isowerte der gezeigten Flächen mit ihrer Einheit auf dem fertigen Bild.</translation>
+        <source>Writes the isovalues of the visible surfaces, with their unit, on the final image.</source>
+        <translation>Schreibt die Isowerte der gezeigten Flächen mit ihrer Einheit auf das fertige Bild.</translation>
     </message>
     <message>
-        <source>Times that opacity where the surface faces the viewer.</source>
-        <translation>Das Vielfache dieser Deckkraft, wo die Fläche zum Betrachter zeigt.</translation>
+        <source>View-dependent opacity: factor on that opacity where the surface faces the viewer.</source>
+        <translation>Blickabhängige Deckkraft: Faktor dieser Deckkraft, wo die Fläche zum Betrachter zeigt.</translation>
     </message>
     <message>
-        <source>Times the opacity where the surface faces the viewer; where it is seen edge on it keeps its opacity.</source>
-        <translation>Das Vielfache der Deckkraft, wo die Fläche zum Betrachter zeigt; von der Kante gesehen behält sie ihre Deckkraft.</translation>
+        <source>View-dependent opacity: factor on the opacity where the surface faces the viewer; edge-on the opacity is unchanged.</source>
+        <translation>Blickabhängige Deckkraft: Faktor der Deckkraft, wo die Fläche zum Betrachter zeigt; von der Kante gesehen bleibt sie unverändert.</translation>
     </message>
     <message>
-        <source>What that surface is called.</source>
-        <translation>Wie diese Fläche heißt.</translation>
+        <source>Name of that surface.</source>
+        <translation>Name dieser Fläche.</translation>
     </message>
     <message>
-        <source>What the surface is called in lists and at its line on the histogram.</source>
-        <translation>Wie die Fläche in Listen und an ihrer Linie im Histogramm heißt.</translation>
+        <source>Name of the surface in lists and on the histogram.</source>
+        <translation>Name der Fläche in Listen und im Histogramm.</translation>
     </message>
     <message>
-        <source>How coarsely a large file is read: 0 is its own voxels, each further level the means of twice as many along each axis, from the file where it has them.</source>
-        <translation>Wie grob eine große Datei gelesen wird: 0 sind ihre eigenen Voxel, jede weitere Stufe die Mittel von doppelt so vielen je Achse, aus der Datei, wo sie diese hat.</translation>
+        <source>Resolution level of a large file: 0 is full resolution, each further level halves it along each axis. Levels stored in the file are used; others are averaged.</source>
+        <translation>Auflösungsstufe einer großen Datei: 0 ist die volle Auflösung, jede weitere Stufe halbiert sie je Achse. In der Datei gespeicherte Stufen werden verwendet, andere gemittelt.</translation>
     </message>
     <message>
-        <source>Whether voxels that cannot be read of a file in chunks are missing ones; otherwise the file is refused.</source>
-        <translation>Ob Voxel, die in einer Datei aus Blöcken nicht zu lesen sind, als fehlend gelten; sonst wird die Datei abgewiesen.</translation>
+        <source>Treats unreadable voxels of a chunked file as missing; otherwise the file is rejected.</source>
+        <translation>Behandelt unlesbare Voxel einer Datei aus Blöcken als fehlend; sonst wird die Datei abgewiesen.</translation>
     </message>
     <message>
-        <source>A line on the finished picture for each thing that it leaves out or that nobody measured: pieces that are hidden, missing slices that are interpolated. Without any, nothing is written.</source>
-        <translation>Eine Zeile auf dem fertigen Bild für alles, was es weglässt oder was niemand gemessen hat: verborgene Teile, fehlende Schichten, die interpoliert sind. Ohne solches steht nichts da.</translation>
+        <source>Writes a line on the final image for each omission or interpolation: hidden connected components, interpolated missing slices. Nothing is written if there is none.</source>
+        <translation>Schreibt für jede Auslassung oder Interpolation eine Zeile auf das fertige Bild: verborgene Teile, interpolierte fehlende Schichten. Gibt es keine, steht nichts da.</translation>
     </message>
     <message>
-        <source>The isovalue; auto is by isosurface.suggestion.</source>
-        <translation>Der Isowert; auto richtet sich nach isosurface.suggestion.</translation>
+        <source>Isovalue of the first surface; auto follows isosurface.suggestion.</source>
+        <translation>Isowert der ersten Fläche; auto richtet sich nach isosurface.suggestion.</translation>
     </message>
     <message>
-        <source>The point looked at and turned about; auto is the centre of what is framed.</source>
-        <translation>Der Punkt, auf den geblickt und um den gedreht wird; auto ist die Mitte dessen, was das Bild füllt.</translation>
+        <source>Point that the camera looks at and turns about; auto is the centre of the framed object.</source>
+        <translation>Punkt, auf den die Kamera blickt und um den sie dreht; auto ist die Mitte des Objekts, das das Bild füllt.</translation>
     </message>
     <message>
-        <source>What an automatic isovalue is: the border of the whole object to what surrounds it (skin in a scan of a head), or the clearest border within it (often bone).</source>
-        <translation>Was ein automatischer Isowert ist: die Grenze des ganzen Objekts zu dem, was es umgibt (Haut in einer Aufnahme eines Kopfes), oder die deutlichste Grenze darin (oft Knochen).</translation>
+        <source>Automatic isovalue: the boundary of the whole object (skin in a scan of a head), or the clearest boundary inside it (often bone).</source>
+        <translation>Automatischer Isowert: die Grenze des ganzen Objekts (Haut in der Aufnahme eines Kopfes) oder die deutlichste Grenze darin (oft Knochen).</translation>
     </message>
     <message>
-        <source>What fills the picture of an automatic camera: the surface, a patient&apos;s from the front, anything else&apos;s from where most of it is seen; or the volume, from the front.</source>
-        <translation>Was das Bild einer automatischen Kamera füllt: die Oberfläche, die eines Patienten von vorn, jede andere von dort, wo am meisten von ihr zu sehen ist; oder das Volumen, von vorn.</translation>
+        <source>Object that the automatic camera frames: the surface or the volume. A patient&apos;s surface and the volume are seen from the front, other surfaces from where most of them is visible.</source>
+        <translation>Objekt, das die automatische Kamera ins Bild fasst: die Oberfläche oder das Volumen. Patienten und das Volumen zeigt sie von vorn, andere Oberflächen von dort, wo am meisten von ihnen zu sehen ist.</translation>
     </message>
     <message>
-        <source>Where the viewer is; auto is by camera.frames.</source>
-        <translation>Wo der Betrachter ist; auto richtet sich nach camera.frames.</translation>
+        <source>Position of the viewer; auto follows camera.frames.</source>
+        <translation>Position des Betrachters; auto richtet sich nach camera.frames.</translation>
     </message>
     <message>
-        <source>What kind of data the volume is: a CT in Hounsfield units or in others, an MR scan, a distance field; auto decides by its file and its values. Presets and the first isovalue depend on it.</source>
+        <source>Kind of data: CT in Hounsfield or other units, MR, distance field …; auto decides from the file and its values. Presets and the first isovalue depend on it.</source>
         <translation>Art der Daten: CT in Hounsfield-Einheiten oder in anderen, MR, Abstandsfeld …; auto entscheidet nach Datei und Werten. Vorlagen und der erste Isowert hängen davon ab.</translation>
     </message>
 </context>

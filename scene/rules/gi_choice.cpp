@@ -36,25 +36,23 @@ void addReason(GiChoice& choice, const char* clause) {
 GiMode leastMode(const Scene& scene, GiChoice& choice) {
   const bool probe = !hasOneColor(scene.light.environment);
   if (!probe && isBlack(*scene.light.environment.constant)) {
-    addReason(choice, "the sky is black");
+    addReason(choice, "the environment is black");
     return GiMode::off;
   }
   if (!probe && scene.gi.bounces == 0) {
-    addReason(choice, "a sky of one colour and no bounces: one number says how much of it is seen");
+    addReason(choice, "constant environment, no bounces: one number per texel (sky visibility)");
     return GiMode::vicinity;
   }
   if (!probe) {
-    addReason(choice, "a sky of one colour: irradiance under a sky of radiance 1, its colour stays free");
+    addReason(choice, "constant environment: irradiance for radiance 1, scaled by its colour");
     return GiMode::irradiance;
   }
   if (scene.light.environment.moves) {
-    addReason(choice, "the environment moves: transfer");
+    addReason(choice, "rotatable environment: transfer");
     return GiMode::transfer;
   }
-  addReason(choice, scene.gi.bounces == 0
-                        ? "the environment stands still and no bounces are asked for: direct "
-                          "light"
-                        : "the environment stands still: irradiance");
+  addReason(choice, scene.gi.bounces == 0 ? "static environment, no bounces: direct light"
+                                          : "static environment: irradiance");
   return scene.gi.bounces == 0 ? GiMode::shadow : GiMode::irradiance;
 }
 
@@ -68,11 +66,11 @@ bool showsOneIsosurface(const Scene& scene) {
 GiChoice giChoiceOf(const Scene& scene) {
   GiChoice choice;
   if (shadingOf(scene) != Shading::gi) {
-    choice.reason = "no look reads stored light";
+    choice.reason = "no look reads baked light";
     return choice;
   }
   if (scene.gi.mode == GiMode::off) {
-    choice.reason = "gi.mode is off: light is local";
+    choice.reason = "gi.mode is off: local shading";
     return choice;
   }
   choice.lamps = std::any_of(scene.lamps.begin(), scene.lamps.end(), shines);
@@ -80,15 +78,15 @@ GiChoice giChoiceOf(const Scene& scene) {
     choice.sky = leastMode(scene, choice);
   } else {
     choice.sky = scene.gi.mode;
-    addReason(choice, "gi.mode says so");
+    addReason(choice, "gi.mode is set");
   }
   choice.wanted = choice.sky != GiMode::off || choice.lamps;
-  if (choice.lamps) addReason(choice, "lamps stand still: their irradiance");
+  if (choice.lamps) addReason(choice, "light sources are static: irradiance");
 
   const bool forView = scene.gi.texels == GiTexels::automatic && scene.gi.extent == GiExtent::view;
   choice.onShown =
       choice.wanted && (forView || scene.gi.texels == GiTexels::shown) && showsOneIsosurface(scene);
-  if (choice.onShown) addReason(choice, "one isosurface is shown: its light alone");
+  if (choice.onShown) addReason(choice, "one isosurface is shown: light on it alone");
 
   const bool probe = !hasOneColor(scene.light.environment);
   const bool direct = choice.sky == GiMode::vicinity || scene.gi.mode == GiMode::shadow;

@@ -27,8 +27,8 @@ std::string numberText(double value) {
 
 // How a refused value is shown. Structured values are only named: they may be arbitrarily deep.
 std::string shown(const json& value) {
-  if (value.is_array()) return "a list of " + std::to_string(value.size());
-  if (value.is_object()) return "an object";
+  if (value.is_array()) return "(a list of " + std::to_string(value.size()) + ")";
+  if (value.is_object()) return "(an object)";
   if (value.is_string()) return '"' + value.get_ref<const std::string&>().substr(0, 80) + '"';
   return value.is_number_float() ? numberText(value.get<double>()) : value.dump();
 }
@@ -92,7 +92,9 @@ void refuse(const std::string& path, const std::string& reason) {
 }
 
 void refuseValue(const SettingInfo& setting, const json& value) {
-  refuse(setting.path, shown(value) + " is not allowed here; allowed is " + allowedText(setting));
+  const bool choice = setting.type == SettingType::choice;
+  refuse(setting.path, (choice ? "unknown value " : "invalid value ") + shown(value) +
+                           (choice ? "; choose " : "; must be ") + allowedText(setting));
 }
 
 double checkedNumber(const SettingInfo& setting, const json& value, const json& whole) {
@@ -202,9 +204,9 @@ void assignChecked(const SettingInfo& setting, std::vector<Mark>& member, const 
         const auto found = std::find_if(all.begin(), all.end(),
                                         [&kind = part](const auto& named) { return kind == named.name; });
         if (found == all.end())
-          refuse(setting.path,
-                 "a mark's kind is none of point, distance, path, angle, circle, "
-                 "thickness, piece");
+          refuse(
+              setting.path,
+              "unknown kind of mark; choose one of point, distance, path, angle, circle, thickness, piece");
         mark.kind = found->value;
       } else if (key == "name") {
         assignChecked(setting, mark.name, part);

@@ -56,10 +56,9 @@ TEST(MemoryBudget, ARefusalSaysTheSumAndWhatLowersItAndHoldsNothing) {
     FAIL() << "was granted";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::memory);
-    EXPECT_STREQ(
-        error.what(),
-        "the light would take 42.0 GiB beside the 2.0 GiB that are held, more than the memory budget of "
-        "3.0 GiB; a lower gi.lattice_scale needs less, --memory-budget changes the budget");
+    EXPECT_STREQ(error.what(),
+                 "out of memory for the light: 42.0 GiB needed, 2.0 GiB in use, memory budget of 3.0 GiB; "
+                 "a lower gi.lattice_scale needs less, or raise --memory-budget");
   }
   EXPECT_EQ(budget.held(), std::size_t{2} << 30);
   EXPECT_THROW(budget.check(std::size_t{2} << 30, "", ""), Error);
@@ -127,9 +126,8 @@ TEST(MemoryBudget, WhatTheSystemDoesNotHaveIsRefusedWhateverTheLimit) {
     budget.check(std::size_t{2} << 30, "the light", "less is less");
     FAIL() << "was granted";
   } catch (const Error& error) {
-    EXPECT_STREQ(
-        error.what(),
-        "the light would take 2.0 GiB, more than the 1.0 GiB that the system has left; less is less");
+    EXPECT_STREQ(error.what(),
+                 "out of memory for the light: 2.0 GiB needed, 1.0 GiB left in the system; less is less");
   }
 }
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Damages whole files and gives them to the program, from outside: ./dev mutants [SECONDS].
+"""Corrupts whole files and feeds them to the program: ./dev corrupt [SECONDS].
 
 Whatever a file holds, a command must end with a documented exit code, at most one line about it, within seconds,
 leaving neither pieces of results nor changed inputs. Every mutant follows from the seed, the family and its number:

@@ -1,5 +1,5 @@
 // Hits of the processor's executor (volume/cast), in float: on the surface within what they state, and none
-// missed that is clear. docs/numerics.md, "Random fields", derives the bounds.
+// missed that is clear. docs/explanation/numerics.md, "Hard cases", derives the bounds.
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -158,7 +158,7 @@ class WhatAPictureHas(unittest.TestCase):
         self.assertIn("cast", [one.name for one in stats.passes])
 
     def test_an_empty_picture_warns(self):
-        with self.assertWarnsRegex(isolux.IsoluxWarning, "the picture is empty"):
+        with self.assertWarnsRegex(isolux.IsoluxWarning, "the image is empty"):
             self.volume.render(isovalue=1e6, size=(16, 12))
 
     def test_bounds_of_errors(self):

@@ -167,7 +167,7 @@ class Measure(unittest.TestCase):
         self.assertEqual(ours, theirs)
 
     def test_no_surface_is_an_error(self):
-        with self.assertRaisesRegex(ValueError, "there is no surface; values reach from"):
+        with self.assertRaisesRegex(ValueError, "no surface; the data range is"):
             isolux.Volume(ball(12)).measure(1e6)
 
     def test_doubtful_lengths(self):

@@ -232,13 +232,13 @@ TEST_F(StillPictureGlTest, APictureWithoutAnythingSaysWhy) {
     return report.empty ? report.empty->reason : std::string();
   };
   EXPECT_EQ(why({}), "");
-  EXPECT_EQ(why({"isosurface.value=7000"}).rfind("No surface at 7000: the values lie between -", 0), 0u);
+  EXPECT_EQ(why({"isosurface.value=7000"}).rfind("No surface at 7000: the data range is -", 0), 0u);
   EXPECT_EQ(why({"isosurface.opacity=0"}), "The isosurface is fully transparent");
   EXPECT_EQ(why({"camera.eye=0,-200,0", "camera.target=0,-300,0"}), "The camera looks away from the volume");
   EXPECT_EQ(why({"camera.eye=0,-200,0", "camera.target=150,0,0", "camera.fov=5"}),
-            "The volume lies outside the picture");
+            "The volume is outside the image");
   EXPECT_EQ(why({"camera.eye=0,-200,0", "camera.target=11,0,11", "camera.fov=1"}),
-            "No surface is seen from here");
+            "No surface is visible from here");
   EXPECT_EQ(why({}), "");
 }
 

@@ -96,7 +96,7 @@ std::string levelNote(const ChunkedFacts& facts, int level) {
   const GridGeometry coarse = levelGeometry(facts, level);
   const glm::dvec3 factor = coarse.spacingMm() / whole.spacingMm(), thin = 2.0 * coarse.spacingMm();
   return "level " + std::to_string(level) + ": each voxel is the mean of " + timesText(factor) +
-         " of the file's " + timesText(whole.dims) + "; what is thinner than " +
+         " of the file's " + timesText(whole.dims) + "; structures thinner than " +
          base::shortText(std::max({thin.x, thin.y, thin.z}), 3) + " mm may be missing";
 }
 
@@ -130,7 +130,7 @@ Volume readLevel(const scene::Source& source, base::Progress& progress) {
   const ChunkedFacts& facts = file->facts();
   if (source.level > coarsestLevel(facts))
     throw base::Error(base::ErrorKind::usage, source.path, "source.level",
-                      "level " + std::to_string(source.level) + " is asked for; the coarsest is " +
+                      "level " + std::to_string(source.level) + " does not exist; the coarsest is " +
                           std::to_string(coarsestLevel(facts)));
   const ReadOptions options = readOptions(source);
   const GridGeometry geometry = levelGeometry(facts, source.level);

@@ -14,7 +14,7 @@ namespace {
 void checkPart(const ChunkedFacts& facts, const scene::Source& source) {
   const auto refuse = [&](const char* setting, const char* what, int asked, int has) {
     throw base::Error(base::ErrorKind::usage, source.path, setting,
-                      std::string(what) + " " + std::to_string(asked) + " is asked for; the file has " +
+                      std::string(what) + " " + std::to_string(asked) + " does not exist; the file has " +
                           std::to_string(has) + " (0 is the first)");
   };
   if (source.component >= facts.channels)
@@ -29,7 +29,7 @@ std::shared_ptr<const ChunkedVolume> openChunked(const scene::Source& source, st
                                                  base::Progress& progress) {
   std::error_code ignored;
   if (source.path.starts_with("phantom:")) {
-    reason = "phantoms are no files";
+    reason = "a phantom is not a file";
     return nullptr;
   }
   if (source.csg != scene::Csg::none) {
@@ -37,7 +37,7 @@ std::shared_ptr<const ChunkedVolume> openChunked(const scene::Source& source, st
     return nullptr;
   }
   if (source.component < 0) {
-    reason = "the magnitude of its components is asked for (source.component)";
+    reason = "it is read as a magnitude (source.component)";
     return nullptr;
   }
   std::shared_ptr<const ChunkedVolume> file;

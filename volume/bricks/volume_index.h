@@ -2,8 +2,9 @@
 // come to. Equal to what is made of the same volume in memory.
 //
 // Made a unit after the other (some layers of blocks, a few MiB), in any order and by anybody: units of
-// several files join. Kept in a file beside the volume: docs/large-volumes.md. What of the file cannot be
-// read is listed; blocks that hold any of it may hold any values, so that no ray passes them unseen.
+// several files join. Kept in a file beside the volume: docs/explanation/large-volumes.md. What of the file
+// cannot be read is listed; blocks that hold any of it may hold any values, so that no ray passes them
+// unseen.
 #pragma once
 
 #include <cstdint>

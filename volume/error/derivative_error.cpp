@@ -21,7 +21,7 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kFilterRounding = 0x1p-9 / 1.7320508;  // of a weight of 8 bits of the texture unit
 
 // Roundings of a derivative per voxel in parts of the samples' root mean square about the cell's first, and
-// what it makes of a rounding of each sample (docs/numerics.md).
+// what it makes of a rounding of each sample (docs/explanation/numerics.md).
 struct RoundingCounts {
   int before, behind;  // samples of a lookup along an axis, about the cell's first
   double gradient, hessian;

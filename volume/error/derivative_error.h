@@ -2,7 +2,7 @@
 //
 // What is summed are samples less one of them, times weights: each sample, weight, product and sum is rounded
 // (resources/shaders/cast/spline.glsl, quintic.glsl, volume/cast). Errors are first order in the rounding;
-// docs/numerics.md derives them.
+// docs/explanation/numerics.md derives them.
 #pragma once
 
 #include <span>

@@ -4,7 +4,7 @@
 // Rounded arithmetic finds the crossing of the isovalue by a field that differs from the true one along the
 // true ray by at most some e. Before the first crossing of isovalue - e and isovalue + e no such field can
 // have crossed, behind the later of the two first crossings each has: they enclose every answer, whatever the
-// order of operations. docs/numerics.md derives e.
+// order of operations. docs/explanation/numerics.md derives e.
 #pragma once
 
 #include <limits>

@@ -18,7 +18,8 @@
 //   c_n = smoothstep(2, 5, (kappa1 - kappa2) |g| / hessianNoise): noise alone bends a flat face this way and
 //   that;
 //   c_s = 3/4 + smoothstep(3, 16, max(|kappa1|, |kappa2|) |g| / hessianNoise) / 4: above 0.9 noise is less
-//   than a tenth of a curvature, so that 95 % of those are right within a fifth (docs/accuracy.md);
+//   than a tenth of a curvature, so that 95 % of those are right within a fifth
+//   (docs/records/2026-11-derivative-scales.md);
 // flatCurvature = 0.1 / the diagonal of the volume, mm. Exactly 0 at umbilic and flat points and where the
 // gradient vanishes.
 #pragma once

@@ -128,10 +128,9 @@ SurfaceMeasure measureSurface(const Grid& grid, const MinMaxBlocks& blocks, cons
 std::string whyNoSurface(const Grid& grid) {
   const glm::ivec3 dims = grid.dims();
   if (std::min({dims.x, dims.y, dims.z}) < 2)
-    return "there is no surface: an axis of the volume has one voxel only";
-  if (grid.missingCount() == grid.geometry().voxelCount())
-    return "there is no surface: every voxel is missing";
-  return "there is no surface; values reach from " + base::shortText(grid.minimum()) + " to " +
+    return "no surface: the volume has only one voxel along an axis";
+  if (grid.missingCount() == grid.geometry().voxelCount()) return "no surface: all voxels are missing";
+  return "no surface; the data range is " + base::shortText(grid.minimum()) + " to " +
          base::shortText(grid.maximum());
 }
 

@@ -15,7 +15,7 @@ namespace isolux::volume {
 namespace {
 
 // What sampling costs is up to so many times the estimate: about once where the object is smooth, twice at
-// its edges, most where steps of one voxel meet slices of six (docs/numerics.md).
+// its edges, most where steps of one voxel meet slices of six (docs/explanation/measurement.md).
 constexpr double kSamplingSafety = 3.5;
 constexpr double kSigmas = 2.0;  // of noise and of what is random from cell to cell
 constexpr std::size_t kFewCells = 30000;

@@ -204,7 +204,7 @@ CsgResult combined(const Volume& first, const Volume& second, scene::Csg op,
   for (const std::string& warning : second.warnings) volume.warnings.push_back("second volume: " + warning);
   if (!sampled.direct())
     volume.warnings.emplace_back(
-        "the second volume lies on another grid: interpolated at the voxels of the first one");
+        "the second volume has another grid; interpolated at the voxels of the first");
   if (op == scene::Csg::unite && reachesOut(f2.geometry(), f1.geometry()))
     volume.warnings.emplace_back("the second volume is cut off where the first one's grid ends");
   if (!(volume.grid->minimum() < v1 && v1 <= volume.grid->maximum()))

@@ -55,10 +55,10 @@ std::vector<float> unsignedDistance(const TriangleMesh& voxelMesh, glm::ivec3 di
   constexpr std::size_t mostPieces = std::size_t{1} << 25;
   const std::size_t pieces = TriangleTree::piecesOf(voxelMesh, kBlock, mostPieces, progress);
   if (pieces >= mostPieces)
-    throw base::Error(base::ErrorKind::memory, "", "source.mesh_voxels",
-                      "the mesh's surface has more than " + std::to_string(mostPieces) +
-                          " pieces of 8 voxels; a lower number needs less");
-  const auto held = base::machineMemory().reserve(pieces * TriangleTree::kBytesOfPiece, "triangles in pieces",
+    throw base::Error(
+        base::ErrorKind::memory, "", "source.mesh_voxels",
+        "the mesh's surface has more than " + std::to_string(mostPieces) + " blocks of 8 voxels; lower it");
+  const auto held = base::machineMemory().reserve(pieces * TriangleTree::kBytesOfPiece, "triangle blocks",
                                                   "a lower source.mesh_voxels needs less");
   const TriangleTree tree(voxelMesh, kBlock, progress);
   std::vector<float> values;

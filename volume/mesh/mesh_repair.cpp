@@ -273,7 +273,7 @@ TriangleMesh closedMesh(TriangleMesh mesh, std::vector<std::string>& warnings,
     const Turned turned = orient(mesh, neighbours, progress);
     warnings.push_back(counted(turned.triangles, "triangle") +
                        " faced the other way than their neighbours and were turned");
-    if (turned.oneSided) warnings.push_back("the surface has only one side: what is inside is a guess");
+    if (turned.oneSided) warnings.push_back("the surface has only one side: its inside is a guess");
     sides = sidesOf(mesh, progress);
   }
   std::size_t boundary = 0, crowded = 0;

@@ -22,15 +22,16 @@ constexpr PhantomInfo kPhantoms[] = {
     {"head", "CT-like head: skin, skull, teeth, brain, eyes, airways; a bead on the patient's left ear", "HU",
      300.0, 192, scene::WorldAxes::anatomical},
     {"ball", "signed distance to a ball", "mm", 0.0, 128},
-    {"torus", "signed distance to a torus round the z axis", "mm", 0.0, 128},
-    {"cylinder", "signed distance to an endless cylinder along z", "mm", 0.0, 128},
+    {"torus", "signed distance to a torus around the z axis", "mm", 0.0, 128},
+    {"cylinder", "signed distance to an infinite cylinder along z", "mm", 0.0, 128},
     {"plane", "signed distance to a tilted plane", "mm", 0.0, 128},
     {"saddle", "height below a hyperbolic paraboloid", "mm", 0.0, 128},
     {"gyroid", "the triply periodic gyroid, four periods per edge", "", 0.0, 128},
-    {"marschner_lobb", "the reconstruction test signal of Marschner and Lobb", "", 0.5, 64},
-    {"two_balls", "two balls that touch in one point, where the gradient vanishes", "mm", 0.0, 128},
+    {"marschner_lobb", "the Marschner-Lobb test signal for reconstruction", "", 0.5, 64},
+    {"two_balls", "two balls that touch at one point, where the gradient vanishes", "mm", 0.0, 128},
     {"sheet", "a sheet thinner than a voxel", "mm", 0.0, 64},
-    {"sheets", "half a ball, cut obliquely into parallel sheets and gaps of two voxels each", "mm", 0.0, 128},
+    {"sheets", "half a ball, cut obliquely into parallel sheets and gaps, each two voxels thick", "mm", 0.0,
+     128},
     {"wires", "six interlocking rings of wire with a smooth profile 1.4 voxels wide", "", 500.0, 128},
     {"noise", "smooth random field with white noise", "", 0.0, 128},
 };
@@ -197,7 +198,8 @@ const PhantomInfo& phantomNamed(const std::string& name) {
     if (info.name == name) return info;
   std::string known;
   for (const PhantomInfo& info : kPhantoms) known += (known.empty() ? "" : ", ") + std::string(info.name);
-  throw base::Error(base::ErrorKind::usage, "", "phantom", "\"" + name + "\" is none of " + known);
+  throw base::Error(base::ErrorKind::usage, "", "phantom",
+                    "unknown name \"" + name + "\"; choose one of " + known);
 }
 
 Grid makePhantom(const PhantomRequest& request, base::Progress& progress) {
@@ -236,7 +238,7 @@ PhantomRequest parsePhantom(std::string_view text) {
     const bool whole = error == std::errc() && end == digits.data() + digits.size();
     if (!whole || request.size < kMinimumSize || request.size > kMaximumSize)
       throw base::Error(base::ErrorKind::usage, "", "phantom size",
-                        "\"" + std::string(digits) + "\" is no whole number from " +
+                        "\"" + std::string(digits) + "\" is not a whole number from " +
                             std::to_string(kMinimumSize) + " to " + std::to_string(kMaximumSize));
   }
   return request;

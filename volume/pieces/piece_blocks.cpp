@@ -33,7 +33,7 @@ unsigned insideBits(const T* row, int count, InsideLevel level) {
 }  // namespace
 
 base::MemoryBudget::Held reserveForPieces(std::size_t bytes) {
-  return base::machineMemory().reserve(bytes, "the pieces of the isosurface",
+  return base::machineMemory().reserve(bytes, "the connected components",
                                        "pieces.keep=0 and pieces.smallest=0 need none");
 }
 
@@ -156,7 +156,9 @@ void PieceBlocks::numberNodes() {
     before += rows_[row].nodes;
   }
   if (before >= kNoNode)
-    throw base::Error(base::ErrorKind::memory, "", "", "the isosurface falls into too many pieces to count");
+    throw base::Error(
+        base::ErrorKind::memory, "", "",
+        "too many component labels (limit 4 294 967 294); smooth the data or change the isovalue");
   nodes_ = static_cast<std::uint32_t>(before);
 }
 

@@ -70,7 +70,7 @@ bool hidesPieces(const scene::Pieces& choice) {
 }
 
 std::vector<bool> shownPieces(const Pieces& pieces, const scene::Pieces& choice, const Body* body) {
-  if (choice.within && !body) throw std::logic_error("pieces within a body that nobody has made");
+  if (choice.within && !body) throw std::logic_error("pieces within a body that was not computed");
   const std::vector<std::uint64_t> voxelsWithin =
       choice.within ? voxelsInBody(pieces, *body, choice.depth) : std::vector<std::uint64_t>{};
   const std::vector<bool> hidden = piecesAt(pieces, choice.hidden), only = piecesAt(pieces, choice.only);

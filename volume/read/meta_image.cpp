@@ -34,7 +34,7 @@ class Fields {
       if (content.empty()) continue;
       const std::size_t equals = content.find('=');
       if (equals == std::string_view::npos)
-        throwInput(file_, linePlace(lines.number()), "is no \"Key = Value\" line");
+        throwInput(file_, linePlace(lines.number()), "is not a \"Key = Value\" line");
       const Field field{trimmed(content.substr(0, equals)), trimmed(content.substr(equals + 1)),
                         lines.number()};
       const std::string key = lowered(field.key);
@@ -211,7 +211,7 @@ void readKinds(const Fields& fields, std::size_t axes, const std::string& file, 
   };
   for (std::size_t axis = 0; axis < 2; ++axis)
     if (isFrames(axis))
-      throwInput(file, field->place(), "an axis before the third is no domain; not supported");
+      throwInput(file, field->place(), "an axis before the third is not a domain; not supported");
   if (axes != 3 || !(isFrames(2) || (kinds.empty() && fields.isSequence()))) return;
   header.timeSteps = header.dims[2];
   header.dims[2] = 1;
@@ -238,7 +238,7 @@ std::string numberedName(std::string_view pattern, std::int64_t number, const st
   const bool isNumber =
       end < pattern.size() && (pattern[end] == 'd' || pattern[end] == 'i' || pattern[end] == 'u');
   if (!isNumber || !width || *width > 20 || pattern.find('%', end) != std::string_view::npos)
-    throwInput(file, place, inQuotes(pattern) + " is no pattern for file names");
+    throwInput(file, place, inQuotes(pattern) + " is not a pattern for file names");
   std::string digits = std::to_string(number);
   if (digits.size() < static_cast<std::size_t>(*width)) {
     const bool zeros = pattern[percent + 1] == '0';

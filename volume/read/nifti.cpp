@@ -148,7 +148,7 @@ NiftiFields fieldsOf(std::string_view head, const std::string& file) {
   if (!fields.pair && fields.voxOffset == 0.0) fields.voxOffset = least;  // some writers leave it out
   if (!std::isfinite(fields.voxOffset) || fields.voxOffset < least || fields.voxOffset > 1e15 ||
       fields.voxOffset != std::trunc(fields.voxOffset))
-    throwInput(file, "vox_offset", base::shortText(fields.voxOffset) + " is no place for the voxels");
+    throwInput(file, "vox_offset", base::shortText(fields.voxOffset) + " is not a place for the voxels");
   fields.offset = static_cast<std::uint64_t>(fields.voxOffset);
   return fields;
 }
@@ -340,7 +340,7 @@ void readIntent(const NiftiFields& fields, const std::string& file, ImageHeader&
   if (intent == 1008 || intent == 1009 || intent == 2002 || (intent >= 3000 && intent < 3100))
     throwInput(file, "intent_code",
                intent >= 3000 ? "CIFTI files, whose numbers belong to surfaces, are not read"
-                              : std::to_string(intent) + ": points or triangles are no voxels");
+                              : std::to_string(intent) + ": points or triangles are not voxels");
 }
 
 // "scan.hdr" -> "scan.img" and the like; empty when no such file exists.
@@ -416,7 +416,7 @@ NiftiFiles openNifti(const fs::path& path) {
   if (pairs) {
     files.dataPath = extension == ".img" ? path : counterpart(files.headerPath, ".img");
     if (files.dataPath.empty())
-      throwInput(headerBytes.name(), "data file", "the .img file beside this header is missing");
+      throwInput(headerBytes.name(), "data file", "the .img file of this header is missing");
   }
   Payload& payload = files.header.payload;
   if (pairs ? isPacked(FileBytes(files.dataPath).head(4)) : compressedHeader) {

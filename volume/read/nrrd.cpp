@@ -128,7 +128,7 @@ Header::Header(std::string_view text, std::string file) : file_(std::move(file))
   const auto magic = lines.next();
   if (!magic || !magic->starts_with("NRRD000") || magic->size() != 8 || (*magic)[7] < '1' ||
       (*magic)[7] > '6')
-    throwInput(file_, "line 1", "is no NRRD magic from NRRD0001 to NRRD0006");
+    throwInput(file_, "line 1", "is not an NRRD magic from NRRD0001 to NRRD0006");
   while (const auto line = lines.next()) {
     end_ = lines.offset();
     endLine_ = lines.number();
@@ -139,7 +139,7 @@ Header::Header(std::string_view text, std::string file) : file_(std::move(file))
     if ((*line)[0] == '#') continue;
     const std::size_t colon = line->find(':');
     if (colon == std::string_view::npos)
-      throwInput(file_, linePlace(endLine_), "is no \"field: value\" line");
+      throwInput(file_, linePlace(endLine_), "is not a \"field: value\" line");
     if (colon + 1 < line->size() && (*line)[colon + 1] == '=') continue;  // key:=value
     const NrrdField field{trimmed(line->substr(0, colon)), trimmed(line->substr(colon + 1)), endLine_};
     add(field);
@@ -272,7 +272,8 @@ void Header::readSpace() {
     } else if (name == "scanner-xyz" || name == "3d-right-handed" || name == "3d-left-handed") {
       patientSpace_ = false;
       if (name == "3d-left-handed") toLps_ = {-1.0, 1.0, 1.0};  // or it would be shown mirrored
-      warnings_.push_back("the space \"" + name + "\" does not say where the patient lies; taken as LPS");
+      warnings_.push_back("the space \"" + name +
+                          "\" does not state the patient's orientation; taken as LPS");
     } else {
       throwInput(file_, space->place(), "the space " + inQuotes(space->value) + " is not known");
     }
@@ -314,13 +315,13 @@ std::vector<std::string_view> Header::vectorsOf(const NrrdField& field) const {
 // The fourth number of a space with time is left out.
 glm::dvec3 Header::vectorOf(std::string_view text, const NrrdField& field) const {
   if (text.size() < 2 || text.front() != '(' || text.back() != ')')
-    throwInput(file_, field.place(), inQuotes(text) + " is no vector like (1,0,0)");
+    throwInput(file_, field.place(), inQuotes(text) + " is not a vector like (1,0,0)");
   std::string inner(text.substr(1, text.size() - 2));
   std::replace(inner.begin(), inner.end(), ',', ' ');
   const auto values = realsOf(inner);
   if (!values || values->size() != static_cast<std::size_t>(spaceDimension_))
     throwInput(file_, field.place(),
-               inQuotes(text) + " is no vector of " + std::to_string(spaceDimension_) + " numbers");
+               inQuotes(text) + " is not a vector of " + std::to_string(spaceDimension_) + " numbers");
   glm::dvec3 result(0.0);
   for (int i = 0; i < std::min(spaceDimension_, 3); ++i) result[i] = (*values)[static_cast<std::size_t>(i)];
   return result;
@@ -352,8 +353,7 @@ void Header::assignAxes(ImageHeader& header) {
                    " axes are spatial; 2 or 3 are needed");
   const std::size_t first = spatial_.front(), last = spatial_.back();
   if (last - first + 1 != spatial_.size())
-    throwInput(file_, sizes.place(),
-               "an axis that is not spatial stands between spatial ones; not supported");
+    throwInput(file_, sizes.place(), "a non-spatial axis between spatial ones; not supported");
   for (std::size_t i = 0; i < spatial_.size(); ++i) header.dims[i] = axes_[spatial_[i]].size;
   if (first > 1 || axes_.size() - last > 3)
     throwInput(file_, sizes.place(), "more axes that are not spatial than are supported");

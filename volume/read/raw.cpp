@@ -81,7 +81,7 @@ RawDescription parseRawDescription(const std::string& text) {
   description.dims = dimsOf(words[0]);
   if (words.size() < 2) badWord(text, "the type is missing");
   const auto type = typeNamed(words[1]);
-  if (!type) badWord(words[1], "is no voxel type (int8 ... uint64, float32, float64)");
+  if (!type) badWord(words[1], "is not a voxel type (int8 ... uint64, float32, float64)");
   description.type = *type;
   bool hasOrder = false, hasSpacing = false, hasHeader = false;
   const auto once = [](bool& seen, std::string_view word) {

@@ -117,10 +117,10 @@ Volume readAny(const std::string& path, const ReadOptions& options, base::Progre
       if (bytes.size() == 0) throwInput(path, "", "the file is empty");
       read = readerOf(formatOf(bytes, file));
       if (!read)
-        throwInput(
-            path, "byte 0",
-            knownButNotRead(bytes, file)
-                .value_or("no volume format is recognised; a raw file needs its size and type (--raw)"));
+        throwInput(path, "byte 0",
+                   knownButNotRead(bytes, file)
+                       .value_or("unknown volume format; for raw voxels give size and type, e.g. --raw "
+                                 "\"256x256x109 uint16\""));
     }
     volume = read(file, options, progress);
   }

@@ -98,7 +98,7 @@ BoxBounds::BoxBounds(glm::ivec3 voxels, const base::Progress& progress) {
   dims_ = (cells + kBlockCells - 1) / kBlockCells;
   const std::size_t blocks = static_cast<std::size_t>(dims_.x) * static_cast<std::size_t>(dims_.y) *
                              static_cast<std::size_t>(dims_.z);
-  held_ = base::machineMemory().reserve(blocks * sizeof(Bounds), "what empty space is skipped by",
+  held_ = base::machineMemory().reserve(blocks * sizeof(Bounds), "min-max blocks",
                                         "a volume of fewer voxels needs less");
   resizeStoppably(bounds_, blocks, progress);
 }

@@ -91,19 +91,19 @@ FoundKind dataKindOf(const Volume& volume, const Histogram& histogram, const sce
     return glm::dvec2(grid.minimum() - perHu * airHu, perHu);
   };
   if (volume.kind != Kind::automatic) {
-    FoundKind asked{volume.kind, "source.kind says so"};
+    FoundKind asked{volume.kind, "source.kind is set"};
     if (asked.kind == Kind::ct_hu) asked.hounsfield = hounsfield;
     if (asked.kind == Kind::ct) asked.hounsfield = byTissue();
     return asked;
   }
   if (volume.labels > 0) return {Kind::labels, "its values are few whole numbers that fill regions"};
-  if (volume.unit == "HU") return {Kind::ct_hu, "its file says so", hounsfield};
-  if (volume.isMesh) return {Kind::distance, "it was made of a mesh"};
+  if (volume.unit == "HU") return {Kind::ct_hu, "its file states it", hounsfield};
+  if (volume.isMesh) return {Kind::distance, "it was made from a mesh"};
   if (volume.unit == "mm") return {Kind::distance, "its values are in mm"};
   if (!volume.unit.empty()) return {Kind::other, "its values are in " + volume.unit};
   if (grid.storedType() == VoxelType::int16 && grid.minimum() >= -3100.0 && grid.minimum() <= -900.0 &&
       grid.maximum() > 500.0)
-    return {Kind::ct_hu, "its values range as those of a CT do", hounsfield};
+    return {Kind::ct_hu, "its data range is that of a CT", hounsfield};
   if (patient) {
     if (const auto scale = byTissue())
       return {Kind::ct, "most of its voxels have the value of soft tissue, as in a CT", scale};
@@ -121,7 +121,7 @@ FoundKind dataKindOf(const Volume& volume, const Histogram& histogram, const sce
   const auto most = std::max_element(noise.deviations.begin(), noise.deviations.end());
   if (grid.isWhole() && most != noise.deviations.end() && *most <= rounding)
     return {Kind::simulation, "its values have no noise"};
-  return {Kind::other, "nothing says more"};
+  return {Kind::other, "there is no other evidence"};
 }
 
 }  // namespace isolux::volume

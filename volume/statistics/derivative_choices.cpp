@@ -122,7 +122,7 @@ std::string scaleReason(const DerivativeChoice& choice, double unknown, bool ref
   const auto part = [&](double of) {
     return percentText(choice.curvature > 0.0 ? of / choice.curvature : 0.0);
   };
-  const std::string hidden = "hides it on " + percentText(unknown) + " of what is seen";
+  const std::string hidden = "hides it on " + percentText(unknown) + " of the visible surface";
   if (choice.scaleMm == 0.0)
     return "noise is " + part(noise[0]) + " of the curvature" +
            (unknown > kMostUnknown ? " and " + hidden : "") + ", any scale loses more";
@@ -289,8 +289,8 @@ DerivativeChoice DerivativeChoices::choose(const DerivativeQuestion& question,
   } else {
     std::string kept;
     if (scene::meanBlur(model.correlation) >= kLikeDetail)
-      kept = "what smoothing would take away is alike from voxel to voxel, as detail is";
-    if (isMesh_) kept = "what is rough about a mesh is its own";
+      kept = "smoothing would remove correlated noise and detail alike";
+    if (isMesh_) kept = "the roughness of a mesh is not noise";
     ScaleLadder ladder(*grid_, pointsWithin(*grid_, *blocks_, question.isovalue, kPoints), model.correlation);
     const Search search = searchScales(ladder, question, noise, progress);
     LeastScale least;

@@ -19,8 +19,8 @@ class HiddenTable {
   HiddenTable(std::shared_ptr<const Grid> grid, HiddenOfSurface surface, base::Progress& progress)
       : held_(base::machineMemory().reserve(
             CellRanges::bytesOf(grid->dims()) + grid->geometry().voxelCount(),
-            "what light is traced by where pieces are hidden",
-            "a volume of fewer voxels, pieces that are shown or gi.mode=off needs less")),
+            "the tables of light tracing with hidden components",
+            "a volume of fewer voxels, showing all components or gi.mode=off needs less")),
         grid_(std::move(grid)),
         surface_(std::move(surface)),
         level_(InsideLevel::of(*grid_, surface_.isovalue, surface_.inside)),

@@ -60,7 +60,7 @@ std::shared_ptr<const TraceTables> TraceTables::of(const std::shared_ptr<const G
 }
 
 TraceTables::TraceTables(std::shared_ptr<const Grid> grid, base::Progress& progress)
-    : held_(base::machineMemory().reserve(bytesToMake(*grid), "what light is traced by",
+    : held_(base::machineMemory().reserve(bytesToMake(*grid), "the tables of light tracing",
                                           "a volume of fewer voxels or gi.mode=off needs less")),
       grid_(std::move(grid)),
       ranges_(*grid_, progress) {

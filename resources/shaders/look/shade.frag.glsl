@@ -3,7 +3,7 @@
 // LOOK, SHADING, TEXTURE, and the LOOK_..., SHADING_... and TEXTURE_... they are compared with: from the names of the
 // settings' choices. MEASURE, MEASURE_SQUARE: colours stand for one number, or two. CURVATURE: kappas are bound; EDGE: offsets of
 // edges, which colours stand for. SECOND: values of a second volume. SHADOW,
-// OCCLUSION, FLOW, FOG, ACCESSIBILITY, LINES: what is laid over. FACING: opacity depends on the angle of view. docs/looks.md has the formulas and sources.
+// OCCLUSION, FLOW, FOG, ACCESSIBILITY, LINES: overlays. FACING: opacity depends on the angle of view. docs/explanation/looks.md has the formulas and sources.
 #include "common.glsl"
 #if LOOK == LOOK_DEPTH && !defined(FACING)
 #define NO_GRADIENT

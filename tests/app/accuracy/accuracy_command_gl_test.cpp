@@ -39,7 +39,9 @@ TEST(AccuracyCommandGl, StatsAndExplainSayTheSame) {
   EXPECT_GT(accuracy["noise"]["depth_mm"]["most_99"].get<double>(),
             accuracy["depth_mm"]["most_99"].get<double>())
       << "what a user must know comes first";
-  EXPECT_THAT(result.out, HasSubstr("accuracy of 99 % of what is seen: depth by noise and sampling ± "));
+  EXPECT_THAT(
+      result.out,
+      HasSubstr("error bounds at the 99th percentile of visible pixels: depth by noise and sampling ± "));
   EXPECT_THAT(result.out, HasSubstr("by arithmetic: depth ± "));
   EXPECT_THAT(result.out, HasSubstr("% of pixels are not certain"));
 }

@@ -141,7 +141,7 @@ TEST_F(AnnotationTest, CaveatsAreWrittenUnasked) {
   EXPECT_GT(caveats.hidden, 0u);
   EXPECT_EQ(caveats.hidden, caveats.pieces - 1);
   auto gaps = std::make_shared<volume::PreparedVolume>(*volume_);
-  gaps->volume.warnings.push_back("slices are missing in 13 places; what is shown there is interpolated");
+  gaps->volume.warnings.push_back("slices are missing in 13 places; these are interpolated");
   volume_ = gaps;
   EXPECT_EQ(annotationOf(scene_, *volume_, {640, 480}).caveats,
             (std::vector<std::string>{"13 gaps interpolated", std::to_string(caveats.hidden) + " of " +

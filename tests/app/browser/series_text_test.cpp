@@ -47,13 +47,13 @@ TEST(SeriesText, WarningsInAWordOrTwo) {
   volume::DicomSeries series = bone();
   series.warnings = {"gantry tilt of 18.5 degrees: the slices are sheared against each other; kept so",
                      "slice distances are uneven (1 to 2 mm): resampled from 5 onto 9 slices every 1 mm",
-                     "slices are missing in 13 places; what is shown there is interpolated",
+                     "slices are missing in 13 places; these are interpolated",
                      "1 of 5 slices differ from the rest (orientation, size) and are left out",
                      "instance numbers and temporal position order repeated slices differently",
                      "something new"};
   EXPECT_THAT(shortWarnings(series), ElementsAre("gantry tilt", "uneven spacing", "missing slices",
                                                  "mixed slices", "uncertain time steps", "something new"));
-  series.problem = "the slices do not lie on one line";
+  series.problem = "the slices are not on one line";
   EXPECT_EQ(shortWarnings(series).front(), "cannot be opened");
 }
 

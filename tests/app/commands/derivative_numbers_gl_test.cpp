@@ -42,7 +42,7 @@ TEST(DerivativeNumbersGl, ExplainSaysTheNumbersOfTheStats) {
                                  base::shortText(of.derivatives["scale_mm"].get<double>(), 3) + " mm"));
   EXPECT_THAT(of.derivatives["automatic"], testing::Contains("noise"));
   EXPECT_LT(of.derivatives["unknown_share"].get<double>(), 0.2);
-  EXPECT_THAT(of.text, HasSubstr("curvature means nothing (confidence below 0.5) on "));
+  EXPECT_THAT(of.text, HasSubstr("curvature is not significant (confidence below 0.5) on "));
 }
 
 TEST(DerivativeNumbersGl, WhatIsSetIsToldAsSet) {
@@ -61,14 +61,15 @@ TEST(DerivativeNumbersGl, NoiseAsLargeAsTheGradientLeavesNoCurvature) {
   const Told of = told(
       {"look.mode=kappa1", "derivatives.noise=1000", "derivatives.scale=0", "derivatives.normal_scale=0"});
   EXPECT_GT(of.derivatives["unknown_share"].get<double>(), 0.99);
-  EXPECT_THAT(of.text,
-              HasSubstr("curvature means nothing (confidence below 0.5) on 100.0 % of what is seen"));
+  EXPECT_THAT(
+      of.text,
+      HasSubstr("curvature is not significant (confidence below 0.5) on 100.0 % of the visible surface"));
 }
 
 TEST(DerivativeNumbersGl, APictureWithoutCurvatureSaysNothingOfIt) {
   const Told of = told({"look.mode=depth"});
   EXPECT_TRUE(of.derivatives["unknown_share"].is_null());
-  EXPECT_THAT(of.text, testing::Not(HasSubstr("curvature means nothing")));
+  EXPECT_THAT(of.text, testing::Not(HasSubstr("curvature is not significant")));
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ TEST(MeasureCommand, TheCurvatureOfAPieceIsToldTabledAndPlotted) {
 }
 
 TEST(MeasureCommand, AsksForWhatIsThereOfCurvature) {
-  expectRefused(2, {"measure", "phantom:ball:16", "--curvature", "--piece", "1"}, "there is no piece 1");
+  expectRefused(2, {"measure", "phantom:ball:16", "--curvature", "--piece", "1"}, "unknown piece 1");
   expectRefused(2, {"measure", "phantom:ball:16", "--piece", "0"}, "--curvature");
   expectRefused(2, {"measure", "phantom:ball:16", "--histograms", "a.txt"}, ".csv");
   expectRefused(2, {"measure", "phantom:ball:16", "--plot", "a.png"}, ".svg");
@@ -139,11 +139,11 @@ TEST(MeasureCommand, OpenSurfacesAreMarkedOrRefused) {
 }
 
 TEST(MeasureCommand, WhatCannotBeMeasuredIsOneLine) {
-  expectRefused(3, {"measure", "phantom:ball:16", "--isovalue", "1000"}, "there is no surface");
+  expectRefused(3, {"measure", "phantom:ball:16", "--isovalue", "1000"}, "no surface; the data range is");
   expectRefused(3, {"measure", "phantom:ball:16", "--thickness", "100,0,0"}, "no isosurface");
-  expectRefused(2, {"measure", "phantom:ball:16", "--thickness", "1,2"}, "is no position");
+  expectRefused(2, {"measure", "phantom:ball:16", "--thickness", "1,2"}, "is not a position");
   expectRefused(2, {"measure", "phantom:ball:16", "--distance", "1,2,3"}, "2 positions");
-  expectRefused(2, {"measure", "phantom:ball:16", "--distance", "1,2,nan 1,2,3"}, "is no position");
+  expectRefused(2, {"measure", "phantom:ball:16", "--distance", "1,2,nan 1,2,3"}, "is not a position");
   expectRefused(2, {"measure", "phantom:ball:16", "--circle", "0,0,0 1,1,1 2,2,2"}, "on a line");
   expectRefused(2, {"measure", "phantom:ball:16", "--box", "0,0,0 0,1,1"}, "is empty");
   expectRefused(2, {"measure"}, "PATH");
@@ -189,7 +189,7 @@ TEST(MeasureCommand, MarksOfAFileAndOfASession) {
   expectRefused(2, {"measure", "phantom:ball:64", "--marks", "m.mrk.json", "--out", "m.mrk.json"},
                 "m.mrk.json", folder);
   std::ofstream(folder / "bad.mrk.json") << "{";
-  expectRefused(3, {"measure", "phantom:ball:64", "--marks", "bad.mrk.json"}, "no JSON", folder);
+  expectRefused(3, {"measure", "phantom:ball:64", "--marks", "bad.mrk.json"}, "is not JSON", folder);
   expectRefused(3, {"measure", "phantom:ball:64", "--marks", "none.mrk.json"}, "none.mrk.json", folder);
 }
 

@@ -120,7 +120,7 @@ TEST_F(MeshCommand, WhatCannotBeMadeIsOneLineAndNoFile) {
   for (const char* empty : {"isosurface.value=1e6", "pieces.hidden=0,0,0"}) {
     const RunResult result = run({"phantom:ball:32", "--out", "ball.stl", "--set", empty});
     EXPECT_EQ(result.exitCode, 3);
-    EXPECT_THAT(result.err, HasSubstr("nothing is written"));
+    EXPECT_THAT(result.err, HasSubstr("no file is written"));
     EXPECT_FALSE(std::filesystem::exists(folder_ / "ball.stl"));
   }
 }

@@ -133,7 +133,8 @@ TEST(ReferenceCommand, TakesThePicturesExposure) {
   };
   EXPECT_NEAR(middle("lights"), 255.0 * base::encodeSrgb(0.05), 2.0)
       << "a white surface would be nearly white";
-  EXPECT_NEAR(middle("surface"), 157, 6) << "the median of what is seen (docs/global-illumination.md)";
+  EXPECT_NEAR(middle("surface"), 157, 6)
+      << "the median of what is seen (docs/explanation/global-illumination.md)";
 }
 
 TEST(ReferenceCommand, WrongUseIsOneLine) {

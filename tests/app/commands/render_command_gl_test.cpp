@@ -123,7 +123,7 @@ TEST(RenderCommandGl, AnEmptyPictureIsSaidOnStderrAndInTheStats) {
                                  "s.json", "--isovalue", "9999"},
                                 {.folder = folder});
   EXPECT_EQ(result.exitCode, 0);
-  EXPECT_NE(result.err.find("isolux: note: the picture is empty: No surface at 9999"), std::string::npos)
+  EXPECT_NE(result.err.find("isolux: note: the image is empty: No surface at 9999"), std::string::npos)
       << result.err;
   EXPECT_TRUE(json::parse(contentOf(folder / "s.json"))["empty"].is_string());
   succeed({"render", "phantom:ball:16", "--size", "16x12", "--out", "b.png", "--stats", "s.json"}, folder);

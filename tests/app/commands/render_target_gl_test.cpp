@@ -86,7 +86,7 @@ TEST(RenderTargetGl, WhatIsWrongIsOneLineAndLeavesNoPicture) {
   refused({"--error", "dept=1mm", "--out", "a.png"}, "did you mean depth?");
   refused({"--time", "soon", "--out", "a.png"}, "is not a time");
   refused({"--error", "depth=1mm", "--time", "1s", "--out", "a.png"}, "--error");
-  refused({"--error", "depth=1e-12mm", "--out", "a.png"}, "the least that can be promised is depth");
+  refused({"--error", "depth=1e-12mm", "--out", "a.png"}, "the smallest guaranteed error is depth");
   refused({"--error", "depth=1mm", "--set", "clip.box=-9,-9,-9;9,9,9", "--out", "a.png"}, "knows no cuts");
   EXPECT_THAT(filesIn(folder), IsEmpty());
 }

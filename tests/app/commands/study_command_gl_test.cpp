@@ -81,7 +81,7 @@ TEST(StudyCommandGl, WritesEveryKnobWithUnitsMachineAndScene) {
   ASSERT_EQ(result["knobs"].size(), 23u);
   for (const json& knob : result["knobs"]) {
     if (knob.contains("skipped")) {
-      EXPECT_THAT(knob["skipped"].get<std::string>(), HasSubstr("one colour"));
+      EXPECT_THAT(knob["skipped"].get<std::string>(), HasSubstr("constant"));
       EXPECT_TRUE(knob["settings"].empty());
       continue;
     }
@@ -123,7 +123,7 @@ TEST(StudyCommandGl, WritesEveryKnobWithUnitsMachineAndScene) {
   const std::string text = contentOf(folder / "d" / "study.md");
   EXPECT_THAT(text, HasSubstr("| **exact hits** (default) |"));
   EXPECT_THAT(text, HasSubstr("## derivatives_field (`derivatives.field`)"));
-  EXPECT_THAT(text, HasSubstr("Not studied: the sky has one colour"));
+  EXPECT_THAT(text, HasSubstr("Not studied: the environment is constant"));
   EXPECT_THAT(text, HasSubstr("| `gi.samples` |"));
 }
 
@@ -231,10 +231,9 @@ TEST(StudyCommandGl, TheSceneIsMeasuredAsItIs) {
 
 // More rays are nearer to very many; a shadow is seen, and its pass runs.
 TEST(StudyCommandGl, EdgesAndShadowsAreJudgedByThePicture) {
-  const json result =
-      study(test::temporaryFolder(), {"phantom:gyroid:32", "--size", "64x64", "--knobs",
-                                      "supersampling,shadow", "--set", "light.direction=-1,1,0.4",
-                                      "--set", "light.setup=key"});
+  const json result = study(test::temporaryFolder(),
+                            {"phantom:gyroid:32", "--size", "64x64", "--knobs", "supersampling,shadow",
+                             "--set", "light.direction=-1,1,0.4", "--set", "light.setup=key"});
   double before = 1.0, flipBefore = 1.0;
   for (const char* rays : {"1", "2", "4"}) {
     const json& picture = settingOf(result, 0, rays)["picture"];

@@ -216,8 +216,8 @@ TEST(MarkEvaluator, AMarkStaysAndSaysThatItsSurfaceHasLeft) {
     ASSERT_EQ(report.notes.size(), 2u);
     EXPECT_THAT(report.notes[0], HasSubstr("point 1 "));
   }
-  EXPECT_THAT(little(MarkKind::distance, points).notes[0], HasSubstr("point 1 lies 2 mm off the surface"));
-  EXPECT_THAT(far(MarkKind::distance, points).notes[1], HasSubstr("point 2 does not lie on the surface"));
+  EXPECT_THAT(little(MarkKind::distance, points).notes[0], HasSubstr("point 1 is 2 mm off the surface"));
+  EXPECT_THAT(far(MarkKind::distance, points).notes[1], HasSubstr("point 2 is not on the surface"));
   EXPECT_THAT(far(MarkKind::path, points).problem, HasSubstr("within three voxels of point 1"));
   EXPECT_THAT(far(MarkKind::thickness, {points[0]}).problem, HasSubstr("within three voxels of the point"));
 }

@@ -139,9 +139,9 @@ TEST(MarkupsFile, WhatIsNoMarkIsNoted) {
 }
 
 TEST(MarkupsFile, WrongFilesAreRefusedWithThePlace) {
-  EXPECT_THAT(refusal("not json"), HasSubstr("no JSON"));
+  EXPECT_THAT(refusal("not json"), HasSubstr("is not JSON"));
   EXPECT_THAT(refusal(R"({"markups": [{"type": "Line", "controlPoints": [{"position": [1e999, 0, 0]}]}]})"),
-              HasSubstr("no JSON"));
+              HasSubstr("is not JSON"));
   EXPECT_THAT(refusal("{}"), HasSubstr("no list \"markups\""));
   EXPECT_THAT(refusal("[1]"), HasSubstr("no list \"markups\""));
   EXPECT_THAT(refusal(R"({"markups": [1]})"), HasSubstr("markups[0]"));
@@ -150,7 +150,7 @@ TEST(MarkupsFile, WrongFilesAreRefusedWithThePlace) {
   EXPECT_THAT(refusal(R"({"markups": [{"type": "Line", "controlPoints": [{"position": [1, 2]}]}]})"),
               HasSubstr("markups[0].controlPoints[0].position"));
   EXPECT_THAT(refusal(R"({"markups": [{"type": "Line", "controlPoints": [{"position": [1, 2, "3"]}]}]})"),
-              HasSubstr("is no [x, y, z]"));
+              HasSubstr("is not [x, y, z]"));
   EXPECT_THAT(refusal(R"({"markups": [{"type": "Line", "controlPoints": [{"position": [1, 2, 3]}]}]})"),
               HasSubstr("two points or more"));
   EXPECT_THAT(
@@ -161,7 +161,7 @@ TEST(MarkupsFile, WrongFilesAreRefusedWithThePlace) {
       HasSubstr("neither mm nor um"));
   EXPECT_THAT(
       refusal(R"({"markups": [{"type": "Fiducial", "controlPoints": [{"position": [1e30, 0, 0]}]}]})"),
-      HasSubstr("is not allowed"));
+      HasSubstr("invalid value"));
 }
 
 // Names that are free were looked for before the marks were counted: minutes for 10 000.
@@ -178,12 +178,12 @@ TEST(MarkReports, ATableHasARowForEachQuantity) {
   std::vector<app::MarkReport> reports(2);
   reports[0].quantities = {{"straight", 3.5, 0.25, "mm"}, {"straight_1_2", 3.5, {}, "mm"}};
   reports[0].notes = {"far, off"};
-  reports[1].problem = "the points lie on a line";
+  reports[1].problem = "the points are on a line";
   EXPECT_EQ(app::marksCsv(marks, reports),
             "mark,kind,points_mm,quantity,value,error,unit,notes\n"
             "\"a, \"\"b\"\"\",distance,\"0 0 0; 1 2 3\",straight,3.5,0.25,mm,\"far, off\"\n"
             "\"a, \"\"b\"\"\",distance,\"0 0 0; 1 2 3\",straight_1_2,3.5,,mm,\"far, off\"\n"
-            "c,circle,0 0 0,,,,,the points lie on a line\n");
+            "c,circle,0 0 0,,,,,the points are on a line\n");
 }
 
 TEST(MarkReports, ATableRunsNothingInASpreadsheetAndMovesNoCursor) {

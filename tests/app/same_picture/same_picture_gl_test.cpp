@@ -1,5 +1,5 @@
 // The same picture, whatever draws it: contexts, executors, instruction sets, threads, bricks, sessions.
-// docs/numerics.md, "The same picture", has the bounds and what was measured.
+// docs/explanation/numerics.md, "Bit-identical images", has the bounds and what was measured.
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -29,7 +29,7 @@ class SamePictureGlTest : public testing::TestWithParam<PictureScene> {
   }
   static DrawnWay draw(const Way& way = {}) { return drawWay(*context_, GetParam(), way); }
 
-  // The figures of docs/numerics.md are what this prints.
+  // The figures of docs/explanation/numerics.md are what this prints.
   static void expectKept(const char* pair, const DrawnWay& a, const DrawnWay& b, const WayBound& bound) {
     const WayDistance distance = distanceOf(a, b);
     std::cout << GetParam().name << ", " << pair << ": " << distance << '\n';
@@ -144,7 +144,8 @@ std::vector<PictureScene> scenesNamed(const std::vector<std::string>& names) {
 
 class SameHitsGlTest : public SamePictureGlTest {};
 
-// What each pixel says of its own error (docs/numerics.md, "Errors of a picture") is what two ways differ by.
+// What each pixel says of its own error (docs/explanation/accuracy.md, "Bounds of hits, normals and
+// curvature") is what two ways differ by.
 TEST_P(SameHitsGlTest, DifferByWhatPixelsSayAtMost) {
   const DrawnWay processor = draw(), shaders = draw({.executor = Executor::gpu});
   base::Progress progress;

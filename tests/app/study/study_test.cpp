@@ -210,7 +210,7 @@ TEST(StudyKnobs, KnobsWithoutEffectSayWhy) {
   for (const char* knob : {"samples", "sequence", "bounces", "interpolation", "precision"})
     EXPECT_EQ(why(knob, plain), "") << knob;
   for (const char* knob : {"environment_share", "sh_order", "sh_window", "components", "component_bits"})
-    EXPECT_THAT(why(knob, plain), HasSubstr("one colour")) << knob;
+    EXPECT_THAT(why(knob, plain), HasSubstr("constant")) << knob;
   EXPECT_EQ(why("rate", plain), "");
   scene::Scene scaled;
   EXPECT_EQ(why("fetch", scaled), "");
@@ -225,7 +225,7 @@ TEST(StudyKnobs, KnobsWithoutEffectSayWhy) {
   for (const char* knob : {"samples", "bounces", "interpolation", "sh_order", "precision"})
     EXPECT_THAT(why(knob, probe), HasSubstr("stored")) << knob;
   plain.light.environment.constant = glm::dvec3(0.0);
-  EXPECT_THAT(why("samples", plain), HasSubstr("no light is stored"));
+  EXPECT_THAT(why("samples", plain), HasSubstr("no light is baked"));
 }
 
 KnobStudy madeStudy() {
@@ -378,6 +378,7 @@ TEST(StudyCommand, WrongUseIsExit2) {
   };
   EXPECT_THAT(failure({}), HasSubstr("--out"));
   EXPECT_THAT(failure({"--out", "d", "--knobs", "methd"}), HasSubstr("did you mean method?"));
+  EXPECT_THAT(failure({"--out", "d", "--settings", "methd"}), HasSubstr("did you mean method?"));
   EXPECT_THAT(failure({"--out", "d", "--size", "0x4"}), HasSubstr("--size"));
   failure({"--out", "d", "--repeat", "0"});
 }

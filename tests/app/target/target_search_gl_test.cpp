@@ -101,7 +101,7 @@ TEST_F(TargetSearchGlTest, WhatNothingReachesIsRefusedWithWhatIsNearest) {
     FAIL();
   } catch (const base::Error& error) {
     EXPECT_EQ(error.kind(), base::ErrorKind::usage);
-    EXPECT_THAT(error.what(), HasSubstr("the least that can be promised is depth "));
+    EXPECT_THAT(error.what(), HasSubstr("the smallest guaranteed error is depth "));
   }
 }
 
@@ -140,7 +140,7 @@ TEST_F(TargetSearchGlTest, ALongTimeTakesTheMostExactAndAShortOneIsRefused) {
     search.keepTime(1e-6, progress_);
     FAIL();
   } catch (const base::Error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("the quickest take about"));
+    EXPECT_THAT(error.what(), HasSubstr("the fastest take about"));
   }
 }
 

@@ -168,7 +168,8 @@ TEST_P(ExactHitsGlTest, NoPixelOfACubicFieldIsMissed) {
 ISOLUX_ON_BOTH_EXECUTORS(ExactHitsGlTest);
 
 // The cells beside what stands for no value hold no surface: on the processor however far away that is;
-// shaders interpolate in single precision and lose the small values beside 1e9 (docs/numerics.md).
+// shaders interpolate in single precision and lose the small values beside 1e9
+// (docs/explanation/numerics.md).
 TEST_P(ExactHitsGlTest, AFillHoldsNoSurface) {
   const auto ball = [](double fill) {
     return prepared(gridOfVoxels(unitGeometry(glm::ivec3(48)), [=](glm::dvec3 p) {

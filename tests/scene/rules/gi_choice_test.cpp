@@ -28,7 +28,7 @@ TEST(GiChoice, NoLookReadsLight) {
     scene.look.mode = mode;
     EXPECT_FALSE(giChoiceOf(scene).wanted);
     EXPECT_EQ(giChoiceOf(scene).sky, GiMode::off);
-    EXPECT_EQ(giChoiceOf(scene).reason, "no look reads stored light");
+    EXPECT_EQ(giChoiceOf(scene).reason, "no look reads baked light");
   }
   Scene colored = underProbe();
   colored.look.mode = LookMode::kappa1;

@@ -114,14 +114,14 @@ TEST(Relevance, LightNeedsALitLook) {
   scene::Scene unlit;
   unlit.look.mode = scene::LookMode::kappa1;
   unlit.look.shading = scene::Shading::unlit;
-  EXPECT_EQ(scene::whyInactive("light.space", unlit), "only local shading has this light");
+  EXPECT_EQ(scene::whyInactive("light.space", unlit), "only local shading uses this light");
 }
 
 TEST(Relevance, AShadowNeedsAKeyLightThatBrightens) {
   scene::Scene scene;
   EXPECT_TRUE(acts("look.shadow", scene));
   scene.light.intensity = 0.0;
-  EXPECT_EQ(scene::whyInactive("look.shadow", scene), "the key light brightens nothing");
+  EXPECT_EQ(scene::whyInactive("look.shadow", scene), "the key light has no effect");
   scene.look.mode = scene::LookMode::tone;
   EXPECT_TRUE(acts("look.shadow", scene));
 }

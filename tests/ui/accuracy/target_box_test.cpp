@@ -71,12 +71,12 @@ TEST_F(TargetBoxTest, WhatIsRefusedSaysWhyInOneSentence) {
   show("phantom:torus:24");
   box()->askError(app::Quantity::depthMm, 1e-9);
   EXPECT_TRUE(found().startsWith("No settings keep depth at most 1e-09 mm")) << box()->text().toStdString();
-  EXPECT_TRUE(box()->text().contains("the least that can be promised is depth "));
+  EXPECT_TRUE(box()->text().contains("the smallest guaranteed error is depth "));
   EXPECT_FALSE(box()->applyButton()->isEnabled());
   box()->askError(app::Quantity::light, 2.0);
   EXPECT_EQ(found(), "This image uses no baked light; nothing to choose");
   box()->askTime(1e-6);
-  EXPECT_TRUE(found().startsWith("No settings keep 1e-06 ms; the quickest take about "))
+  EXPECT_TRUE(found().startsWith("No settings keep 1e-06 ms; the fastest take about "))
       << box()->text().toStdString();
   edit("clip.box=-1,-1,-1; 1,1,1");
   box()->askError(app::Quantity::depthMm, 1.0);

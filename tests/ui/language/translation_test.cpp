@@ -152,7 +152,7 @@ TEST(TranslationTest, EveryEntryIsFinishedAndFitsItsText) {
   }
 }
 
-// What the update of docs/architecture.md would add or take out.
+// What the update of docs/developers/extending.md would add or take out.
 TEST(TranslationTest, HoldsWhatIsInTheSourcesAndNothingElse) {
   const QString folder = QString::fromStdString((temporaryFolder() / "texts").string());
   ASSERT_TRUE(QDir().mkpath(folder));
@@ -224,7 +224,7 @@ TEST(TranslationTest, AnUnknownTextStaysAsItIs) {
   ui::setLanguage(ui::Language::german);
   EXPECT_EQ(ui::translated(ui::texts::presets, "My own preset"), "My own preset");
   EXPECT_EQ(ui::translatedSentence("nobody has said this"), "nobody has said this");
-  EXPECT_EQ(ui::translatedSentence("No surface at 300: the values lie between -1 and 2"),
+  EXPECT_EQ(ui::translatedSentence("No surface at 300: the data range is -1 to 2"),
             "Keine Oberfläche bei 300: die Werte liegen zwischen -1 und 2");
   EXPECT_EQ(ui::translatedSentence(app::agoText(std::chrono::minutes(5))), "vor 5 min");
   ui::setLanguage(ui::Language::english);
@@ -239,7 +239,7 @@ TEST(TranslationTest, WhyNoSettingsKeepAnErrorIsSaidInGermanAsAWhole) {
     const app::Limit limit{quantity, 0.5};
     const QString text =
         ui::translatedWithParts("no settings keep " + app::limitsText({&limit, 1}) +
-                                ", missed at most 0.1 %; the least that can be promised is " +
+                                ", missed at most 0.1 %; the smallest guaranteed error is " +
                                 app::nameOf(quantity) + ' ' + app::errorText(quantity, 0.25));
     const auto at = app::indexOf(quantity);
     const QString unit = QString::fromStdString(app::errorText(quantity, 0.5)).section(' ', 1);
@@ -260,7 +260,7 @@ TEST(TranslationTest, AMarkSaysTheSameInBothLanguages) {
   app::MarkReport report;
   report.place = "L 1.0 mm";
   report.quantities = {{"surface_distance", 4.0, 0.25, "mm"}};
-  report.notes = {"point 2 lies 3 mm off the surface"};
+  report.notes = {"point 2 is 3 mm off the surface"};
   EXPECT_EQ(ui::markText(mark, report).toStdString(), app::fullText(mark, report));
   ui::setLanguage(ui::Language::german);
   EXPECT_EQ(ui::markText(mark, report),

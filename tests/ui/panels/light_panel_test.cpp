@@ -288,7 +288,7 @@ TEST_F(LightPanelTest, WhatCannotBeTurnedSaysWhy) {
   const scene::Scene before = document()->scene();
   drag(viewport(), centre(), centre() + QPoint(30, 10), Qt::RightButton, Qt::ShiftModifier);
   EXPECT_EQ(document()->scene(), before);
-  EXPECT_TRUE(window_->messageBar()->text().contains("sky of one colour"))
+  EXPECT_TRUE(window_->messageBar()->text().contains("constant environment"))
       << window_->messageBar()->text().toStdString();
 }
 

@@ -39,7 +39,7 @@ TEST_F(EmptyPictureTest, AnIsovalueOutsideTheValues) {
   edit.scene.isosurface.value = 5000.0;
   window_->document()->edit(edit);
   fullPicture(*window_);
-  EXPECT_TRUE(said().startsWith("No surface at 5000: the values lie between -")) << said().toStdString();
+  EXPECT_TRUE(said().startsWith("No surface at 5000: the data range is -")) << said().toStdString();
   expectTheRemedyHelps();
 }
 
@@ -70,7 +70,7 @@ TEST_F(EmptyPictureTest, PiecesThatAreAllHidden) {
   edit.scene.pieces.smallest = 1e9;  // mm^3
   window_->document()->edit(edit);
   fullPicture(*window_);
-  EXPECT_EQ(said(), "Every piece of the surface that could be seen here is hidden");
+  EXPECT_EQ(said(), "All connected components that would be visible here are hidden");
   EXPECT_EQ(remedy()->text(), "Show all pieces");
   expectTheRemedyHelps();
 }
@@ -80,7 +80,7 @@ TEST_F(EmptyPictureTest, CutsThatLeaveNothing) {
   edit.scene.clip.planes = {{glm::dvec3(0.0, 0.0, -1000.0), glm::dvec3(0.0, 0.0, 1.0)}};
   window_->document()->edit(edit);
   fullPicture(*window_);
-  EXPECT_EQ(said(), "The cuts leave nothing of the surface to be seen");
+  EXPECT_EQ(said(), "The cuts remove all of the surface");
   EXPECT_EQ(remedy()->text(), "Remove the cuts");
   expectTheRemedyHelps();
 }

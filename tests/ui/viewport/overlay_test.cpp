@@ -78,7 +78,7 @@ TEST(OverlayTest, ANoteThatIsTooWideIsBrokenBetweenWords) {
   ui::ViewportOverlay overlay(nullptr);
   overlay.resize(264, 480);
   overlay.setScene(scene::resolve({}, headFacts()), true, scene::WorldAxes::anatomical);
-  overlay.setNote("No surface at 999: the values lie between -0.0224431 and 0.0224431");
+  overlay.setNote("No surface at 999: the data range is -0.0224431 to 0.0224431");
   const ui::ViewportOverlay::Arrangement found = overlay.arrangement();
   EXPECT_LE(found.note.width(), 264.0 - 24.0);
   EXPECT_GT(found.note.height(), 1.5 * overlay.fontMetrics().lineSpacing());

@@ -64,7 +64,7 @@ TEST_F(WindowTest, AnotherKindOfDataIsChosenInTheVolumePanel) {
   const auto* const panel = window_->findChild<ui::VolumePanel*>();
   QComboBox* const kind = panel->kindChoice();
   EXPECT_EQ(kind->currentText(), "CT in Hounsfield units (automatic)");
-  EXPECT_TRUE(kind->toolTip().contains("its file says so")) << kind->toolTip().toStdString();
+  EXPECT_TRUE(kind->toolTip().contains("its file states it")) << kind->toolTip().toStdString();
   kind->setCurrentIndex(kind->findText("MR"));
   Q_EMIT kind->activated(kind->currentIndex());
   ASSERT_TRUE(waitUntil([&] { return window_->document()->volume()->kind.kind == scene::DataKind::mr; }));

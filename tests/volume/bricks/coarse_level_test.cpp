@@ -206,7 +206,7 @@ TEST_F(CoarseLevel, WhatThereIsNotIsRefused) {
   EXPECT_THAT(refusal(source, 4, base::ErrorKind::usage), HasSubstr("the coarsest is 3"));
   scene::Source phantom;
   phantom.path = "phantom:ball:32";
-  EXPECT_THAT(refusal(phantom, 1, base::ErrorKind::usage), HasSubstr("phantoms are no files"));
+  EXPECT_THAT(refusal(phantom, 1, base::ErrorKind::usage), HasSubstr("a phantom is not a file"));
   scene::Machine machine;
   machine.voxels = scene::VoxelPlace::file;
   scene::Source coarse = source;
@@ -329,7 +329,7 @@ TYPED_TEST(DamagedLevel, ItIsRefusedUnasked) {
   for (const int level : {0, 1}) {
     const std::string why = this->whyNot(level);
     EXPECT_THAT(why, HasSubstr("1.1.2"));
-    EXPECT_THAT(why, HasSubstr("source.around_damage=true reads what can be read"));
+    EXPECT_THAT(why, HasSubstr("source.around_damage=true reads the rest"));
   }
 }
 

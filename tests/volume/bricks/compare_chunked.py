@@ -687,7 +687,7 @@ def virtual(tool, folder):
         file.create_virtual_dataset("v", layout)
     compare(tool, "virtual of slices of its own file", f"{folder}/slices.h5:/v", values[:4])
     for name, source, wanted in [("gone", "nowhere.h5", "nowhere.h5"), ("out", "/etc/part0_0.h5", "outside the folder"),
-                                 ("mesh", "part0_0.h5", "no boxes")]:
+                                 ("mesh", "part0_0.h5", "not boxes")]:
         layout = h5py.VirtualLayout((2, 7, 8), "<u2")
         whole = h5py.VirtualSource(source, "entry/data", (5, 7, 8))
         layout[...] = whole[::3] if name == "mesh" else whole[:2]

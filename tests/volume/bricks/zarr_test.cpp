@@ -184,7 +184,7 @@ TEST(Zarr, ALevelThatLiesElsewhereIsLeftOut) {
   const auto zarr = opened(image("[3, 2, 1]", R"({"type": "scale", "scale": [6, 4, 2]},
     {"type": "translation", "translation": [0, 0, 40]})"));
   EXPECT_EQ(zarr->facts().levels.size(), 1u);
-  EXPECT_THAT(zarr->facts().warnings, testing::Contains(HasSubstr("does not lie where level 0 lies")));
+  EXPECT_THAT(zarr->facts().warnings, testing::Contains(HasSubstr("is not at the position of level 0")));
 }
 
 TEST(Zarr, ImagesBeforeVersion03HaveAlwaysTheSameAxes) {
@@ -283,15 +283,15 @@ TEST(Zarr, BareWordsOfPythonAreRead) {
   EXPECT_THAT(volume.warnings, testing::Contains(HasSubstr("valid range")));
   Files files = labelled("");
   files["v/.zattrs"] = R"({"a": NaN, "b": nil})";
-  EXPECT_THAT(refusal(files), HasSubstr("v/.zattrs: byte 18: is no JSON"));
+  EXPECT_THAT(refusal(files), HasSubstr("v/.zattrs: byte 18: is not JSON"));
 }
 
 TEST(Zarr, AKeyThatStandsTwiceIsSaid) {
   EXPECT_THAT(whole(labelled(R"(, "scale_factor": 2, "scale_factor": 3)")).warnings,
-              testing::Contains(HasSubstr(R"("scale_factor" stands twice in .zattrs)")));
+              testing::Contains(HasSubstr(R"("scale_factor" occurs twice in .zattrs)")));
   Files files = image("[3, 2, 1]", R"({"type": "scale", "scale": [6, 4, 2]})");
   files[".zattrs"] = replaced(files[".zattrs"], R"("unit": "mm")", R"("unit": "m", "unit": "mm")");
-  EXPECT_THAT(whole(files).warnings, testing::Contains(HasSubstr(R"("unit" stands twice)")));
+  EXPECT_THAT(whole(files).warnings, testing::Contains(HasSubstr(R"("unit" occurs twice)")));
 }
 
 TEST(Zarr, OfTransformationsScaleAndTranslationAreRead) {
@@ -371,7 +371,7 @@ TEST(Zarr, ShardsAreReadByTheirIndex) {
   const auto zarr = opened(shard(false, 6));
   EXPECT_THAT(readBox(*zarr, {0, 0, 0}, {2, 2, 2}), testing::ElementsAre(10, 11, 12, 13, 14, 15, 5, 17));
   EXPECT_THAT(refusal(shard(true, 6)), HasSubstr("checksum of the shard's index is wrong"));
-  EXPECT_THAT(refusal(shard(false, 1000)), HasSubstr("chunk 0/1/1: damaged: it lies behind the end"));
+  EXPECT_THAT(refusal(shard(false, 1000)), HasSubstr("chunk 0/1/1: damaged: beyond the end"));
 }
 
 TEST(Zarr, TheFillValueOfXarrayInZarr3IsInBase64) {

@@ -298,10 +298,10 @@ TEST(InventedData, IsNamedWorstFirst) {
   const std::vector<std::string> warnings{
       "gantry tilt of 18.5 degrees, kept so",
       "slice distances are uneven (1.081 to 6.999 mm): resampled linearly from 28 onto 37 slices",
-      "slices are missing in 13 places; what is shown there is interpolated"};
+      "slices are missing in 13 places; these are interpolated"};
   EXPECT_EQ(volume::inventedData(warnings),
             (std::vector<std::string>{"13 gaps interpolated", "uneven slices resampled"}));
-  const std::vector<std::string> one{"slices are missing in 1 place; what is shown there is interpolated"};
+  const std::vector<std::string> one{"slices are missing in 1 place; these are interpolated"};
   EXPECT_EQ(volume::inventedData(one), std::vector<std::string>{"1 gap interpolated"});
   const std::vector<std::string> assumed{"ElementSpacing is missing; 1 mm assumed"};
   EXPECT_TRUE(volume::inventedData(assumed).empty());

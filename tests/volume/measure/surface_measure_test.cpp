@@ -264,12 +264,12 @@ TEST(SurfaceMeasureTest, AMaskIsMeasuredAtAndNextToItsValues) {
 
 TEST(SurfaceMeasureTest, SaysWhyThereIsNoSurface) {
   EXPECT_EQ(volume::whyNoSurface(phantomGrid("plane", glm::ivec3(8, 8, 1))),
-            "there is no surface: an axis of the volume has one voxel only");
+            "no surface: the volume has only one voxel along an axis");
   EXPECT_EQ(volume::whyNoSurface(
                 gridOfVoxels(unitGeometry(glm::ivec3(4)), [](glm::dvec3) { return std::nan(""); })),
-            "there is no surface: every voxel is missing");
+            "no surface: all voxels are missing");
   EXPECT_EQ(volume::whyNoSurface(gridOfVoxels(unitGeometry(glm::ivec3(4)), [](glm::dvec3 p) { return p.x; })),
-            "there is no surface; values reach from 0 to 3");
+            "no surface; the data range is 0 to 3");
 }
 
 }  // namespace

@@ -72,9 +72,9 @@ TEST_F(BrokenFiles, MetaImage) {
        {"type is missing", "NDims = 3\nDimSize = 2 2 2\nElementDataFile = LOCAL\n" + eight, "ElementType"},
        {"no data file field", "NDims = 3\nDimSize = 2 2 2\nElementType = MET_UCHAR\n", "ElementDataFile"},
        {"data file is missing", with("2 2 2", "ElementDataFile = nothing.raw\n"), "no such file"},
-       {"path escapes", with("2 2 2", "ElementDataFile = ../../etc/passwd\n"), "path escapes"},
-       {"absolute path", with("2 2 2", "ElementDataFile = /etc/passwd\n"), "path escapes"},
-       {"data file is a folder", with("2 2 2", "ElementDataFile = .\n"), "is no file"},
+       {"path escapes", with("2 2 2", "ElementDataFile = ../../etc/passwd\n"), "path leaves"},
+       {"absolute path", with("2 2 2", "ElementDataFile = /etc/passwd\n"), "path leaves"},
+       {"data file is a folder", with("2 2 2", "ElementDataFile = .\n"), "is not a file"},
        {"compressed rubbish", with("2 2 2", "CompressedData = True\n", "no zlib stream"), "damaged"},
        {"compressed and too short", with("2 2 2", "CompressedData = True\n", test::zlibbed("abc")),
         "truncated"},
@@ -110,7 +110,7 @@ TEST_F(BrokenFiles, Nrrd) {
        {"unknown encoding", with(sizes + "encoding: rot13\n"), "rot13"},
        {"unknown type", "NRRD0004\ntype: block\ndimension: 3\n" + sizes + raw + "\n" + eight, "block"},
        {"17 axes", "NRRD0004\ntype: uint8\ndimension: 17\n" + sizes + raw + "\n" + eight, "2 to 5 axes"},
-       {"path escapes", with(sizes + raw + "data file: ../x.raw\n"), "path escapes"},
+       {"path escapes", with(sizes + raw + "data file: ../x.raw\n"), "path leaves"},
        {"data file is missing", with(sizes + raw + "data file: nothing.raw\n"), "no such file"},
        {"vector not closed", with(sizes + raw + "space: LPS\nspace directions: (1,0,0 (0,1,0) (0,0,1)\n"),
         "space directions"},
@@ -215,7 +215,7 @@ TEST_F(BrokenFiles, Vtk) {
        {"no array", vti("0 1 0 1 0 1", ""), "no named array"},
        {"another dataset", "<VTKFile type=\"RectilinearGrid\"></VTKFile>", "of volumes ImageData is read"},
        {"tag not closed", "<VTKFile type=\"ImageData\"", "truncated"},
-       {"entities", "<!DOCTYPE x><VTKFile type=\"ImageData\"></VTKFile>", "refused"}});
+       {"entities", "<!DOCTYPE x><VTKFile type=\"ImageData\"></VTKFile>", "not supported"}});
 }
 
 TEST_F(BrokenFiles, PathsThatAreNoVolumes) {

@@ -79,7 +79,7 @@ TEST(DicomFiles, OldFilesBeginWithTheirFirstElement) {
   // Numbers are no elements.
   const std::string raw = test::bytesOf(test::ramp<std::int16_t>(2000, 8));
   test::writeFile(folder / "raw.bin", raw);
-  expectError(folder / "raw.bin", "no volume format is recognised");
+  expectError(folder / "raw.bin", "unknown volume format");
 }
 
 TEST(DicomFiles, TheIndexOfADiscOpensItsFolder) {
@@ -135,7 +135,7 @@ TEST(DicomObjects, ThoseBesideAScanAreCountedAndAScanIsChosen) {
   const fs::path folder = writeSeries({flatSlice(0, 1, 1), flatSlice(2, 2, 2), report, mask});
   const auto v = readFile(folder);
   EXPECT_EQ(v.grid->dims().z, 2);
-  EXPECT_TRUE(warns(v, "2 DICOM objects are no scans"));
+  EXPECT_TRUE(warns(v, "2 DICOM objects are not scans"));
   EXPECT_EQ(v.seriesChoices.size(), 1u);
   volume::ReadOptions options;
   options.series = "7";

@@ -168,10 +168,10 @@ TEST(ReaderMesh, BrokenFilesAreRefusedWithOneLine) {
        "has no property z"},
       {"vtp index", "a.vtp", vtp("3", "0 1 7", "3"), "names point 7"},
       {"vtp negative index", "b.vtp", vtp("3", "0 1 -1", "3"), "names point -1"},
-      {"vtp offsets", "c.vtp", vtp("3", "0 1 2", "99"), "VTK refuses it"},
+      {"vtp offsets", "c.vtp", vtp("3", "0 1 2", "99"), "VTK cannot read it"},
       {"vtp negative offset", "c2.vtp", vtp("3", "0 1 2", "-3"), ""},
       {"vtp claims", "d.vtp", vtp("3000000000", "0 1 2", "3"), "too short for 3000000000"},
-      {"vtp negative", "e.vtp", vtp("-1", "0 1 2", "3"), "no number of things"},
+      {"vtp negative", "e.vtp", vtp("-1", "0 1 2", "3"), "is not a count"},
       {"vtp cut", "f.vtp", vtp("3", "0 1 2", "3").substr(0, 200), ""},
       {"vtp no piece", "g.vtp", "<VTKFile type=\"PolyData\"></VTKFile>", "Piece"},
   };

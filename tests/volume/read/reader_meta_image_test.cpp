@@ -115,7 +115,7 @@ TEST(MetaImage, ListsAndPatterns) {
   EXPECT_EQ(valuesOf(readFile(folder / "list.mhd")), zeroToSeven);
   EXPECT_EQ(valuesOf(readFile(folder / "pattern.mhd")), zeroToSeven);
   writeFile(folder / "evil.mhd", header + "ElementDataFile = slice%n.raw 8 9 1\n");
-  expectError(folder / "evil.mhd", "no pattern");
+  expectError(folder / "evil.mhd", "is not a pattern");
 }
 
 TEST(MetaImage, RangesOfFileNumbersEndAtTheGreatestNumber) {

@@ -184,7 +184,7 @@ TEST(Nifti, KindsOfNumbers) {
   file.intent = 1002;
   EXPECT_TRUE(test::warns(read(file), "labels"));
   const auto path = test::temporaryFolder() / "surface.nii";
-  for (const auto& [intent, reason] : {std::pair(3006, "CIFTI"), std::pair(1008, "no voxels")}) {
+  for (const auto& [intent, reason] : {std::pair(3006, "CIFTI"), std::pair(1008, "not voxels")}) {
     file.intent = intent;
     writeFile(path, file.bytes());
     expectError(path, reason);
@@ -305,7 +305,7 @@ TEST(Nifti, BigEndianGzipAndPairs) {
   file.magic = "ni1";
   file.voxOffset = 0;
   writeFile(folder / "p.hdr", file.header());
-  expectError(folder / "p.hdr", ".img file beside this header is missing");
+  expectError(folder / "p.hdr", ".img file of this header is missing");
   writeFile(folder / "p.img", file.voxels);
   EXPECT_EQ(valuesOf(readFile(folder / "p.hdr")), zeroToSeven);
   EXPECT_EQ(valuesOf(readFile(folder / "p.img")), zeroToSeven);

@@ -41,7 +41,8 @@ TEST(Nrrd, SpacesBecomeLps) {
     expectNear(worldOf(read, 1, 0, 0), {12 * sx, 20 * sy, 30});
     expectNear(worldOf(read, 0, 1, 0), {10 * sx, 23 * sy, 30});
     expectNear(worldOf(read, 0, 0, 1), {10.5 * sx, 20 * sy, 34});
-    EXPECT_EQ(test::warns(read, "where the patient lies"), std::string(space) == "scanner-xyz");
+    EXPECT_EQ(test::warns(read, "does not state the patient's orientation"),
+              std::string(space) == "scanner-xyz");
   }
 }
 

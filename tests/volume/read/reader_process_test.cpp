@@ -91,7 +91,7 @@ TEST(ReaderProcess, ItsErrorsArePassedOn) {
 TEST(ReaderProcess, AnswersThatMakeNoSenseAreRefused) {
   expectRefusal(readByFake("another version"), "not of this version");
   expectRefusal(readByFake("unknown message"), "out of range");
-  expectRefusal(readByFake("mesh instead"), "none to what was asked");
+  expectRefusal(readByFake("mesh instead"), "does not answer the request");
   expectRefusal(readByFake("endless message"), "out of range");
   expectRefusal(readByFake("truncated body"), "ends too early");
   expectRefusal(readByFake("body too long"), "behind its end");
@@ -111,7 +111,7 @@ TEST(ReaderProcess, MeshesAndImagesAreCheckedToo) {
   base::Progress progress;
   expectRefusal(
       outcomeOf([&](Outcome&) { volume::readMeshBy(fakeReader(), "wrong triangle", 1 << 20, progress); }),
-      "no point of the mesh");
+      "is not a point of the mesh");
   expectRefusal(outcomeOf([&](Outcome&) { volume::readImageBy(fakeReader(), "endless image", progress); }),
                 "larger than one may be");
 }

@@ -1,4 +1,4 @@
-// The statementTables of docs/reading-volumes.md: what every format says about itself is honoured, warned
+// The statementTables of docs/reference/formats.md: what every format says about itself is honoured, warned
 // about or refused, and each cell names tests that are there.
 #include <algorithm>
 #include <filesystem>

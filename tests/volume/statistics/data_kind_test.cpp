@@ -87,7 +87,7 @@ TEST(DataKind, WhoSaysItHasTheLastWord) {
   for (const Kind kind : {Kind::ct, Kind::mr, Kind::microscopy, Kind::other}) {
     const auto volume = opened("phantom:head:32", kind);
     EXPECT_EQ(volume->kind.kind, kind);
-    EXPECT_EQ(volume->kind.reason, "source.kind says so");
+    EXPECT_EQ(volume->kind.reason, "source.kind is set");
     EXPECT_EQ(volume->volume.unit, "");
   }
   EXPECT_EQ(opened("phantom:torus:32", Kind::ct_hu)->volume.unit, "HU");

@@ -108,11 +108,11 @@ TEST(DerivativeChoices, MuchWithoutConfidenceRefusesZeroWhereAScaleHasLessError)
   const Grid head = test::phantomGrid("head", 128);
   const DerivativeChoice skin = chosen(test::withNoise(head, 10.0, glm::dvec3(0.0), 1), {-300.0});
   EXPECT_NEAR(skin.scaleMm, std::sqrt(0.5) * head.geometry().spacingMm().x, 1e-3) << skin.scaleReason;
-  EXPECT_NE(skin.scaleReason.find("of what is seen"), std::string::npos) << skin.scaleReason;
+  EXPECT_NE(skin.scaleReason.find("of the visible surface"), std::string::npos) << skin.scaleReason;
   // Bone has detail everywhere: a scale loses more of it than it gains, and that is said.
   const DerivativeChoice bone = chosen(test::withNoise(head, 10.0, glm::dvec3(0.0), 1), {300.0});
   EXPECT_EQ(bone.scaleMm, 0.0);
-  EXPECT_NE(bone.scaleReason.find("of what is seen, any scale loses more"), std::string::npos)
+  EXPECT_NE(bone.scaleReason.find("of the visible surface, any scale loses more"), std::string::npos)
       << bone.scaleReason;
 }
 

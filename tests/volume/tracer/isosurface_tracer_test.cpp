@@ -579,7 +579,8 @@ std::string nameOfTarget(const testing::TestParamInfo<TracerTarget>& info) {
 INSTANTIATE_TEST_SUITE_P(Targets, IsosurfaceTracerOn, testing::ValuesIn(IsosurfaceTracer::availableTargets()),
                          nameOfTarget);
 
-// What stored light of one kind of arithmetic rests on (docs/clusters.md, "The same bits").
+// What stored light of one kind of arithmetic rests on (docs/explanation/global-illumination.md, "Path
+// tracing").
 TEST(IsosurfaceTracer, FusedTargetsGiveTheSameBits) {
   std::vector<TracerTarget> fused = IsosurfaceTracer::availableTargets();
   std::erase_if(fused, [](TracerTarget t) { return t != TracerTarget::avx2 && t != TracerTarget::avx512; });

@@ -64,7 +64,7 @@ class Values {
     if (!found->second.numbers.empty()) return found->second.numbers;
     const auto parsed = realsOf(found->second.text);
     if (parsed && !parsed->empty()) return *parsed;
-    statements_.warnings.push_back(std::string(name) + " is no number; left out");
+    statements_.warnings.push_back(std::string(name) + " is not a number; left out");
     return {};
   }
 

@@ -90,10 +90,10 @@ ArrayChunk Hdf5Array::read(std::span<const std::uint64_t> index, std::span<const
   }
   const Hdf5Chunk& chunk = chunks_[static_cast<std::size_t>(at)];
   if (chunk.size == 0) return missingChunk(format_);
-  if (chunk.file >= files_.size()) throwBadAnswer("a chunk lies in no file");
+  if (chunk.file >= files_.size()) throwBadAnswer("a chunk is in no file");
   const Bytes& bytes = *files_[static_cast<std::size_t>(chunk.file)];
   if (chunk.address > bytes.size() || chunk.size > bytes.size() - chunk.address)
-    throwInput(bytes.name(), place, "truncated: it lies behind the end of the file");
+    throwInput(bytes.name(), place, "truncated: beyond the end of the file");
   const ChunkFormat format = chunk.mask == 0 ? format_ : formatOf(chunk.mask);
   const std::uint64_t wanted = format.fileBytes();
   if (format.codecs.empty() ? chunk.size != wanted

@@ -27,14 +27,14 @@ bool JsonField::has(const char* key) const {
 
 JsonField JsonField::at(const char* key) const {
   const std::string place = place_.empty() ? key : place_ + "." + key;
-  if (!value_->is_object()) refuse("is no object");
+  if (!value_->is_object()) refuse("is not an object");
   const auto found = value_->find(key);
   if (found == value_->end()) base::throwInput(file_, place, "is missing");
   return {*found, file_, place};
 }
 
 std::vector<JsonField> JsonField::entries() const {
-  if (!value_->is_array()) refuse("is no list");
+  if (!value_->is_array()) refuse("is not a list");
   constexpr std::size_t most = 10000;
   if (value_->size() > most) refuse("is a list of more than " + std::to_string(most) + " entries");
   std::vector<JsonField> fields;
@@ -44,7 +44,7 @@ std::vector<JsonField> JsonField::entries() const {
 }
 
 std::string JsonField::text() const {
-  if (!value_->is_string()) refuse("is no text");
+  if (!value_->is_string()) refuse("is not text");
   return value_->get<std::string>();
 }
 
@@ -61,7 +61,7 @@ double JsonField::number() const {
     if (word == "Infinity") return std::numeric_limits<double>::infinity();
     if (word == "-Infinity") return -std::numeric_limits<double>::infinity();
   }
-  refuse("is no number");
+  refuse("is not a number");
 }
 
 std::vector<double> JsonField::numbers(std::size_t count) const {
@@ -143,16 +143,16 @@ nlohmann::json parseJson(const std::string& text, const std::string& file,
   try {
     KeyWatch watch;
     nlohmann::json json = nlohmann::json::parse(plain, std::ref(watch));
-    if (!json.is_object()) base::throwInput(file, "", "is no JSON object");
+    if (!json.is_object()) base::throwInput(file, "", "is not a JSON object");
     if (warnings)
       for (const std::string& key : watch.twice())
-        warnings->push_back("the key " + inQuotes(key) + " stands twice in " +
+        warnings->push_back("the key " + inQuotes(key) + " occurs twice in " +
                             std::filesystem::path(file).filename().string() + "; the last one counts");
     return json;
   } catch (const nlohmann::json::parse_error& error) {
     std::size_t byte = error.byte;
     for (const std::size_t at : quoted) byte -= at < error.byte ? 2 : 0;
-    base::throwInput(file, "byte " + std::to_string(byte), "is no JSON");
+    base::throwInput(file, "byte " + std::to_string(byte), "is not JSON");
   } catch (const nlohmann::json::exception& error) {
     base::throwInput(file, "", std::string("cannot be used: ") + error.what());
   }

@@ -100,7 +100,7 @@ std::string misplacedBy(const OmeLevel& finest, glm::dvec3 finestDims, const Ome
     if (dims[axis] > finestDims[axis]) return "it is finer than level 0";
     if (!(std::abs(wanted.low[axis] - got.low[axis]) <= voxel) ||
         !(std::abs(wanted.high[axis] - got.high[axis]) <= voxel))
-      return "it does not lie where level 0 lies";
+      return "it is not at the position of level 0";
   }
   return {};
 }
@@ -258,7 +258,7 @@ std::unique_ptr<ArrayVolume> openZarr(std::shared_ptr<const ZarrStore> store, co
     throwInput(name, "", "the Zarr group holds no image and no array; open a folder in it that does");
   const std::string chosen = series.empty() ? images.front() : series;
   if (std::find(images.begin(), images.end(), chosen) == images.end())
-    throw base::Error(base::ErrorKind::usage, name, "source.series", "there is no image \"" + chosen + "\"");
+    throw base::Error(base::ErrorKind::usage, name, "source.series", "unknown image \"" + chosen + "\"");
   auto volume = openZarr(store, joinedKey(key, chosen), name, "");
   if (images.size() == 1) return volume;
   std::vector<std::string> choices;

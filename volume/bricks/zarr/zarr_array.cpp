@@ -61,7 +61,8 @@ ZarrArray::ZarrArray(std::shared_ptr<const ZarrStore> store, std::string key)
   if (const auto text = store_->text(v3)) {
     const std::string file = store_->nameOf(v3);
     const nlohmann::json json = parseJson(*text, file, &warnings_);
-    if (json.value("node_type", nlohmann::json()) != "array") throwInput(file, "node_type", "is no array");
+    if (json.value("node_type", nlohmann::json()) != "array")
+      throwInput(file, "node_type", "is not an array");
     metadata_ = parseZarrV3(json, file);
     if (json.contains("attributes") && json["attributes"].is_object()) attributes = json["attributes"];
   } else if (const auto old = store_->text(v2)) {
@@ -71,7 +72,7 @@ ZarrArray::ZarrArray(std::shared_ptr<const ZarrStore> store, std::string key)
     if (const auto more = store_->text(beside))
       attributes = parseJson(*more, store_->nameOf(beside), &warnings_);
   } else {
-    throwInput(store_->nameOf(key_), "", "is no Zarr array: it has neither zarr.json nor .zarray");
+    throwInput(store_->nameOf(key_), "", "is not a Zarr array: it has neither zarr.json nor .zarray");
   }
   attributes_ = std::make_shared<const nlohmann::json>(std::move(attributes));
   metadata_.format.number = withSign(attributesOf(*this), metadata_.format.number);
@@ -149,7 +150,7 @@ ZarrArray::Place ZarrArray::placeInShard(const Bytes& shard, const std::string& 
   constexpr std::uint64_t none = ~std::uint64_t{0};
   if (place.offset == none && place.size == none) return place;
   if (place.offset > shard.size() || place.size > shard.size() - place.offset)
-    throwInput(shard.name(), placeText(index), "damaged: it lies behind the end of the shard");
+    throwInput(shard.name(), placeText(index), "damaged: beyond the end of the shard");
   return place;
 }
 

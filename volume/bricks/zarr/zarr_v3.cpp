@@ -52,10 +52,10 @@ std::array<std::byte, 8> fillOfBits(const JsonField& field, const FileNumber& nu
                                     std::string_view digits) {
   std::array<std::byte, 8> fill{};
   const std::size_t width = bytesOf(number.type);
-  if (number.half || digits.size() != 2 * width) field.refuse("is no number of the array's type");
+  if (number.half || digits.size() != 2 * width) field.refuse("is not a number of the array's type");
   std::uint64_t bits = 0;
   for (const char c : digits) {
-    if (std::isxdigit(static_cast<unsigned char>(c)) == 0) field.refuse("is no number");
+    if (std::isxdigit(static_cast<unsigned char>(c)) == 0) field.refuse("is not a number");
     const auto digit = static_cast<std::uint64_t>(c <= '9' ? c - '0' : (c | 0x20) - 'a' + 10);
     bits = bits << 4 | digit;
   }
@@ -85,12 +85,12 @@ void transpose(const Extension& codec, std::vector<std::size_t>& order) {
   std::vector<std::size_t> turned;
   for (const double axis : wanted) {
     const bool known = axis >= 0.0 && axis < static_cast<double>(order.size()) && axis == std::floor(axis);
-    if (!known) codec.configuration.at("order").refuse("is no order of the axes");
+    if (!known) codec.configuration.at("order").refuse("is not an order of the axes");
     turned.push_back(order[static_cast<std::size_t>(axis)]);
   }
   for (const std::size_t axis : order)
     if (std::count(turned.begin(), turned.end(), axis) != 1)
-      codec.configuration.at("order").refuse("is no order of the axes");
+      codec.configuration.at("order").refuse("is not an order of the axes");
   order = std::move(turned);
 }
 
@@ -160,7 +160,7 @@ void readCodecs(const JsonField& field, ZarrMetadata& metadata) {
       return readSharding(codec, metadata);
     }
     if (codec.name == "transpose" || codec.name == "bytes") {
-      if (asBytes) entry.refuse("the codec " + codec.name + " stands behind bytes");
+      if (asBytes) entry.refuse("the codec " + codec.name + " follows bytes");
       if (codec.name == "transpose") {
         transpose(codec, format.order);
         continue;

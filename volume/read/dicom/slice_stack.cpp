@@ -41,7 +41,7 @@ void separateTimeSteps(const SlicePlanes& planes, const std::vector<double>& alo
   TimeSteps steps = separateRepeats(groups, planes.tags);
   if (steps.count > 1 && groups.size() == 1 && !steps.stated)
     throwInput(file, "slice positions",
-               "all " + std::to_string(steps.count) + " slices lie at the same place");
+               "all " + std::to_string(steps.count) + " slices have the same position");
   stack.order = std::move(steps.order);
   stack.timeSteps = steps.count;
   stack.warnings = std::move(steps.warnings);
@@ -88,7 +88,7 @@ std::string wideGapsText(const std::vector<double>& gaps, double median) {
     return text + " mm";
   }
   return std::string(kSlicesMissing) + std::to_string(wide) + (wide == 1 ? " place" : " places") +
-         "; what is shown there is interpolated";
+         "; these are interpolated";
 }
 
 }  // namespace
@@ -143,9 +143,9 @@ SliceStack stackSlices(const SlicePlanes& planes, const std::string& file) {
   const double pixel = std::min(planes.spacingXMm, planes.spacingYMm);
   if (lateral > toleratedLateral * pixel)
     throwInput(file, "slice positions",
-               "the slices do not lie on one line: one is " + fourDigits(lateral) + " mm beside it");
+               "the slices are not on one line: one is " + fourDigits(lateral) + " mm off");
   if (lateral > silentLateral * pixel)
-    stack.warnings.push_back("a slice lies " + fourDigits(lateral) + " mm beside the line of the others");
+    stack.warnings.push_back("a slice is " + fourDigits(lateral) + " mm off the line of the others");
 
   if (uneven > toleratedUnevenness * median) {
     const auto [least, most] = std::minmax_element(gaps.begin(), gaps.end());

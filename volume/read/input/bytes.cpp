@@ -81,12 +81,13 @@ OpenBeside openBeside(const fs::path& header) {
     if (name.empty() || name.find('\0') != std::string::npos)
       throwInput(header.string(), "data file", "has no usable name");
     if (relative.is_absolute())
-      throwInput(header.string(), place, "path escapes the folder of the header: absolute paths are refused");
+      throwInput(header.string(), place,
+                 "path leaves the folder of the header: absolute paths are not allowed");
     if (std::any_of(relative.begin(), relative.end(), [](const fs::path& part) { return part == ".."; }))
-      throwInput(header.string(), place, "path escapes the folder of the header: \"..\" is refused");
+      throwInput(header.string(), place, "path leaves the folder of the header: \"..\" is not allowed");
     const fs::path file = header.parent_path() / relative;
     if (!fs::exists(file, ignored)) throwInput(header.string(), place, "no such file");
-    if (!fs::is_regular_file(file, ignored)) throwInput(header.string(), place, "is no file");
+    if (!fs::is_regular_file(file, ignored)) throwInput(header.string(), place, "is not a file");
     return std::make_unique<FileBytes>(file);
   };
 }

@@ -83,7 +83,7 @@ glm::dmat4 checkedGeometry(glm::dmat3 directions, glm::dvec3 spacingMm, glm::dve
     originMm = glm::dvec3(0.0);
   }
   for (int axis = 0; axis < 3; ++axis)
-    if (std::abs(originMm[axis]) > 1e12) throwInput(file, "origin", "lies more than 1e12 mm away");
+    if (std::abs(originMm[axis]) > 1e12) throwInput(file, "origin", "is more than 1e12 mm away");
   return GridGeometry::make(glm::ivec3(1), spacingMm, originMm, directions).worldFromVoxel;
 }
 

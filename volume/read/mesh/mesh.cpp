@@ -44,7 +44,7 @@ void checkMesh(const TriangleMesh& mesh, const std::string& file) {
   const BoxMm box = boundsOf(mesh);
   const glm::dvec3 extent = box.high - box.low;
   if (!(std::max({extent.x, extent.y, extent.z}) > 1e-9))
-    throwInput(file, "", "all triangles lie in one point");
+    throwInput(file, "", "all triangles coincide in one point");
 }
 
 MeshFile readTriangles(const std::filesystem::path& path, const ReadOptions& options,

@@ -71,7 +71,7 @@ Property propertyOf(std::string_view rest, const std::string& file, int line) {
   if (word == "list") {
     property.countType = type(nextWord(rest));
     if (*property.countType >= VoxelType::float32)
-      throwInput(file, linePlace(line), "the length of a list is no whole number");
+      throwInput(file, linePlace(line), "the length of a list is not a whole number");
     word = nextWord(rest);
   }
   property.type = type(word);
@@ -98,7 +98,7 @@ PlyHeader parseHeader(std::string_view data, const std::string& file) {
       header.elements.push_back(std::move(element));
     } else if (word == "property") {
       if (header.elements.empty())
-        throwInput(file, linePlace(lines.number()), "a property stands before the first element");
+        throwInput(file, linePlace(lines.number()), "a property before the first element");
       header.elements.back().properties.push_back(propertyOf(*line, file, lines.number()));
     } else if (word == "end_header") {
       if (!hasFormat) throwInput(file, "format", "is missing");
@@ -136,7 +136,7 @@ class PlyValues {
     const std::string_view word = nextWord(data_);
     if (word.empty()) truncated();
     const auto number = realOf(word);
-    if (!number) throwInput(file_, "", inQuotes(word) + " is no number");
+    if (!number) throwInput(file_, "", inQuotes(word) + " is not a number");
     return *number;
   }
   double nextBinary(VoxelType type) {
@@ -176,7 +176,7 @@ class Rows {
       }
       const double length = values_.next(*property.countType);
       if (!(length >= 0.0) || length != std::floor(length) || length > 1e9)
-        throwInput(file_, place, "the length of a list is no whole number");
+        throwInput(file_, place, "the length of a list is not a whole number");
       const auto count = static_cast<std::uint64_t>(length);
       values_.expect(count, property.type);
       const bool isFace = property.name == "vertex_indices" || property.name == "vertex_index";

@@ -40,7 +40,7 @@ void checkMesh(const TriangleMesh& mesh, const fs::path& path) {
   for (const Triangle& t : mesh.triangles)
     for (int i = 0; i < 3; ++i)
       if (t[i] < 0 || t[i] >= count)
-        base::throwInput(path.string(), "triangles", "a corner is no point of the mesh");
+        base::throwInput(path.string(), "triangles", "a corner is not a point of the mesh");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// What the program and its readers say to each other; docs/architecture.md, "What others parse", has the
-// whole exchange.
+// What the program and its readers say to each other; docs/developers/processes.md, "Parser processes", has
+// the whole exchange.
 //
 // A message is kMessageMark, its kind and the length of its body (8 bytes each), then the body. Bulk data
 // (voxels, triangles, pixels) go through memory that both share. decode...() believe nothing: they throw

@@ -249,7 +249,7 @@ ReaderProcess::Message ReaderProcess::expectEither(MessageKind one, MessageKind 
         continue;
       }
       if (message.kind == MessageKind::failure) throw decodeError(message.body);
-      if (message.kind != one && message.kind != other) throwBadAnswer("is none to what was asked");
+      if (message.kind != one && message.kind != other) throwBadAnswer("does not answer the request");
       return message;
     }
   });
@@ -258,8 +258,7 @@ ReaderProcess::Message ReaderProcess::expectEither(MessageKind one, MessageKind 
 void ReaderProcess::receive(std::uint64_t bytes) {
   checkBudget(bytes, "its content", "", file_, request_.options);
   if (::ftruncate(memory_.get(), static_cast<off_t>(bytes)) != 0)
-    fail(ErrorKind::memory,
-         std::string("there is no shared memory for its content: ") + std::strerror(errno));
+    fail(ErrorKind::memory, std::string("no shared memory for its content: ") + std::strerror(errno));
   send(MessageKind::goOn, {});
   expect(MessageKind::done);
   end();  // from here on nobody changes what was handed over
@@ -274,7 +273,7 @@ void ReaderProcess::lend(std::uint64_t bytes, const std::function<void(std::span
                           ? ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, memory_.get(), 0)
                           : MAP_FAILED;
   if (begin == MAP_FAILED)
-    fail(ErrorKind::memory, std::string("there is no shared memory for it: ") + std::strerror(errno));
+    fail(ErrorKind::memory, std::string("no shared memory for it: ") + std::strerror(errno));
   fill({static_cast<std::byte*>(begin), size});
   ::munmap(begin, size);
   send(MessageKind::goOn, {});
@@ -284,7 +283,7 @@ void ReaderProcess::read(std::uint64_t offset, std::span<std::byte> out) const {
   while (!out.empty()) {
     const ssize_t got = ::pread(memory_.get(), out.data(), out.size(), static_cast<off_t>(offset));
     if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) fail(ErrorKind::input, "what its reader handed over cannot be read");
+    if (got <= 0) fail(ErrorKind::input, "the data from its reader cannot be read");
     offset += static_cast<std::uint64_t>(got);
     out = out.subspan(static_cast<std::size_t>(got));
   }

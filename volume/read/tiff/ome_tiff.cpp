@@ -45,7 +45,7 @@ class OmeParser {
     if (!text) return least;
     const auto value = integerOf(*text);
     if (!value || *value < least || *value > (std::int64_t{1} << 31))
-      throwInput(file_, kOmeXml, std::string(key) + " " + inQuotes(*text) + " is no number of things");
+      throwInput(file_, kOmeXml, std::string(key) + " " + inQuotes(*text) + " is not a count");
     return *value;
   }
 

@@ -22,10 +22,10 @@ class Walk {
  public:
   Walk(const Bytes& bytes, const base::Progress& progress) : bytes_(bytes), progress_(progress) {
     const std::string head = bytes.head(16);
-    if (!looksLikeTiff(head)) throwInput(bytes.name(), "byte 0", "is no TIFF header");
+    if (!looksLikeTiff(head)) throwInput(bytes.name(), "byte 0", "is not a TIFF header");
     file_.bigEndian = head[0] == 'M';
     wide_ = number(2, 2) == 43;
-    if (wide_ && number(4, 2) != 8) throwInput(bytes.name(), "byte 4", "is no BigTIFF header");
+    if (wide_ && number(4, 2) != 8) throwInput(bytes.name(), "byte 4", "is not a BigTIFF header");
   }
 
   TiffFile pages() {
@@ -168,7 +168,7 @@ class Walk {
     for (std::size_t i = 0; i < at.size(); ++i) {
       if (at[i] > bytes_.size() || sizes[i] > bytes_.size() - at[i])
         throwInput(bytes_.name(), place,
-                   "truncated: strip " + std::to_string(i + 1) + " lies behind the end of the file");
+                   "truncated: strip " + std::to_string(i + 1) + " is beyond the end of the file");
       if (i > 0 && at[i] != at[i - 1] + sizes[i - 1]) page.contiguous = false;
     }
   }

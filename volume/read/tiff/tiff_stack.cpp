@@ -108,7 +108,7 @@ class Statements {
     const auto count = [&](const char* key) {
       const auto value = integerOf(text(key));
       if (keys.contains(key) && (!value || *value < 1 || *value > kMostPlanes))
-        throwInput(name_, kDescription, std::string(key) + "=" + text(key) + " is no number of pages");
+        throwInput(name_, kDescription, std::string(key) + "=" + text(key) + " is not a number of pages");
       return value.value_or(1);
     };
     const std::int64_t channels = count("channels"), frames = count("frames");

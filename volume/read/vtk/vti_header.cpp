@@ -209,7 +209,7 @@ VtiHeader Check::run() {
       readImageTag(*tag);
       hasImage = true;
     } else if (tag->name == "Piece") {
-      if (!hasImage) throwInput(file_, "Piece", "stands outside of ImageData");
+      if (!hasImage) throwInput(file_, "Piece", "is outside of ImageData");
       if (hasPiece)
         throwInput(file_, "Piece",
                    "the image is cut into several pieces; write it in one (ParaView: save the data as .vti)");
@@ -256,7 +256,7 @@ VtiHeader Check::run() {
     const auto n = integerOf(*components);
     if (!n || *n < 1)
       throwInput(file_, "DataArray NumberOfComponents",
-                 inQuotes(*components) + " is no number of components");
+                 inQuotes(*components) + " is not a number of components");
     header_.image.components = *n;
   }
 
@@ -275,8 +275,7 @@ VtiHeader Check::run() {
     }
   }
   image.worldFromVoxel[3] = image.worldFromVoxel * glm::dvec4(first, 1.0);
-  if (!usableAffine(image.worldFromVoxel))
-    throwInput(file_, "ImageData Origin", "lies more than 1e12 mm away");
+  if (!usableAffine(image.worldFromVoxel)) throwInput(file_, "ImageData Origin", "is more than 1e12 mm away");
   checkDims(image, file_, "ImageData WholeExtent");
   checkSize(*chosen);
   return header_;
@@ -291,11 +290,12 @@ void Check::checkSize(const Array& array) {
     if (!layout_.hasAppended) throwInput(file_, "AppendedData", "truncated: is missing");
     const auto text = array.tag.find("offset");
     const auto offset = text ? integerOf(*text) : std::nullopt;
-    if (!offset || *offset < 0) throwInput(file_, "DataArray offset", "is no position in the appended data");
+    if (!offset || *offset < 0)
+      throwInput(file_, "DataArray offset", "is not a position in the appended data");
     const std::uint64_t begin = layout_.appendedAt + static_cast<std::uint64_t>(*offset);
     if (begin >= bytes_.size())
       throwInput(file_, "DataArray offset",
-                 "truncated: lies behind the end of the file (" + std::to_string(bytes_.size()) + " bytes)");
+                 "truncated: beyond the end of the file (" + std::to_string(bytes_.size()) + " bytes)");
     checkBinary(begin, bytes_.size(), layout_.appendedBase64);
     return;
   }

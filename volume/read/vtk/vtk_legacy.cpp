@@ -91,7 +91,7 @@ class Parser {
   }
   std::int64_t count(std::string_view word) const {
     const auto value = integerOf(word);
-    if (!value || *value < 1) fail(inQuotes(word) + " is no number of values");
+    if (!value || *value < 1) fail(inQuotes(word) + " is not a number of values");
     return *value;
   }
   void readType(std::string_view name) {
@@ -270,7 +270,7 @@ ImageHeader Parser::parse() {
   header_.format = "VTK legacy";
   const auto magic = lines_.next();
   if (!magic || !magic->starts_with("# vtk DataFile Version"))
-    throwInput(file_, "line 1", "is no VTK header");
+    throwInput(file_, "line 1", "is not a VTK header");
   lines_.next();  // the title
   const Words encoding = need("ASCII or BINARY");
   text8_ = sameIgnoringCase(encoding[0], "ascii");
@@ -286,7 +286,7 @@ ImageHeader Parser::parse() {
   if (kind == "polydata") fail("is POLYDATA, a mesh; save it as .vtp, .ply or .stl");
   if (!rectilinear_ && kind != "structured_points")
     fail("a dataset of kind " + inQuotes(dataset[1]) +
-         " is no regular volume; resample it (ParaView: Resample To Image) and save it as .vti");
+         " is not a regular volume; resample it (ParaView: Resample To Image) and save it as .vti");
   readStructure();
 
   glm::dvec3 origin = origin_;

@@ -24,7 +24,7 @@ std::optional<Tag> Tags::next() {
       at_ = end + 3;
       continue;
     }
-    if (text_.substr(begin).starts_with("<!")) fail(begin, "document types and entities are refused");
+    if (text_.substr(begin).starts_with("<!")) fail(begin, "document types and entities are not supported");
     const std::size_t end = endOfTag(begin);
     at_ = end;
     if (text_[begin + 1] == '?') continue;
@@ -78,7 +78,7 @@ void checkArrayClaims(const Tag& tag, const Bytes& bytes) {
     if (!text) return;
     const auto count = integerOf(*text);
     if (!count || *count < static_cast<std::int64_t>(least))
-      base::throwInput(bytes.name(), place + key, inQuotes(*text) + " is no number of things");
+      base::throwInput(bytes.name(), place + key, inQuotes(*text) + " is not a count");
     if (static_cast<std::uint64_t>(*count) > most)
       base::throwInput(bytes.name(), place + key,
                        "truncated: the file is too short for " + std::string(*text));
