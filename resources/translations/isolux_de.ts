@@ -168,8 +168,8 @@
         <translation>Einstellungen</translation>
     </message>
     <message>
-        <source>Measurements</source>
-        <translation>Messungen</translation>
+        <source>Measure</source>
+        <translation>Messen</translation>
     </message>
     <message>
         <source>Volume</source>
@@ -180,7 +180,7 @@
         <translation>Teile</translation>
     </message>
     <message>
-        <source>Performance</source>
+        <source>Timing</source>
         <translation>Leistung</translation>
     </message>
     <message>
@@ -493,7 +493,7 @@
     </message>
     <message>
         <source>Looks</source>
-        <translation>Darstellungen</translation>
+        <translation>Darstellung</translation>
     </message>
     <message>
         <source>Cut</source>
@@ -1164,8 +1164,8 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>&lt;b&gt;Entf&lt;/b&gt;</translation>
     </message>
     <message>
-        <source>delete selected measurements (panel &lt;i&gt;Measurements&lt;/i&gt;)</source>
-        <translation>gewählte Messungen löschen (Bedienfeld &lt;i&gt;Messungen&lt;/i&gt;)</translation>
+        <source>delete selected measurements (panel &lt;i&gt;Measure&lt;/i&gt;)</source>
+        <translation>gewählte Messungen löschen (Bedienfeld &lt;i&gt;Messen&lt;/i&gt;)</translation>
     </message>
     <message>
         <source>&lt;b&gt;F4&lt;/b&gt;</source>
@@ -2310,8 +2310,8 @@ Strg+Rad: Wertachse zoomen, Ziehen mit der mittleren Taste: verschieben</transla
         <translation>&amp;Liste der Messungen</translation>
     </message>
     <message>
-        <source>Show the Measurements panel</source>
-        <translation>Das Bedienfeld Messungen zeigen</translation>
+        <source>Show the Measure panel</source>
+        <translation>Das Bedienfeld Messen zeigen</translation>
     </message>
     <message>
         <source>E&amp;xport measurements…</source>
@@ -3995,7 +3995,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>View-dependent opacity: transparent where the surface faces the viewer, dense where it is edge-on</source>
-        <translation>Blickabhängige Deckkraft: durchsichtig, wo die Fläche zum Betrachter zeigt, dicht, wo sie von der Kante zu sehen ist</translation>
+        <translation>Deckkraft nach Blickrichtung: durchsichtig, wo die Fläche zum Betrachter zeigt, dicht, wo sie von der Kante zu sehen ist</translation>
     </message>
     <message>
         <source>Remove this isosurface from the list</source>
@@ -4027,11 +4027,11 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Turn on view-dependent opacity</source>
-        <translation>Blickabhängige Deckkraft einschalten</translation>
+        <translation>Deckkraft nach Blickrichtung einschalten</translation>
     </message>
     <message>
         <source>Turn off view-dependent opacity</source>
-        <translation>Blickabhängige Deckkraft ausschalten</translation>
+        <translation>Deckkraft nach Blickrichtung ausschalten</translation>
     </message>
     <message>
         <source>Remove isosurface</source>
@@ -4063,7 +4063,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>View-dependent opacity of %1</source>
-        <translation>Blickabhängige Deckkraft von %1</translation>
+        <translation>Deckkraft nach Blickrichtung von %1</translation>
     </message>
     <message>
         <source>Remove %1</source>
@@ -6394,7 +6394,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Crevice shading</source>
-        <translation>Vertiefungsschattierung</translation>
+        <translation>Vertiefungen</translation>
     </message>
     <message>
         <source>Ambient</source>
@@ -6402,7 +6402,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Hemisphere lighting</source>
-        <translation>Hemisphärenlicht</translation>
+        <translation>Himmelslicht</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -6678,11 +6678,11 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Uncertainty surfaces</source>
-        <translation>Unsicherheitsflächen</translation>
+        <translation>Unsicherheit</translation>
     </message>
     <message>
         <source>Uncertainty opacity</source>
-        <translation>Deckkraft der Unsicherheitsflächen</translation>
+        <translation>Deckkraft der Unsicherheit</translation>
     </message>
     <message>
         <source>Global illumination</source>
@@ -6730,7 +6730,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Back-face tint</source>
-        <translation>Rückseitentönung</translation>
+        <translation>Tönung der Rückseite</translation>
     </message>
     <message>
         <source>Inside</source>
@@ -6878,7 +6878,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Metering</source>
-        <translation>Belichtungsmessung</translation>
+        <translation>Messung der Belichtung</translation>
     </message>
     <message>
         <source>Method</source>
@@ -6922,7 +6922,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Uncertainty band</source>
-        <translation>Unsicherheitsband</translation>
+        <translation>Band der Unsicherheit</translation>
     </message>
     <message>
         <source>None</source>
@@ -7174,7 +7174,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Minimum volume</source>
-        <translation>Mindestvolumen</translation>
+        <translation>Kleinstes Volumen</translation>
     </message>
     <message>
         <source>Sobol (Owen)</source>
@@ -7354,7 +7354,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>crevice shading</source>
-        <translation>Vertiefungsschattierung</translation>
+        <translation>Vertiefungen</translation>
     </message>
     <message>
         <source>adaptive</source>
@@ -7386,7 +7386,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>hemisphere lighting</source>
-        <translation>Hemisphärenlicht</translation>
+        <translation>Himmelslicht</translation>
     </message>
     <message>
         <source>animate</source>
@@ -7578,11 +7578,11 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>uncertainty surfaces</source>
-        <translation>Unsicherheitsflächen</translation>
+        <translation>Unsicherheit</translation>
     </message>
     <message>
         <source>uncertainty opacity</source>
-        <translation>Deckkraft der Unsicherheitsflächen</translation>
+        <translation>Deckkraft der Unsicherheit</translation>
     </message>
     <message>
         <source>gpu budget mb</source>
@@ -7634,7 +7634,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>back-face tint</source>
-        <translation>Rückseitentönung</translation>
+        <translation>Tönung der Rückseite</translation>
     </message>
     <message>
         <source>inside</source>
@@ -7866,7 +7866,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>metering</source>
-        <translation>Belichtungsmessung</translation>
+        <translation>Messung der Belichtung</translation>
     </message>
     <message>
         <source>method</source>
@@ -7894,7 +7894,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>uncertainty band</source>
-        <translation>Unsicherheitsband</translation>
+        <translation>Band der Unsicherheit</translation>
     </message>
     <message>
         <source>normal scale</source>
@@ -8042,7 +8042,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>minimum volume</source>
-        <translation>Mindestvolumen</translation>
+        <translation>Kleinstes Volumen</translation>
     </message>
     <message>
         <source>reference frame</source>
@@ -8138,7 +8138,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>View-dependent opacity</source>
-        <translation>Blickabhängige Deckkraft</translation>
+        <translation>Deckkraft nach Blickrichtung</translation>
     </message>
     <message>
         <source>Isovalue</source>
@@ -8146,7 +8146,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Orientation labels</source>
-        <translation>Orientierungsbuchstaben</translation>
+        <translation>Orientierung</translation>
     </message>
     <message>
         <source>Looking for series</source>
@@ -8170,11 +8170,11 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>view-dependent opacity</source>
-        <translation>Blickabhängige Deckkraft</translation>
+        <translation>Deckkraft nach Blickrichtung</translation>
     </message>
     <message>
         <source>isosurface 2 view-dependent opacity</source>
-        <translation>Isofläche 2: Blickabhängige Deckkraft</translation>
+        <translation>Isofläche 2: Deckkraft nach Blickrichtung</translation>
     </message>
     <message>
         <source>isosurface 2 name</source>
@@ -8182,7 +8182,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>isosurface 3 view-dependent opacity</source>
-        <translation>Isofläche 3: Blickabhängige Deckkraft</translation>
+        <translation>Isofläche 3: Deckkraft nach Blickrichtung</translation>
     </message>
     <message>
         <source>isosurface 3 name</source>
@@ -8190,7 +8190,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>isosurface 4 view-dependent opacity</source>
-        <translation>Isofläche 4: Blickabhängige Deckkraft</translation>
+        <translation>Isofläche 4: Deckkraft nach Blickrichtung</translation>
     </message>
     <message>
         <source>isosurface 4 name</source>
@@ -8202,7 +8202,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>orientation labels</source>
-        <translation>Orientierungsbuchstaben</translation>
+        <translation>Orientierung</translation>
     </message>
     <message>
         <source>looking for series</source>

@@ -20,10 +20,10 @@ Panel* makePanel(QWidget* parent) {
 constexpr PanelInfo panelTable[] = {
     {"Settings", QT_TRANSLATE_NOOP("QObject", "Settings"), makePanel<SettingsPanel>},
     {"Looks", QT_TRANSLATE_NOOP("QObject", "Looks"), makePanel<LooksPanel>},
-    {"Marks", QT_TRANSLATE_NOOP("QObject", "Measurements"), makePanel<MarksPanel>},
+    {"Marks", QT_TRANSLATE_NOOP("QObject", "Measure"), makePanel<MarksPanel>},
     {"Volume", QT_TRANSLATE_NOOP("QObject", "Volume"), makePanel<VolumePanel>},
     {"Pieces", QT_TRANSLATE_NOOP("QObject", "Pieces"), makePanel<PiecesPanel>},
-    {"Passes", QT_TRANSLATE_NOOP("QObject", "Performance"), makePanel<PassesPanel>},
+    {"Passes", QT_TRANSLATE_NOOP("QObject", "Timing"), makePanel<PassesPanel>},
     {"Accuracy", QT_TRANSLATE_NOOP("QObject", "Accuracy"), makePanel<AccuracyPanel>, false}};
 
 }  // namespace

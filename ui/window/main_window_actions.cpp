@@ -143,7 +143,7 @@ const char* MainWindow::helpText() {
     <tr><td><b>Ctrl+R</b></td><td>start, stop recording</td></tr>
     <tr><td><b>Ctrl+Z</b>, <b>Ctrl+Shift+Z</b></td><td>undo, redo</td></tr>
     <tr><td><b>Ctrl+F</b>, <b>Ctrl+,</b></td><td>find a setting, preferences</td></tr>
-    <tr><td><b>Delete</b></td><td>delete selected measurements (panel <i>Measurements</i>)</td></tr>
+    <tr><td><b>Delete</b></td><td>delete selected measurements (panel <i>Measure</i>)</td></tr>
     <tr><td><b>F4</b></td><td>next layout: 3-D view, with slices, slices alone</td></tr>
     <tr><td><b>Ctrl+0</b>, <b>Ctrl+1 … 7</b></td><td>go to the 3-D view, to a panel</td></tr>
     <tr><td><b>F6</b>, <b>Shift+F6</b></td><td>next, previous part of the window</td></tr>

@@ -70,7 +70,7 @@ void MainWindow::makeMeasureMenu() {
     });
   }
   menu->addSeparator();
-  QAction* show = newAction(menu, tr("&List of measurements"), "", {}, tr("Show the Measurements panel"));
+  QAction* show = newAction(menu, tr("&List of measurements"), "", {}, tr("Show the Measure panel"));
   connect(show, &QAction::triggered, this, [this] { showPanel("Marks"); });
   exportMarks_ = newAction(menu, tr("E&xport measurements…"), "", {},
                            tr("Save as a table (CSV) or for 3D Slicer (.mrk.json)"));
