@@ -38,7 +38,7 @@ trap 'rm -r "$work"' EXIT
 "$bin/isolux" phantom head --size 192 --out "$work/large.nii" && "$bin/isolux" index "$work/large.nii"
 guide large-data --set source.level=2 --panel volume "$work/large.nii"
 guide window phantom:head:96
-guide export --preset ct_bone --entry "Save picture" phantom:head:96
+guide export --preset ct_bone --entry "Save image" phantom:head:96
 guide sessions --preset ct_bone --entry "Save session" phantom:head:96
 guide open --panel volume --notes "$data/dicom/ct_head_64"
 if [ -d "$data/volumes" ]; then
@@ -63,7 +63,7 @@ isolux=$bin/isolux
 (cd "$work" && sed -n '/^```python$/,/^```$/p' "$OLDPWD/docs/start/python.md" | grep -v '^```' > python.py &&
   PYTHONPATH=$bin/../python MPLBACKEND=agg python3 python.py && mv python.png "$OLDPWD/$out/start/python.png")
 
-# The studies of docs/accuracy.md; without gnuplot their plots are left as they are.
+# The studies of docs/records; without gnuplot their plots are left as they are.
 study() {
   local name=$1
   shift

@@ -4500,7 +4500,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     <name>looks</name>
     <message>
         <source>crevice shading (accessibility): a light surface with dark hollows, like dirt</source>
-        <translation>Zugänglichkeit: eine helle Oberfläche mit dunklen Vertiefungen, wie Schmutz</translation>
+        <translation>Vertiefungen: eine helle Oberfläche mit dunklen Vertiefungen, wie Schmutz</translation>
     </message>
     <message>
         <source>both principal curvatures: hue shows the kind of shape, grey is flat</source>
@@ -5023,7 +5023,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>the look shows crevice shading at full strength</source>
-        <translation>die Darstellung zeigt Zugänglichkeit in voller Stärke</translation>
+        <translation>die Darstellung zeigt Vertiefungen in voller Stärke</translation>
     </message>
     <message>
         <source>the look shows flow at full strength</source>
@@ -5051,7 +5051,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>no uncertainty surfaces are drawn</source>
-        <translation>es werden keine Rauschflächen gezeichnet</translation>
+        <translation>es werden keine Unsicherheitsflächen gezeichnet</translation>
     </message>
     <message>
         <source>an environment map is set</source>
@@ -5557,11 +5557,11 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Crevice shading (accessibility, Miller 1994): darkens hollows by curvature, like dirt.</source>
-        <translation>Zugänglichkeit (Miller 1994): verdunkelt Vertiefungen nach der Krümmung, wie Schmutz.</translation>
+        <translation>Vertiefungen (accessibility, Miller 1994): verdunkelt sie nach der Krümmung, wie Schmutz.</translation>
     </message>
     <message>
         <source>Angular diameter of a distant light; the sun has 0.53, 0 gives hard shadows.</source>
-        <translation>Winkeldurchmesser eines fernen Lichts; die Sonne hat 0.53, 0 gibt harte Schatten.</translation>
+        <translation>Winkeldurchmesser eines fernen Lichts; die Sonne hat 0,53, 0 gibt harte Schatten.</translation>
     </message>
     <message>
         <source>Maximum number of diffuse reflections of a light path; 0 is direct light only.</source>
@@ -5577,7 +5577,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Draws two uncertainty surfaces: transparent isosurfaces at the first isovalue ± this many standard deviations of the noise. They bound the shift due to noise; 0 draws none.</source>
-        <translation>Zeichnet zwei Rauschflächen: durchsichtige Isoflächen beim ersten Isowert ± so vielen Standardabweichungen des Rauschens. Sie begrenzen die Verschiebung durch Rauschen; 0 zeichnet keine.</translation>
+        <translation>Zeichnet zwei Unsicherheitsflächen: durchsichtige Isoflächen beim ersten Isowert ± so vielen Standardabweichungen des Rauschens. Sie begrenzen die Verschiebung durch Rauschen; 0 zeichnet keine.</translation>
     </message>
     <message>
         <source>Exponent of the highlight; larger is smaller and sharper.</source>
@@ -5653,7 +5653,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Hemisphere lighting: how much brighter the ambient light is from the top of the image than from the bottom.</source>
-        <translation>Hemisphärenlicht: wie viel heller das Grundlicht vom oberen Bildrand ist als vom unteren.</translation>
+        <translation>Himmelslicht: wie viel heller das Umgebungslicht vom oberen Bildrand ist als vom unteren.</translation>
     </message>
     <message>
         <source>Opacity of these colours over the surface&apos;s own colour.</source>
@@ -5669,7 +5669,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Opacity of the uncertainty surfaces.</source>
-        <translation>Deckkraft der Rauschflächen.</translation>
+        <translation>Deckkraft der Unsicherheitsflächen.</translation>
     </message>
     <message>
         <source>Amount by which the far end of the volume fades.</source>
@@ -5721,7 +5721,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Ambient light, as a fraction of the albedo.</source>
-        <translation>Grundlicht, als Anteil der Albedo.</translation>
+        <translation>Umgebungslicht, als Anteil der Albedo.</translation>
     </message>
     <message>
         <source>Interval between isolines of the second volume; 0 draws none.</source>
@@ -5825,7 +5825,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Strength of silhouette lines; auto is 0.5 under tone shading, otherwise 0.</source>
-        <translation>Stärke der Umrisslinien; auto ist 0.5 bei Warm-Kalt-Schattierung, sonst 0.</translation>
+        <translation>Stärke der Umrisslinien; auto ist 0,5 bei Warm-Kalt-Schattierung, sonst 0.</translation>
     </message>
     <message>
         <source>Switches on a light source of global illumination.</source>
@@ -5897,7 +5897,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Fraction of light samples drawn from the environment instead of the surface (MIS); auto is 0.75 under an environment map, 0.5 with more than one bounce.</source>
-        <translation>Anteil der Lichtproben, die nach der Umgebung statt nach der Oberfläche gezogen werden (MIS); auto ist 0.75 unter einem Umgebungsbild, 0.5 bei mehr als einer Reflexion.</translation>
+        <translation>Anteil der Lichtproben, die nach der Umgebung statt nach der Oberfläche gezogen werden (MIS); auto ist 0,75 unter einem Umgebungsbild, 0,5 bei mehr als einer Reflexion.</translation>
     </message>
     <message>
         <source>Radiance of a constant environment, used if there is no environment map; auto is none.</source>
@@ -5937,7 +5937,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     </message>
     <message>
         <source>Shading of looks that give a colour: the curvature maps, crevice shading and flow; gi is baked global illumination.</source>
-        <translation>Schattierung der Darstellungen, die eine Farbe geben: Krümmungen, Zugänglichkeit und Strömung; gi ist gespeicherte globale Beleuchtung.</translation>
+        <translation>Schattierung der Darstellungen, die eine Farbe geben: Krümmungen, Vertiefungen und Strömung; gi ist gespeicherte globale Beleuchtung.</translation>
     </message>
     <message>
         <source>Value at the lower end of the map; auto is found from the values on the surface.</source>

@@ -1,7 +1,6 @@
-"""Every example of docs/python.md runs, and gives the picture in the page."""
+"""Every script of examples/ runs, and gives the picture beside it."""
 
 import os
-import re
 import subprocess
 import sys
 import unittest
@@ -9,15 +8,16 @@ import unittest
 import numpy as np
 from PIL import Image
 
-from support import SOURCE, temporary_folder
+from support import temporary_folder
 
 TIMED = {"python_study.png"}  # a plot of times, which no two runs share
 
 
+FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "examples")
+
+
 def examples():
-    with open(os.path.join(SOURCE, "docs", "python.md"), encoding="utf-8") as file:
-        text = file.read()
-    return re.findall(r"\*\*\d+\. (.*?)\*\*\n\n```python\n(.*?)```\n\n!\[.*?\]\(images/(.*?)\)", text, re.S)
+    return sorted(name.removesuffix(".py") for name in os.listdir(FOLDER) if name.endswith(".py"))
 
 
 class Examples(unittest.TestCase):
@@ -26,9 +26,10 @@ class Examples(unittest.TestCase):
 
     def test_each_gives_its_picture(self):
         kept = os.environ.get("ISOLUX_PYTHON_PICTURES")  # a folder: the pictures are made anew
-        for title, code, picture in examples():
-            with self.subTest(title), temporary_folder() as folder:
-                done = subprocess.run([sys.executable, "-c", code],
+        for name in examples():
+            picture = f"python_{name}.png"
+            with self.subTest(name), temporary_folder() as folder:
+                done = subprocess.run([sys.executable, os.path.join(FOLDER, name + ".py")],
                                       cwd=folder, capture_output=True, text=True, check=False,
                                       env=os.environ | {"MPLBACKEND": "agg"})
                 self.assertEqual(done.returncode, 0, done.stderr)
@@ -36,10 +37,10 @@ class Examples(unittest.TestCase):
                 if kept:
                     os.replace(os.path.join(folder, picture), os.path.join(kept, picture))
                     continue
-                page = np.asarray(Image.open(os.path.join(SOURCE, "docs", "images", picture)).convert("RGB"), dtype=np.float64)
-                self.assertEqual(made.shape, page.shape)
+                kept_picture = np.asarray(Image.open(os.path.join(FOLDER, picture)).convert("RGB"), dtype=np.float64)
+                self.assertEqual(made.shape, kept_picture.shape)
                 if picture not in TIMED:
-                    self.assertLess(np.abs(made - page).mean(), 1.0, "of 255")
+                    self.assertLess(np.abs(made - kept_picture).mean(), 1.0, "of 255")
 
 
 if __name__ == "__main__":

@@ -350,12 +350,13 @@ TEST(CommandLine, HelpCoversEveryCommandAndOption) {
     EXPECT_THAT(result.out, HasSubstr(std::string("  isolux ") + name)) << "an example";
     EXPECT_EQ(result.err, "");
   }
-  const std::string page = test::contentOf(fs::path(ISOLUX_SOURCE_DIR) / "docs" / "commands.md");
+  const std::string page =
+      test::contentOf(fs::path(ISOLUX_SOURCE_DIR) / "docs" / "reference" / "commands.md");
   for (const char* name : commands) {
     const std::string text = success({name, "--help"}).out;
     for (std::size_t at = 0; (at = text.find("  --", at)) != std::string::npos; ++at) {
       const std::string option = text.substr(at + 2, text.find_first_of(" ,\n", at + 2) - at - 2);
-      EXPECT_THAT(page, HasSubstr(option)) << "docs/commands.md does not mention it";
+      EXPECT_THAT(page, HasSubstr(option)) << "docs/reference/commands.md does not mention it";
     }
   }
 }
@@ -479,7 +480,10 @@ TEST(SettingsCommand, ListsEachSetting) {
   const std::string text = success({"settings"}).out, page = success({"settings", "--markdown"}).out;
   for (const scene::Setting& setting : scene::settings()) {
     EXPECT_THAT(text, HasSubstr(setting.path));
-    EXPECT_THAT(page, HasSubstr("| `" + setting.path + "` |"));
+    const std::string group = setting.path.substr(0, setting.path.find('.'));
+    const bool listed =
+        !testing::Matches(testing::AnyOf("isosurface3", "isosurface4", "lamp2", "lamp3"))(group);
+    EXPECT_EQ(page.find("- `" + setting.path + "` (") != std::string::npos, listed) << setting.path;
   }
 }
 
@@ -502,12 +506,6 @@ TEST(SettingsCommand, ListsAsJsonAndByWord) {
   EXPECT_EQ(some[0]["path"], "camera.fov");
   EXPECT_THAT(success({"settings", "camera.fov"}).out, testing::Not(HasSubstr("isosurface.opacity")));
   failure(2, {"settings", "--json", "--markdown"});
-}
-
-TEST(SettingsCommand, TheDocumentationIsUpToDate) {
-  EXPECT_EQ(test::contentOf(fs::path(ISOLUX_SOURCE_DIR) / "docs" / "settings.md"),
-            success({"settings", "--markdown"}).out)
-      << "run: isolux settings --markdown > docs/settings.md";
 }
 
 TEST(DoctorCommand, SaysWhatIsThere) {
