@@ -99,19 +99,22 @@ scene::ClipPlane turnedBy(const scene::ClipPlane& plane, const glm::dvec3& knob,
   return {knob, constrained ? snapped(turned) : turned};
 }
 
-void setBox(scene::Clip& clip, const glm::dvec3& middle, const glm::dvec3& half) {
+void setBox(scene::Clip& clip, int number, const glm::dvec3& middle, const glm::dvec3& half) {
   const glm::dvec3 within = glm::clamp(middle, glm::dvec3(-farthestCutMm), glm::dvec3(farthestCutMm));
-  clip.box = {within - half, within + half};
+  glm::dvec3* const corners =
+      number == 0 ? clip.box.data() : &clip.removed[2 * static_cast<std::size_t>(-number - 1)];
+  corners[0] = within - half;
+  corners[1] = within + half;
 }
 
-void moveFace(scene::Clip& clip, const CutStage& stage, int face, double mm) {
-  TurnedBox box = turnedBox(clip);
+void moveFace(scene::Clip& clip, int number, const CutStage& stage, int face, double mm) {
+  TurnedBox box = turnedBox(clip, number);
   const int axis = face / 2;
   const double side = face % 2 ? 1.0 : -1.0, thinnest = 0.5 * thinnestBox * diagonalMm(stage);
   const double half = std::max(box.half[axis] + 0.5 * mm, std::min(thinnest, box.half[axis]));
   box.middle += side * (half - box.half[axis]) * box.axes[axis];
   box.half[axis] = half;
-  setBox(clip, box.middle, box.half);
+  setBox(clip, number, box.middle, box.half);
 }
 
 glm::dvec3 faceMiddleOf(const TurnedBox& box, int face) {
@@ -154,6 +157,7 @@ void turnBox(scene::Clip& clip, const CutStage& stage, int corner, glm::dvec2 by
 
 bool hasGrip(const scene::Clip& clip, const CutGrip& grip) {
   if (grip.plane == 0) return clip.box.size() == 2;
+  if (grip.plane < 0) return 2 * static_cast<std::size_t>(-grip.plane) <= clip.removed.size();
   return grip.plane > 0 && static_cast<std::size_t>(grip.plane) <= clip.planes.size();
 }
 
@@ -169,16 +173,16 @@ scene::Clip draggedCut(const scene::Clip& clip, const CutGrip& grip, const CutSt
                                        : movedBy(plane, stage, draggedAlong(stage, knob, normal, from, to));
     return dragged;
   }
-  const TurnedBox box = turnedBox(clip);
+  const TurnedBox box = turnedBox(clip, grip.plane);
   if (grip.part == CutPart::turn) {
     turnBox(dragged, stage, grip.index, to - from, constrained);
   } else if (grip.part == CutPart::face) {
     const glm::dvec3 outward = (grip.index % 2 ? 1.0 : -1.0) * box.axes[grip.index / 2];
-    moveFace(dragged, stage, grip.index,
+    moveFace(dragged, grip.plane, stage, grip.index,
              draggedAlong(stage, faceMiddleOf(box, grip.index), outward, from, to));
   } else {
     const glm::dvec2 mm = (to - from) * projectedOn(stage, box.middle).mmPerPixel;
-    setBox(dragged, box.middle + mm.x * stage.frame.right - mm.y * stage.frame.up, box.half);
+    setBox(dragged, grip.plane, box.middle + mm.x * stage.frame.right - mm.y * stage.frame.up, box.half);
   }
   return dragged;
 }
@@ -193,8 +197,9 @@ scene::Clip steppedCut(const scene::Clip& clip, const CutGrip& grip, const CutSt
     scene::ClipPlane& plane = stepped.planes[static_cast<std::size_t>(grip.plane - 1)];
     plane = movedBy(plane, stage, away(plane.normal));
   } else if (grip.part == CutPart::face) {
-    const glm::dvec3 outward = (grip.index % 2 ? 1.0 : -1.0) * turnedBox(clip).axes[grip.index / 2];
-    moveFace(stepped, stage, grip.index, away(outward));
+    const glm::dvec3 outward =
+        (grip.index % 2 ? 1.0 : -1.0) * turnedBox(clip, grip.plane).axes[grip.index / 2];
+    moveFace(stepped, grip.plane, stage, grip.index, away(outward));
   }
   return stepped;
 }

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "volume/clip/clip_region.h"
 
@@ -167,10 +168,30 @@ void addBox(scene::Clip& clip, const scene::VolumeFacts& facts) {
   clip.boxRotation = {1.0, 0.0, 0.0, 0.0};
 }
 
-TurnedBox turnedBox(const scene::Clip& clip) {
+void addCorner(scene::Clip& clip, const glm::dvec3& point, const glm::dvec3& back, const BoxCorners& volume) {
+  glm::dvec3 low = volume[0], high = volume[0];
+  for (const glm::dvec3& corner : volume) {
+    low = glm::min(low, corner);
+    high = glm::max(high, corner);
+  }
+  const double beyond = 0.1 * glm::distance(low, high);
+  clip.removed.push_back(point);
+  clip.removed.push_back(glm::mix(high + beyond, low - beyond, glm::lessThan(back, glm::dvec3(0.0))));
+}
+
+void removeCorner(scene::Clip& clip, std::size_t number) {
+  if (2 * number + 1 >= clip.removed.size()) return;
+  const auto first = clip.removed.begin() + 2 * static_cast<std::ptrdiff_t>(number);
+  clip.removed.erase(first, first + 2);
+}
+
+TurnedBox turnedBox(const scene::Clip& clip, int number) {
+  const glm::dvec3* const corners =
+      number == 0 ? clip.box.data() : &clip.removed[2 * static_cast<std::size_t>(-number - 1)];
   TurnedBox box;
-  box.middle = 0.5 * (clip.box[0] + clip.box[1]);
-  box.half = 0.5 * glm::abs(clip.box[1] - clip.box[0]);
+  box.middle = 0.5 * (corners[0] + corners[1]);
+  box.half = 0.5 * glm::abs(corners[1] - corners[0]);
+  if (number < 0) return box;
   const glm::dvec4& wxyz = clip.boxRotation;
   const double length = glm::length(wxyz);
   if (length > 0.0) box.axes = glm::mat3_cast(glm::dquat(wxyz.x, wxyz.y, wxyz.z, wxyz.w) * (1.0 / length));

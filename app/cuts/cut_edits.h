@@ -49,12 +49,18 @@ scene::ClipPlane alignedToViewer(const scene::ClipPlane& plane, const BoxCorners
 
 // A box about the middle of what there is to see, of three quarters its size, not turned.
 void addBox(scene::Clip& clip, const scene::VolumeFacts& facts);
-// Where a box lies: its middle, half its size, and its axes in columns. Needs clip.box.
+// The octant from the point toward the viewer is removed, to a tenth of the volume's diagonal beyond it.
+// Needs room in clip.removed.
+void addCorner(scene::Clip& clip, const glm::dvec3& point, const glm::dvec3& back, const BoxCorners& volume);
+void removeCorner(scene::Clip& clip, std::size_t number);  // none where there is no such one
+
+// Where a box lies: its middle, half its size, and its axes in columns. 0: clip.box, which must be there; -1
+// and below: the boxes that are removed.
 struct TurnedBox {
   glm::dvec3 middle{0.0}, half{0.0};
   glm::dmat3 axes{1.0};
   glm::dvec3 corner(int index) const;  // as BoxCorners count
 };
-TurnedBox turnedBox(const scene::Clip& clip);
+TurnedBox turnedBox(const scene::Clip& clip, int number = 0);
 
 }  // namespace isolux::app

@@ -66,9 +66,9 @@ CutShape planeShape(const scene::Clip& clip, std::size_t plane, const CutStage& 
   return shape;
 }
 
-CutShape boxShape(const scene::Clip& clip, const CutStage& stage) {
-  CutShape shape{0, {}, {}};
-  const TurnedBox box = turnedBox(clip);
+CutShape boxShape(const scene::Clip& clip, int number, const CutStage& stage) {
+  CutShape shape{number, {}, {}};
+  const TurnedBox box = turnedBox(clip, number);
   bool faces[6];
   const auto faceMiddle = [&](int face) {
     const int axis = face / 2;
@@ -86,9 +86,10 @@ CutShape boxShape(const scene::Clip& clip, const CutStage& stage) {
     }
   const auto add = [&](CutPart part, int index, const glm::dvec3& at, bool far) {
     const CutProjection place = projectedOn(stage, at);
-    if (onPicture(place, stage)) shape.knobs.push_back({{0, part, index}, place.pixel, far});
+    if (onPicture(place, stage)) shape.knobs.push_back({{number, part, index}, place.pixel, far});
   };
-  for (int i = 0; i < 8; ++i) add(CutPart::turn, i, box.corner(i), !seen(i, 0) && !seen(i, 1) && !seen(i, 2));
+  for (int i = 0; i < 8 && number == 0; ++i)
+    add(CutPart::turn, i, box.corner(i), !seen(i, 0) && !seen(i, 1) && !seen(i, 2));
   for (int face = 0; face < 6; ++face) add(CutPart::face, face, faceMiddle(face), !faces[face]);
   add(CutPart::move, 0, box.middle, false);
   return shape;
@@ -130,7 +131,9 @@ glm::dvec3 knobOf(const scene::Clip& clip, std::size_t number, const CutStage& s
 
 std::vector<CutShape> cutShapes(const scene::Clip& clip, const CutStage& stage) {
   std::vector<CutShape> shapes;
-  if (clip.box.size() == 2) shapes.push_back(boxShape(clip, stage));
+  if (clip.box.size() == 2) shapes.push_back(boxShape(clip, 0, stage));
+  for (int i = 1; 2 * static_cast<std::size_t>(i) <= clip.removed.size(); ++i)
+    shapes.push_back(boxShape(clip, -i, stage));
   for (std::size_t i = 0; i < clip.planes.size(); ++i) shapes.push_back(planeShape(clip, i, stage));
   return shapes;
 }
@@ -153,7 +156,7 @@ std::optional<CutGrip> cutAt(const std::vector<CutShape>& shapes, glm::dvec2 pix
   least = outlineReach;
   for (const CutShape& shape : shapes)
     for (const CutLine& line : shape.outline) {
-      if (shape.plane == 0 || distanceTo(line, pixel) > least) continue;
+      if (shape.plane <= 0 || distanceTo(line, pixel) > least) continue;
       least = distanceTo(line, pixel);
       nearest = CutGrip{shape.plane, CutPart::move, 0};
     }

@@ -3,7 +3,8 @@
 //
 // A plane has a knob in the middle of the face that it cuts, which moves it along its normal, as its
 // outline does, and an arrow whose tip turns it. The box has a knob on each face, one in its middle, which
-// moves it, and corners that turn it. Pixels are logical, (0,0) the picture's top left corner, y down.
+// moves it, and corners that turn it; those that are removed have all but the last. Pixels are logical, (0,0)
+// the picture's top left corner, y down.
 #pragma once
 
 #include <optional>
@@ -31,7 +32,7 @@ enum class CutPart {
   face,  // of the box: 2 * axis + 1 on the far end of the axis, 2 * axis on the near one
 };
 struct CutGrip {
-  int plane = 0;  // 1 .. 6; 0: the box
+  int plane = 0;  // 1 .. 6; 0: the box; -1 .. -8: a removed one
   CutPart part = CutPart::move;
   int index = 0;
   bool operator==(const CutGrip&) const = default;
@@ -48,7 +49,7 @@ struct CutLine {
   bool far = false;
   bool operator==(const CutLine&) const = default;
 };
-// One plane's, or the box's.
+// One plane's, or a box's.
 struct CutShape {
   int plane = 0;
   std::vector<CutLine> outline;

@@ -78,6 +78,9 @@ void CutMenu::makeAdding(QMenu* menu) {
   connect(through_, &QAction::triggered, this, &CutMenu::addThrough);
   box_ = add(menu, tr("&Box"), tr("Add a box and cut away everything outside it"), {});
   connect(box_, &QAction::triggered, this, &CutMenu::addBox);
+  corner_ = add(menu, tr("Cut a c&orner away"),
+                tr("An eighth, from the crosshair or the middle of what is looked at toward the viewer"), {});
+  connect(corner_, &QAction::triggered, this, &CutMenu::addCorner);
 }
 
 void CutMenu::makePlanes(QMenu* menu) {
@@ -118,6 +121,16 @@ void CutMenu::makePlanes(QMenu* menu) {
   });
   removeBox_ = add(boxMenu_, tr("&Remove"), tr("Remove this box"), {});
   connect(removeBox_, &QAction::triggered, this, &CutMenu::removeBox);
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    corners_[i] = menu->addMenu(tr("Corner %1").arg(i + 1));
+    corners_[i]->setToolTipsVisible(true);
+    QAction* const remove = add(corners_[i], tr("&Remove"), tr("The corner is not cut away any more"), {});
+    connect(remove, &QAction::triggered, this, [this, i] {
+      scene::Clip clip = scene_.clip;
+      app::removeCorner(clip, i);
+      send(clip, tr("Remove corner %1").arg(i + 1));
+    });
+  }
 }
 
 void CutMenu::makeFaces(QMenu* menu) {
@@ -184,7 +197,7 @@ QString CutMenu::whyNoPlane() const {
 
 void CutMenu::showState() {
   const scene::Clip& clip = scene_.clip;
-  const bool boxed = !clip.box.empty(), cuts = boxed || !clip.planes.empty();
+  const bool boxed = !clip.box.empty(), cuts = scene::hasCuts(clip);
   const QString noVolume = volume_ ? QString() : tr("Open a volume first.");
   const QString noPlane = whyNoPlane(),
                 noCut = cuts ? QString() : tr("Nothing is cut: add a plane or a box first.");
@@ -194,10 +207,16 @@ void CutMenu::showState() {
                   : marked           ? QString()
                                      : tr("Set three points first, with a tool of the Measure menu."));
   allow(box_, boxed ? tr("There is a box already: drag its faces.") : noVolume);
+  const bool full = clip.removed.size() >= 2 * scene::kRemovedBoxes;
+  allow(corner_,
+        full ? tr("There are %1 corners, as many as can be: remove one first.").arg(scene::kRemovedBoxes)
+             : noVolume);
   allow(flipLast_, clip.planes.empty() ? tr("There is no plane.") : noVolume);
   for (std::size_t i = 0; i < planes_.size(); ++i)
     planes_[i].menu->menuAction()->setVisible(volume_ && i < clip.planes.size());
   boxMenu_->menuAction()->setVisible(boxed);
+  for (std::size_t i = 0; i < corners_.size(); ++i)
+    corners_[i]->menuAction()->setVisible(volume_ && 2 * i < clip.removed.size());
   allow(straightenBox_,
         clip.boxRotation == glm::dvec4(1.0, 0.0, 0.0, 0.0) ? tr("The box is not turned.") : QString());
   for (QAction* action : faces_->actions()) {
@@ -217,6 +236,8 @@ void CutMenu::showState() {
 void CutMenu::showMenuOf(const QPoint& onScreen, const app::CutGrip& grip) {
   if (grip.plane > 0)
     planes_[static_cast<std::size_t>(grip.plane - 1)].menu->popup(onScreen);
+  else if (grip.plane < 0)
+    corners_[static_cast<std::size_t>(-grip.plane - 1)]->popup(onScreen);
   else
     boxMenu_->popup(onScreen);
 }
@@ -294,6 +315,13 @@ void CutMenu::removeBox() {
   clip.box.clear();
   clip.boxRotation = {1.0, 0.0, 0.0, 0.0};
   send(clip, tr("Remove the box"));
+}
+
+void CutMenu::addCorner() {
+  scene::Clip clip = scene_.clip;
+  app::addCorner(clip, app::cutPoint(resolved_, volume_->facts), back(),
+                 app::cornersOf(volume_->grid().geometry()));
+  send(clip, tr("Cut a corner away"));
 }
 
 void CutMenu::removeAll() {

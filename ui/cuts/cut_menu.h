@@ -31,7 +31,7 @@ class CutMenu : public QObject {
   // The mark that is chosen in the list of marks, -1 for none.
   void setChosenMark(std::function<int()> chosen) { chosenMark_ = std::move(chosen); }
   bool showsHandles() const;
-  // What can be done with the plane, or the box, of a handle.
+  // What can be done with the plane, or a box, of a handle.
   void showMenuOf(const QPoint& onScreen, const app::CutGrip& grip);
 
  Q_SIGNALS:
@@ -64,6 +64,7 @@ class CutMenu : public QObject {
   void removePlane(std::size_t plane);
   void addBox();
   void removeBox();
+  void addCorner();
   void removeAll();
   void setCut(int surface, bool cut);  // 0: the first one
   void send(const scene::Clip& clip, const QString& name);
@@ -73,9 +74,10 @@ class CutMenu : public QObject {
   std::function<int()> chosenMark_ = [] { return -1; };
   QMenu *planesMenu_ = nullptr, *surfacesMenu_ = nullptr, *boxMenu_ = nullptr;
   std::array<QAction*, 3> across_{};  // the world's x, y, z
-  QAction *facing_ = nullptr, *through_ = nullptr, *box_ = nullptr, *flipLast_ = nullptr, *handles_ = nullptr,
-          *removeBox_ = nullptr, *straightenBox_ = nullptr, *all_ = nullptr;
+  QAction *facing_ = nullptr, *through_ = nullptr, *box_ = nullptr, *corner_ = nullptr, *flipLast_ = nullptr,
+          *handles_ = nullptr, *removeBox_ = nullptr, *straightenBox_ = nullptr, *all_ = nullptr;
   std::array<PlaneActions, scene::kClipPlanes> planes_{};
+  std::array<QMenu*, scene::kRemovedBoxes> corners_{};
   std::array<QAction*, 1 + scene::kExtraIsosurfaces> surfaces_{};
   QActionGroup* faces_ = nullptr;
 };

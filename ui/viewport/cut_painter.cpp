@@ -116,7 +116,7 @@ void paintCuts(QPainter& painter, const std::vector<app::CutShape>& shapes,
   painter.save();
   for (const app::CutShape& shape : shapes) paintOutline(painter, shape, grip && grip->plane == shape.plane);
   for (const app::CutShape& shape : shapes)
-    if (shape.plane == 0)
+    if (shape.plane <= 0)
       paintBoxKnobs(painter, shape, grip);
     else
       paintPlaneKnobs(painter, shape, grip);

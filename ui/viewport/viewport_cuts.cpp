@@ -2,6 +2,7 @@
 #include <QApplication>
 
 #include "app/cuts/cut_drag.h"
+#include "scene/rules/needs.h"
 #include "ui/viewport/viewport.h"
 #include "ui/viewport/viewport_overlay.h"
 #include "volume/slice/slice_plane.h"
@@ -19,7 +20,7 @@ app::CutStage Viewport::cutStage() const {
 
 // Clicks of a tool for marks are meant for the surface.
 void Viewport::showCuts() {
-  const bool any = !resolved_.clip.planes.empty() || !resolved_.clip.box.empty();
+  const bool any = scene::hasCuts(resolved_.clip);
   cuts_.clear();
   if (volume_ && cutHandles_ && !tool_ && any) cuts_ = app::cutShapes(resolved_.clip, cutStage());
   overlay_->setCuts(cuts_, cutGrip_);
@@ -80,7 +81,7 @@ void Viewport::stepCut(const app::CutGrip& grip, double notches) {
   if (grip.plane > 0)
     normal = resolved_.clip.planes[static_cast<std::size_t>(grip.plane - 1)].normal;
   else if (grip.part == app::CutPart::face)
-    normal = app::turnedBox(resolved_.clip).axes[grip.index / 2];
+    normal = app::turnedBox(resolved_.clip, grip.plane).axes[grip.index / 2];
   const double voxelMm = volume::voxelAlong(volume_->grid().geometry(), glm::normalize(normal));
   sendCut(app::steppedCut(scene_.clip, grip, stage, notches * voxelMm), grip, true);
 }

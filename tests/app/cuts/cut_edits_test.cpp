@@ -145,6 +145,26 @@ TEST(CutEdits, FlippingTwiceAndAligning) {
   EXPECT_EQ(alignedToViewer(plane, box, {0, 0, 1}).normal, glm::dvec3(0, 0, 1));
 }
 
+// From the point to beyond the volume, on the viewer's side of it on each axis.
+TEST(CutEdits, ACornerIsTheOctantTowardTheViewer) {
+  const BoxCorners volume = cornersOf(slantedGrid());
+  const glm::dvec3 point(1, 12, 40);
+  scene::Clip clip;
+  for (const glm::dvec3& back : {glm::dvec3(0.2, -0.7, 0.4), glm::dvec3(-1, 0.1, -0.2)}) {
+    addCorner(clip, point, back, volume);
+    const glm::dvec3 end = clip.removed.back();
+    for (int axis = 0; axis < 3; ++axis)
+      for (const glm::dvec3& corner : volume) EXPECT_GT((end[axis] - corner[axis]) * back[axis], 0.0) << axis;
+  }
+  ASSERT_EQ(clip.removed.size(), 4u);
+  EXPECT_EQ(clip.removed[2], point);
+  removeCorner(clip, 0);
+  ASSERT_EQ(clip.removed.size(), 2u);
+  EXPECT_LT(clip.removed[1].x, point.x);
+  removeCorner(clip, 1);
+  EXPECT_EQ(clip.removed.size(), 2u);
+}
+
 TEST(CutEdits, ANewBoxLiesAboutTheMiddle) {
   scene::Clip clip;
   clip.boxRotation = {0.5, 0.5, 0.5, 0.5};

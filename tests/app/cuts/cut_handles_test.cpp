@@ -204,6 +204,30 @@ TEST(CutHandles, AFaceOfTheBoxMovesAloneWhereverTheBoxIsTurned) {
   }
 }
 
+// A removed box has the same handles, but for those that turn it; a drag moves it alone.
+TEST(CutHandles, RemovedBoxesHaveFacesAndAMiddleToDrag) {
+  const scene::Scene scene = viewOf(scene::Projection::perspective);
+  const CutStage stage = stageOf(scene);
+  scene::Clip clip = turnedBoxCut();
+  clip.removed = {{-5, -4, -3}, {6, 5, 4}, {0, 1, 2}, {9, 8, 7}};
+  const auto shapes = cutShapes(clip, stage);
+  ASSERT_EQ(shapes.size(), 3u);
+  EXPECT_EQ(shapes[2].plane, -2);
+  EXPECT_EQ(shapes[2].outline.size(), 12u);
+  EXPECT_EQ(shapes[2].knobs.size(), 7u);
+  const CutGrip face{-2, CutPart::face, 1};
+  ASSERT_TRUE(hasGrip(clip, face));
+  EXPECT_FALSE(hasGrip(clip, {-3, CutPart::face, 1}));
+  const TurnedBox box = turnedBox(clip, -2);
+  const glm::dvec3 from = box.middle + glm::dvec3(box.half.x, 0, 0), to = from + glm::dvec3(3, 0, 0);
+  const scene::Clip dragged =
+      draggedCut(clip, face, stage, projectedOn(stage, from).pixel, projectedOn(stage, to).pixel, false);
+  EXPECT_EQ(dragged.box, clip.box);
+  EXPECT_LT(glm::distance(dragged.removed[0], clip.removed[0]), 1e-12);
+  EXPECT_LT(glm::distance(dragged.removed[2], clip.removed[2]), 1e-9);
+  EXPECT_LT(glm::distance(dragged.removed[3], clip.removed[3] + glm::dvec3(3, 0, 0)), 1e-6);
+}
+
 TEST(CutHandles, TheBoxMovesParallelToTheScreen) {
   for (const scene::Projection projection : kProjections) {
     const scene::Scene scene = viewOf(projection);

@@ -71,6 +71,7 @@ class CutsTest : public WindowTest {
     ADD_FAILURE() << "no such handle";
     return {};
   }
+  app::TurnedBox turnedBoxAt(int number) { return app::turnedBox(clip(), number); }
   void cutAcross() {
     edit([](scene::Scene& scene) { scene.clip.planes = {{{0, 0, 0}, {1, 0, 0}}}; });
   }
@@ -220,6 +221,39 @@ TEST_F(CutsTest, TheMenuAddsPlanesThatShowTheirFace) {
   menuAction({}, "Remove all cuts")->trigger();
   EXPECT_TRUE(clip().planes.empty());
   EXPECT_EQ(clip().cap, scene::ClipCap::whole);  // how cuts look is no cut
+}
+
+// The octant toward the viewer; its faces are dragged, it is removed from its own menu, and with all cuts.
+TEST_F(CutsTest, ACornerIsCutAwayDraggedAndRemoved) {
+  EXPECT_FALSE(menuAction({}, "Corner 1")->isVisible());
+  menuAction({}, "Cut a corner away")->trigger();
+  ASSERT_EQ(clip().removed.size(), 2u);
+  EXPECT_EQ(lastStep(), "Cut a corner away");
+  const auto before = clip().removed;
+  const glm::dvec3 back = scene::frameOf(window_->document()->resolvedScene().camera).back;
+  for (int axis = 0; axis < 3; ++axis)
+    EXPECT_GE((before[1][axis] - before[0][axis]) * back[axis], 0.0) << axis;
+  edit([](scene::Scene& scene) { scene.camera.eye = glm::dvec3(90, -300, 110); });
+  ASSERT_EQ(viewport()->cutShapes().size(), 1u);
+  const CutGrip face{-1, CutPart::face, before[1].x > before[0].x ? 0 : 1};  // the inner one across x
+  drag(viewport(), knob(face), knob(face) + QPoint(15, 0));
+  EXPECT_EQ(lastStep(), "Move a face of the box");
+  EXPECT_NE(turnedBoxAt(-1).middle.x, 0.5 * (before[0].x + before[1].x));
+  EXPECT_NEAR(turnedBoxAt(-1).middle.y, 0.5 * (before[0].y + before[1].y), 1e-9);
+  QTest::mouseClick(viewport(), Qt::RightButton, {}, knob({-1, CutPart::move, 0}));
+  auto* const menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+  ASSERT_TRUE(menu);
+  EXPECT_EQ(menu->title().remove('&'), "Corner 1");
+  menu->close();
+  menuAction({}, "Cut a corner away")->trigger();
+  menuAction("Corner 1", "Remove")->trigger();
+  EXPECT_EQ(lastStep(), "Remove corner 1");
+  ASSERT_EQ(clip().removed.size(), 2u);
+  EXPECT_TRUE(menuAction({}, "Cut faces show")->isEnabled());
+  menuAction({}, "Remove all cuts")->trigger();
+  EXPECT_TRUE(clip().removed.empty());
+  edit([](scene::Scene& scene) { scene.clip.removed.assign(2 * scene::kRemovedBoxes, glm::dvec3(0.0)); });
+  EXPECT_FALSE(menuAction({}, "Cut a corner away")->isEnabled());
 }
 
 TEST_F(CutsTest, WhatCannotActSaysWhy) {
