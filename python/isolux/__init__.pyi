@@ -69,6 +69,7 @@ SettingsDict = TypedDict("SettingsDict", {
     "clip.planes": Sequence[Any] | str,  # Up to six clip planes "px,py,pz nx,ny,nz; ...", a point and a normal each; they remove the side that the normal points to.
     "clip.box": Sequence[Any] | str,  # Two opposite corners "x,y,z; x,y,z" of the clip box, which removes everything outside it; empty removes nothing.
     "clip.box_rotation": Sequence[Any] | str,  # Rotation of the clip box about its centre.
+    "clip.removed": Sequence[Any] | str,  # Removed boxes: two opposite corners "x,y,z; x,y,z" of each of up to eight boxes inside which everything is clipped; they may reach beyond the volume.
     "clip.cap": Literal["none", "inside", "whole"],  # Cap of cut faces: none, the voxels' values where the inside was cut, or the values of the whole face.
     "slice.level": float | Literal["auto"] | None,  # Window level: the value shown as middle grey in slices and on cut faces; auto is found from the volume.
     "slice.width": float | Literal["auto"] | None,  # Window width: the range of values from black to white in slices and on cut faces; auto is found from the volume.

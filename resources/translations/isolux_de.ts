@@ -1640,6 +1640,34 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <source>Do not cut isosurface %1</source>
         <translation>Isofläche %1 nicht schneiden</translation>
     </message>
+    <message>
+        <source>Cut a c&amp;orner away</source>
+        <translation>&amp;Ecke abschneiden</translation>
+    </message>
+    <message>
+        <source>Remove the eighth towards the viewer, from the crosshair or the centre of the view</source>
+        <translation>Das Achtel zum Betrachter hin entfernen, ab dem Fadenkreuz oder der Mitte der Ansicht</translation>
+    </message>
+    <message>
+        <source>Corner %1</source>
+        <translation>Ecke %1</translation>
+    </message>
+    <message>
+        <source>Restore this corner</source>
+        <translation>Diese Ecke wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Remove corner %1</source>
+        <translation>Ecke %1 entfernen</translation>
+    </message>
+    <message>
+        <source>At most %1 corners: remove one first.</source>
+        <translation>Höchstens %1 Ecken: zuerst eine entfernen.</translation>
+    </message>
+    <message>
+        <source>Cut a corner away</source>
+        <translation>Ecke abschneiden</translation>
+    </message>
 </context>
 <context>
     <name>isolux::ui::DicomBrowser</name>
@@ -1921,6 +1949,25 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
     <message>
         <source>Environment maps (*.hdr *.exr);;Images (*.hdr *.exr *.png *.jpg *.jpeg *.tif *.tiff);;All files (*)</source>
         <translation>Umgebungsbilder (*.hdr *.exr);;Bilder (*.hdr *.exr *.png *.jpg *.jpeg *.tif *.tiff);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::GuideWindow</name>
+    <message>
+        <source>Guide</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vor</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Inhalt</translation>
     </message>
 </context>
 <context>
@@ -2936,6 +2983,18 @@ Strg+Rad: Wertachse zoomen, Ziehen mit der mittleren Taste: verschieben</transla
     <message>
         <source>Lists the presets for this kind of data; choose another kind in the Volume panel</source>
         <translation>Zeigt die Vorlagen für diese Art von Daten; eine andere Art im Bedienfeld Volumen wählen</translation>
+    </message>
+    <message>
+        <source>The documentation is not installed</source>
+        <translation>Die Dokumentation ist nicht installiert</translation>
+    </message>
+    <message>
+        <source>&amp;Guide</source>
+        <translation>&amp;Handbuch</translation>
+    </message>
+    <message>
+        <source>The documentation that comes with the program</source>
+        <translation>Die mitgelieferte Dokumentation</translation>
     </message>
 </context>
 <context>
@@ -5508,7 +5567,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Stärke der Verdeckung im Bildraum: nahe Flächen, die das Bild zeigt, verdunkeln Spalten.</translation>
     </message>
     <message>
-        <source>Radius within which surfaces occlude; auto is a fifth of the volume's diagonal.</source>
+        <source>Radius within which surfaces occlude; auto is a fifth of the volume&apos;s diagonal.</source>
         <translation>Radius, in dem Flächen verdecken; auto ist ein Fünftel der Diagonale des Volumens.</translation>
     </message>
     <message>
@@ -5552,7 +5611,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Mindestkrümmung der Grat- und Tallinien; auto folgt aus den Werten auf der Oberfläche.</translation>
     </message>
     <message>
-        <source>Damping of the environment's high bands against ringing.</source>
+        <source>Damping of the environment&apos;s high bands against ringing.</source>
         <translation>Dämpfung der hohen Bänder der Umgebung gegen Überschwingen.</translation>
     </message>
     <message>
@@ -5620,7 +5679,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Suchstrecke für die Kante des Objekts längs der Normalen, in beide Richtungen; auto hängt von Voxelabstand und Skala ab.</translation>
     </message>
     <message>
-        <source>Minimum gradient magnitude of an edge, in standard deviations of the gradient's noise; weaker maxima are ignored.</source>
+        <source>Minimum gradient magnitude of an edge, in standard deviations of the gradient&apos;s noise; weaker maxima are ignored.</source>
         <translation>Mindestbetrag des Gradienten einer Kante, in Standardabweichungen des Gradientenrauschens; schwächere Maxima bleiben außer Acht.</translation>
     </message>
     <message>
@@ -5704,7 +5763,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Mindesttiefe der Hälfte eines Teils in diesem Körper, als Anteil der größten Tiefe des Körpers. Ein Gehirn liegt tief genug, seine Kopfhaut nicht.</translation>
     </message>
     <message>
-        <source>Layout of the second volume's file without a header, as source.raw.</source>
+        <source>Layout of the second volume&apos;s file without a header, as source.raw.</source>
         <translation>Aufbau der Datei des zweiten Volumens ohne Kopf, wie source.raw.</translation>
     </message>
     <message>
@@ -5748,7 +5807,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Zahlenformat der Bestrahlungsstärke auf der Grafikkarte: 4 oder 8 Byte je Texel.</translation>
     </message>
     <message>
-        <source>Radius of a sphere light; a larger one gives softer shadows; auto is a tenth of the volume's diagonal.</source>
+        <source>Radius of a sphere light; a larger one gives softer shadows; auto is a tenth of the volume&apos;s diagonal.</source>
         <translation>Radius eines Kugellichts; größer gibt weichere Schatten; auto ist ein Zehntel der Diagonale des Volumens.</translation>
     </message>
     <message>
@@ -5796,7 +5855,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Größe der Muster der Festkörpertextur; auto ist ein Zehntel der Diagonale des Volumens.</translation>
     </message>
     <message>
-        <source>Standard deviation of a voxel's noise, from which the confidence in curvature is computed; auto estimates it from the volume.</source>
+        <source>Standard deviation of a voxel&apos;s noise, from which the confidence in curvature is computed; auto estimates it from the volume.</source>
         <translation>Standardabweichung des Rauschens eines Voxels, aus der die Konfidenz der Krümmung berechnet wird; auto schätzt sie aus dem Volumen.</translation>
     </message>
     <message>
@@ -5836,7 +5895,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>SeriesInstanceUID der Serie, die aus einem DICOM-Ordner gelesen wird; leer wählt die Serie mit den meisten Schichten.</translation>
     </message>
     <message>
-        <source>Colour map over the second volume's values; auto is viridis.</source>
+        <source>Colour map over the second volume&apos;s values; auto is viridis.</source>
         <translation>Farbskala über den Werten des zweiten Volumens; auto ist Viridis.</translation>
     </message>
     <message>
@@ -6052,7 +6111,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Position eines Punkt- oder Kugellichts; auto ist über dem Volumen, vorn und links.</translation>
     </message>
     <message>
-        <source>Surface on which texels are lit: own is each sample's own isosurface, for any isovalue; shown is the displayed isosurface, more accurate but for one isovalue. auto is shown with gi.extent=view, otherwise own. With several isosurfaces it is own.</source>
+        <source>Surface on which texels are lit: own is each sample&apos;s own isosurface, for any isovalue; shown is the displayed isosurface, more accurate but for one isovalue. auto is shown with gi.extent=view, otherwise own. With several isosurfaces it is own.</source>
         <translation>Fläche, auf der Texel beleuchtet werden: own ist die eigene Isofläche jedes Abtastwerts, für jeden Isowert; shown ist die gezeigte Isofläche, genauer, aber für einen Isowert. auto ist shown bei gi.extent=view, sonst own. Bei mehreren Isoflächen gilt own.</translation>
     </message>
     <message>
@@ -6072,7 +6131,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Perspektivische (Fernes sieht kleiner aus) oder orthographische Projektion.</translation>
     </message>
     <message>
-        <source>Source of the isosurfaces' reflectances: a colour per surface, or a colour map over the isovalue.</source>
+        <source>Source of the isosurfaces&apos; reflectances: a colour per surface, or a colour map over the isovalue.</source>
         <translation>Quelle der Reflexionsgrade der Isoflächen: eine Farbe je Fläche oder eine Farbskala über dem Isowert.</translation>
     </message>
     <message>
@@ -6140,7 +6199,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Zeichnet einen Maßstab von runder Länge auf das fertige Bild; in der Perspektive gilt er in der Tiefe von camera.target. Das Fenster zeigt ihn immer.</translation>
     </message>
     <message>
-        <source>Isovalue of that surface; auto takes the histogram's next suggestion outside the first surface, or inside if there is none.</source>
+        <source>Isovalue of that surface; auto takes the histogram&apos;s next suggestion outside the first surface, or inside if there is none.</source>
         <translation>Isowert dieser Fläche; auto nimmt den nächsten Vorschlag des Histogramms außerhalb der ersten Fläche oder, gibt es keinen, innerhalb.</translation>
     </message>
     <message>
@@ -6210,6 +6269,10 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     <message>
         <source>Kind of data: CT in Hounsfield or other units, MR, distance field …; auto decides from the file and its values. Presets and the first isovalue depend on it.</source>
         <translation>Art der Daten: CT in Hounsfield-Einheiten oder in anderen, MR, Abstandsfeld …; auto entscheidet nach Datei und Werten. Vorlagen und der erste Isowert hängen davon ab.</translation>
+    </message>
+    <message>
+        <source>Removed boxes: two opposite corners &quot;x,y,z; x,y,z&quot; of each of up to eight boxes inside which everything is clipped; they may reach beyond the volume.</source>
+        <translation>Entfernte Quader: je zwei gegenüberliegende Ecken „x,y,z; x,y,z“ von bis zu acht Quadern, in denen alles weggeschnitten wird; sie dürfen über das Volumen hinausreichen.</translation>
     </message>
 </context>
 <context>
@@ -8439,6 +8502,14 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     <message>
         <source>kind</source>
         <translation>Art</translation>
+    </message>
+    <message>
+        <source>Removed</source>
+        <translation>Entfernt</translation>
+    </message>
+    <message>
+        <source>removed</source>
+        <translation>entfernt</translation>
     </message>
 </context>
 </TS>

@@ -79,7 +79,7 @@ void CutMenu::makeAdding(QMenu* menu) {
   box_ = add(menu, tr("&Box"), tr("Add a box and cut away everything outside it"), {});
   connect(box_, &QAction::triggered, this, &CutMenu::addBox);
   corner_ = add(menu, tr("Cut a c&orner away"),
-                tr("An eighth, from the crosshair or the middle of what is looked at toward the viewer"), {});
+                tr("Remove the eighth towards the viewer, from the crosshair or the centre of the view"), {});
   connect(corner_, &QAction::triggered, this, &CutMenu::addCorner);
 }
 
@@ -124,7 +124,7 @@ void CutMenu::makePlanes(QMenu* menu) {
   for (std::size_t i = 0; i < corners_.size(); ++i) {
     corners_[i] = menu->addMenu(tr("Corner %1").arg(i + 1));
     corners_[i]->setToolTipsVisible(true);
-    QAction* const remove = add(corners_[i], tr("&Remove"), tr("The corner is not cut away any more"), {});
+    QAction* const remove = add(corners_[i], tr("&Remove"), tr("Restore this corner"), {});
     connect(remove, &QAction::triggered, this, [this, i] {
       scene::Clip clip = scene_.clip;
       app::removeCorner(clip, i);
@@ -208,9 +208,7 @@ void CutMenu::showState() {
                                      : tr("Set three points first, with a tool of the Measure menu."));
   allow(box_, boxed ? tr("There is a box already: drag its faces.") : noVolume);
   const bool full = clip.removed.size() >= 2 * scene::kRemovedBoxes;
-  allow(corner_,
-        full ? tr("There are %1 corners, as many as can be: remove one first.").arg(scene::kRemovedBoxes)
-             : noVolume);
+  allow(corner_, full ? tr("At most %1 corners: remove one first.").arg(scene::kRemovedBoxes) : noVolume);
   allow(flipLast_, clip.planes.empty() ? tr("There is no plane.") : noVolume);
   for (std::size_t i = 0; i < planes_.size(); ++i)
     planes_[i].menu->menuAction()->setVisible(volume_ && i < clip.planes.size());
