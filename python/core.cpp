@@ -124,7 +124,7 @@ volume::VoxelType voxelTypeOf(const py::dtype& type) {
     const char its = name.front();  // 'i', 'u', 'f', as of NumPy
     if (its == kind && static_cast<py::ssize_t>(volume::bytesOf(each)) == bytes) return each;
   }
-  throw Error(ErrorKind::usage, "", "array", "voxels of this type are not known");
+  throw Error(ErrorKind::usage, "", "array", "unknown type of voxels");
 }
 
 struct ArrayVoxels {
@@ -234,7 +234,7 @@ void addNotes(const scene::Scene& scene, const render::FrameReport& report, cons
     notes.push_back("the graphics driver reports an error: " + error);
   if (report.bricks.missing > 0.0)
     notes.push_back(base::shortText(100.0 * report.bricks.missing, 2) +
-                    " % of the picture is missing: memory.gpu_budget_mb is too small for this view");
+                    " % of the image is missing: memory.gpu_budget_mb is too small for this view; raise it");
 }
 
 app::DerivativeFacts derivativesOf(const PictureWish& wish, render::Renderer& renderer,
@@ -382,16 +382,14 @@ Baked Core::bake(const app::SceneOptions& options, const std::string& file, bool
        baked](base::Progress& progress) {
         const scene::Scene scene = bakedScene(scene::resolve(bakedScene(sceneOf(options)), prepared_->facts));
         if (!scene::giChoiceOf(scene).wanted)
-          throw Error(ErrorKind::usage, "", "gi.mode",
-                      "there is nothing to bake: " + scene::giChoiceOf(scene).reason);
+          throw Error(ErrorKind::usage, "", "gi.mode", "nothing to bake: " + scene::giChoiceOf(scene).reason);
         app::OutputGuard guard = app::outputGuard(path_, options, scene);
         app::checkOutput(guard, out.string(), "bake");
         const app::OutputLock lock(out);
         std::error_code missing;
         const bool exists = fs::exists(out, missing);
         if (exists && !overwrite && !gi::looksLikeBakeFile(out))
-          base::throwInput(out.string(), "",
-                           "holds something other than stored light; overwrite=True replaces it");
+          base::throwInput(out.string(), "", "is not baked light; overwrite=True replaces it");
         app::LightController controller({.threads = app::machineOf(options).threads, .innerSides = false});
         controller.setScene(scene, prepared_);
         if (exists && gi::looksLikeBakeFile(out)) {

@@ -164,13 +164,13 @@ void save(const Picture& picture, const std::string& name) {
     if (picture.color.rgba.empty()) throw Error(ErrorKind::usage, name, "", "no image: image=False");
     app::writePng(picture.color, file, session);
   } else if (file.extension() != ".exr") {
-    throw Error(ErrorKind::usage, name, "", "the name of a picture must end in .png or .exr");
+    throw Error(ErrorKind::usage, name, "", "the name of an image must end in .png or .exr");
   } else if (!picture.exr.empty()) {
     app::writeExr(picture.size, picture.exr, file, session);
   } else if (!picture.images.empty() || picture.linear) {
     app::writeExr(picture.images.empty() ? &*picture.linear : nullptr, picture.images, file, session);
   } else {
-    throw Error(ErrorKind::usage, name, "", ".exr files hold what aovs= or linear=True asks for");
+    throw Error(ErrorKind::usage, name, "", ".exr files require aovs= or linear=True");
   }
 }
 

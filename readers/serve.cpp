@@ -255,7 +255,7 @@ int serve(const Abilities& abilities) {
   Connection& connection = connectionToProgram();
   struct stat status {};
   if (::fstat(socketNumber, &status) != 0 || !S_ISSOCK(status.st_mode)) {
-    std::cerr << "isolux: this program reads files for isolux and does nothing on its own\n";
+    std::cerr << "isolux: this program reads files for isolux; run isolux instead\n";
     return 2;
   }
   const Request request = decodeRequest(connection.receive(MessageKind::request));

@@ -217,7 +217,7 @@ void noteLabels(Volume& volume, const base::Progress& progress) {
   volume.isovalue = map->background + (map->background < volume.grid->maximum() ? 0.5 : -0.5);
   volume.warnings.push_back(std::string(asked ? "is taken for" : "looks like") + " a label map of " +
                             std::to_string(map->labels) +
-                            " labels: values name regions and measure nothing; the isosurface at " +
+                            " labels: values are names of regions, not quantities; the isosurface at " +
                             base::shortText(*volume.isovalue) + " encloses all of them");
 }
 

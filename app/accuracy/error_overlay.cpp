@@ -169,7 +169,7 @@ std::optional<render::Tile> paintErrors(const PictureErrors& errors, const Overl
   if (wish.colors == ErrorImage::light && errors.light.empty())
     throw base::Error(
         base::ErrorKind::usage, "", "--error-overlay",
-        "light: none is stored for this picture, or a surface is transparent; --look gi stores some");
+        "light: this image has no baked light, or a surface is transparent; --look gi bakes light");
   OverlayPainter painter(image);
   render::Legend legend;
   legend.quantity = "Errors";

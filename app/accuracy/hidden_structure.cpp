@@ -95,7 +95,7 @@ HiddenStructure hiddenStructure(render::Renderer& renderer, const scene::Scene& 
 
 std::string structureLine(const HiddenStructure& structure) {
   return "the level may hide structure thinner than " + thinText(structure.thinnestMm) + " in " +
-         base::shortText(100.0 * structure.share(), 3) + " % of the picture (" +
+         base::shortText(100.0 * structure.share(), 3) + " % of the image (" +
          std::to_string(structure.blocks) + " blocks of 8x8x8 cells)";
 }
 

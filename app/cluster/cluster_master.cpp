@@ -105,8 +105,8 @@ void ClusterMaster::welcome(int rank, const ClusterHello& hello) {
       refuse("computes other light than " + nameOf(0) + ": " + gi::keyDifference(*theirs, *ours));
   if (hello.arithmetic != own.arithmetic && !options_.mixArithmetic)
     refuse("computes by \"" + hello.arithmetic + "\", and " + nameOf(0) + " by \"" + own.arithmetic +
-           "\": the last bits of the light differ; --arithmetic no-fma lowers all ranks to the same, "
-           "--mix-arithmetic goes on, and the file says so");
+           "\": the last bits of the light differ; use --arithmetic no-fma on all ranks, or "
+           "--mix-arithmetic, which the file records");
   peer.ready = true;
 }
 

@@ -56,7 +56,7 @@ nlohmann::ordered_json accuracyJson(const Accuracy& accuracy) {
 std::string accuracyLine(const Accuracy& accuracy) {
   std::string line = "error bounds at the 99th percentile of visible pixels: ";
   if (accuracy.seen == accuracy.uncertain)
-    line += accuracy.seen == 0 ? "nothing is seen, " : "nothing is seen for certain, ";
+    line += accuracy.seen == 0 ? "nothing is visible, " : "nothing is visible for certain, ";
   else
     line += figure("depth by noise and sampling", accuracy.depthNoiseMm.most99, " mm") +
             figure("normals by noise", accuracy.normalNoiseDegrees.most99, " degrees") +

@@ -107,7 +107,7 @@ void checkPieces(const fs::path& index, int pieces) {
   constexpr std::size_t searched = std::size_t{1} << 16;
   std::error_code missing;
   if (fs::exists(index, missing) && readBeginning(index, searched).find(".piece-1-of-") == std::string::npos)
-    refuseForeign(index, "the index of stored light");
+    refuseForeign(index, "the index of baked light");
   for (int count = 1; count <= pieces; ++count)
     for (int number = 1; number <= count; ++number)
       if (const fs::path file = gi::bakePieceFile(index, number, count);
@@ -127,7 +127,7 @@ PreparedBake prepareBake(const BakeOptions& options, const fs::path& out, base::
   bake.scene = bakeScene(options, sceneOf(options.path, *options.scene));
   if (!scene::giChoiceOf(bake.scene).wanted)
     throw base::Error(base::ErrorKind::usage, "", "gi.mode",
-                      "there is nothing to bake: " + scene::giChoiceOf(bake.scene).reason);
+                      "nothing to bake: " + scene::giChoiceOf(bake.scene).reason);
   OutputGuard guard = outputGuard(options.path, *options.scene, bake.scene);
   checkOutput(guard, out.string(), "--out");
   if (options.pieces > 0) checkOutput(guard, indexOfPieces(options).string(), "--pieces");

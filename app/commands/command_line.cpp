@@ -168,7 +168,7 @@ int openWindowOn(const WindowOptions& options, const Program& program, const Ope
     base::throwInput(options.path, "", "does not exist");
   if (!options.path.empty() && isRecording(options.path))
     base::throwInput(options.path, "",
-                     "is a recording: `isolux replay " + options.path + " --out DIR` makes pictures of it");
+                     "is a recording: `isolux replay " + options.path + " --out DIR` makes images of it");
   // A volume given beside a session makes another document, without a file of its own.
   const std::string session = options.path.empty() ? options.scene->session : options.path;
   if (!session.empty() && isSession(session))

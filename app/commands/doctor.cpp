@@ -90,7 +90,7 @@ void printExecutors(std::ostream& out, base::Progress& progress) {
   const bool taken = render::takesProcessor(scene::Executor::automatic, *context->gl());
   out << (taken ? "  " : "* ") << "gpu: " << measured(scene::Executor::gpu) << '\n';
   if (!volume::SurfaceCaster::available()) {
-    out << "  cpu: this processor has none of the vector instructions needed\n";
+    out << "  cpu: this CPU lacks the vector instructions needed\n";
     return;
   }
   out << (taken ? "* " : "  ") << "cpu: " << measured(scene::Executor::cpu) << " ("

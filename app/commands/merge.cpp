@@ -28,7 +28,7 @@ void runMerge(const MergeOptions& options, base::Progress& progress) {
   const OutputLock lock(options.out);
   std::error_code missing;
   if (!options.overwrite && fs::exists(out, missing) && !gi::looksLikeBakeFile(out))
-    base::throwInput(options.out, "", "holds something other than stored light; --overwrite replaces it");
+    base::throwInput(options.out, "", "is not baked light; --overwrite replaces it");
   const ProgressBar bar(progress);
   const std::vector<fs::path> parts(options.parts.begin(), options.parts.end());
   gi::mergeBakeFiles(parts, out, options.mixArithmetic, progress);

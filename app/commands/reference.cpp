@@ -81,8 +81,7 @@ void writePicture(const gi::ReferenceImage& image, const scene::Scene& scene, co
 void runReference(const ReferenceOptions& options, base::Progress& progress) {
   const fs::path out(options.out);
   if (out.extension() != ".exr" && out.extension() != ".png")
-    throw Error(ErrorKind::usage, options.out, "",
-                "the name of a reference picture must end in .exr or .png");
+    throw Error(ErrorKind::usage, options.out, "", "the name of a reference image must end in .exr or .png");
   requireSource(options.path, *options.scene);
   scene::Scene scene = sceneOf(options.path, *options.scene);
   gi::Reference::Options reference{pictureSize(options.size, options.path, *options.scene),

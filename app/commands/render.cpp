@@ -100,17 +100,16 @@ render::FrameRequest requestOf(const RenderOptions& options, const std::string& 
   const bool toOutput = out == kStandardOutput;
   const std::string extension = toOutput ? ".png" : fs::path(out).extension().string();
   if (extension != ".png" && extension != ".exr")
-    throw Error(ErrorKind::usage, out, "", "the name of a picture must end in .png or .exr");
+    throw Error(ErrorKind::usage, out, "", "the name of an image must end in .png or .exr");
   if (toOutput && options.explain)
-    throw Error(ErrorKind::usage, "", "--explain", "prints where --out - writes the picture");
+    throw Error(ErrorKind::usage, "", "--explain", "prints to the output to which --out - writes the image");
   render::FrameRequest request;
   request.size = pictureSize(options.size, path, *options.scene);
   request.supersampling = scene.picture.supersampling;
   request.pixelRatio = scene.picture.pixelRatio;
   request.linear = extension == ".exr";
   if (!options.overlay.empty() && extension != ".png")
-    throw Error(ErrorKind::usage, out, "",
-                "--error-overlay is painted on .png pictures; --aov has the numbers");
+    throw Error(ErrorKind::usage, out, "", "--error-overlay requires a .png; use --aov for the numbers");
   if (!options.aov.empty()) {
     request.linear = false;
     const WantedImages wanted = askedImages(options.aov).drawn;
@@ -175,7 +174,7 @@ void writePicture(const render::StillPicture& picture, const render::FrameReques
 
 void checkRenderOutputs(const RenderOptions& options, const RenderPlan& plan) {
   OutputGuard guard;
-  guard.reads(options.light, "the stored light");
+  guard.reads(options.light, "the baked light");
   for (const VolumePictures& pictures : plan.volumes) {
     const scene::Scene scene = sceneOf(pictures.path, *options.scene);
     addReads(guard, pictures.path, *options.scene, scene);

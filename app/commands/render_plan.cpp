@@ -32,10 +32,10 @@ void planMovie(const std::string& pattern, const PictureOfSeries& first, VolumeP
 void checkPipe(std::size_t pictures) {
   if (pictures > 1)
     throw Error(ErrorKind::usage, "", "--out",
-                "standard output takes one picture, these are " + std::to_string(pictures));
+                "standard output takes one image; these are " + std::to_string(pictures));
   if (::isatty(STDOUT_FILENO) != 0)
     throw Error(ErrorKind::usage, "", "--out",
-                "standard output is a terminal; send the picture to a file or a pipe");
+                "standard output is a terminal; send the image to a file or a pipe");
 }
 
 std::string seriesValue(const RenderPlan& plan, int turntable, int index) {
@@ -64,7 +64,7 @@ RenderPlan makeRenderPlan(const RenderPlanRequest& request) {
   const bool several = series || paths.size() > 1;
   const std::string out = several ? completePattern(request.out, paths.size(), series) : request.out;
   if (!series && request.frames.frames)
-    throw Error(ErrorKind::usage, "", "--frames", "chooses from the pictures of --turntable or --sweep");
+    throw Error(ErrorKind::usage, "", "--frames", "requires --turntable or --sweep");
   request.frames.check(count);
   if (out != request.out && out.starts_with(request.out)) plan.folder = request.out;
   if (out == kStandardOutput) checkPipe(paths.size() * static_cast<std::size_t>(count));

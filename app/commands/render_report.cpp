@@ -106,7 +106,7 @@ void printPasses(const render::FrameReport& report) {
     if (pass.onProcessor && pass.state != render::PassState::skipped)
       processor += (processor.empty() ? "" : ", ") + pass.name;
   if (!processor.empty())
-    std::printf("on the processor (%s): %s\n", volume::SurfaceCaster::target(), processor.c_str());
+    std::printf("on the CPU (%s): %s\n", volume::SurfaceCaster::target(), processor.c_str());
   const render::BrickReport& bricks = report.bricks;
   if (bricks.inUse)
     std::printf(
@@ -117,7 +117,7 @@ void printPasses(const render::FrameReport& report) {
 
 std::string lostLine(const render::BrickReport& bricks) {
   return base::shortText(100.0 * bricks.lost, 2) +
-         " % of the picture is hatched, because the volume cannot be read there: " + bricks.lostReason;
+         " % of the image is hatched, because the volume cannot be read there: " + bricks.lostReason;
 }
 
 void noteOfPicture(const scene::Scene& scene, const render::FrameReport& report) {
@@ -129,7 +129,7 @@ void noteOfPicture(const scene::Scene& scene, const render::FrameReport& report)
     printNote("the graphics driver reports an error: " + error);
   if (report.bricks.missing > 0.0)
     printNote(base::shortText(100.0 * report.bricks.missing, 2) +
-              " % of the picture is missing: memory.gpu_budget_mb is too small for this view");
+              " % of the image is missing: memory.gpu_budget_mb is too small for this view; raise it");
 }
 
 }  // namespace isolux::app

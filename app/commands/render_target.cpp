@@ -52,7 +52,7 @@ std::optional<TargetAnswer> chosenTarget(const TargetOptions& options, const Tar
   refuseCuts(question.given, ("isolux render " + option).c_str());
   const std::optional<TargetAnswer> answer = searched(options, question, renderer, light, progress);
   renderer.invalidate();  // the picture's passes are its own
-  if (!answer) printNote(option + ": nothing of the first isosurface is seen, so nothing is chosen");
+  if (!answer) printNote(option + ": the first isosurface is not visible; no settings were chosen");
   return answer;
 }
 

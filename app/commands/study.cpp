@@ -93,7 +93,7 @@ void runStudy(const StudyOptions& options, base::Progress& progress) {
     }
   }
   if (!output.note().empty()) printNote(output.note());
-  if (!output.skipped().empty()) printNote("not studied, study.md says why: " + output.skipped());
+  if (!output.skipped().empty()) printNote("not studied (reasons in study.md): " + output.skipped());
   printWarnings(prepared->volume);
 }
 

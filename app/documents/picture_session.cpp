@@ -85,7 +85,7 @@ bool looksLikePicture(std::string_view beginning) {
 
 std::string readSessionText(const fs::path& file) {
   const std::string beginning = readBeginning(file, kPngSignature.size());
-  if (!looksLikePicture(beginning)) base::throwInput(file.string(), "", "is not a PNG or EXR picture");
+  if (!looksLikePicture(beginning)) base::throwInput(file.string(), "", "is not a PNG or EXR image");
   const bool png = beginning == kPngSignature;
   std::ifstream stream(file, std::ios::binary);
   stream.seekg(static_cast<std::streamoff>(png ? kPngSignature.size() : kExrSignature.size()));

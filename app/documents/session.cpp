@@ -140,8 +140,8 @@ void saveSession(const scene::Scene& scene, const fs::path& file) {
 scene::Scene loadSession(const fs::path& file) {
   const bool picture = looksLikePicture(readBeginning(file, 8));
   const std::string text = picture ? readSessionText(file) : readTextFile(file, longestSession);
-  if (picture && text.empty()) throwInput(file.string(), "", "this picture carries no session");
-  if (text.size() > longestSession) throwInput(file.string(), "", "the session in this picture is too long");
+  if (picture && text.empty()) throwInput(file.string(), "", "this image has no session");
+  if (text.size() > longestSession) throwInput(file.string(), "", "the session in this image is too long");
   return parseSession(text, file.string(), foldersOf(file));
 }
 

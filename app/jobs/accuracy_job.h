@@ -20,7 +20,7 @@ struct AccuracyWork {
     bool onProcessor = false;                       // who drew it: its arithmetic is what is bounded
     bool keepImages = false;                        // what each pixel errs by is wanted, too
   };
-  static constexpr const char* kDoes = "bound the picture's errors";
+  static constexpr const char* kDoes = "bound the errors of the image";
   void run(base::Progress& progress);
 
   Subject subject;

@@ -19,7 +19,7 @@ struct OverlayWork {
     scene::LegendCorner corner = scene::LegendCorner::automatic;
     std::optional<render::Tile> taken;  // by the picture's own legend
   };
-  static constexpr const char* kDoes = "show errors in the picture";
+  static constexpr const char* kDoes = "show errors on the image";
   void run(base::Progress&) {
     painted = subject.picture();
     legend = paintErrors(*subject.errors, subject.wish, subject.shortestEdgeMm, subject.corner, subject.taken,

@@ -77,7 +77,7 @@ ReferenceJob::~ReferenceJob() {
 }
 
 void ReferenceJob::run(Work& work) {
-  const auto error = caughtError("", "trace the picture", [&] { trace(work); });
+  const auto error = caughtError("", "trace the image", [&] { trace(work); });
   if (error && error->kind() != base::ErrorKind::interrupted) work.error = error;
   work.finished.store(true, std::memory_order_release);
 }

@@ -16,7 +16,7 @@ void checkMayGoOn(const std::filesystem::path& file, const gi::BakeFacts& facts,
     base::throwInput(
         file.string(), "Array arithmetic",
         "is \"" + facts.arithmetic + "\", and this machine's \"" + arithmetic +
-            "\": the last bits of the light differ; --mix-arithmetic goes on, and the file says so");
+            "\": the last bits of the light differ; --mix-arithmetic continues, and the file records it");
 }
 
 }  // namespace isolux::app

@@ -63,8 +63,8 @@ void checkNamesDiffer(const std::vector<std::string>& names, const std::string& 
   for (const std::string& name : names)
     if (!seen.insert(fs::path(name).lexically_normal().string()).second)
       throw base::Error(base::ErrorKind::usage, name, "",
-                        "several pictures would go into this file; {name}, {n}, {i} or {value} in " + option +
-                            " tells them apart");
+                        "several images would be written to this file; {name}, {n}, {i} or {value} in " +
+                            option + " distinguishes them");
 }
 
 }  // namespace isolux::app

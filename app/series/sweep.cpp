@@ -62,13 +62,12 @@ Sweep parseSweep(const std::string& text) {
   sweep.low = numbers[0];
   sweep.high = numbers[1];
   sweep.count = static_cast<int>(count);
-  if (scene::isOfMachine(sweep.path))
-    refuseSweep(sweep.path, "is a setting of the machine and changes no picture");
+  if (scene::isOfMachine(sweep.path)) refuseSweep(sweep.path, "is a host setting and changes no image");
   const scene::Setting& setting = scene::setting(sweep.path);
   if (setting.type != scene::SettingType::number && setting.type != scene::SettingType::integer)
     refuseSweep(sweep.path, "is not a number and cannot be swept");
   if (sweep.path.starts_with("source."))
-    refuseSweep(sweep.path, "cannot be swept: one volume is loaded for all pictures");
+    refuseSweep(sweep.path, "cannot be swept: all images share one volume");
   if (setting.type == scene::SettingType::integer)
     for (int i = 0; i < sweep.count; ++i)
       if (sweep.value(i) != std::floor(sweep.value(i)))

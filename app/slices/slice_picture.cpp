@@ -71,7 +71,7 @@ class CurveDistances {
       : size_(size),
         reach_(reach),
         held_(base::machineMemory().reserve(count() * sizeof(float), "the isocontours of a slice",
-                                            "a smaller picture needs less")),
+                                            "a smaller image needs less")),
         squared_(count(), std::numeric_limits<float>::infinity()) {}
 
   void add(glm::dvec2 p, glm::dvec2 q) {

@@ -123,7 +123,7 @@ std::string choiceAmong(const Comparing& by, const std::string& setting, const R
     text += "; " + quoted(less->value) + " is cheaper (" + by.costOf(*less) + " instead of " +
             by.costOf(now) + "), with " + by.errorOf(*less);
   else
-    text += some ? "; what costs clearly less is more than four times as far off"
+    text += some ? "; clearly cheaper values have more than four times the error"
                  : ", and none costs clearly less";
   return text + '.';
 }
@@ -153,7 +153,7 @@ std::string sampledAdvice(const KnobStudy& study, const Comparing& by) {
              " instead of " + by.costOf(*exact) + ". ";
     else
       text = "Leave `hit.method` at `exact`, for which " + quotedSetting(study) +
-             " does nothing: exact hits have " + by.errorOf(*exact) + " in " + by.costOf(*exact) +
+             " has no use: exact hits have " + by.errorOf(*exact) + " in " + by.costOf(*exact) +
              ", and no value that is as accurate costs less. ";
   }
   if (now) text += "Where hits are sampled, " + choiceAmong(by, quotedSetting(study), sampled, *now);
@@ -219,7 +219,7 @@ std::string adviceOf(const KnobStudy& study) {
   if (study.knob.measure == Measure::shadow) return shadowAdvice(study, by);
   if (study.knob.sampled) return sampledAdvice(study, by);
   const StudySetting* const now = defaultRow(study);
-  if (!now || !std::isfinite(by.error(*now))) return "Nothing can be said: no pixel has a " + by.noun() + '.';
+  if (!now || !std::isfinite(by.error(*now))) return "No recommendation: no pixel has a " + by.noun() + '.';
   if (study.knob.field)
     if (std::string text = fieldAdvice(study, by, *now); !text.empty()) return text;
   if (study.knob.measure == Measure::scale) return scaleAdvice(study, by, *now);

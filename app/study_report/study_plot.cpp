@@ -20,7 +20,7 @@ std::string costLabel(const Knob& knob, const Panel& panel) {
     case Cost::frameMilliseconds:
       return "time of a frame, ms";
     case Cost::bakeSeconds:
-      return "time to bake what the view shows, s";
+      return "bake time of the visible part, s";
     case Cost::gpuMegabytes:
       return "light on the graphics card, MiB";
     case Cost::passes:

@@ -186,7 +186,9 @@ void closing(std::ostream& out, const KnobStudy& study) {
   const bool blind = study.knob.measure == Measure::scale && !study.knowsTruth;
   if (study.knob.measure != Measure::shadow && !blind) reachLine(out, study);
   if (const std::string note = noteOf(study); !note.empty()) out << '\n' << note << '\n';
-  out << "\n**What to do.** " << adviceOf(study) << '\n';
+  out << "\n"
+         "**Recommendation.** "
+      << adviceOf(study) << '\n';
 }
 
 // A file's words in Markdown: no HTML, no link, no table of their own.
@@ -244,14 +246,15 @@ std::string studyMarkdown(const StudySubject& subject, const std::vector<KnobStu
       << tableNumber(*subject.scene.isosurface.value, 6) << ", picture " << subject.size.x << " x "
       << subject.size.y << ". " << subject.context.renderer << ", " << processorName() << "; medians of "
       << subject.repeat << " frames of each setting in turns.\n"
-      << "Errors of surfaces are against double precision on the same fields, those of light against path "
-         "tracing. FLIP: how different a picture looks, 0 to 1 (mean). Quartiles: half of all measured times "
-         "lie "
-         "between; rows whose quartiles overlap are taken to cost the same. study.json has all other "
-         "figures.\n";
+      << "Errors of surfaces are relative to double precision on the same fields, errors of light to path "
+         "tracing. FLIP: perceived difference of images, 0 to 1 (mean). Quartiles: half of all measured "
+         "times are between them; rows with overlapping quartiles are taken to cost the same. study.json has "
+         "all other figures.\n";
   if (const double ratio = timesAsLong(studies); ratio > kBusy)
-    out << "\n**The machine was busy**: frames took " << tableNumber(ratio, 2)
-        << " times as long as the processor worked on them. Times are uncertain; errors are not.\n";
+    out << "\n"
+           "**The computer was busy**: frames took "
+        << tableNumber(ratio, 2)
+        << " times as long as their CPU time. Times are uncertain; errors are not.\n";
   if (!complete) out << "\n*Not complete: the study was stopped, or is still running.*\n";
   for (const KnobStudy& study : studies) {
     out << "\n## " << study.knob.name << " (`" << study.knob.setting << "`)\n\n";

@@ -27,14 +27,12 @@ void writeScaleTable(std::ostream& out, const KnobStudy& study) {
   out << "Noise of deviation " << tableNumber(study.addedNoise) << " data units is added, " << kNoiseSeeds
       << " times. ";
   if (study.knowsTruth)
-    out << "Errors are those against the phantom without noise at scale 0: what noise adds and what "
-           "smoothing takes.";
+    out << "Errors are relative to the phantom without noise at scale 0: the effects of noise and of "
+           "smoothing.";
   else
-    out << "The volume's own noise has that deviation. Its truth is not known: errors are what the addition "
-           "changes at "
-           "the same scale, as far as another scan of the same would differ. What smoothing takes from the "
-           "shape is not among "
-           "them.";
+    out << "The volume's own noise has that deviation, and its reference is unknown. Errors are the change "
+           "due to added noise at the same scale, as between two scans of one object. They exclude the "
+           "effect of smoothing on the shape.";
   out << "\n\n";
   const Panel& panel = panelsOf(study.knob)[0];
   std::vector<TableColumn> columns{

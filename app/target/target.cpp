@@ -113,7 +113,7 @@ std::vector<Limit> parseErrorTarget(const std::string& text) {
         refuse("--error", std::string(nameOf(limit.quantity)) + " is given twice");
     limits.push_back(limit);
   }
-  if (limits.empty()) refuse("--error", "says no error; for example depth=0.01mm");
+  if (limits.empty()) refuse("--error", "contains no error; for example depth=0.01mm");
   return limits;
 }
 

@@ -153,9 +153,9 @@ std::vector<Limit> TargetSearch::actingLimits(const std::vector<Limit>& asked, T
       limits.push_back(limit);
       continue;
     }
-    const char* const why = isOfLight(limit)                        ? "this picture reads no stored light"
-                            : limit.quantity == Quantity::curvature ? "this picture reads no curvature"
-                                                                    : "this picture reads no normals";
+    const char* const why = isOfLight(limit)                        ? "this image reads no baked light"
+                            : limit.quantity == Quantity::curvature ? "this image reads no curvature"
+                                                                    : "this image reads no normals";
     answer.notes.push_back(std::string(nameOf(limit.quantity)) + " is ignored: " + why);
   }
   return limits;
@@ -233,7 +233,7 @@ void TargetSearch::addLight(TargetAnswer& answer, const MeasuredCandidate& surfa
     throw Error(ErrorKind::usage, "", "--error",
                 "no settings keep " + limitsText({&*limit, 1}) + "; the smallest guaranteed error is " +
                     errorText(Quantity::light, least) +
-                    "; a larger picture, gi.samples above 1024 or gi.lattice_scale above 2 may keep it");
+                    "; a larger image, gi.samples above 1024 or gi.lattice_scale above 2 may keep it");
   }
   answer.chosen = answer.measured.size() + *chosen;
   answer.measured.insert(answer.measured.end(), lit.begin(), lit.end());

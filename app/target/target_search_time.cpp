@@ -104,7 +104,7 @@ std::optional<TargetAnswer> TargetSearch::keepTime(double milliseconds, base::Pr
   throw base::Error(base::ErrorKind::usage, "", "--time",
                     "no settings keep " + base::shortText(milliseconds, 4) + " ms; the fastest take about " +
                         base::shortText(std::ceil(quickest / kTimeMargin), 9) +
-                        " ms, and a smaller picture less");
+                        " ms; choose a smaller image");
 }
 
 }  // namespace isolux::app

@@ -48,7 +48,7 @@ LightContent contentOf(const BakeHeader& header, const std::string& file) {
                                : content.order == 0;
     if ((content.channels == 1 || content.channels == 3) && orderFits) return content;
   }
-  throwInput(file, "Array content", "says nothing of the light that is stored");
+  throwInput(file, "Array content", "does not describe its light");
 }
 
 void checkKey(const BakeHeader& header, const std::string& file, const std::string& field,

@@ -100,7 +100,7 @@ BakeFacts bakeFactsOf(const BakeHeader& header, const std::string& file) {
   if (index < 1 || count < index || count > kMostParts || samples < 1 || samples > 0xffffffff ||
       !text.contains("texels") || !text["texels"].is_string() || !text.contains("complete") ||
       !text["complete"].is_boolean())
-    throwInput(file, "Array part", "says nothing of a part of a bake");
+    throwInput(file, "Array part", "does not describe a part of a bake");
   facts.part = {{static_cast<int>(index), static_cast<int>(count)},
                 static_cast<std::uint32_t>(samples),
                 text["texels"],

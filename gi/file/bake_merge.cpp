@@ -104,9 +104,9 @@ void checkComplete(const Parts& parts, const fs::path& out) {
       throwInput(file->name(), "Array part",
                  "is " + partWords(file->part().part) + ", and so is " + there->second->name());
     if (!file->part().complete)
-      throwInput(file->name(), "Array part",
-                 partWords(file->part().part) +
-                     " is not finished: isolux bake with the same options goes on with it");
+      throwInput(
+          file->name(), "Array part",
+          partWords(file->part().part) + " is not finished; isolux bake with the same options resumes it");
   }
   std::string missing;
   constexpr int named = 10;
@@ -118,7 +118,7 @@ void checkComplete(const Parts& parts, const fs::path& out) {
   if (absent > 0)
     throwInput(out.string(), "",
                std::string(absent > 1 ? "parts " : "part ") + missing + " of " + std::to_string(count) +
-                   (absent > 1 ? " are" : " is") + " missing; nothing was written");
+                   (absent > 1 ? " are" : " is") + " missing; no file was written");
 }
 
 // The one arithmetic of all.

@@ -14,7 +14,7 @@ Environment Environment::load(const std::string& path, base::Progress& progress)
     volume::DecodedImage image = volume::readImage(path, progress);
     return Environment(image.width, image.height, std::move(image.pixels));
   } catch (const std::bad_alloc&) {
-    throw base::Error(base::ErrorKind::memory, path, "", "is too large for the memory of this machine");
+    throw base::Error(base::ErrorKind::memory, path, "", "is too large for the memory of this computer");
   }
 }
 

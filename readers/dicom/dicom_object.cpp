@@ -60,7 +60,7 @@ bool belongsTo(std::string_view uid, std::string_view family) {
 DicomObject described(const SopClass& sopClass) {
   const std::string name(sopClass.name);
   if (!sopClass.isRead) return {"is " + name + ", not a scan", "", false};
-  return {"", "the image is " + name + ": what its values and lengths mean may differ from a scan", false};
+  return {"", "the image is " + name + ": its values and lengths may differ from those of a scan", false};
 }
 
 }  // namespace

@@ -149,7 +149,7 @@ void readModalityLut(vtkDICOMMetaData* meta, DicomFile& file) {
   const std::size_t count = descriptor.empty() ? 0 : static_cast<std::size_t>(unsignedWord(descriptor[0]));
   const std::size_t bytes = data.IsValid() ? data.GetVL() : 0;
   if (count == 0 || bytes < count)
-    throwInput(file.path.string(), "ModalityLUTSequence", "its table is missing or shorter than it says");
+    throwInput(file.path.string(), "ModalityLUTSequence", "its table is missing or shorter than stated");
   const std::size_t each = bytes >= 2 * count ? 2 : 1;
   file.lut.first = static_cast<std::int64_t>(descriptor[1]);
   if (!file.isSigned && file.lut.first < 0) file.lut.first += 65536;

@@ -130,9 +130,8 @@ void splitSiemensMosaic(vtkDICOMMetaData* meta, DicomFile& file) {
   const int slices = slicesOf(meta);
   const int across = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(slices))));
   if (slices < 1 || file.frames.size() != 1 || file.columns % across != 0 || file.rows % across != 0)
-    base::throwInput(
-        file.path.string(), "ImageType",
-        "is a Siemens mosaic that does not say how many slices its tiles are; dcm2niix may convert it");
+    base::throwInput(file.path.string(), "ImageType",
+                     "is a Siemens mosaic without the number of slices; dcm2niix may convert it");
   DicomFrame tile = file.frames.front();
   const glm::dvec3 right = tile.rowDirection * tile.spacingXMm, down = tile.columnDirection * tile.spacingYMm;
   // The position is that of a slice as large as the mosaic, with the same centre.
@@ -141,8 +140,7 @@ void splitSiemensMosaic(vtkDICOMMetaData* meta, DicomFile& file) {
   const auto stated = normalOf(meta);
   const glm::dvec3 normal = stated ? *stated : glm::cross(tile.rowDirection, tile.columnDirection);
   if (!stated)
-    file.warnings.emplace_back(
-        "a mosaic without SliceNormalVector: which end of the stack is first is not known");
+    file.warnings.emplace_back("a mosaic without SliceNormalVector: the first end of the stack is unknown");
   const double distance = tile.thicknessMm > 0.0 ? tile.thicknessMm : 1.0;
   if (!(tile.thicknessMm > 0.0)) file.warnings.emplace_back("no distance of slices is stated; 1 mm assumed");
   cutIntoTiles({across, across}, slices, tile, file);

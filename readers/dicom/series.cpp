@@ -111,7 +111,7 @@ void noteRemarks(const std::vector<DicomFile>& files, std::vector<std::string>& 
                        [&](const DicomFile& file) { return !(value(file) == value(files.front())); });
   };
   if (files.front().series == kNoSeries && files.size() > 1)
-    warnings.emplace_back("its files state no SeriesInstanceUID; whether they belong together is not known");
+    warnings.emplace_back("its files state no SeriesInstanceUID; they may not belong together");
   if (differ([](const DicomFile& file) { return file.patient; }))
     warnings.emplace_back("its files name several patients");
   if (differ([](const DicomFile& file) { return file.frameOfReference; }))

@@ -89,7 +89,7 @@ void readStorage(hid_t properties, const std::string& file, Hdf5Layout& layout) 
       throwInput(file, layout.dataset,
                  "it is made of other datasets (virtual) that are virtual themselves, which is not read");
     default:
-      throwInput(file, layout.dataset, "it is stored in a way that is not known");
+      throwInput(file, layout.dataset, "its storage layout is unknown");
   }
 }
 

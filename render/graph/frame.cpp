@@ -20,7 +20,7 @@ const char* nameOf(PassState state) {
 
 void throwIfStopped(const FrameRequest& request) {
   if (request.stop.stop_requested())
-    throw base::Error(base::ErrorKind::interrupted, "", "", "the picture was stopped");
+    throw base::Error(base::ErrorKind::interrupted, "", "", "the image was stopped");
 }
 
 const std::vector<AovInfo>& aovs() {

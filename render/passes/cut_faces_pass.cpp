@@ -50,7 +50,7 @@ void findRow(const volume::CutFaces& faces, const volume::PictureRays& rays, int
 CutFaceImage::CutFaceImage(glm::ivec2 size)
     : held(base::machineMemory().reserve(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
                                              (sizeof(glm::vec2) + sizeof(float)),
-                                         "cut faces of the picture", "a smaller picture needs less")),
+                                         "cut faces of the picture", "a smaller image needs less")),
       area(size),
       ends(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y)),
       texels(ends.size()) {}

@@ -117,7 +117,7 @@ HostImages::HostImages(glm::ivec2 size)
     : held(base::machineMemory().reserve(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
                                              (sizeof(glm::vec2) + 5 * sizeof(glm::vec4)),
                                          "hits of the picture",
-                                         "a smaller picture or --executor gpu needs less")),
+                                         "a smaller image or --executor gpu needs less")),
       crossings(size) {}
 
 OnProcessor onProcessor(bool taken, const scene::Scene& scene) {

@@ -336,7 +336,7 @@ void readIntent(const NiftiFields& fields, const std::string& file, ImageHeader&
   if (intent == 1002 || intent == 1003)
     header.warnings.push_back(
         "intent_code " + std::to_string(intent) +
-        ": the numbers are labels without an order; values between two labels mean nothing");
+        ": the values are labels without an order; values between labels are meaningless");
   if (intent == 1008 || intent == 1009 || intent == 2002 || (intent >= 3000 && intent < 3100))
     throwInput(file, "intent_code",
                intent >= 3000 ? "CIFTI files, whose numbers belong to surfaces, are not read"

@@ -344,7 +344,7 @@ void Header::assignAxes(ImageHeader& header) {
     const bool firstIsShort = std::isnan(axes_[0].spacing) && axes_[0].size <= 4 && axes_[3].size > 4;
     const bool first = firstHasNoSpacing || firstIsShort;
     spatial_.erase(first ? spatial_.begin() : spatial_.end() - 1);
-    warnings_.push_back(std::string("the header does not say which of the 4 axes is not spatial; the ") +
+    warnings_.push_back(std::string("the header does not state which of the 4 axes is not spatial; the ") +
                         (first ? "first is taken as components" : "last is taken as time"));
   }
   if (spatial_.size() < 2 || spatial_.size() > 3)

@@ -92,7 +92,7 @@ SliceValues sliceValues(const SliceField& field, const SlicePlane& plane, const 
   SliceValues slice;
   slice.size = plane.size;
   slice.held = base::machineMemory().reserve(count * sizeof(float), "the values of a slice",
-                                             "a smaller picture needs less");
+                                             "a smaller image needs less");
   resizeStoppably(slice.values, count, progress);
   const GridGeometry& geometry = field.grid.geometry();
   const glm::dmat4 voxelFromWorld = geometry.voxelFromWorld();

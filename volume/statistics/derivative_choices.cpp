@@ -205,7 +205,7 @@ DerivativeChoice choiceOf(const ScaleLadder& ladder, const Search& search, const
     const bool seen = ladder.points() >= kFewest;
     choice.scaleReason = choice.normalReason =
         seen && grid.missingCount() > 0 ? "too little of the surface is clear of missing voxels to measure it"
-                                        : "too little of the surface can be seen to measure it";
+                                        : "too little of the surface is visible to measure it";
     return choice;
   }
   const double unknown = search.cleanCurvature ? 0.0 : ladder.unknownShare(search.noise);

@@ -215,7 +215,7 @@ TEST_F(BakeOverMpi, RanksOfOtherArithmeticAreRefusedUnlessAllAreLowered) {
   EXPECT_EQ(mixed.exitCode, fused ? 3 : 0) << mixed.err;
   if (fused) {
     EXPECT_THAT(mixed.err, HasSubstr("rank 1 on "));
-    EXPECT_THAT(mixed.err, HasSubstr("--arithmetic no-fma lowers all"));
+    EXPECT_THAT(mixed.err, HasSubstr("use --arithmetic no-fma on all"));
     EXPECT_FALSE(fs::exists(folder_ / "mixed.vti"));
   }
   ASSERT_EQ(alone(bakeWords("whole.vti", lowered, volume, few)).exitCode, 0);

@@ -283,7 +283,7 @@ TEST(RenderCommandGl, APictureThatDoesNotFitIsRefusedWithTheSettingThatLowersIt)
                                      {.folder = folder});
   EXPECT_EQ(result.exitCode, 5) << result.err;
   EXPECT_TRUE(result.isOneErrorLine());
-  EXPECT_THAT(result.err, AllOf(HasSubstr("a smaller picture"), HasSubstr("memory budget of 100.0 MiB")));
+  EXPECT_THAT(result.err, AllOf(HasSubstr("a smaller image"), HasSubstr("memory budget of 100.0 MiB")));
   EXPECT_THAT(filesIn(folder), IsEmpty());
 }
 

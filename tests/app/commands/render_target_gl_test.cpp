@@ -34,7 +34,7 @@ TEST(RenderTargetGl, TheChoiceIsExplainedAndItsPictureIsMadeAgainBySession) {
                                              "--stats", "s.json", "--out", "a.png"}),
                                      {.folder = folder});
   ASSERT_EQ(result.exitCode, 0) << result.err;
-  EXPECT_THAT(result.err, HasSubstr("note: --error: light is ignored: this picture reads no stored light\n"));
+  EXPECT_THAT(result.err, HasSubstr("note: --error: light is ignored: this image reads no baked light\n"));
   EXPECT_THAT(
       result.out,
       HasSubstr(

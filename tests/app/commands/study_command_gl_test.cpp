@@ -31,9 +31,10 @@ json study(const fs::path& folder, const std::vector<std::string>& arguments,
   words.insert(words.end(), arguments.begin(), arguments.end());
   const RunResult result = runIsolux(words, {.folder = folder, .environment = {"PATH=/nonexistent"}});
   EXPECT_EQ(result.exitCode, 0) << result.err;
-  EXPECT_EQ(result.err,
-            "isolux: note: no plots: they need gnuplot, which was not found (Debian: gnuplot-nox)\n" +
-                (skipped.empty() ? "" : "isolux: note: not studied, study.md says why: " + skipped + '\n'));
+  EXPECT_EQ(
+      result.err,
+      "isolux: note: no plots: they need gnuplot, which was not found (Debian: gnuplot-nox)\n" +
+          (skipped.empty() ? "" : "isolux: note: not studied (reasons in study.md): " + skipped + '\n'));
   EXPECT_THAT(filesIn(folder / "d"), ElementsAre("study.json", "study.md"));
   return json::parse(contentOf(folder / "d" / "study.json"));
 }

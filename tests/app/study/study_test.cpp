@@ -360,7 +360,7 @@ TEST(StudyPlot, OfLightHasItsCostAndStandardError) {
   EXPECT_THAT(script, HasSubstr("bars = 1"));
   EXPECT_THAT(script, HasSubstr("joined = 1"));
   EXPECT_THAT(script, HasSubstr("a\t0\t8\t8\t8\t0.045\t8\t8\t8\t0.135\t0.01\n"));
-  EXPECT_THAT(script, HasSubstr("time to bake what the view shows, s"));
+  EXPECT_THAT(script, HasSubstr("bake time of the visible part, s"));
   script = plotScript(madeLightStudy("component_bits"), "ct", ".part");
   EXPECT_THAT(script, HasSubstr("a\t0\t4\t4\t4\t0.045\t4\t"));
   EXPECT_THAT(script, HasSubstr("MiB"));

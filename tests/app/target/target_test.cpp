@@ -50,7 +50,7 @@ TEST(Target, RefusesWhatMakesNoSenseAndSaysWhatWould) {
   EXPECT_THAT(refusal("missed=2"), HasSubstr("between 0 and 100 %"));
   EXPECT_THAT(refusal("depth=1mm,depth=1vox"), HasSubstr("twice"));
   EXPECT_THAT(refusal(","), HasSubstr("unknown error"));
-  EXPECT_THAT(refusal(""), HasSubstr("says no error"));
+  EXPECT_THAT(refusal(""), HasSubstr("contains no error"));
   for (const char* text : {"100", "-1ms", "0s", "ms", "infs", "1min"})
     EXPECT_THAT(refusal(text, true), HasSubstr("100ms")) << text;
 }

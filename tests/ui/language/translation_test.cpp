@@ -225,7 +225,7 @@ TEST(TranslationTest, AnUnknownTextStaysAsItIs) {
   EXPECT_EQ(ui::translated(ui::texts::presets, "My own preset"), "My own preset");
   EXPECT_EQ(ui::translatedSentence("nobody has said this"), "nobody has said this");
   EXPECT_EQ(ui::translatedSentence("No surface at 300: the data range is -1 to 2"),
-            "Keine Oberfläche bei 300: die Werte liegen zwischen -1 und 2");
+            "Keine Oberfläche bei 300: Der Wertebereich ist -1 bis 2");
   EXPECT_EQ(ui::translatedSentence(app::agoText(std::chrono::minutes(5))), "vor 5 min");
   ui::setLanguage(ui::Language::english);
   EXPECT_EQ(ui::translatedSentence(app::agoText(std::chrono::minutes(5))), "5 min ago");
@@ -247,8 +247,8 @@ TEST(TranslationTest, WhyNoSettingsKeepAnErrorIsSaidInGermanAsAWhole) {
     const QString half = QString::fromStdString(app::errorText(quantity, 0.5)).section(' ', 0, 0);
     const QString quarter = QString::fromStdString(app::errorText(quantity, 0.25)).section(' ', 0, 0);
     EXPECT_EQ(text,
-              QString("keine Einstellungen halten ein: %1 höchstens %2 %4, verfehlt höchstens 0.1 %; das "
-                      "Kleinste, was sich zusagen lässt, ist %1 %3 %4")
+              QString("keine Einstellungen halten ein: %1 höchstens %2 %4, verfehlt höchstens 0.1 %; der "
+                      "kleinste zugesicherte Fehler ist %1 %3 %4")
                   .arg(german[at], half, quarter, inGerman))
         << english[at];
   }
@@ -265,7 +265,7 @@ TEST(TranslationTest, AMarkSaysTheSameInBothLanguages) {
   ui::setLanguage(ui::Language::german);
   EXPECT_EQ(ui::markText(mark, report),
             "Wall (Dicke)\n  L 1.0 mm\n  Abstand zur Oberfläche: 4.00 ± 0.25 mm\n"
-            "  Hinweis: Punkt 2 liegt 3 mm neben der Oberfläche\n");
+            "  Hinweis: Punkt 2 ist 3 mm von der Oberfläche entfernt\n");
   ui::setLanguage(ui::Language::english);
 }
 

@@ -531,10 +531,10 @@ TEST(DicomFrames, AMosaicIsItsSlices) {
 TEST(DicomFrames, AMosaicOfUnknownTilesIsRefused) {
   Slice s = mosaic();
   s.more.pop_back();
-  expectError(writeOne(s), "does not say how many slices");
+  expectError(writeOne(s), "without the number of slices");
   s.more.push_back(
       element(0x29, 0x1010, "OB", csaHeader({{"NumberOfImagesInMosaic", {"3"}}}).substr(0, 110)));
-  expectError(writeOne(s), "does not say how many slices");
+  expectError(writeOne(s), "without the number of slices");
 }
 
 // United Imaging's: five tiles of 1 x 2 in an image of 3 x 4, and where each lies.
@@ -634,7 +634,7 @@ TEST(DicomValues, AModalityLutIsApplied) {
   s.more = {lut("OW", -2, us(100) + us(40000) + us(65535) + us(7))};
   EXPECT_THAT(valuesOf(readFile(writeOne(s))), testing::ElementsAre(100, 100, 40000, 65535, 7, 7));
   s.more = {lut("US", -2, us(100))};
-  expectError(writeOne(s), "shorter than it says");
+  expectError(writeOne(s), "shorter than stated");
 }
 
 TEST(DicomValues, RealWorldValuesAreUsedWhereNoRescaleIs) {

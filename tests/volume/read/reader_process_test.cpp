@@ -94,7 +94,7 @@ TEST(ReaderProcess, AnswersThatMakeNoSenseAreRefused) {
   expectRefusal(readByFake("mesh instead"), "does not answer the request");
   expectRefusal(readByFake("endless message"), "out of range");
   expectRefusal(readByFake("truncated body"), "ends too early");
-  expectRefusal(readByFake("body too long"), "behind its end");
+  expectRefusal(readByFake("body too long"), "beyond its end");
   expectRefusal(readByFake("long text"), "ends too early");
   expectRefusal(readByFake("no voxels"), "out of range");
   expectRefusal(readByFake("negative size"), "out of range");

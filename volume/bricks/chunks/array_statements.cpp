@@ -185,7 +185,7 @@ void applyStatements(const ArrayStatements& statements, const ArrayAxes& axes,
   }
   facts.warnings.insert(facts.warnings.end(), statements.warnings.begin(), statements.warnings.end());
   if (silent)
-    facts.warnings.push_back("the array does not say how large voxels are; " + std::string(kSpacingAssumed));
+    facts.warnings.push_back("the array does not state the voxel size; " + std::string(kSpacingAssumed));
   const auto unit = stated.empty() ? std::nullopt : commonUnit(stated, facts.warnings);
   for (int d = 0; d < 3 && !statements.axes.empty(); ++d) {
     if (!space[d]) continue;

@@ -168,7 +168,7 @@ std::optional<OmeImage> parseOme(const nlohmann::json& attributes, const std::st
     if (dataset.has("coordinateTransformations")) append(dataset.at("coordinateTransformations"), transform);
     if (image.has("coordinateTransformations")) append(image.at("coordinateTransformations"), transform);
     if (!transform.scaled && ome.levels.empty())
-      ome.warnings.push_back("the image does not say how large voxels are; " + std::string(kSpacingAssumed));
+      ome.warnings.push_back("the image does not state the voxel size; " + std::string(kSpacingAssumed));
     OmeLevel level{safePath(dataset.at("path")), glm::dvec3(1.0), glm::dvec3(0.0), transform.placed};
     for (std::size_t direction = 0; direction < 3; ++direction) {
       if (!space[direction]) continue;

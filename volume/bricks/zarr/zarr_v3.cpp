@@ -195,7 +195,7 @@ void checkKnown(const JsonField& root) {
   for (const auto& [key, value] : root.value().items()) {
     if (std::find(std::begin(known), std::end(known), key) != std::end(known) || value.is_null()) continue;
     if (value.is_object() && value.contains("must_understand") && value["must_understand"] == false) continue;
-    root.refuse("the field " + inQuotes(key) + " is not known, and may not be passed by");
+    root.refuse("the field " + inQuotes(key) + " is unknown and may not be ignored");
   }
   if (root.has("storage_transformers") && !root.at("storage_transformers").entries().empty())
     root.at("storage_transformers").refuse("none is known");

@@ -264,7 +264,7 @@ void ReaderProcess::receive(std::uint64_t bytes) {
   end();  // from here on nobody changes what was handed over
   struct stat status {};
   if (::fstat(memory_.get(), &status) != 0 || static_cast<std::uint64_t>(status.st_size) != bytes)
-    fail(ErrorKind::input, "its reader handed over another size than it announced");
+    fail(ErrorKind::input, "its reader sent another size than announced");
 }
 
 void ReaderProcess::lend(std::uint64_t bytes, const std::function<void(std::span<std::byte>)>& fill) {
@@ -305,8 +305,7 @@ void ReaderProcess::explainEnd() {
   const double seconds = processorSeconds();
   const bool onItsOwn = hasEnded();
   const int status = end();
-  if (!onItsOwn)
-    fail(ErrorKind::input, "the file is damaged: its reader ended the connection and nothing else");
+  if (!onItsOwn) fail(ErrorKind::input, "the file is damaged: its reader closed the connection");
   if (WIFSIGNALED(status)) {
     const int signal = WTERMSIG(status);
     if (signal == SIGXCPU)

@@ -85,7 +85,7 @@ std::vector<std::string> WireReader::texts(std::size_t most) {
 }
 
 void WireReader::end() const {
-  if (!rest_.empty()) throwBadAnswer("goes on behind its end");
+  if (!rest_.empty()) throwBadAnswer("continues beyond its end");
 }
 
 }  // namespace isolux::volume

@@ -159,10 +159,10 @@ class Walk {
   // Each strip or tile must lie in the file.
   void checkStrips(const Entry& offsets, const Entry& counts, TiffPage& page, const std::string& place) {
     if (offsets.tag == 0 || counts.tag == 0)
-      throwInput(bytes_.name(), place, "does not say where its pixels are");
+      throwInput(bytes_.name(), place, "does not state where its pixels are");
     const auto at = valuesOf(offsets, place), sizes = valuesOf(counts, place);
     if (at.size() != sizes.size()) throwInput(bytes_.name(), place, "its tables of strips disagree");
-    if (at.empty()) throwInput(bytes_.name(), place, "does not say where its pixels are");
+    if (at.empty()) throwInput(bytes_.name(), place, "does not state where its pixels are");
     page.pixels = at.front();
     page.contiguous = page.compression == 1 && offsets.tag == 273;
     for (std::size_t i = 0; i < at.size(); ++i) {

@@ -348,9 +348,9 @@ class Statements {
       stack_.warnings.push_back("the file has a palette of colours; the stored numbers are taken");
     if (page.orientation > 1)
       stack_.warnings.push_back("Orientation " + std::to_string(page.orientation) +
-                                " asks to turn or mirror the pages; they are taken as stored");
+                                " requests rotated or mirrored pages; they are read as stored");
     if (page.sampleFormat == 4)
-      stack_.warnings.push_back("SampleFormat says that the kind of numbers is not known; unsigned assumed");
+      stack_.warnings.push_back("SampleFormat states an unknown kind of numbers; unsigned assumed");
   }
 
   const TiffFile& file_;
