@@ -18,7 +18,7 @@ void checkPart(const ChunkedFacts& facts, const scene::Source& source) {
                           std::to_string(has) + " (0 is the first)");
   };
   if (source.component >= facts.channels)
-    refuse("source.component", "component", source.component, facts.channels);
+    refuse("source.component", "channel", source.component, facts.channels);
   if (source.timeStep < 0 || source.timeStep >= facts.times)
     refuse("source.time_step", "time step", source.timeStep, facts.times);
 }

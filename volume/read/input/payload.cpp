@@ -285,7 +285,7 @@ void checkChoices(const ImageHeader& header, const std::string& file, const Read
   const std::int64_t components = header.components * header.slowComponents;
   if (options.component < -1 || options.component >= components)
     throw base::Error(base::ErrorKind::usage, file, "source.component",
-                      "component " + std::to_string(options.component) + " does not exist; the file has " +
+                      "channel " + std::to_string(options.component) + " does not exist; the file has " +
                           std::to_string(components) + " (0 is the first, -1 the magnitude)");
   if (options.timeStep < 0 || options.timeStep >= header.timeSteps)
     throw base::Error(base::ErrorKind::usage, file, "source.time_step",
