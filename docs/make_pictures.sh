@@ -35,24 +35,26 @@ guide() { # NAME [OPTIONS...] PATH
 }
 work=$(mktemp -d)
 trap 'rm -r "$work"' EXIT
-"$bin/isolux" phantom head --size 192 --out "$work/large.nii" && "$bin/isolux" index "$work/large.nii"
-guide large-data --set source.level=2 --panel volume "$work/large.nii"
+"$bin/isolux" phantom head --size 192 --out "$work/large.mha"
+"$bin/isolux" index "$work/large.mha"
+guide large-data --set source.level=2 --panel volume "$work/large.mha"
 guide window phantom:head:96
 guide export --preset ct_bone --entry "Save image" phantom:head:96
-guide sessions --preset ct_bone --entry "Save session" phantom:head:96
-guide open --panel volume --notes "$data/dicom/ct_head_64"
+guide sessions --preferences phantom:head:64
 if [ -d "$data/volumes" ]; then
   skull="$data/volumes/ct_cranium.mhd"
+  guide open --panel volume --notes "$data/dicom/ct_head_64"
+  bone=(--set isosurface.value=300 --set pieces.within=-200)
   guide surfaces --preset ct_skin_bone "$skull"
   guide looks --panel looks --set isosurface.value=-300 --set look.mode=mean_curvature "$skull"
-  guide slices --slices --set isosurface.value=-300 --set slice.contours=true "$skull"
-  guide clip --set isosurface.value=300 --set "clip.planes=122,122,105 0,0,1" --set camera.eye=360,500,480 --set camera.target=122,122,75 \
+  guide slices --slices --set isosurface.value=-300 "$skull"
+  guide clip "${bone[@]}" --set "clip.planes=122,122,105 0,0,1" --set camera.eye=360,500,480 --set camera.target=122,122,75 \
     --find clip "$skull"
-  guide light --set isosurface.value=300 --set look.mode=gi --set light.environment.builtin=sunset --light-at 42 --find environment "$skull"
+  guide light "${bone[@]}" --set look.mode=gi --set light.environment.builtin=sunset --light-at 42 --find environment "$skull"
   guide compare --set pieces.keep=1 --set "color.volume=$data/volumes/mri_colin27.nii.gz" --set color.below=6 --set isosurface.value=43 \
     --find color "$data/volumes/mri_colin27.nii.gz"
-  guide accuracy --panel accuracy --errors depth --set isosurface.value=300 "$skull"
-  guide measure --panel marks --set isosurface.value=300 --set "marks.list=$(cat docs/images/guide/measure.json)" "$skull"
+  guide accuracy --panel accuracy --errors depth "${bone[@]}" "$skull"
+  guide measure --panel marks "${bone[@]}" --set "marks.list=$(cat docs/images/guide/measure.json)" "$skull"
 fi
 isolux=$bin/isolux
 "$isolux" render phantom:head --preset ct_skin_bone --set picture.letters=true --set picture.scale_bar=true --set picture.isovalue=true \
@@ -61,7 +63,7 @@ isolux=$bin/isolux
   --elevation 35 --azimuth 25 --size 800x600 --out "$out/start/engineer.png"
 "$isolux" render phantom:gyroid:48 --look gaussian_curvature --azimuth 30 --size 800x600 --out "$out/start/simulation.png"
 (cd "$work" && sed -n '/^```python$/,/^```$/p' "$OLDPWD/docs/start/python.md" | grep -v '^```' > python.py &&
-  PYTHONPATH=$bin/../python MPLBACKEND=agg python3 python.py && mv python.png "$OLDPWD/$out/start/python.png")
+  PYTHONPATH=$bin/../python MPLBACKEND=agg /usr/bin/python3 python.py && mv python.png "$OLDPWD/$out/start/python.png")
 
 # The studies of docs/records; without gnuplot their plots are left as they are.
 study() {

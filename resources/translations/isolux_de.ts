@@ -8304,18 +8304,6 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Richtungen</translation>
     </message>
     <message>
-        <source>Fetches of the derivatives</source>
-        <translation>Zugriffe der Ableitungen</translation>
-    </message>
-    <message>
-        <source>Field of the derivatives</source>
-        <translation>Feld der Ableitungen</translation>
-    </message>
-    <message>
-        <source>Field that is hit</source>
-        <translation>Feld, das getroffen wird</translation>
-    </message>
-    <message>
         <source>Hit method</source>
         <translation>Treffermethode</translation>
     </message>
@@ -8328,32 +8316,12 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Nahfaktor r1/r0</translation>
     </message>
     <message>
-        <source>Near threshold, times automatic</source>
-        <translation>Nahschwelle, Vielfaches der automatischen</translation>
-    </message>
-    <message>
-        <source>Numbers on the graphics card</source>
-        <translation>Zahlen auf der Grafikkarte</translation>
-    </message>
-    <message>
-        <source>Part of directions from the environment</source>
-        <translation>Anteil der Richtungen aus der Umgebung</translation>
-    </message>
-    <message>
         <source>Paths per texel</source>
         <translation>Pfade je Texel</translation>
     </message>
     <message>
-        <source>Rate, samples per voxel</source>
-        <translation>Rate, Abtastungen je Voxel</translation>
-    </message>
-    <message>
         <source>Refinement steps</source>
         <translation>Verfeinerungsschritte</translation>
-    </message>
-    <message>
-        <source>Scale, times the mean spacing</source>
-        <translation>Skala, Vielfaches des mittleren Voxelabstands</translation>
     </message>
     <message>
         <source>Texels per voxel and axis</source>
@@ -8510,6 +8478,38 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     <message>
         <source>removed</source>
         <translation>entfernt</translation>
+    </message>
+    <message>
+        <source>Fraction of directions from the environment</source>
+        <translation>Anteil der Richtungen aus der Umgebung</translation>
+    </message>
+    <message>
+        <source>Interpolant of derivatives</source>
+        <translation>Interpolant der Ableitungen</translation>
+    </message>
+    <message>
+        <source>Interpolant of hits</source>
+        <translation>Interpolant der Treffer</translation>
+    </message>
+    <message>
+        <source>Near threshold, multiples of automatic</source>
+        <translation>Nahschwelle, Vielfaches der automatischen</translation>
+    </message>
+    <message>
+        <source>Number format on the graphics card</source>
+        <translation>Zahlenformat auf der Grafikkarte</translation>
+    </message>
+    <message>
+        <source>Sampling rate, samples per voxel</source>
+        <translation>Abtastrate, Abtastungen je Voxel</translation>
+    </message>
+    <message>
+        <source>Scale σ, multiples of the mean spacing</source>
+        <translation>Skala σ, Vielfaches des mittleren Voxelabstands</translation>
+    </message>
+    <message>
+        <source>Voxel access of derivatives</source>
+        <translation>Voxelzugriff der Ableitungen</translation>
     </message>
 </context>
 </TS>

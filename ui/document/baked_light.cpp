@@ -178,6 +178,7 @@ void BakedLight::considerShowing() {
 
 void BakedLight::considerAsking() {
   if (!asksFirst_ || state_.phase == Phase::preparing) return;
+  if (state_.phase == Phase::finished && !state_.smooth) return;  // nothing was asked for yet
   if (state_.phase != Phase::baking) {
     asksFirst_ = false;
   } else if (state_.counters.seconds >= secondsOfTrial && state_.counters.secondsLeft > secondsUnasked) {

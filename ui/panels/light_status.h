@@ -35,7 +35,7 @@ class LightStatus : public QWidget {
   bool halted_ = false;  // the first button goes on
 };
 
-// "light was at 9 %" while light is on its way or stopped on it; "" when a picture shows all of it, or has
+// "light 9 % complete" while light is on its way or stopped on it; "" when a picture shows all of it, or has
 // none.
 QString unfinishedLightText(const app::LightState& state, bool cancelled);
 

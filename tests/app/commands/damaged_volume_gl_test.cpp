@@ -86,7 +86,7 @@ TEST_F(DamagedVolumeGl, ACutChunkIsAHatchedHole) {
     const RunResult cut = render("cut.png", more);
     EXPECT_EQ(cut.exitCode, 3) << method;
     EXPECT_THAT(cut.err, HasSubstr("isolux: cut.png: "));
-    EXPECT_THAT(cut.err, HasSubstr("% of the picture is hatched"));
+    EXPECT_THAT(cut.err, HasSubstr("% of the image is hatched"));
     EXPECT_THAT(cut.err, HasSubstr("0.1.1"));
     const json bricks = statsOf("stats.json")["bricks"];
     const double lost = bricks["lost"];

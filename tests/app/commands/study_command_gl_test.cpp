@@ -262,7 +262,7 @@ TEST(StudyCommandGl, PlotsWhenGnuplotIsThere) {
   EXPECT_EQ(result.err, "");
   EXPECT_THAT(filesIn(folder / "it's 100%"),
               ElementsAre("fetch.svg", "hit_field.svg", "rate.svg", "study.json", "study.md"));
-  for (const char* label : {"hit.rate of", "samples per voxel", "exact hits", "default",
+  for (const char* label : {"Sampling rate", "samples per voxel", "exact hits", "default",
                             "time of cast + refine, ms", "missed pixels"})
     EXPECT_THAT(contentOf(folder / "it's 100%" / "rate.svg"), HasSubstr(label));
   EXPECT_THAT(contentOf(folder / "it's 100%" / "study.md"), HasSubstr("](rate.svg)"));

@@ -157,7 +157,7 @@ TEST(MarkEvaluator, AnglesAndCircles) {
   EXPECT_NEAR(valueOf(circle, "radius"), 2.5, 1e-9);
   EXPECT_LT(glm::length(*circle.centre - glm::dvec3(1.5, 2.0, 0.0)), 1e-9);
   EXPECT_THAT(measure(MarkKind::circle, {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}).problem, HasSubstr("on a line"));
-  EXPECT_THAT(measure(MarkKind::angle, {{0, 0, 0}, {0, 0, 0}, {2, 2, 2}}).problem, HasSubstr("one place"));
+  EXPECT_THAT(measure(MarkKind::angle, {{0, 0, 0}, {0, 0, 0}, {2, 2, 2}}).problem, HasSubstr("coincide"));
 }
 
 TEST(MarkEvaluator, ThicknessAndPieceOfABall) {
@@ -171,7 +171,7 @@ TEST(MarkEvaluator, ThicknessAndPieceOfABall) {
   expectWithinStated(piece, "volume", 4.0 / 3.0 * pi * r * r * r);
   expectWithinStated(piece, "area", 4.0 * pi * r * r);
   EXPECT_EQ(valueOf(piece, "pieces"), 1.0);
-  EXPECT_THAT(measure(MarkKind::piece, {{30, 30, 30}}).problem, HasSubstr("no piece"));
+  EXPECT_THAT(measure(MarkKind::piece, {{30, 30, 30}}).problem, HasSubstr("no connected component"));
 }
 
 TEST(MarkEvaluator, APinSaysWhatTheVolumeHolds) {
@@ -216,7 +216,7 @@ TEST(MarkEvaluator, AMarkStaysAndSaysThatItsSurfaceHasLeft) {
     ASSERT_EQ(report.notes.size(), 2u);
     EXPECT_THAT(report.notes[0], HasSubstr("point 1 "));
   }
-  EXPECT_THAT(little(MarkKind::distance, points).notes[0], HasSubstr("point 1 is 2 mm off the surface"));
+  EXPECT_THAT(little(MarkKind::distance, points).notes[0], HasSubstr("point 1 lies 2 mm off the surface"));
   EXPECT_THAT(far(MarkKind::distance, points).notes[1], HasSubstr("point 2 is not on the surface"));
   EXPECT_THAT(far(MarkKind::path, points).problem, HasSubstr("within three voxels of point 1"));
   EXPECT_THAT(far(MarkKind::thickness, {points[0]}).problem, HasSubstr("within three voxels of the point"));

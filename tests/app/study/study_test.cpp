@@ -223,7 +223,7 @@ TEST(StudyKnobs, KnobsWithoutEffectSayWhy) {
   EXPECT_THAT(why("shadow", plain), HasSubstr("key light"));
   probe.gi.mode = scene::GiMode::off;
   for (const char* knob : {"samples", "bounces", "interpolation", "sh_order", "precision"})
-    EXPECT_THAT(why(knob, probe), HasSubstr("stored")) << knob;
+    EXPECT_THAT(why(knob, probe), HasSubstr("baked")) << knob;
   plain.light.environment.constant = glm::dvec3(0.0);
   EXPECT_THAT(why("samples", plain), HasSubstr("no light is baked"));
 }
@@ -319,7 +319,7 @@ TEST(StudyTimes, ABusyMachineIsSeenByTheProcessorsTime) {
 
 TEST(StudyPlot, HasEveryPointAndMarksTheDefault) {
   const std::string script = plotScript(madeStudy(), "it's", ".part");
-  EXPECT_THAT(script, HasSubstr("title = 'Rate, samples per voxel: it''s'"));
+  EXPECT_THAT(script, HasSubstr("title = 'Sampling rate, samples per voxel: it''s'"));
   EXPECT_THAT(script, HasSubstr("\n1\t0\t3\t2.9\t3.2\t0.2\t3\t"));
   EXPECT_THAT(script, HasSubstr("\n2\t0\t5\t4.9\t5.2\t0.05\t5\t")) << "what is not done by default";
   EXPECT_THAT(script, HasSubstr("\n\n\nexact hits\t1\t2\t1.9\t2.2\t0\t")) << "in a block of its own";

@@ -69,9 +69,8 @@ TEST(StudyAdvice, TakesWhatIsCheaperAndAsAccurate) {
 TEST(StudyAdvice, ForSampledHitsSaysThatExactOnesAreTheDefault) {
   const std::string advice = adviceOf(studyOf(
       "rate", {{"1", 5, 1, 0.02, 9}, {"2", 10, 1, 0.01, 5}, {"exact hits", 11, 1, 3e-5, 0}}, kExactHits));
-  EXPECT_THAT(advice,
-              StartsWith("Leave `hit.method` at `exact`, for which `hit.rate` does nothing: exact hits "
-                         "have 3e-05 voxels (0 missed) in 11 ms"));
+  EXPECT_THAT(advice, StartsWith("Leave `hit.method` at `exact`, for which `hit.rate` has no use: exact hits "
+                                 "have 3e-05 voxels (0 missed) in 11 ms"));
   EXPECT_THAT(advice, HasSubstr("Where hits are sampled, leave `hit.rate` at `2`"));
 }
 

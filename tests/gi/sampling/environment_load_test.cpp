@@ -100,7 +100,7 @@ TEST(EnvironmentLoad, RefusesWhatIsNoImageWithFilePlaceAndReason) {
   expectRefusal(write("empty.exr", ""), "", "");
   expectRefusal(write("text.unknown", "this is no picture"), "", "");
   expectRefusal(write("short.hdr", radianceFile("-Y 2 +X 3", sixPixels.substr(0, 16))), "row 2", "");
-  expectRefusal(write("large.hdr", radianceFile("-Y 100000 +X 100000", sixPixels)), "header", "more than");
+  expectRefusal(write("large.hdr", radianceFile("-Y 100000 +X 100000", sixPixels)), "header", "too many");
   expectRefusal(write("zero.hdr", radianceFile("-Y 0 +X 3", sixPixels)), "", "");
 }
 

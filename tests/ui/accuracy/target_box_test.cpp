@@ -45,7 +45,7 @@ TEST_F(TargetBoxTest, FindsSettingsSaysWhatTheyCostAndAppliesThemAsOneStep) {
   box()->askError(app::Quantity::normal, 30.0);
   const QString text = found();
   ASSERT_TRUE(box()->answer()) << text.toStdString();
-  EXPECT_TRUE(text.contains("Field of the derivatives: Trilinear")) << text.toStdString();
+  EXPECT_TRUE(text.contains("Interpolant of derivatives: Trilinear")) << text.toStdString();
   EXPECT_TRUE(text.contains("Render time about ")) << text.toStdString();
   EXPECT_TRUE(text.contains("normal error ≤ ")) << text.toStdString();
   EXPECT_EQ(scene().derivatives.field, scene::Field::cubic) << "nothing is applied by itself";

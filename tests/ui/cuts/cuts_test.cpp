@@ -249,7 +249,7 @@ TEST_F(CutsTest, ACornerIsCutAwayDraggedAndRemoved) {
   menuAction("Corner 1", "Remove")->trigger();
   EXPECT_EQ(lastStep(), "Remove corner 1");
   ASSERT_EQ(clip().removed.size(), 2u);
-  EXPECT_TRUE(menuAction({}, "Cut faces show")->isEnabled());
+  EXPECT_TRUE(menuAction({}, "Cut faces")->isEnabled());
   menuAction({}, "Remove all cuts")->trigger();
   EXPECT_TRUE(clip().removed.empty());
   edit([](scene::Scene& scene) { scene.clip.removed.assign(2 * scene::kRemovedBoxes, glm::dvec3(0.0)); });

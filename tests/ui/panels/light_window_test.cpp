@@ -118,7 +118,7 @@ TEST_F(LightWindowTest, ThePictureKeepsPlainLightsUntilStoredLightIsSmooth) {
 
 TEST_F(LightWindowTest, LightOfSettingsThatComeBackIsThereAtOnce) {
   lightUp(16);
-  ASSERT_TRUE(waitForPhase(Phase::finished));
+  ASSERT_TRUE(waitUntil([&] { return light()->isShown() && light()->state().phase == Phase::finished; }));
   const std::uint64_t lit = light()->state().counters.texelsLit;
   const auto pathsOf = [&] { return light()->state().counters.rays; };
   set("gi.bounces", 0);

@@ -144,13 +144,13 @@ TEST(LightStatus, UnfinishedLightIsToldInPerCent) {
   state.counters.samplesDone = 95;
   for (const Phase phase : {Phase::baking, Phase::paused}) {
     state.phase = phase;
-    EXPECT_EQ(ui::unfinishedLightText(state, false), "light was at 9 %");
+    EXPECT_EQ(ui::unfinishedLightText(state, false), "light 9 % complete");
   }
   state.phase = Phase::preparing;
-  EXPECT_EQ(ui::unfinishedLightText(state, false), "light was at 0 %");
+  EXPECT_EQ(ui::unfinishedLightText(state, false), "light 0 % complete");
   state.phase = Phase::finished;
   EXPECT_EQ(ui::unfinishedLightText(state, false), "");
-  EXPECT_EQ(ui::unfinishedLightText(state, true), "light was at 9 %") << "stopped on its way";
+  EXPECT_EQ(ui::unfinishedLightText(state, true), "light 9 % complete") << "stopped on its way";
 }
 
 TEST_F(WindowTest, ARecordingSaysWhereItWentAndIsKnownWhenItIsOpened) {
@@ -165,7 +165,7 @@ TEST_F(WindowTest, ARecordingSaysWhereItWentAndIsKnownWhenItIsOpened) {
   window_->messageBar()->clear();
   window_->openPath(file + ".jsonl");
   EXPECT_TRUE(window_->findChildren<ui::RawImportDialog*>().isEmpty());
-  EXPECT_NE(barText(*window_).find("is a recording: isolux replay tour.jsonl"), std::string::npos)
+  EXPECT_NE(barText(*window_).find("render it with isolux replay tour.jsonl"), std::string::npos)
       << barText(*window_);
 }
 

@@ -75,7 +75,7 @@ TEST(ReaderProcess, ItsDeathIsOneLineThatNamesTheFileAndTheCause) {
   expectRefusal(readByFake("exit"), "its reader ended with code 1");
   expectRefusal(readByFake("killed"), "lack of memory", ErrorKind::memory);
   expectRefusal(readByFake("crash after the announcement"), "segmentation fault");
-  expectRefusal(readByFake("closes and stays"), "its reader ended");
+  expectRefusal(readByFake("closes and stays"), "its reader closed the connection");
   EXPECT_EQ(readByFake("crash").error->file(), "crash");
   EXPECT_EQ(readByFake("crash in another file").error->file(), "/data/other.dcm");
   expectNoChildren();
