@@ -13,18 +13,7 @@ screen() {
     xvfb-run -a -s "-screen 0 1920x1200x24" "$bin/isolux_screenshot" "$@"; fi
 }
 
-if [ -d "$data/volumes" ]; then
-  screen --out "$out/window_ct.png" --size 1280x800 --set isosurface.value=0.51 \
-    "$data/volumes/ct_head_skin_bone.nii.gz"
-  screen --out "$out/window_gi.png" --size 1280x800 --set isosurface.value=38 --set pieces.keep=1 --set look.mode=gi \
-    --set light.environment.file="$data/hdr/grace_cathedral_1k.hdr" --set lamp1.shown=true --set lamp1.kind=sphere \
-    --set lamp1.intensity=0.02 --find environment --light-at 40 "$data/volumes/bonsai.nii.gz"
-  screen --out "$out/window_cut.png" --size 1280x800 --set isosurface.value=0.51 --set "clip.planes=0,0,35 0,0,1; 4,0,0 1,0,0" \
-    --set camera.eye=420,-480,300 --set camera.target=4,4,-5 --set slice.level=0.45 --set slice.width=1.1 --find clip \
-    "$data/volumes/ct_head_skin_bone.nii.gz"
-else
-  echo "make_pictures.sh: no test data: pictures of scans are left as they are" >&2
-fi
+[ -d "$data/volumes" ] || echo "make_pictures.sh: no test data: pictures of scans are left as they are" >&2
 
 # One picture for each page of the guide and for the end of each tutorial.
 mkdir -p "$out/guide" "$out/start"
