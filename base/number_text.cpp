@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 namespace isolux::base {
 
@@ -25,7 +26,13 @@ bool readsBackAs(double value, const std::string& text) {
 }  // namespace
 
 std::string shortText(double value, int significant) {
-  return written(value, std::chars_format::general, std::min(significant, kExactDigits));
+  std::string text = written(value, std::chars_format::general, std::min(significant, kExactDigits));
+  // 100 of two digits is no "1e+02".
+  constexpr double plain = 1e6;
+  double rounded = 0.0;
+  std::from_chars(text.data(), text.data() + text.size(), rounded);
+  const bool large = text.find("e+") != std::string::npos && std::abs(rounded) < plain;
+  return large ? written(rounded, std::chars_format::fixed, 0) : text;
 }
 
 std::string shortestText(double value) {

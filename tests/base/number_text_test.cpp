@@ -14,6 +14,8 @@ TEST(NumberText, ShortOneHasSixDigitsAtMostAndNoTrailingZeros) {
   EXPECT_EQ(shortText(-0.25), "-0.25");
   EXPECT_EQ(shortText(1.0 / 3.0), "0.333333");
   EXPECT_EQ(shortText(1234567.0), "1.23457e+06");
+  EXPECT_EQ(shortText(99.7, 2), "100");
+  EXPECT_EQ(shortText(-1234.0, 2), "-1200");
   EXPECT_EQ(shortText(1.0 / 3.0, 2), "0.33");
   EXPECT_EQ(shortText(0.1, 17), "0.10000000000000001");
   EXPECT_EQ(shortText(0.1, 100), "0.10000000000000001") << "no double has more digits";
