@@ -376,8 +376,8 @@
         <translation>interner Fehler</translation>
     </message>
     <message>
-        <source>Isolux requires OpenGL 4.5. `isolux doctor` lists what this computer offers.</source>
-        <translation>Isolux benötigt OpenGL 4.5. `isolux doctor` zeigt, was dieser Rechner bietet.</translation>
+        <source>Isolux requires OpenGL 4.5. `isolux doctor` lists what this computer supports.</source>
+        <translation>Isolux benötigt OpenGL 4.5. `isolux doctor` zeigt, was dieser Rechner unterstützt.</translation>
     </message>
     <message>
         <source>To try again, undo the last step or change a setting.</source>
@@ -736,20 +736,20 @@
         <translation>Renderzeit etwa %1 ms; %2</translation>
     </message>
     <message>
-        <source>This image uses no baked light; nothing to choose</source>
-        <translation>Dieses Bild verwendet kein gespeichertes Licht; nichts zu wählen</translation>
+        <source>This image uses no baked light; no settings to choose</source>
+        <translation>Dieses Bild verwendet kein gespeichertes Licht; keine Einstellungen zu wählen</translation>
     </message>
     <message>
-        <source>This image uses no significant curvature; nothing to choose</source>
-        <translation>Dieses Bild verwendet keine signifikante Krümmung; nichts zu wählen</translation>
+        <source>This image uses no significant curvature; no settings to choose</source>
+        <translation>Dieses Bild verwendet keine signifikante Krümmung; keine Einstellungen zu wählen</translation>
     </message>
     <message>
-        <source>This image has no such error; nothing to choose</source>
-        <translation>Dieses Bild hat keinen solchen Fehler; nichts zu wählen</translation>
+        <source>This image has no such error; no settings to choose</source>
+        <translation>Dieses Bild hat keinen solchen Fehler; keine Einstellungen zu wählen</translation>
     </message>
     <message>
-        <source>The first isosurface is not visible; nothing to choose</source>
-        <translation>Die erste Isofläche ist nicht sichtbar; nichts zu wählen</translation>
+        <source>The first isosurface is not visible; no settings to choose</source>
+        <translation>Die erste Isofläche ist nicht sichtbar; keine Einstellungen zu wählen</translation>
     </message>
     <message>
         <source>no missed pixels</source>
@@ -765,11 +765,11 @@
     </message>
     <message>
         <source>Error bounds of the visible surface. Noise and discretisation: against the object itself. Rounding: against the same view in double precision.
-99 % of visible pixels keep these bounds (light: %2 %).
+These bounds hold for 99 % of visible pixels (light: %2 %).
 A pixel is uncertain if rounding may change the surface that it shows, for example along edges.
 Computed with one ray through the centre of each pixel, %1 pixels.</source>
         <translation>Fehlerschranken der sichtbaren Fläche. Rauschen und Diskretisierung: gegenüber dem Objekt selbst. Rundung: gegenüber derselben Ansicht in doppelter Genauigkeit.
-99 % der sichtbaren Pixel halten diese Schranken ein (Licht: %2 %).
+Diese Schranken gelten für 99 % der sichtbaren Pixel (Licht: %2 %).
 Ein Pixel ist unsicher, wenn Rundung die gezeigte Fläche ändern kann, etwa an Kanten.
 Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
     </message>
@@ -1413,8 +1413,8 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>Alle Ebenen und Quader entfernen</translation>
     </message>
     <message>
-        <source>Add a plane through the crosshair or the view’s target, and cut away what is in front of it</source>
-        <translation>Eine Ebene durch das Fadenkreuz oder das Ziel der Ansicht hinzufügen und wegschneiden, was davor liegt</translation>
+        <source>Add a plane through the crosshair or the view’s target, and cut away the part in front of it</source>
+        <translation>Eine Ebene durch das Fadenkreuz oder das Ziel der Ansicht hinzufügen und den Teil davor wegschneiden</translation>
     </message>
     <message>
         <source>Plane facing the &amp;viewer</source>
@@ -1537,7 +1537,7 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>&amp;Ganze Schicht</translation>
     </message>
     <message>
-        <source>Show voxel values on the whole cut face</source>
+        <source>Show voxel values on the whole cap</source>
         <translation>Voxelwerte auf der ganzen Schnittfläche zeigen</translation>
     </message>
     <message>
@@ -1593,12 +1593,12 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>Erst drei Punkte setzen, mit einem Werkzeug des Menüs Messen.</translation>
     </message>
     <message>
-        <source>There is a box already: drag its faces.</source>
-        <translation>Es gibt schon einen Quader: an seinen Seiten ziehen.</translation>
+        <source>The scene already has a box: drag its faces.</source>
+        <translation>Die Szene hat schon einen Quader: an seinen Seiten ziehen.</translation>
     </message>
     <message>
-        <source>There is no plane.</source>
-        <translation>Es gibt keine Ebene.</translation>
+        <source>The scene has no plane.</source>
+        <translation>Die Szene hat keine Ebene.</translation>
     </message>
     <message>
         <source>The box is not turned.</source>
@@ -1613,7 +1613,7 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>Ebene durch drei Punkte</translation>
     </message>
     <message>
-        <source>The three points lie on a line: set another point off that line.</source>
+        <source>The three points are collinear: set another point off their line.</source>
         <translation>Die drei Punkte liegen auf einer Geraden: einen weiteren Punkt abseits davon setzen.</translation>
     </message>
     <message>
@@ -1858,8 +1858,8 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
 <context>
     <name>isolux::ui::DocumentKeeper</name>
     <message>
-        <source>The recording %1 ends there and is not continued</source>
-        <translation>Die Aufzeichnung %1 endet dort und wird nicht fortgesetzt</translation>
+        <source>Recording %1 was interrupted and is not continued</source>
+        <translation>Die Aufzeichnung %1 wurde unterbrochen und wird nicht fortgesetzt</translation>
     </message>
     <message>
         <source>Autosave failed: %1. Save the session; Isolux tries again every minute.</source>
@@ -2028,14 +2028,14 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>Vorgeschlagener Isowert</translation>
     </message>
     <message>
-        <source>The surface is where the volume has this value.
+        <source>The surface consists of all points with this value.
 
 Drag the line on the histogram (counts are logarithmic).
 Wheel or arrow keys: fine steps (Shift: tenfold)
 Double click: suggested isovalue
 Alt+click or right click: add an isosurface there
 Ctrl+wheel: zoom the value axis, middle drag: pan it</source>
-        <translation>Die Fläche liegt dort, wo das Volumen diesen Wert hat.
+        <translation>Die Fläche besteht aus allen Punkten mit diesem Wert.
 
 Die Linie im Histogramm ziehen (die Anzahlen sind logarithmisch).
 Rad oder Pfeiltasten: feine Schritte (Umschalt: zehnfach)
@@ -2333,8 +2333,8 @@ Strg+Rad: Wertachse zoomen, Ziehen mit der mittleren Taste: verschieben</transla
         <translation>Eine Sitzung enthält Isowert, Darstellung, Licht und Ansicht, aber nicht das gespeicherte Licht.</translation>
     </message>
     <message>
-        <source>An autosave could not be read. It is kept as %1</source>
-        <translation>Eine automatische Sicherung war nicht lesbar. Sie bleibt erhalten als %1</translation>
+        <source>An autosave could not be read. Its file is %1</source>
+        <translation>Eine automatische Sicherung war nicht lesbar. Ihre Datei ist %1</translation>
     </message>
     <message>
         <source>Continue: %1, %2</source>
@@ -2741,8 +2741,8 @@ Strg+Rad: Wertachse zoomen, Ziehen mit der mittleren Taste: verschieben</transla
         <translation>Bild &amp;kopieren</translation>
     </message>
     <message>
-        <source>Copy the image as Save image would save it</source>
-        <translation>Das Bild kopieren, wie „Bild speichern“ es speichern würde</translation>
+        <source>Copy the image with the options of Save image</source>
+        <translation>Das Bild mit den Optionen von „Bild speichern“ kopieren</translation>
     </message>
     <message>
         <source>Lin&amp;k views of windows</source>
@@ -2785,8 +2785,8 @@ Strg+Rad: Wertachse zoomen, Ziehen mit der mittleren Taste: verschieben</transla
         <translation>Wo ist %1?</translation>
     </message>
     <message>
-        <source>%1 shows %2, which is neither in its old place nor next to the file. Where is it now?</source>
-        <translation>%1 zeigt %2; diese Datei liegt weder am alten Ort noch daneben. Wo ist sie jetzt?</translation>
+        <source>%1 shows %2, which is neither in its previous folder nor next to the session. Where is it now?</source>
+        <translation>%1 zeigt %2; diese Datei liegt weder im früheren Ordner noch neben der Sitzung. Wo ist sie jetzt?</translation>
     </message>
     <message>
         <source>a folder</source>
@@ -3104,8 +3104,8 @@ Ein Werkzeug aus dem Menü Messen wählen, dann auf die Oberfläche klicken: Pin
         <translation>Trotzdem messen</translation>
     </message>
     <message>
-        <source>Measure with voxels of 1 mm, which may be wrong: the file states no size</source>
-        <translation>Mit Voxeln von 1 mm messen, was falsch sein kann: Die Datei gibt keine Größe an</translation>
+        <source>Measure with voxels of 1 mm, which may be wrong: the file states no voxel size</source>
+        <translation>Mit Voxeln von 1 mm messen, was falsch sein kann: Die Datei gibt keine Voxelgröße an</translation>
     </message>
 </context>
 <context>
@@ -3299,8 +3299,8 @@ Ein Werkzeug aus dem Menü Messen wählen, dann auf die Oberfläche klicken: Pin
         <translation>&amp;Orientierungsbuchstaben</translation>
     </message>
     <message>
-        <source>Side of the patient at each edge, if the file states the orientation</source>
-        <translation>Seite des Patienten an jedem Rand, wenn die Datei die Orientierung angibt</translation>
+        <source>Side of the patient at each edge, if the patient orientation is known</source>
+        <translation>Seite des Patienten an jedem Rand, wenn die Orientierung des Patienten bekannt ist</translation>
     </message>
     <message>
         <source>Scale &amp;bar</source>
@@ -3327,8 +3327,8 @@ Ein Werkzeug aus dem Menü Messen wählen, dann auf die Oberfläche klicken: Pin
         <translation>Bedeutung der Farben; auch im Fenster gezeigt</translation>
     </message>
     <message>
-        <source>The colours of this look show no numbers</source>
-        <translation>Die Farben dieser Darstellung zeigen keine Zahlen</translation>
+        <source>The colours of this look show no quantity</source>
+        <translation>Die Farben dieser Darstellung zeigen keine Größe</translation>
     </message>
     <message>
         <source>Size and background</source>
@@ -3415,8 +3415,8 @@ Ein Werkzeug aus dem Menü Messen wählen, dann auf die Oberfläche klicken: Pin
         <translation>&amp;Verborgene und interpolierte Daten</translation>
     </message>
     <message>
-        <source>Lists hidden pieces and interpolated slices, if there are any</source>
-        <translation>Nennt verborgene Teile und interpolierte Schichten, wenn es welche gibt</translation>
+        <source>Lists hidden pieces and interpolated slices</source>
+        <translation>Nennt verborgene Teile und interpolierte Schichten</translation>
     </message>
 </context>
 <context>
@@ -3430,8 +3430,8 @@ Ein Werkzeug aus dem Menü Messen wählen, dann auf die Oberfläche klicken: Pin
         <translation>Ein feineres Bild wird gerendert</translation>
     </message>
     <message>
-        <source>There is no image yet</source>
-        <translation>Noch gibt es kein Bild</translation>
+        <source>No image yet</source>
+        <translation>Noch kein Bild</translation>
     </message>
     <message>
         <source>The image is final except for its light</source>
@@ -3600,8 +3600,8 @@ Ein Werkzeug aus dem Menü Messen wählen, dann auf die Oberfläche klicken: Pin
         <translation>Ebene hinzufügen</translation>
     </message>
     <message>
-        <source>Add a copy of the last plane, or a plane across the z axis through the origin; the Cut menu adds planes through the view’s target</source>
-        <translation>Eine Kopie der letzten Ebene oder eine Ebene quer zur z-Achse durch den Ursprung hinzufügen; das Menü Schneiden fügt Ebenen durch das Ziel der Ansicht hinzu</translation>
+        <source>Add a copy of the last plane, or a plane across the z axis through the origin. The Cut menu adds planes through the view’s target.</source>
+        <translation>Eine Kopie der letzten Ebene oder eine Ebene quer zur z-Achse durch den Ursprung hinzufügen. Das Menü Schneiden fügt Ebenen durch das Ziel der Ansicht hinzu.</translation>
     </message>
     <message>
         <source>%1 at</source>
@@ -3796,7 +3796,7 @@ Ein Werkzeug aus dem Menü Messen wählen, dann auf die Oberfläche klicken: Pin
         <translation>Schicht %1 von %2</translation>
     </message>
     <message>
-        <source>This slice lies beyond the end of the file.</source>
+        <source>This slice is beyond the end of the file.</source>
         <translation>Diese Schicht liegt hinter dem Ende der Datei.</translation>
     </message>
 </context>
@@ -3972,8 +3972,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Einstellung suchen</translation>
     </message>
     <message>
-        <source>No effective settings: %1</source>
-        <translation>Keine wirksamen Einstellungen: %1</translation>
+        <source>No setting in this group has an effect: %1</source>
+        <translation>Keine Einstellung dieser Gruppe hat eine Wirkung: %1</translation>
     </message>
     <message>
         <source>Settings of the scene</source>
@@ -3995,8 +3995,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Schräge Schicht</translation>
     </message>
     <message>
-        <source>Slice through cut %1</source>
-        <translation>Schicht durch Schnitt %1</translation>
+        <source>Slice in clip plane %1</source>
+        <translation>Schicht in Schnittebene %1</translation>
     </message>
     <message>
         <source>Move cut</source>
@@ -4144,8 +4144,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Anwenden</translation>
     </message>
     <message>
-        <source>Time at most, milliseconds</source>
-        <translation>Zeit höchstens, Millisekunden</translation>
+        <source>Maximum time, milliseconds</source>
+        <translation>Höchstzeit, Millisekunden</translation>
     </message>
     <message>
         <source>Kind of error</source>
@@ -4172,8 +4172,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Fehler sind nur für eine ungeschnittene Isofläche bekannt: die Schnitte entfernen oder sie davon ausnehmen</translation>
     </message>
     <message>
-        <source>No settings keep 0: enter a larger number</source>
-        <translation>Keine Einstellungen halten 0 ein: eine größere Zahl eingeben</translation>
+        <source>No settings achieve 0: enter a larger number</source>
+        <translation>Keine Einstellungen erreichen 0: eine größere Zahl eingeben</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -4254,8 +4254,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Perspektivische Ansicht</translation>
     </message>
     <message>
-        <source>The environment is not turned: %1</source>
-        <translation>Die Umgebung wird nicht gedreht: %1</translation>
+        <source>Cannot turn the environment: %1</source>
+        <translation>Die Umgebung kann nicht gedreht werden: %1</translation>
     </message>
     <message>
         <source>Rotate</source>
