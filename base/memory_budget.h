@@ -1,7 +1,7 @@
 // Limits the memory that the process allocates for large data.
 //
-// A budget is asked before every large allocation. If the data do not fit, the request fails with a message
-// that states the sizes, and the system does not have to kill the process. The budget is a host setting, not
+// Code reserves bytes before every large allocation. If the data do not fit, the request fails with a message
+// that states the sizes. The system then does not have to kill the process. The budget is a host setting, not
 // part of the Scene. It counts what grows with the data: voxels, tables of the tracer, coefficients, distance
 // fields, baked lighting, images. The reserve that allowedMemory() leaves covers small allocations. All sizes
 // are in bytes. All members are safe from any thread.

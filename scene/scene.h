@@ -1,8 +1,8 @@
 // Defines the Scene: everything that determines an image, as one plain value.
 //
 // Widgets, --set, sessions, undo and recordings all edit Scenes; no other state changes an image. Each member
-// is listed once in scene/settings.cpp with its path, default, range, unit and meaning; JSON, --set, undo,
-// hashing and the documentation come from that list.
+// is listed once in scene/settings.cpp with its path, default, range, unit and meaning. JSON, --set, undo,
+// hashing and the documentation use that list.
 //
 // World space is millimetres, DICOM/LPS (+x patient left, +y posterior, +z superior). Colours are linear
 // RGB (ITU-R BT.709 primaries) in [0, 1]. An empty optional means "automatic": scene::resolve() in
@@ -78,8 +78,9 @@ struct Pieces {
   double smallest = 0.0;           // mm^3
   std::vector<glm::dvec3> hidden;  // not shown
   std::vector<glm::dvec3> only;    // if not empty, only these are shown
-  // Data units: shows only components of which at least half is in the body above this value
-  // (volume/pieces/body.h), there at least `depth` deep as a fraction of the body's greatest depth.
+  // Data units: shows only components with at least half inside the body above this value
+  // (volume/pieces/body.h). That half must be at least `depth` deep, as a fraction of the body's greatest
+  // depth.
   std::optional<double> within{};
   double depth = 0.0;
   bool operator==(const Pieces&) const = default;

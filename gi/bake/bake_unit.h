@@ -1,7 +1,7 @@
 // Computes units of a bake: calls the estimator for a few texels at a time and writes the block.
 //
 // A call takes a few milliseconds, whatever a path costs. A round of a single texel with long paths is split
-// into several calls; the partial sums are kept while the thread serves other requests in between.
+// into several calls. Between them, the thread stores the partial sums and serves other requests.
 #pragma once
 
 #include <cstdint>

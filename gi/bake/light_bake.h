@@ -3,11 +3,12 @@
 //
 // Rounds end at 4, 16, 64, 256, 1024, then every 1024 samples per texel, and at the requested number. The
 // unit of work is a block and a round; no two threads work on one block. A texel's mean is updated once per
-// round, mean += (mean of the round - mean) * count / total, however the round is split among calls of the
-// estimator. The lattice is therefore bit-identical for any number of threads, any order of requests, and
-// after stopping and resuming. A number of samples that ends no regular round (100) ends a round only while
-// it is requested. If it is raised later, texels continue from there with the same samples, but summed in
-// other groups. The last bits may then differ from those of a bake that had the higher number from the start.
+// round: mean += (mean of the round - mean) * count / total. Splitting a round among calls of the estimator
+// does not change it. The lattice is therefore bit-identical for any number of threads, any order of
+// requests, and after stopping and resuming. A number of samples that ends no regular round (100) ends a
+// round only while it is requested. If it is raised later, texels continue from there with the same samples,
+// but summed in other groups. The last bits may then differ from those of a bake that had the higher number
+// from the start.
 //
 // There are no callbacks: owners poll counters() and LightLattice::changedSince(). All members are safe from
 // any thread; only waitFor() and the destructor wait for a worker. An exception of an estimator ends the bake

@@ -15,7 +15,8 @@
 //     Pairs after the first are the same sequence in another order, scrambled again ("padded", Burley 2020
 //     sec. 5).
 //   r2: fractional parts of n (1/p, 1/p^2), p^3 = p + 1 (Roberts 2018), with a shift per seed (Cranley &
-//     Patterson 1976), in 64-bit integers: no drift at large n. Pairs after the first are sobol_owen, because
+//   Patterson 1976). Computed in 64-bit integers, they do not drift at large n. Pairs after the first are
+//   sobol_owen, because
 //     two shifted copies of one lattice would be the same in every pair.
 //   random: independent numbers, a hash of the counters.
 #pragma once

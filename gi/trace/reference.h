@@ -30,8 +30,8 @@
 
 namespace isolux::gi {
 
-// Row 0 is the top row; one entry per pixel. A pixel is NaN without a hit or sample; its colour is then that
-// of the environment if that is shown as the background, else NaN.
+// Row 0 is the top row; one entry per pixel. A pixel without a hit or sample is NaN. Its colour is then that
+// of the environment, if that is shown as the background.
 struct ReferenceImage {
   glm::ivec2 size{0};
   std::vector<glm::vec3> color;        // linear

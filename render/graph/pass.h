@@ -1,9 +1,9 @@
-// Defines a pass of the renderer: its name, its shader, the images it reads and writes, the settings that its
-// result depends on, and how it runs. render/passes/pass_list.cpp lists the passes in their order.
+// Defines a pass of the renderer: name, shader, the images it reads and writes, the settings that its result
+// depends on, and its execution. render/passes/pass_list.cpp lists the passes in their order.
 //
 // A pass depends on a set of paths of scene/settings.h; a value counts only if the setting is active
-// (scene/rules/relevance.h). Passes also depend on inputs that are not settings (the volume, the image size)
-// and on numbers derived from settings (which surfaces are shown, the phase of a flow).
+// (scene/rules/relevance.h). Passes also depend on inputs that are not settings (the volume, the image size).
+// They may depend on numbers derived from settings (the phase of a flow), too.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Stores baked lighting on the GPU: the existing blocks of the light lattices in slots of a buffer, and a
-// page table from blocks to slots.
+// Stores baked lighting on the GPU: existing blocks of the light lattices in slots of a buffer, and a page
+// table from blocks to slots.
 //
 // The two lattices of a side, of the sky and of the light sources, have the same geometry and share slots.
 // Blocks of back faces have pages of their own after those of front faces, once there are any. update()

@@ -89,7 +89,7 @@ struct FrameState {
   std::vector<Pass*> used;                 // the passes that this frame needs, run or cached, in order
 
   // Rays in bricks (render/volume/brick_rounds.h). `onlyWaiting`: the cast is of the rays that waited for a
-  // brick. `keepHits`: no image of the hits is cleared, because parts that cannot be drawn again are kept.
+  // brick. `keepHits`: passes do not clear the images of the hits, because some parts cannot be drawn again.
   bool onlyWaiting = false, keepHits = false;
   std::optional<volume::Rectangle> raysOfRound;  // the only part drawn; nullopt: everything
 

@@ -1,8 +1,8 @@
 // Casts rays through bricks in rounds: cast, upload the bricks that rays wait for, and cast the waiting rays
 // again.
 //
-// A pixel keeps the hit that it has found, so bricks needed only by such pixels may be evicted; passes at the
-// hits are drawn before. If the bricks of all waiting rays do not fit together, parts of the image are cast
+// A pixel keeps its hit, so bricks that only such pixels need may be evicted. Before an eviction, the passes
+// at the hits are drawn. If the bricks of all waiting rays do not fit together, parts of the image are cast
 // one after the other. An image is complete if the bricks of a few neighbouring rays fit.
 #pragma once
 

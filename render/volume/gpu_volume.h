@@ -64,8 +64,8 @@ class GpuVolume {
   double dataUnitsPerTexel(scene::Field field) const;
 
   glm::dvec3 noiseBlur() const;  // scene::NoiseModel; estimated at the first call
-  // Returns the curvature statistics of the surface of `value` (data units) with these derivatives; all 0 if
-  // there is no surface.
+  // Returns the curvature statistics of the surface of `value` (data units) with these derivatives; all 0
+  // without a surface.
   volume::CurvatureStatistics curvatureStatistics(const FieldAt& of, double value, double outward,
                                                   const volume::HiddenPieces& hidden);
 
@@ -76,8 +76,8 @@ class GpuVolume {
 
   // Returns false if no cell of this field can contain a surface of one of `values` (data units).
   bool mayCross(scene::Field field, const std::vector<double>& values) const;
-  // Activates the blocks that the surfaces of `values` (data units) of this field can cross, in time
-  // proportional to the change; uploads the masks of their sub-blocks. The masks ignore hidden components.
+  // Activates the blocks that the surfaces of `values` (data units) of this field can cross, and uploads the
+  // masks of their sub-blocks. Takes time proportional to the change. The masks ignore hidden components.
   void activate(scene::Field field, const std::vector<double>& values,
                 const std::vector<volume::HiddenOfSurface>& hidden);
   std::size_t activeBlocks() const { return surfaces_.empty() ? 0 : surface().active().activeCount(); }
@@ -91,8 +91,8 @@ class GpuVolume {
   const volume::ScaledField* scaled(const FieldAt& of) const;
   bool isActive(std::size_t block) const { return surface().active().flags()[block] != 0; }
   // Prepares for casting an image of these surfaces. The first is cast by sub-blocks. From the second on,
-  // each cell has a bit (volume/skip/cell_bits.h) if its corners decide; computing them reads the voxels of
-  // active blocks once, which does not pay while the isovalue moves. Hits are the same.
+  // each cell has a bit (volume/skip/cell_bits.h) if its corners determine it. Computing the bits reads the
+  // voxels of active blocks once, which takes too long while the isovalue changes. Hits are the same.
   void prepareMasks(const scene::Hit& hit) { surface().prepareMasks(hit); }
   // Sets the masks that trace.glsl skips empty space by, on texture unit `unit`.
   void bindMasks(Program& program, const scene::Hit& hit, int unit) {

@@ -56,8 +56,8 @@ double normalScale(const Scene& scene);
 bool readsUnscaled(const Scene& scene);
 bool fetchesFast(const Scene& scene);
 
-// Return whether there is a clip plane, a clip box or a removed box; whether one of them clips a shown
-// isosurface; and whether the resulting caps show values.
+// Return whether the scene has a clip plane, a clip box or a removed box, whether one of them clips a shown
+// isosurface, and whether caps show values.
 bool hasCuts(const Clip& clip);
 bool cutsSurfaces(const Scene& scene);
 bool showsCutFaces(const Scene& scene);
