@@ -34,7 +34,7 @@ constexpr std::size_t framingDirectionCount = 6;  // of each room
 std::vector<glm::dvec3> framingDirections(const Camera& camera, const Rooms& rooms);
 
 // Returns the nearest camera with the same direction and up whose image has the whole set in one of the
-// rooms, centred. The margin is 4 % of the room's half size. The target is at the middle of the set's depth.
+// rooms, centred. The margin is 4 % of the set's half size. The target is at the middle of the set's depth.
 // It uses the first room that shows the set within 2 % of the largest size. `farthest`: the largest dot
 // product of each direction with a point of the set. Returns the camera unchanged if a number is not finite.
 Camera framing(const Camera& camera, const Rooms& rooms, std::span<const double> farthest);
@@ -47,8 +47,8 @@ Camera framingBall(const Camera& camera, const Rooms& rooms, glm::dvec3 centreMm
 std::array<glm::dvec3, 8> cornersOf(glm::dvec3 boundsMinMm, glm::dvec3 boundsMaxMm);
 
 // Returns a camera that fitted() has made of this box, moved back until the box is in the room. If the room
-// is not around the image's middle, or there are several, it returns framing() of the box. Returns any other
-// camera unchanged: the user has chosen its view.
+// is not around the image's middle, or several rooms are given, returns framing() of the box. Returns any
+// other camera unchanged, because the user has chosen its view.
 Camera fittedTo(const Camera& camera, glm::dvec3 boundsMinMm, glm::dvec3 boundsMaxMm, const Rooms& rooms);
 
 }  // namespace isolux::scene

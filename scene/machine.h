@@ -14,7 +14,7 @@
 
 namespace isolux::scene {
 
-// What computes hits and derivatives; automatic: the CPU if OpenGL is software.
+// The device that computes hits and derivatives; automatic: the CPU if OpenGL is software.
 enum class Executor { automatic, gpu, cpu };
 
 // Location of a volume's voxels while it is drawn. automatic: the file, if it can be read in parts and the

@@ -227,7 +227,7 @@ struct Flow {
   double grain = 1.5;    // of the noise, pixels
   bool animate = false;
   double speed = 1.0;  // passes of the pattern per second
-  double time = 0.0;   // seconds: where the animation stands
+  double time = 0.0;   // seconds: current time of the animation
   bool operator==(const Flow&) const = default;
 };
 
@@ -238,7 +238,7 @@ struct Environment {
   std::optional<glm::dvec3> constant;           // radiance of a constant environment, if there is no file
   BuiltInLight builtIn = BuiltInLight::studio;  // if there is neither
   double azimuth = 0.0;                         // degrees about up, counterclockwise from above
-  double elevation = 0.0;                       // degrees, raises what lies before the volume
+  double elevation = 0.0;                       // degrees; raises the light from the front
   // Quaternion (w, x, y, z) from its own frame to the world, before azimuth and elevation; any length.
   glm::dvec4 rotation{1.0, 0.0, 0.0, 0.0};
   double exposure = 0.0;  // stops

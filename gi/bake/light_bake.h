@@ -10,7 +10,7 @@
 // but summed in other groups. The last bits may then differ from those of a bake that had the higher number
 // from the start.
 //
-// There are no callbacks: owners poll counters() and LightLattice::changedSince(). All members are safe from
+// It calls no callbacks: owners poll counters() and LightLattice::changedSince(). All members are safe from
 // any thread; only waitFor() and the destructor wait for a worker. An exception of an estimator ends the bake
 // and is returned by failure().
 #pragma once
@@ -27,8 +27,8 @@
 namespace isolux::gi {
 
 struct BakeCounters {
-  // Of all requests, each texel once. Texels count as requested until it is known that their isosurface has
-  // no normal.
+  // Of all requests, each texel once. Texels count as requested until their isosurface turns out to have no
+  // normal.
   std::uint64_t texelsWanted = 0, texelsDone = 0;    // done: have all samples
   std::uint64_t texelsStarted = 0;                   // have any
   std::uint64_t texelsLit = 0;                       // of all texels in the lattice
@@ -49,7 +49,7 @@ class LightBake {
   struct Options {
     std::uint32_t samples = 100;  // per texel at the end
     int threads = 1;
-    // Gives the threads a tenth of the processor where others need it: for a window that must stay
+    // Gives the threads a tenth of the processor if other threads need it, for a window that must stay
     // responsive.
     bool background = false;
   };
@@ -68,7 +68,7 @@ class LightBake {
   void setSamples(std::uint32_t samples);
   void setThreads(int threads);  // at most as many as the system creates: counters().threads
   void setPaused(bool paused);
-  // Yields the processor to someone else, such as a frame being drawn. Threads pause after their current call
+  // Yields the processor to another task, such as a frame being drawn. Threads pause after their current call
   // until yield(false), but at most 250 ms after the first yield(true).
   void yield(bool yielding);
 
@@ -76,7 +76,7 @@ class LightBake {
   // Waits until every request is fulfilled up to `samples` per texel (0: all), an error, or the timeout [s].
   // Returns whether they are fulfilled.
   bool waitFor(std::uint32_t samples, double timeoutSeconds) const;
-  // Returns what ended the bake (a base::Error, std::bad_alloc or an internal error), or null.
+  // Returns the exception that ended the bake (a base::Error, std::bad_alloc or an internal error), or null.
   std::exception_ptr failure() const;
   const std::shared_ptr<LightLattice>& lattice() const;
 

@@ -54,17 +54,17 @@ struct StoredLight {
 void writeBakeFile(const std::filesystem::path& path, const volume::Grid& grid, const StoredLight& light,
                    base::Progress& progress);
 
-// Writes the light as slabs, each a .vti of its own, and their index (.pvti), which ParaView opens. There are
-// at most `pieces` slabs and as many as layers of blocks; neighbours share a slice. Each file is complete or
-// as before; the index is written last. Throws as writeBakeFile().
+// Writes the light as slabs, each a .vti of its own, and their index (.pvti), which ParaView opens. Writes at
+// most `pieces` slabs, and at most one per layer of blocks; neighbours share a slice. Each file is complete
+// or as before; the index is written last. Throws as writeBakeFile().
 void writeBakePieces(const std::filesystem::path& index, int pieces, const volume::Grid& grid,
                      const StoredLight& light, base::Progress& progress);
 // Returns the path of a slab next to its index: L.pvti has L.piece-1-of-4.vti.
 std::filesystem::path bakePieceFile(const std::filesystem::path& index, int number, int count);
 
 // Reads the lattices with those keys; an empty key requests none. A lattice is null if the file does not
-// contain it. Throws for a file of another volume and for lattices of another key, and says what differs.
-// `hidden`: of the tracer that computed the light (IsosurfaceTracer::hidden()).
+// contain it. Throws for a file of another volume and for lattices of another key; the message states the
+// difference. `hidden`: of the tracer that computed the light (IsosurfaceTracer::hidden()).
 StoredLight readBakeFile(const std::filesystem::path& path, const volume::Grid& grid,
                          std::span<const volume::HiddenOfSurface> hidden, const std::string& skyKey,
                          const std::string& lampsKey, base::Progress& progress);

@@ -9,8 +9,8 @@
 // ends the path.
 //
 // After a bounce the directions are about the B-spline normal. If that normal is 0 or does not face the
-// arriving ray, they are about the normal of the trilinear cell. If neither faces it, the path goes straight
-// back. A path is never dropped, so no light vanishes. Lengths are mm, positions voxel coordinates,
+// arriving ray, they are about the normal of the trilinear cell. If neither faces it, the path continues
+// straight back. A path is never dropped, so no light vanishes. Lengths are mm, positions voxel coordinates,
 // directions and normals world. The random choices along a path depend only on its point's seed, its sample
 // and its depth. A path is therefore the same in any wave.
 #pragma once

@@ -50,7 +50,7 @@ class Reference {
     int threads = 1;
     std::vector<std::uint32_t> pixels = {};  // only these, ascending, x fastest; empty: all
   };
-  // Finds the visible points. `environment`: what light.environment names; `tracer`: of the volume and
+  // Finds the visible points. `environment`: that of light.environment; `tracer`: of the volume and
   // isosurface.inside. Throws Error: usage if a surface is transparent; memory before anything is allocated;
   // interrupted.
   Reference(std::shared_ptr<const volume::PreparedVolume> volume,

@@ -1,4 +1,4 @@
-// Declares the passes of a frame: a pure function from the request to what must be computed. No GL.
+// Declares the passes of a frame: a pure function from the request to the required computations. No GL.
 #pragma once
 
 #include "render/graph/pass.h"

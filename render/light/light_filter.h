@@ -8,7 +8,7 @@
 //     difference over the gradient; omitted if all texels are lit on one isosurface;
 //   - the 16th power of the normals' cosine;
 //   - an edge factor.
-// A texel on the other side of a thin wall, or on a wall at an angle, therefore counts little or nothing. The
+// A texel on the other side of a thin wall, or on a wall at an angle, therefore has little or no weight. The
 // edge factor averages varying light along the lines of equal light, not across them. A plane is fitted to
 // the luminance of the 27 texels by weighted least squares and predicts the difference of luminance at the
 // neighbour's position. The factor is a Gaussian of this difference. Its width is half a standard error of
@@ -23,8 +23,8 @@
 // At the edge of a plateau or in the middle of a thin wall, trilinear interpolation makes a texel's own
 // isosurface bumpy. The light of such a texel is wrong, whatever the number of paths. The weight is therefore
 // also multiplied by the steepness of the field there over 1 + (kink / 0.7)^4. `kink` is the relative change
-// of the steepness from one texel to the next (1 / 3 on an isosurface of a parabola three texels from its
-// peak).
+// of the steepness from one texel to the next. It is 1 / 3 on an isosurface of a parabola three texels from
+// its peak.
 #pragma once
 
 #include <cstddef>

@@ -14,7 +14,7 @@ class RangesPass : public Pass {
   void run(FrameState& frame) override;
 };
 
-// Shades the first crossing in linear colour; a layer is blended behind what is drawn.
+// Shades the first crossing in linear colour; a layer is blended behind the colour drawn so far.
 class ShadePass : public Pass {
  public:
   ShadePass() : Pass("shade", "shade.frag.glsl", {.ofCrossing = true}) {}

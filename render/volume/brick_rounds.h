@@ -14,8 +14,8 @@ namespace isolux::render {
 
 class BrickRounds {
  public:
-  // Takes a pass that casts rays. `drawAtHits` draws what needs the bricks at the hits found so far, and
-  // keeps what it drew before.
+  // Takes a pass that casts rays. `drawAtHits` runs the passes that need the bricks at the hits found so far;
+  // it does not change pixels drawn before.
   BrickRounds(FrameState& frame, Pass& pass, std::function<void()> drawAtHits);
 
   // Rays without a result.

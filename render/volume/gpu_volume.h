@@ -24,7 +24,7 @@
 
 namespace isolux::render {
 
-// What a lookup reads: a field, at a scale σ (mm) if that is above 0 (volume/field/scaled_field.h).
+// The data that a lookup reads: a field, at a scale σ (mm) if that is above 0 (volume/field/scaled_field.h).
 struct FieldAt {
   scene::Field field = scene::Field::trilinear;
   double scaleMm = 0.0;
@@ -125,8 +125,8 @@ class GpuVolume {
   void makeWhole(std::size_t budgetBytes);
   void makeBricks(std::size_t budgetBytes);
   const TexelSource& sourceOf(const FieldAt& of) const;
-  // Returns what a cubic field needs; computes it at the first call (see volume/field/cubic_fields.h: takes
-  // long).
+  // Returns the data of a cubic field; computes them at the first call (see volume/field/cubic_fields.h:
+  // takes long).
   const volume::CubicField& cubic(scene::Field field) const;
   SurfaceBlocks& blocksOf(scene::Field field);  // becomes the last used
   SurfaceBlocks& surface() { return *surfaces_.back(); }
