@@ -113,9 +113,9 @@ std::vector<Setting> makeSettings() {
       "pieces.only", ISOLUX_MEMBER(pieces.only), positionRange, "mm",
       "If not empty, shows only the connected components that contain one of these world points."));
   add(entry<Scene>("pieces.within", ISOLUX_MEMBER(pieces.within), {-1e38, 1e38}, "data units",
-                   "Shows only connected components of which at least half is inside the body above this "
-                   "value, for example the skin's. This hides a headrest and a table. Structures thinner "
-                   "than 8 mm do not count as body; auto shows components everywhere."));
+                   "Shows only connected components with at least half inside the body above this value, for "
+                   "example the skin's. This hides a headrest or a table. Structures thinner than 8 mm do "
+                   "not count as body; auto shows components everywhere."));
   add(entry<Scene>("pieces.depth", ISOLUX_MEMBER(pieces.depth), unitRange, "",
                    "Minimum depth inside that body for half of a component, as a fraction of the body's "
                    "greatest depth. A brain is deep enough; its scalp is not."));
@@ -133,10 +133,9 @@ std::vector<Setting> makeSettings() {
   add(rotationEntry<Scene>("clip.box_rotation", ISOLUX_MEMBER(clip.boxRotation),
                            "Rotation of the clip box about its centre."));
   add(onlyWhere<Scene>(
-      entry<Scene>(
-          "clip.removed", ISOLUX_MEMBER(clip.removed), positionRange, "mm",
-          "Removed boxes: two opposite corners \"x,y,z; x,y,z\" of each of up to eight boxes inside which "
-          "everything is clipped; they may reach beyond the volume."),
+      entry<Scene>("clip.removed", ISOLUX_MEMBER(clip.removed), positionRange, "mm",
+                   "Two opposite corners \"x,y,z; x,y,z\" of each removed box, at most eight boxes. "
+                   "Everything inside them is clipped; they may extend beyond the volume."),
       ISOLUX_MEMBER(clip.removed),
       [](const std::vector<glm::dvec3>& corners) {
         return corners.size() % 2 == 0 && corners.size() <= 2 * kRemovedBoxes;
@@ -179,7 +178,7 @@ std::vector<Setting> makeSettings() {
 
   add(choiceEntry<Scene>("hit.method", ISOLUX_MEMBER(hit.method),
                          "Intersection of rays with the surface: equidistant samples with refinement, or the "
-                         "first root of the interpolant in the cell."));
+                         "first root of the interpolant in each cell."));
   add(choiceEntry<Scene>(
       "hit.field", ISOLUX_MEMBER(hit.field),
       "Interpolant whose surface is drawn: trilinear, cubic B-spline or interpolating cubic B-spline. The "
@@ -190,10 +189,10 @@ std::vector<Setting> makeSettings() {
   add(entry<Scene>("hit.near_factor", ISOLUX_MEMBER(hit.nearFactor), {1, 64}, "",
                    "Factor by which sampling is denser near the isovalue; method sampled only."));
   add(entry<Scene>("hit.near_threshold", ISOLUX_MEMBER(hit.nearThreshold), {0, 1e38}, "data units",
-                   "Distance from the isovalue within which sampling is denser; auto is the typical change "
-                   "of value from one sample to the next; method sampled only."));
+                   "Distance from the isovalue within which sampling is denser, for method sampled only. "
+                   "auto is the typical change of value from one sample to the next."));
   add(entry<Scene>("hit.refinements", ISOLUX_MEMBER(hit.refinements), {0, 32}, "",
-                   "Regula falsi steps after a sampled hit; method sampled only."));
+                   "Number of regula falsi steps after a sampled hit; method sampled only."));
 
   add(choiceEntry<Scene>("derivatives.field", ISOLUX_MEMBER(derivatives.field),
                          "Interpolant for gradients and curvature: trilinear, the cubic B-spline, or the "
@@ -336,12 +335,14 @@ std::vector<Setting> makeSettings() {
   add(choiceEntry<Scene>("flow.direction", ISOLUX_MEMBER(flow.direction),
                          "Direction of the streaks: of the larger or the smaller principal curvature."));
   add(entry<Scene>("flow.length", ISOLUX_MEMBER(flow.length), {2, 200}, "pixels", "Length of a streak."));
-  add(entry<Scene>("flow.grain", ISOLUX_MEMBER(flow.grain), {1, 20}, "pixels", "Grain size of the noise."));
+  add(entry<Scene>("flow.grain", ISOLUX_MEMBER(flow.grain), {1, 20}, "pixels",
+                   "Grain size of the noise that the streaks follow."));
   add(entry<Scene>("flow.animate", ISOLUX_MEMBER(flow.animate), noRange, "",
                    "Animates the streaks in the window."));
   add(entry<Scene>("flow.speed", ISOLUX_MEMBER(flow.speed), {0.05, 10}, "1/s",
                    "Speed of the animation: periods of the pattern per second."));
-  add(entry<Scene>("flow.time", ISOLUX_MEMBER(flow.time), {0, 1e6}, "s", "Time of the animation."));
+  add(entry<Scene>("flow.time", ISOLUX_MEMBER(flow.time), {0, 1e6}, "s",
+                   "Current time of the flow animation."));
 
   add(choiceEntry<Scene>("light.setup", ISOLUX_MEMBER(light.setup),
                          "Lighting: three_point has a key light, a fill light and rim lights, each occluded "
@@ -376,9 +377,10 @@ std::vector<Setting> makeSettings() {
       "Built-in environment, used if there is neither an environment map nor a constant environment."));
   add(entry<Scene>("light.environment.azimuth", ISOLUX_MEMBER(light.environment.azimuth), {-360, 360},
                    "degrees",
-                   "Rotation of the environment about the vertical, counterclockwise from above."));
-  add(entry<Scene>("light.environment.elevation", ISOLUX_MEMBER(light.environment.elevation), {-180, 180},
-                   "degrees", "Tilt of the environment before its rotation; raises light from the front."));
+                   "Rotation of the environment about the vertical, counterclockwise as seen from above."));
+  add(entry<Scene>(
+      "light.environment.elevation", ISOLUX_MEMBER(light.environment.elevation), {-180, 180}, "degrees",
+      "Tilt of the environment before its rotation; positive values raise light from the front."));
   add(rotationEntry<Scene>(
       "light.environment.rotation", ISOLUX_MEMBER(light.environment.rotation),
       "Rotation from the environment's axes to the world's, before azimuth and elevation."));
@@ -440,7 +442,7 @@ std::vector<Setting> makeSettings() {
                    "Fraction of light samples drawn from the environment instead of the surface (MIS). auto "
                    "is 0.75 under an environment map, 0.5 with more than one bounce."));
   add(entry<Scene>("gi.lattice_scale", ISOLUX_MEMBER(gi.latticeScale), {0.125, 4},
-                   "texels per voxel and axis", "Resolution of baked light."));
+                   "texels per voxel and axis", "Resolution of the lattice of baked light."));
   add(choiceEntry<Scene>("gi.interpolation", ISOLUX_MEMBER(gi.interpolation),
                          "Interpolation of baked light between texels; weighted favours texels whose normal "
                          "fits, and smooths noise along their isosurfaces."));
@@ -476,7 +478,7 @@ std::vector<Setting> makeSettings() {
                          "Perspective (distant parts look smaller) or orthographic projection."));
 
   add(entry<Scene>("picture.supersampling", ISOLUX_MEMBER(picture.supersampling), {1, 4},
-                   "rays per pixel and axis", "Anti-aliasing of final images."));
+                   "rays per pixel and axis", "Supersampling (anti-aliasing) of final images."));
   add(choiceEntry<Scene>("picture.rest_hits", ISOLUX_MEMBER(picture.restHits),
                          "Interpolant of final images if hit.field is trilinear: same, or the interpolating "
                          "B-spline. auto uses the spline if more than a tenth of the visible surface "

@@ -64,12 +64,12 @@ SettingsDict = TypedDict("SettingsDict", {
     "pieces.smallest": float,  # Hides connected components that enclose a smaller volume.
     "pieces.hidden": Sequence[Any] | str,  # Hides the connected components that contain one of these world points.
     "pieces.only": Sequence[Any] | str,  # If not empty, shows only the connected components that contain one of these world points.
-    "pieces.within": float | Literal["auto"] | None,  # Shows only connected components of which at least half is inside the body above this value, for example the skin's. This hides a headrest and a table. Structures thinner than 8 mm do not count as body; auto shows components everywhere.
+    "pieces.within": float | Literal["auto"] | None,  # Shows only connected components with at least half inside the body above this value, for example the skin's. This hides a headrest or a table. Structures thinner than 8 mm do not count as body; auto shows components everywhere.
     "pieces.depth": float,  # Minimum depth inside that body for half of a component, as a fraction of the body's greatest depth. A brain is deep enough; its scalp is not.
     "clip.planes": Sequence[Any] | str,  # Up to six clip planes "px,py,pz nx,ny,nz; ...", a point and a normal each; they remove the side that the normal points to.
     "clip.box": Sequence[Any] | str,  # Two opposite corners "x,y,z; x,y,z" of the clip box, which removes everything outside it; empty removes nothing.
     "clip.box_rotation": Sequence[Any] | str,  # Rotation of the clip box about its centre.
-    "clip.removed": Sequence[Any] | str,  # Removed boxes: two opposite corners "x,y,z; x,y,z" of each of up to eight boxes inside which everything is clipped; they may reach beyond the volume.
+    "clip.removed": Sequence[Any] | str,  # Two opposite corners "x,y,z; x,y,z" of each removed box, at most eight boxes. Everything inside them is clipped; they may extend beyond the volume.
     "clip.cap": Literal["none", "inside", "whole"],  # Caps of clip planes and boxes: none, the voxel values where the inside is cut, or the voxel values of the whole face.
     "slice.level": float | Literal["auto"] | None,  # Window level: the value shown as middle grey in slices and on caps; auto derives it from the volume.
     "slice.width": float | Literal["auto"] | None,  # Window width: the range of values from black to white in slices and on caps; auto derives it from the volume.
@@ -82,12 +82,12 @@ SettingsDict = TypedDict("SettingsDict", {
     "slice.noise_band": float,  # Fills the uncertainty band of the first surface's contour: its isovalue ± this many standard deviations of the noise; 0 fills nothing.
     "slice.position": Sequence[Any] | str | Literal["auto"] | None,  # Point where the three slices meet; auto is the centre of the volume.
     "marks.list": Sequence[Any] | str,  # List of measurements: {kind, name, points, color, shown} each.
-    "hit.method": Literal["sampled", "exact"],  # Intersection of rays with the surface: equidistant samples with refinement, or the first root of the interpolant in the cell.
+    "hit.method": Literal["sampled", "exact"],  # Intersection of rays with the surface: equidistant samples with refinement, or the first root of the interpolant in each cell.
     "hit.field": Literal["trilinear", "cubic", "cubic_interpolating"],  # Interpolant whose surface is drawn: trilinear, cubic B-spline or interpolating cubic B-spline. The B-spline is the smoothest, but shrinks thin structures until they vanish. The interpolating one keeps wires, twigs and vessels connected where trilinear hits draw beads.
     "hit.rate": float,  # Sampling rate along a ray; method sampled only.
     "hit.near_factor": float,  # Factor by which sampling is denser near the isovalue; method sampled only.
-    "hit.near_threshold": float | Literal["auto"] | None,  # Distance from the isovalue within which sampling is denser; auto is the typical change of value from one sample to the next; method sampled only.
-    "hit.refinements": int,  # Regula falsi steps after a sampled hit; method sampled only.
+    "hit.near_threshold": float | Literal["auto"] | None,  # Distance from the isovalue within which sampling is denser, for method sampled only. auto is the typical change of value from one sample to the next.
+    "hit.refinements": int,  # Number of regula falsi steps after a sampled hit; method sampled only.
     "derivatives.field": Literal["trilinear", "cubic", "cubic_interpolating"],  # Interpolant for gradients and curvature: trilinear, the cubic B-spline, or the interpolating cubic B-spline.
     "derivatives.fetch": Literal["fast", "exact"],  # Voxel access of cubic derivatives: the texture unit's linear filter, whose weights many GPUs round to 8 bits, or single voxels weighted in float.
     "derivatives.noise": float | Literal["auto"] | None,  # Standard deviation of a voxel's noise, from which the confidence in curvature is computed; auto estimates it from the volume.
@@ -147,10 +147,10 @@ SettingsDict = TypedDict("SettingsDict", {
     "flow.strength": float,  # Strength of streaks along the principal curvature directions, over any look.
     "flow.direction": Literal["maximum", "minimum"],  # Direction of the streaks: of the larger or the smaller principal curvature.
     "flow.length": float,  # Length of a streak.
-    "flow.grain": float,  # Grain size of the noise.
+    "flow.grain": float,  # Grain size of the noise that the streaks follow.
     "flow.animate": bool,  # Animates the streaks in the window.
     "flow.speed": float,  # Speed of the animation: periods of the pattern per second.
-    "flow.time": float,  # Time of the animation.
+    "flow.time": float,  # Current time of the flow animation.
     "light.setup": Literal["three_point", "key"],  # Lighting: three_point has a key light, a fill light and rim lights, each occluded by nearby surfaces; key has the key light alone.
     "light.space": Literal["camera", "world"],  # Fixes the key light to the viewer or to the volume.
     "light.direction": Sequence[Any] | str,  # Direction towards the key light, in camera axes (right, up, towards the viewer) or world axes; any length but zero.
@@ -162,8 +162,8 @@ SettingsDict = TypedDict("SettingsDict", {
     "light.environment.file": str | os.PathLike[str],  # Equirectangular environment map (.hdr, .exr, ...), with its first row at the top; if empty, none is used.
     "light.environment.constant": Sequence[Any] | str | Literal["auto"] | None,  # Radiance of a constant environment, used if there is no environment map; auto uses none.
     "light.environment.builtin": Literal["studio", "window", "overcast", "sunset"],  # Built-in environment, used if there is neither an environment map nor a constant environment.
-    "light.environment.azimuth": float,  # Rotation of the environment about the vertical, counterclockwise from above.
-    "light.environment.elevation": float,  # Tilt of the environment before its rotation; raises light from the front.
+    "light.environment.azimuth": float,  # Rotation of the environment about the vertical, counterclockwise as seen from above.
+    "light.environment.elevation": float,  # Tilt of the environment before its rotation; positive values raise light from the front.
     "light.environment.rotation": Sequence[Any] | str,  # Rotation from the environment's axes to the world's, before azimuth and elevation.
     "light.environment.exposure": float,  # Exposure of the environment: multiplies its radiance by 2 to this power.
     "light.environment.moves": bool,  # With gi.mode=auto, bakes light such that the environment can be rotated or exchanged without another bake.
@@ -201,7 +201,7 @@ SettingsDict = TypedDict("SettingsDict", {
     "gi.bounces": int,  # Maximum number of diffuse reflections of a light path; 0 is direct light only.
     "gi.roulette_depth": int,  # Bounce at which Russian roulette begins: paths then end at random, with the probability that light is absorbed.
     "gi.environment_share": float | Literal["auto"] | None,  # Fraction of light samples drawn from the environment instead of the surface (MIS). auto is 0.75 under an environment map, 0.5 with more than one bounce.
-    "gi.lattice_scale": float,  # Resolution of baked light.
+    "gi.lattice_scale": float,  # Resolution of the lattice of baked light.
     "gi.interpolation": Literal["closest_isovalue", "nearest", "trilinear", "tricubic", "weighted"],  # Interpolation of baked light between texels; weighted favours texels whose normal fits, and smooths noise along their isosurfaces.
     "gi.precision": Literal["r11g11b10", "half"],  # Number format of irradiance on the GPU: 4 or 8 bytes per texel.
     "gi.sh_order": int,  # Number of spherical harmonic bands of baked transfer; more bands resolve sharper light.
@@ -214,7 +214,7 @@ SettingsDict = TypedDict("SettingsDict", {
     "camera.frames": Literal["surface", "volume"],  # Object that the automatic camera frames: the surface or the volume. A patient's surface and the volume are seen from the front, other surfaces from where most of them is visible.
     "camera.fov": float,  # Vertical field of view; an orthographic image has this height at the target's distance.
     "camera.projection": Literal["perspective", "orthographic"],  # Perspective (distant parts look smaller) or orthographic projection.
-    "picture.supersampling": int,  # Anti-aliasing of final images.
+    "picture.supersampling": int,  # Supersampling (anti-aliasing) of final images.
     "picture.rest_hits": Literal["auto", "same", "cubic_interpolating"],  # Interpolant of final images if hit.field is trilinear: same, or the interpolating B-spline. auto uses the spline if more than a tenth of the visible surface deviates by over a tenth of a voxel. AOVs and baked light use hit.field.
     "picture.exposure": float | Literal["auto"] | None,  # Exposure of images lit by global illumination; auto follows picture.metering.
     "picture.metering": Literal["surface", "lights"],  # Basis of automatic exposure: the lit surface seen from the front, whatever the view, or the lights. The lights make an unoccluded white surface nearly white.

@@ -5531,7 +5531,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Richtung der Streifen: die der größeren oder der kleineren Hauptkrümmung.</translation>
     </message>
     <message>
-        <source>Anti-aliasing of final images.</source>
+        <source>Supersampling (anti-aliasing) of final images.</source>
         <translation>Kantenglättung fertiger Bilder.</translation>
     </message>
     <message>
@@ -5691,7 +5691,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Auflösung des Abstandsfelds eines Dreiecksnetzes: Voxel entlang der längsten Achse.</translation>
     </message>
     <message>
-        <source>Resolution of baked light.</source>
+        <source>Resolution of the lattice of baked light.</source>
         <translation>Auflösung des gespeicherten Lichts.</translation>
     </message>
     <message>
@@ -5739,7 +5739,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Geschwindigkeit der Animation: Perioden des Musters je Sekunde.</translation>
     </message>
     <message>
-        <source>Intersection of rays with the surface: equidistant samples with refinement, or the first root of the interpolant in the cell.</source>
+        <source>Intersection of rays with the surface: equidistant samples with refinement, or the first root of the interpolant in each cell.</source>
         <translation>Schnitt von Strahlen mit der Fläche: gleichabständige Abtastung mit Verfeinerung oder die erste Nullstelle des Interpolanten in der Zelle.</translation>
     </message>
     <message>
@@ -5819,7 +5819,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Zeichnet Bilder bei Bewegung in geringerer Auflösung, bis sie schnell genug sind; in Ruhe folgt das volle Bild.</translation>
     </message>
     <message>
-        <source>Shows only connected components of which at least half is inside the body above this value, for example the skin&apos;s. This hides a headrest and a table. Structures thinner than 8 mm do not count as body; auto shows components everywhere.</source>
+        <source>Shows only connected components with at least half inside the body above this value, for example the skin&apos;s. This hides a headrest or a table. Structures thinner than 8 mm do not count as body; auto shows components everywhere.</source>
         <translation>Zeigt nur zusammenhängende Teile, die mindestens zur Hälfte im Körper über diesem Wert liegen, etwa dem der Haut. Kopfstütze und Liege sind dann verborgen. Strukturen dünner als 8 mm gelten nicht als Körper; auto zeigt Teile überall.</translation>
     </message>
     <message>
@@ -5827,7 +5827,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Verbirgt zusammenhängende Teile, die ein kleineres Volumen umschließen.</translation>
     </message>
     <message>
-        <source>Regula falsi steps after a sampled hit; method sampled only.</source>
+        <source>Number of regula falsi steps after a sampled hit; method sampled only.</source>
         <translation>Regula-falsi-Schritte nach einem abgetasteten Treffer; nur bei Verfahren Abgetastet.</translation>
     </message>
     <message>
@@ -5835,8 +5835,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Mindestlänge der Grat- und Tallinien. Kürzere und solche unter 3 % der Bildbreite blenden aus. auto ist der Radius der geringsten gezeichneten Krümmung.</translation>
     </message>
     <message>
-        <source>Distance from the isovalue within which sampling is denser; auto is the typical change of value from one sample to the next; method sampled only.</source>
-        <translation>Abstand vom Isowert, innerhalb dessen die Abtastung dichter ist; auto ist die typische Änderung des Werts von einem Abtastpunkt zum nächsten; nur bei Verfahren Abgetastet.</translation>
+        <source>Distance from the isovalue within which sampling is denser, for method sampled only. auto is the typical change of value from one sample to the next.</source>
+        <translation>Abstand vom Isowert, innerhalb dessen die Abtastung dichter ist, nur bei Verfahren Abgetastet. auto ist die typische Änderung des Werts von einem Abtastpunkt zum nächsten.</translation>
     </message>
     <message>
         <source>Shows the environment behind the surface.</source>
@@ -5847,8 +5847,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Zeigt den größten Wert bis zu dieser Tiefe unter der Oberfläche; 0 zeigt den Wert auf der Oberfläche.</translation>
     </message>
     <message>
-        <source>Grain size of the noise.</source>
-        <translation>Korngröße des Rauschens.</translation>
+        <source>Grain size of the noise that the streaks follow.</source>
+        <translation>Korngröße des Rauschens, dem die Streifen folgen.</translation>
     </message>
     <message>
         <source>Size of the solid texture&apos;s features; auto is a tenth of the volume&apos;s diagonal.</source>
@@ -6035,8 +6035,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>CPU-Threads, die Licht berechnen; auto ist einer je Kern.</translation>
     </message>
     <message>
-        <source>Tilt of the environment before its rotation; raises light from the front.</source>
-        <translation>Kippung der Umgebung vor der Drehung; hebt Licht von vorn.</translation>
+        <source>Tilt of the environment before its rotation; positive values raise light from the front.</source>
+        <translation>Neigung der Umgebung vor ihrer Drehung; positive Werte heben Licht von vorn.</translation>
     </message>
     <message>
         <source>Tone shading: colour of parts that face away from the light.</source>
@@ -6055,7 +6055,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Richtung zum Hauptlicht, in Achsen der Kamera (rechts, oben, zum Betrachter) oder des Raums; jede Länge außer null.</translation>
     </message>
     <message>
-        <source>Rotation of the environment about the vertical, counterclockwise from above.</source>
+        <source>Rotation of the environment about the vertical, counterclockwise as seen from above.</source>
         <translation>Drehung der Umgebung um die Senkrechte, von oben gesehen gegen den Uhrzeigersinn.</translation>
     </message>
     <message>
@@ -6115,8 +6115,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Fläche, auf der Texel beleuchtet werden. own: die eigene Isofläche jedes Abtastwerts, für jeden Isowert. shown: die gezeigte Isofläche, was genauer ist, aber für einen Isowert. auto ist shown bei gi.extent=view, sonst own. Bei mehreren Isoflächen gilt own.</translation>
     </message>
     <message>
-        <source>Time of the animation.</source>
-        <translation>Zeitpunkt der Animation.</translation>
+        <source>Current time of the flow animation.</source>
+        <translation>Zeitpunkt der Strömungsanimation.</translation>
     </message>
     <message>
         <source>Corner of the legend; auto is the corner that covers least of the surface.</source>
@@ -6271,8 +6271,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Art der Daten: CT in Hounsfield-Einheiten oder in anderen, MR, Abstandsfeld …; auto entscheidet nach Datei und Werten. Vorlagen und der erste Isowert hängen davon ab.</translation>
     </message>
     <message>
-        <source>Removed boxes: two opposite corners &quot;x,y,z; x,y,z&quot; of each of up to eight boxes inside which everything is clipped; they may reach beyond the volume.</source>
-        <translation>Entfernte Quader: je zwei gegenüberliegende Ecken „x,y,z; x,y,z“ von bis zu acht Quadern, in denen alles weggeschnitten wird; sie dürfen über das Volumen hinausreichen.</translation>
+        <source>Two opposite corners &quot;x,y,z; x,y,z&quot; of each removed box, at most eight boxes. Everything inside them is clipped; they may extend beyond the volume.</source>
+        <translation>Je zwei gegenüberliegende Ecken „x,y,z; x,y,z“ der entfernten Quader, höchstens acht. Alles in ihnen wird weggeschnitten; sie dürfen über das Volumen hinausreichen.</translation>
     </message>
 </context>
 <context>
