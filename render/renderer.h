@@ -51,9 +51,9 @@ class Renderer {
 
   ColorImage readColor();
   LinearImage readLinear();
-  // Returns the image as linear float32, not clamped, without legend and dither, at the requested size. The
-  // background is behind the look, supersamples are averaged, alpha is 1; with picture.transparent, values
-  // are premultiplied and nothing is behind. Requires a request with `linear`.
+  // Returns the image as linear float32, not clamped, without legend and dither, at the requested size. It
+  // includes the background, averages supersamples and has alpha 1. With picture.transparent, it has no
+  // background and values are premultiplied. Requires a request with `linear`.
   LinearImage readLinearPicture();
   AovImage readAov(Aov aov);
   // Returns the visible surface points of the last frame in voxel coordinates. They include those behind

@@ -71,8 +71,8 @@ struct ExtraIsosurface {
   bool operator==(const ExtraIsosurface&) const = default;
 };
 
-// The connected components of each isosurface's inside that are shown (volume/pieces). A component is given
-// by a point in it, mm.
+// The connected components of each isosurface's inside that are shown (volume/pieces). A point in a component
+// identifies it, mm.
 struct Pieces {
   int keep = 0;                    // the largest; 0: all
   double smallest = 0.0;           // mm^3
@@ -193,7 +193,7 @@ struct Look {
   std::optional<double> textureScale;     // mm
   double shadow = 0.0;                    // of the light; 1 leaves only the ambient light
   double occlusion = 1.0;                 // strength of the ambient occlusion by nearby geometry
-  std::optional<double> occlusionRadius;  // mm: distance that counts as near
+  std::optional<double> occlusionRadius;  // mm: radius within which geometry occludes
   double fog = 0.0;
   std::optional<glm::dvec3> fogColor;  // automatic: the background
   ColorMap colormap = ColorMap::automatic;

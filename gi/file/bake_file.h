@@ -12,9 +12,9 @@
 //
 // Files are written to a temporary file in the same folder, flushed to the disk and renamed. Whenever the
 // program ends, the file is the complete old or the complete new one. Lattices may be filled meanwhile; each
-// block is written as it was at one moment. Memory: a few layers of blocks as plain arrays, and the old state
-// of blocks that a bake replaces meanwhile. Throws base::Error: input, naming the file, the array and the
-// reason; memory; interrupted.
+// block is written as it was at one moment. Needs memory for a few layers of blocks as plain arrays, and for
+// the old state of blocks that a bake replaces meanwhile. Throws base::Error: input, naming the file, the
+// array and the reason; memory; interrupted.
 #pragma once
 
 #include <filesystem>

@@ -5,10 +5,10 @@
 // right edge of the last) is towards -y. In the world (LPS) and unturned, a viewer in front of a patient sees
 // the image's middle behind the patient.
 //
-// The radiance of a direction is that of its pixel (piecewise constant). A pixel's solid angle is 2 pi /
-// width * (cos of its upper edge - cos of its lower edge). radiance(), sample(), pdf(), project() and mean()
-// all use this piecewise constant function. Radiance is linear RGB (BT.709), without exposure. Densities are
-// per steradian. Directions are unit vectors. Immutable; safe from any thread.
+// The radiance of a direction is the radiance of its pixel (piecewise constant). A pixel's solid angle is 2
+// pi / width * (cos of its upper edge - cos of its lower edge). radiance(), sample(), pdf(), project() and
+// mean() all use this piecewise constant function. Radiance is linear RGB (BT.709), without exposure.
+// Densities are per steradian. Directions are unit vectors. Immutable; safe from any thread.
 #pragma once
 
 #include <cstddef>

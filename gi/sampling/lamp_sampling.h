@@ -4,7 +4,7 @@
 // inside, where both sides shine, they are sampled by the cosine. Distant discs are sampled by their cone
 // likewise (Shirley, Wang & Zimmerman 1996). Points are voxel coordinates, normals and directions unit
 // vectors in the world, lengths mm. Positions are stored relative to the volume, so that large world
-// coordinates cost no precision. Within a thousandth of the shortest voxel axis, a point light gets no
+// coordinates do not reduce precision. Within a thousandth of the shortest voxel axis, a point light gets no
 // brighter. Immutable; safe from any thread.
 #pragma once
 

@@ -82,8 +82,8 @@ class GpuVolume {
                 const std::vector<volume::HiddenOfSurface>& hidden);
   std::size_t activeBlocks() const { return surfaces_.empty() ? 0 : surface().active().activeCount(); }
   const volume::MinMaxBlocks& blocks() const { return surface().blocks(); }
-  // Returns for each block the sub-blocks that can contain a surface (volume::BoxBounds); empty if blocks are
-  // not of 8^3 cells.
+  // Returns the sub-blocks of each block that can contain a surface (volume::BoxBounds); empty unless blocks
+  // have 8^3 cells.
   std::span<const std::uint64_t> masks() const { return surface().masks(); }
   // Returns the coefficients of the field's B-spline; null: the samples themselves.
   const volume::Coefficients* coefficients(scene::Field field) const;

@@ -48,8 +48,8 @@ Scene resolve(Scene scene, const VolumeFacts& facts);
 // Returns the camera with the same direction and up that frames the object of camera.frames, as in resolve().
 Camera framed(const Camera& camera, const VolumeFacts& facts);
 
-// Returns a resolved camera of framed(), adapted to these rooms. Returns any other camera unchanged, because
-// the user has chosen its view.
+// Returns a resolved camera of framed(), adapted to these free rectangles. Returns any other camera
+// unchanged, because the user has chosen its view.
 Camera fittedTo(const Camera& camera, const VolumeFacts& facts, const Rooms& rooms);
 
 }  // namespace isolux::scene
