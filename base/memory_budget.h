@@ -1,10 +1,10 @@
 // Limits the memory that the process allocates for large data.
 //
-// A budget is asked before every large allocation. If the data do not fit, the request fails with a message
-// that states the sizes, and the system does not have to kill the process. The budget is a host setting, not
-// part of the Scene. It counts what grows with the data: voxels, tables of the tracer, coefficients, distance
-// fields, baked lighting, images. The reserve that allowedMemory() leaves covers small allocations. All sizes
-// are in bytes. All members are safe from any thread.
+// Code reserves bytes before every large allocation. If the data do not fit, the request fails with a message
+// that states the sizes. The system then does not have to kill the process. The budget is a host setting, not
+// part of the Scene. It counts memory that grows with the data: voxels, tables of the tracer, coefficients,
+// distance fields, baked lighting, images. The reserve that allowedMemory() leaves covers small allocations.
+// All sizes are in bytes. All members are safe from any thread.
 //
 //   const MemoryBudget::Held held = machineMemory().reserve(bytes, "the tables of the tracer",
 //                                                           "--memory-budget raises the budget");

@@ -6,8 +6,8 @@
 
 namespace isolux::base {
 
-// Returns at most `significant` digits without trailing zeros, with an exponent where that is shorter (%g) and
-// the number is not from 1 to 1 000 000.
+// Returns at most `significant` digits without trailing zeros. Uses an exponent where that is shorter (%g)
+// and the number is not from 1 to 1 000 000.
 std::string shortText(double value, int significant = 6);
 // Returns the shortest text that reads back as the same number.
 std::string shortestText(double value);

@@ -2,11 +2,11 @@
 //
 // Until commit(), a file is stored next to its target as ".NAME.PID-N.part" and locked (flock) while its
 // writer lives. A failure or an interrupt removes it and leaves the old file, or none. The next write to the
-// same folder removes what killed processes left; it recognises those files by their free locks.
+// same folder removes the files that killed processes left, recognised by their free locks.
 //
-// A symbolic link is kept: the file that it leads to is replaced or created. Access rights of a replaced file
-// are kept, and its owner where the system allows it. A file without any write permission is rejected, also
-// for root. commit() returns after the system has written file and name to the disk.
+// A symbolic link stays: the file that it leads to is replaced or created. The new file gets the access
+// rights of the replaced one, and its owner where the system allows it. A file without any write permission
+// is rejected, also for root. commit() returns after the system has written file and name to the disk.
 //
 // A pipe, a device and a descriptor of this process (/dev/stdout, /dev/fd/N) are not replaced. The temporary
 // file is then in the folder for temporary files, and commit() copies it into them.

@@ -1,7 +1,7 @@
 // Computes sine, cosine, exponential and arc cosine bit-identically on every machine.
 //
-// Uses only additions, products, quotients and square roots, which IEEE 754 defines exactly. The C library
-// has variants per processor, whose last bits differ. Baked lighting depends on these functions.
+// Uses only additions, products, quotients and square roots, which IEEE 754 defines exactly. Variants of the
+// C library for different processors differ in the last bits. Baked lighting depends on these functions.
 //
 // The error is within one unit in the last place. Method and coefficients: Sun's fdlibm 5.3 (freely
 // distributable with its notice: "Copyright (C) 1993-2004 by Sun Microsystems, Inc. All rights reserved.").

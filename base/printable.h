@@ -5,8 +5,8 @@
 
 namespace isolux::base {
 
-// Replaces control characters (C0, DEL, and C1 as UTF-8 encodes them) by '?'. They could move the cursor or
-// change a title; without them one line stays one line.
+// Replaces control characters (C0, DEL, and C1 as UTF-8 encodes them) by '?'. Control characters could move
+// the cursor, change a title or break the line.
 std::string printable(std::string text);
 
 }  // namespace isolux::base

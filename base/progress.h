@@ -1,6 +1,6 @@
 // Shares the progress of a long job, and requests to stop it, between the job and its owner.
 //
-// The job reports progress and polls for a stop request; the owner polls progress. There are no callbacks, so
+// The job reports progress and polls for a stop request; the owner polls progress. It uses no callbacks, so
 // no code runs on a foreign thread. All members are safe from any thread.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Destroys objects in the background whose destruction takes long (threads to join, gigabytes to free).
+// Destroys objects in the background if their destruction takes long (threads to join, gigabytes to free).
 //
 // The caller, such as the window's thread or one that holds a lock, does not wait. Request the object to stop
 // first: retire() only moves the waiting to another thread. Before the process ends, awaitRetired() waits for

@@ -1,4 +1,4 @@
-// Describes as text what baked lighting depends on, to test whether a lattice or a file still fits a scene.
+// Describes the inputs of baked lighting as text, to test whether a lattice or a file still fits a scene.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace isolux::gi {
 
-// Returns JSON of all that the baked light of the sky or of the light sources depends on: equal keys mean
-// equal light. It excludes the number of samples, view, look, exposure and the lights of the other lattice.
+// Returns JSON of all inputs of the baked light of the sky or of the light sources: equal keys mean equal
+// light. It excludes the number of samples, view, look, exposure and the lights of the other lattice.
 std::string lightKey(const scene::Scene& resolved, const LightScene& light, LightPart part);
 
 }  // namespace isolux::gi

@@ -60,7 +60,7 @@ struct LightScene {
 std::shared_ptr<const volume::IsosurfaceTracer> lightTracerOf(
     const scene::Scene& resolved, const std::shared_ptr<const volume::PreparedVolume>& volume,
     base::Progress& progress);
-// Gathers the scene's lighting. `environment` is what scene.light.environment names, loaded by
+// Gathers the scene's lighting. `environment` is the environment of scene.light.environment, loaded by
 // loadEnvironment(); it stays shared.
 std::shared_ptr<const LightScene> makeLightScene(const scene::Scene& resolved,
                                                  const std::shared_ptr<const volume::PreparedVolume>& volume,

@@ -29,8 +29,7 @@ struct SurfaceBrightness {
 struct StoredSide {
   // Either is null if nothing is baked of it.
   std::shared_ptr<const LightLattice> sky, lamps;
-  // Irradiance of the isovalue shown before, which replaces texels that are not lit yet; null if there is
-  // none.
+  // Irradiance of the isovalue shown before, used for texels that are not lit yet; may be null.
   std::shared_ptr<const LightLattice> skyBefore, lampsBefore;
   bool operator==(const StoredSide&) const = default;
 };

@@ -1,4 +1,4 @@
-// Explains why an image shows no surface and which change would show one, for the window and for commands.
+// Determines why an image shows no surface, and which change would show one, for the window and for commands.
 #pragma once
 
 #include <optional>

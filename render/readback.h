@@ -8,7 +8,7 @@
 
 namespace isolux::render {
 
-// Describes the frame whose images are stored, as far as reading back needs it.
+// Describes the properties of a stored frame that reading back requires.
 struct DrawnFrame {
   glm::ivec2 raySize{0}, pictureSize{0};
   double rayStartMm = 0.0;  // ViewUniforms::rayStartMm

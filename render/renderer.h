@@ -30,20 +30,20 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  // Sets the GPU memory for volumes and light, the layout of volumes there, and what computes hits and
-  // derivatives. Takes effect at the next render().
+  // Sets the GPU memory for volumes and light, the layout of volumes there, and the device that computes hits
+  // and derivatives. Takes effect at the next render().
   void setMachine(const scene::Machine& machine);
 
   // Sets the volume, which the next render() uploads. Null: only the background is drawn.
   void setVolume(std::shared_ptr<const volume::PreparedVolume> volume);
 
   // Sets the light of the next frames. Null: the light is unknown, and looks that read it show a neutral sky.
-  // A bake may go on filling its lattices; each render() uses what is baked so far.
+  // A bake may go on filling its lattices; each render() uses the light baked so far.
   void setLight(std::shared_ptr<const gi::PictureLight> light);
 
   // Renders a frame. Requires a resolved `scene` (scene::resolve). Chooses automatic settings of derivatives
-  // here unless that was done before (volume/statistics/derivative_choices.h: takes long). Computes only what
-  // `request` needs and what has changed since the last call.
+  // here unless that was done before (volume/statistics/derivative_choices.h: takes long). Computes only
+  // results that `request` needs and that changed since the last call.
   const FrameReport& render(const scene::Scene& scene, const FrameRequest& request);
 
   // Discards the results of earlier frames, so that the next render() runs every pass it needs (benchmarks).
@@ -51,9 +51,9 @@ class Renderer {
 
   ColorImage readColor();
   LinearImage readLinear();
-  // Returns the image as linear float32, not clamped, without legend and dither, at the requested size. The
-  // background is behind the look, supersamples are averaged, alpha is 1; with picture.transparent, values
-  // are premultiplied and nothing is behind. Requires a request with `linear`.
+  // Returns the image as linear float32, not clamped, without legend and dither, at the requested size. It
+  // includes the background, averages supersamples and has alpha 1. With picture.transparent, it has no
+  // background and values are premultiplied. Requires a request with `linear`.
   LinearImage readLinearPicture();
   AovImage readAov(Aov aov);
   // Returns the visible surface points of the last frame in voxel coordinates. They include those behind

@@ -1,5 +1,5 @@
-// Draws an image of any size: in one frame if the GPU does so easily, otherwise in tiles that are assembled
-// here.
+// Draws an image of any size: in one frame if it is small enough for the GPU, otherwise in tiles that are
+// assembled here.
 //
 // A tile is a part of the same image: rays, footprints, background, dither and legend are those of the whole.
 // Effects that read neighbouring pixels (streaks, suggestive contours) are drawn with a margin around each
@@ -22,8 +22,7 @@ struct StillPicture {
   std::vector<AovImage> aovs;  // in the order of the request
 };
 
-// Returns the tiles that a request is drawn in, from the bottom row up; one request without a tile means a
-// single frame.
+// Returns the tiles of a request, from the bottom row up. One request without a tile means a single frame.
 std::vector<FrameRequest> tilesOf(const scene::Scene& resolved, const FrameRequest& request);
 
 // Draws the image. Throws base::Error as Renderer::render(), Error{memory} if the images do not fit into

@@ -24,7 +24,7 @@ struct CameraFrame {
 CameraFrame frameOf(const Camera& camera);
 
 // Returns a camera that looks at `target` along -frame.back from `distance` mm, with the frame's up. The
-// distance is clamped to 1e-12 to 5e12 mm and to at least 1e-9 of the target's largest coordinate; the eye
+// distance is clamped to 1e-12 to 5e12 mm and to at least 1e-9 of the target's largest coordinate. The eye
 // stays within the range of its setting.
 Camera lookingAt(Camera camera, const CameraFrame& frame, glm::dvec3 target, double distance);
 

@@ -62,7 +62,7 @@ enum class LightSpace { camera, world };
 enum class AlbedoSource { color, map };  // one colour per isosurface, or a colour map over the isovalue
 enum class LampKind { point, directional, sphere };
 enum class BuiltInLight { studio, window, overcast, sunset };  // gi/sampling/built_in_light.h
-// What is baked of the light; automatic: the least that the scene needs (scene/rules/gi_choice.h).
+// The baked quantity of light; automatic: the least that the scene needs (scene/rules/gi_choice.h).
 enum class GiMode { automatic, off, irradiance, transfer, vicinity, shadow };
 enum class GiExtent { full, band, view };  // which texels are lit
 // Where texels are lit: each on the isosurface through it, for all isovalues; or on the displayed isosurface.

@@ -1,7 +1,7 @@
 // Provides the one-dimensional colour maps of look.colormap.
 //
-// Samples are linear RGB (BT.709) in [0, 1], from the low to the high end of the range, evenly spaced with
-// the first and last sample at the ends. Sources:
+// Samples are linear RGB (BT.709) in [0, 1], evenly spaced from the low to the high end of the range, ends
+// included. Sources:
 //   viridis, inferno   van der Walt & Smith 2015 (CC0); lightness rises evenly
 //   cividis            Nunez, Anderton & Renslow 2018; the same, also for colour-blind readers
 //   gray               even in CIE lightness

@@ -11,8 +11,8 @@ class FlowClock {
  public:
   explicit FlowClock(const Scene& scene) { setScene(scene); }
 
-  // Sets the scene. A changed flow.time, or that of a flow that does not run, is taken over; else the clock
-  // continues.
+  // Sets the scene. If flow.time has changed, or the flow does not run, the clock starts at flow.time; else
+  // it continues.
   void setScene(const Scene& scene);
   void advance(double seconds);  // requires >= 0; no effect while the flow does not run
 

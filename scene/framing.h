@@ -28,27 +28,28 @@ struct Room {
 using Rooms = std::vector<Room>;
 Rooms wholePicture(double aspect);  // width / height
 
-// Returns the directions (world, of any length) along which to measure a set, for images with these rooms
-// seen in the camera's direction.
+// Returns the directions (world, of any length) along which to measure a set, for images with these free
+// rectangles seen in the camera's direction.
 constexpr std::size_t framingDirectionCount = 6;  // of each room
 std::vector<glm::dvec3> framingDirections(const Camera& camera, const Rooms& rooms);
 
-// Returns the camera with the same direction and up, as near as the whole set lies in one of the rooms with a
-// margin of 4 % of its half size, centred. The target is at the middle of the set's depth. It uses the first
-// room that shows the set within 2 % of the largest size. `farthest`: the largest dot product of each
-// direction with a point of the set. Returns the camera unchanged if a number is not finite.
+// Returns the nearest camera with the same direction and up whose image shows the whole set in one of the
+// free rectangles, centred. The margin is 4 % of the set's half size. The target is at the middle of the
+// set's depth. It uses the first rectangle that shows the set within 2 % of the largest size. `farthest`: the
+// largest dot product of each direction with a point of the set. Returns the camera unchanged if a number is
+// not finite.
 Camera framing(const Camera& camera, const Rooms& rooms, std::span<const double> farthest);
 Camera framing(const Camera& camera, const Rooms& rooms, std::span<const glm::dvec3> pointsMm);  // of these
 
-// Returns the camera with the same direction and up, aimed at the centre of a ball that fits the image with
-// that margin, however the camera is turned about it: within the part of a room around the image's middle.
+// Returns the camera with the same direction and up, aimed at the centre of a ball. The ball fits the part of
+// a free rectangle around the image's middle with that margin, however the camera is turned about it.
 Camera framingBall(const Camera& camera, const Rooms& rooms, glm::dvec3 centreMm, double radiusMm);
 
 std::array<glm::dvec3, 8> cornersOf(glm::dvec3 boundsMinMm, glm::dvec3 boundsMaxMm);
 
-// Returns a camera that fitted() has made of this box, moved back until the box lies in the room. If the room
-// is not around the image's middle, or there are several, it returns framing() of the box. Returns any other
-// camera unchanged: the user has chosen its view.
+// Returns a camera that fitted() has made of this box, moved back until the box is in the free rectangle. If
+// the rectangle is not around the image's middle, or several are given, returns framing() of the box. Returns
+// any other camera unchanged, because the user has chosen its view.
 Camera fittedTo(const Camera& camera, glm::dvec3 boundsMinMm, glm::dvec3 boundsMaxMm, const Rooms& rooms);
 
 }  // namespace isolux::scene

@@ -1,7 +1,8 @@
 // Provides the table of looks: each value of look.mode once, with everything derived from it.
 //
 // It determines the choices of the setting, the rules of relevance, GLSL constants, colour maps and their
-// automatic ranges, legends, the window's list of looks and the table in docs/reference/settings.md.
+// automatic ranges. Legends, the window's list of looks and the table in docs/reference/settings.md also come
+// from it.
 #pragma once
 
 #include <span>

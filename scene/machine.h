@@ -14,11 +14,11 @@
 
 namespace isolux::scene {
 
-// What computes hits and derivatives; automatic: the CPU if OpenGL is software.
+// The device that computes hits and derivatives; automatic: the CPU if OpenGL is software.
 enum class Executor { automatic, gpu, cpu };
 
-// Where the voxels of a volume are while it is drawn; automatic: in the file if that can be read in parts and
-// the voxels do not fit into memory.
+// Location of a volume's voxels while it is drawn. automatic: the file, if it can be read in parts and the
+// voxels do not fit into memory.
 enum class VoxelPlace : std::uint8_t { automatic, memory, file };
 
 // Limits and layout of textures.

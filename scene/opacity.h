@@ -38,7 +38,7 @@ constexpr bool variesByAngle(const S& surface) {
   return surface.opacity > 0.0 && surface.facingOpacity < 1.0;
 }
 
-// Returns whether that of any shown surface does.
+// Returns whether the opacity of any shown surface depends on the angle.
 bool variesByAngle(const Scene& scene);
 
 }  // namespace isolux::scene

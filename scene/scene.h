@@ -1,8 +1,8 @@
 // Defines the Scene: everything that determines an image, as one plain value.
 //
 // Widgets, --set, sessions, undo and recordings all edit Scenes; no other state changes an image. Each member
-// is listed once in scene/settings.cpp with its path, default, range, unit and meaning; JSON, --set, undo,
-// hashing and the documentation come from that list.
+// is listed once in scene/settings.cpp with its path, default, range, unit and meaning. JSON, --set, undo,
+// hashing and the documentation use that list.
 //
 // World space is millimetres, DICOM/LPS (+x patient left, +y posterior, +z superior). Colours are linear
 // RGB (ITU-R BT.709 primaries) in [0, 1]. An empty optional means "automatic": scene::resolve() in
@@ -71,15 +71,16 @@ struct ExtraIsosurface {
   bool operator==(const ExtraIsosurface&) const = default;
 };
 
-// The connected components of each isosurface's inside that are shown (volume/pieces). A component is given
-// by a point in it, mm.
+// The connected components of each isosurface's inside that are shown (volume/pieces). A point in a component
+// identifies it, mm.
 struct Pieces {
   int keep = 0;                    // the largest; 0: all
   double smallest = 0.0;           // mm^3
   std::vector<glm::dvec3> hidden;  // not shown
   std::vector<glm::dvec3> only;    // if not empty, only these are shown
-  // Data units: shows only components of which at least half is in the body above this value
-  // (volume/pieces/body.h), there at least `depth` deep as a fraction of the body's greatest depth.
+  // Data units: shows only components with at least half inside the body above this value
+  // (volume/pieces/body.h). That half must be at least `depth` deep, as a fraction of the body's greatest
+  // depth.
   std::optional<double> within{};
   double depth = 0.0;
   bool operator==(const Pieces&) const = default;
@@ -192,7 +193,7 @@ struct Look {
   std::optional<double> textureScale;     // mm
   double shadow = 0.0;                    // of the light; 1 leaves only the ambient light
   double occlusion = 1.0;                 // strength of the ambient occlusion by nearby geometry
-  std::optional<double> occlusionRadius;  // mm: distance that counts as near
+  std::optional<double> occlusionRadius;  // mm: radius within which geometry occludes
   double fog = 0.0;
   std::optional<glm::dvec3> fogColor;  // automatic: the background
   ColorMap colormap = ColorMap::automatic;
@@ -226,7 +227,7 @@ struct Flow {
   double grain = 1.5;    // of the noise, pixels
   bool animate = false;
   double speed = 1.0;  // passes of the pattern per second
-  double time = 0.0;   // seconds: where the animation stands
+  double time = 0.0;   // seconds: current time of the animation
   bool operator==(const Flow&) const = default;
 };
 
@@ -237,7 +238,7 @@ struct Environment {
   std::optional<glm::dvec3> constant;           // radiance of a constant environment, if there is no file
   BuiltInLight builtIn = BuiltInLight::studio;  // if there is neither
   double azimuth = 0.0;                         // degrees about up, counterclockwise from above
-  double elevation = 0.0;                       // degrees, raises what lies before the volume
+  double elevation = 0.0;                       // degrees; raises the light from the front
   // Quaternion (w, x, y, z) from its own frame to the world, before azimuth and elevation; any length.
   glm::dvec4 rotation{1.0, 0.0, 0.0, 0.0};
   double exposure = 0.0;  // stops

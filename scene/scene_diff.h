@@ -1,4 +1,4 @@
-// Computes and applies differences of scenes, for undo, redo, recordings and --set.
+// Computes and applies differences between scenes, for undo, redo, recordings and --set.
 #pragma once
 
 #include <string>

@@ -28,8 +28,8 @@ std::vector<Setting> makeSettings() {
   add(entry<Scene>("source.time_step", ISOLUX_MEMBER(source.timeStep), {0, 1e6}, "",
                    "Time step to read from a file with several, counted from 0."));
   add(choiceEntry<Scene>("source.kind", ISOLUX_MEMBER(source.kind),
-                         "Kind of data: CT in Hounsfield or other units, MR, distance field …; auto decides "
-                         "from the file and its values. Presets and the first isovalue depend on it."));
+                         "Kind of data: CT in Hounsfield or other units, MR, distance field …; auto derives "
+                         "it from the file and its values. Presets and the first isovalue depend on it."));
   add(entry<Scene>("source.level", ISOLUX_MEMBER(source.level), {0, 16}, "",
                    "Resolution level of a large file: 0 is full resolution, each further level halves it "
                    "along each axis. Levels stored in the file are used; others are averaged."));
@@ -90,7 +90,7 @@ std::vector<Setting> makeSettings() {
     add(entry<Scene>(group + "name", ISOLUX_ITEM(extraIsosurfaces, i, name), noRange, "",
                      "Name of that surface."));
     add(entry<Scene>(group + "value", ISOLUX_ITEM(extraIsosurfaces, i, value), {-1e38, 1e38}, "data units",
-                     "Isovalue of that surface; auto takes the histogram's next suggestion outside the first "
+                     "Isovalue of that surface; auto uses the histogram's next suggestion outside the first "
                      "surface, or inside if there is none."));
     add(entry<Scene>(group + "albedo", ISOLUX_ITEM(extraIsosurfaces, i, albedo), unitRange, "linear RGB",
                      "Diffuse reflectance of that surface."));
@@ -113,12 +113,12 @@ std::vector<Setting> makeSettings() {
       "pieces.only", ISOLUX_MEMBER(pieces.only), positionRange, "mm",
       "If not empty, shows only the connected components that contain one of these world points."));
   add(entry<Scene>("pieces.within", ISOLUX_MEMBER(pieces.within), {-1e38, 1e38}, "data units",
-                   "Shows only connected components of which at least half is inside the body above this "
-                   "value, for example the skin's. This hides a headrest and a table. Structures thinner "
-                   "than 8 mm do not count as body; auto shows components everywhere."));
+                   "Shows only connected components with at least half inside the body above this value, for "
+                   "example the skin's. This hides a headrest or a table. Structures thinner than 8 mm do "
+                   "not count as body; auto shows components everywhere."));
   add(entry<Scene>("pieces.depth", ISOLUX_MEMBER(pieces.depth), unitRange, "",
-                   "Minimum depth inside that body of half of a component, as a fraction of the body's "
-                   "greatest depth. A brain is deep enough, its scalp is not."));
+                   "Minimum depth inside that body for half of a component, as a fraction of the body's "
+                   "greatest depth. A brain is deep enough; its scalp is not."));
 
   add(entry<Scene>("clip.planes", ISOLUX_MEMBER(clip.planes), positionRange, "mm",
                    "Up to six clip planes \"px,py,pz nx,ny,nz; ...\", a point and a normal each; they remove "
@@ -133,29 +133,28 @@ std::vector<Setting> makeSettings() {
   add(rotationEntry<Scene>("clip.box_rotation", ISOLUX_MEMBER(clip.boxRotation),
                            "Rotation of the clip box about its centre."));
   add(onlyWhere<Scene>(
-      entry<Scene>(
-          "clip.removed", ISOLUX_MEMBER(clip.removed), positionRange, "mm",
-          "Removed boxes: two opposite corners \"x,y,z; x,y,z\" of each of up to eight boxes inside which "
-          "everything is clipped; they may reach beyond the volume."),
+      entry<Scene>("clip.removed", ISOLUX_MEMBER(clip.removed), positionRange, "mm",
+                   "Two opposite corners \"x,y,z; x,y,z\" of each removed box, at most eight boxes. "
+                   "Everything inside them is clipped; they may extend beyond the volume."),
       ISOLUX_MEMBER(clip.removed),
       [](const std::vector<glm::dvec3>& corners) {
         return corners.size() % 2 == 0 && corners.size() <= 2 * kRemovedBoxes;
       },
       "a box has two corners, and there are at most eight boxes"));
   add(choiceEntry<Scene>("clip.cap", ISOLUX_MEMBER(clip.cap),
-                         "Cap of cut faces: none, the voxels' values where the inside was cut, or the values "
-                         "of the whole face."));
+                         "Caps of clip planes and boxes: none, the voxel values where the inside is cut, or "
+                         "the voxel values of the whole face."));
 
   add(entry<Scene>("slice.level", ISOLUX_MEMBER(slice.level), {-1e38, 1e38}, "data units",
-                   "Window level: the value shown as middle grey in slices and on cut faces; auto is found "
-                   "from the volume."));
+                   "Window level: the value shown as middle grey in slices and on caps; auto derives it from "
+                   "the volume."));
   add(entry<Scene>("slice.width", ISOLUX_MEMBER(slice.width), {0, 1e38}, "data units",
-                   "Window width: the range of values from black to white in slices and on cut faces; auto "
-                   "is found from the volume."));
+                   "Window width: the range of values from black to white in slices and on caps; auto "
+                   "derives it from the volume."));
   add(choiceEntry<Scene>("slice.map", ISOLUX_MEMBER(slice.map),
-                         "Colour map of slices and cut faces; auto is gray."));
+                         "Colour map of slices and caps; auto is gray."));
   add(choiceEntry<Scene>("slice.field", ISOLUX_MEMBER(slice.field),
-                         "Interpolation between voxels in slices and on cut faces."));
+                         "Interpolation between voxels in slices and on caps."));
   add(entry<Scene>(
       "slice.slab", ISOLUX_MEMBER(slice.slab), {0, 1e6}, "mm",
       "Slab thickness of slices, half in front of and half behind their plane; 0 shows the plane itself."));
@@ -179,21 +178,21 @@ std::vector<Setting> makeSettings() {
 
   add(choiceEntry<Scene>("hit.method", ISOLUX_MEMBER(hit.method),
                          "Intersection of rays with the surface: equidistant samples with refinement, or the "
-                         "first root of the interpolant in the cell."));
+                         "first root of the interpolant in each cell."));
   add(choiceEntry<Scene>(
       "hit.field", ISOLUX_MEMBER(hit.field),
-      "Interpolant whose surface is drawn. Trilinear; the cubic B-spline, smoothest, which shrinks thin "
-      "structures until they vanish; or the interpolating cubic B-spline, which keeps wires, twigs and "
-      "vessels connected where trilinear hits draw beads."));
+      "Interpolant whose surface is drawn: trilinear, cubic B-spline or interpolating cubic B-spline. The "
+      "B-spline is the smoothest, but shrinks thin structures until they vanish. The interpolating one keeps "
+      "wires, twigs and vessels connected where trilinear hits draw beads."));
   add(entry<Scene>("hit.rate", ISOLUX_MEMBER(hit.rate), {0.125, 64}, "samples per voxel",
                    "Sampling rate along a ray; method sampled only."));
   add(entry<Scene>("hit.near_factor", ISOLUX_MEMBER(hit.nearFactor), {1, 64}, "",
                    "Factor by which sampling is denser near the isovalue; method sampled only."));
   add(entry<Scene>("hit.near_threshold", ISOLUX_MEMBER(hit.nearThreshold), {0, 1e38}, "data units",
-                   "Distance from the isovalue within which sampling is denser; auto is the typical change "
-                   "of value from one sample to the next; method sampled only."));
+                   "Distance from the isovalue within which sampling is denser, for method sampled only. "
+                   "auto is the typical change of value from one sample to the next."));
   add(entry<Scene>("hit.refinements", ISOLUX_MEMBER(hit.refinements), {0, 32}, "",
-                   "Regula falsi steps after a sampled hit; method sampled only."));
+                   "Number of regula falsi steps after a sampled hit; method sampled only."));
 
   add(choiceEntry<Scene>("derivatives.field", ISOLUX_MEMBER(derivatives.field),
                          "Interpolant for gradients and curvature: trilinear, the cubic B-spline, or the "
@@ -207,7 +206,7 @@ std::vector<Setting> makeSettings() {
   add(entry<Scene>(
       "derivatives.scale", ISOLUX_MEMBER(derivatives.scale), {0, 1e6}, "mm",
       "Scale σ of curvature, lines and flow: standard deviation of the isotropic Gaussian that smooths the "
-      "volume before second derivatives are taken; 0 does not smooth, auto chooses from the noise."));
+      "volume before second derivatives. 0 does not smooth; auto chooses from the noise."));
   add(entry<Scene>("derivatives.normal_scale", ISOLUX_MEMBER(derivatives.normalScale), {0, 1e6}, "mm",
                    "Scale σ of the normals used by shading and contours, as derivatives.scale."));
 
@@ -218,8 +217,9 @@ std::vector<Setting> makeSettings() {
                    "Minimum gradient magnitude of an edge, in standard deviations of the gradient's noise; "
                    "weaker maxima are ignored."));
 
-  add(entry<Scene>("color.volume", ISOLUX_MEMBER(color.volume), noRange, "",
-                   "Second volume whose values colour the surface, given as in source.path; empty is none."));
+  add(entry<Scene>(
+      "color.volume", ISOLUX_MEMBER(color.volume), noRange, "",
+      "Second volume whose values colour the surface, given as in source.path; if empty, none is used."));
   add(entry<Scene>("color.raw", ISOLUX_MEMBER(color.raw), noRange, "",
                    "Layout of the second volume's file without a header, as source.raw."));
   add(entry<Scene>("color.component", ISOLUX_MEMBER(color.component), {-1, 65535}, "",
@@ -230,9 +230,9 @@ std::vector<Setting> makeSettings() {
   add(choiceEntry<Scene>("color.map", ISOLUX_MEMBER(color.map),
                          "Colour map over the second volume's values; auto is viridis."));
   add(entry<Scene>("color.low", ISOLUX_MEMBER(color.low), {-1e38, 1e38}, "its data units",
-                   "Value at the lower end of the map; auto is found from the values on the surface."));
+                   "Value at the lower end of the map; auto derives it from the values on the surface."));
   add(entry<Scene>("color.high", ISOLUX_MEMBER(color.high), {-1e38, 1e38}, "its data units",
-                   "Value at the upper end of the map; auto is found from the values on the surface."));
+                   "Value at the upper end of the map; auto derives it from the values on the surface."));
   add(entry<Scene>(
       "color.below", ISOLUX_MEMBER(color.below), {0, 1e6}, "mm",
       "Shows the largest value within this depth below the surface; 0 shows the value at the surface."));
@@ -258,20 +258,20 @@ std::vector<Setting> makeSettings() {
                    "than from the bottom."));
   add(entry<Scene>("look.specular", ISOLUX_MEMBER(look.specular), {0, 4}, "", "Strength of the highlight."));
   add(entry<Scene>("look.shininess", ISOLUX_MEMBER(look.shininess), {1, 1000}, "",
-                   "Exponent of the highlight; larger is smaller and sharper."));
+                   "Specular exponent; higher values give a smaller, sharper highlight."));
   add(entry<Scene>("look.tone_cool", ISOLUX_MEMBER(look.toneCool), unitRange, "linear RGB",
                    "Tone shading: colour of parts that face away from the light."));
   add(entry<Scene>("look.tone_warm", ISOLUX_MEMBER(look.toneWarm), unitRange, "linear RGB",
                    "Tone shading: colour of parts that face the light."));
   add(entry<Scene>("look.inner_tint", ISOLUX_MEMBER(look.innerTint), unitRange, "linear RGB",
-                   "Back-face tint: multiplies the surface's own colour where its inner side is visible; "
-                   "white is no tint."));
+                   "Back-face tint: multiplies the surface's own colour where its back face is visible; "
+                   "white does not tint."));
   add(choiceEntry<Scene>("look.texture", ISOLUX_MEMBER(look.texture),
                          "Solid (3-D) texture that varies the albedo."));
   add(entry<Scene>("look.texture_scale", ISOLUX_MEMBER(look.textureScale), {1e-12, 1e13}, "mm",
                    "Size of the solid texture's features; auto is a tenth of the volume's diagonal."));
   add(entry<Scene>("look.shadow", ISOLUX_MEMBER(look.shadow), unitRange, "",
-                   "Strength of the key light's hard shadow; an exact shadow ray per pixel."));
+                   "Strength of the key light's hard shadow, found with one exact shadow ray per pixel."));
   add(entry<Scene>(
       "look.occlusion", ISOLUX_MEMBER(look.occlusion), unitRange, "",
       "Strength of screen-space occlusion: nearby surfaces visible in the image darken crevices."));
@@ -286,13 +286,14 @@ std::vector<Setting> makeSettings() {
       "Colour map of the quantity; auto is diverging for signed quantities, otherwise viridis."));
   add(entry<Scene>(
       "look.range_low", ISOLUX_MEMBER(look.rangeLow), {-1e38, 1e38}, "1/mm, 1/mm² or 1",
-      "Quantity at the lower end of the colour map; auto is found from the values on the surface."));
+      "Quantity at the lower end of the colour map; auto derives it from the values on the surface."));
   add(entry<Scene>(
       "look.range_high", ISOLUX_MEMBER(look.rangeHigh), {-1e38, 1e38}, "1/mm, 1/mm² or 1",
-      "Quantity at the upper end of the colour map; auto is found from the values on the surface."));
-  add(entry<Scene>("look.curvature_points", ISOLUX_MEMBER(look.curvaturePoints), {-1, 1}, "",
-                   "Control points [kappa1, kappa2, r, g, b] of the colour map of curvature_2d; kappas are "
-                   "fractions of the range. auto: hue is the kind of shape, saturation the curvedness."));
+      "Quantity at the upper end of the colour map; auto derives it from the values on the surface."));
+  add(entry<Scene>(
+      "look.curvature_points", ISOLUX_MEMBER(look.curvaturePoints), {-1, 1}, "",
+      "Control points [kappa1, kappa2, r, g, b] of the colour map of curvature_2d; kappa1 and kappa2 are "
+      "fractions of the range. auto: hue from the shape index, chroma from the curvedness."));
   add(entry<Scene>("look.legend", ISOLUX_MEMBER(look.legend), noRange, "",
                    "Draws a legend with units where colours show a quantity."));
   add(choiceEntry<Scene>("look.legend_corner", ISOLUX_MEMBER(look.legendCorner),
@@ -303,14 +304,14 @@ std::vector<Setting> makeSettings() {
                    "Strength of ridge and valley lines: curvature maxima across the line."));
   add(entry<Scene>(
       "look.ridge_threshold", ISOLUX_MEMBER(look.ridgeThreshold), {0, 1e38}, "1/mm",
-      "Minimum curvature of ridge and valley lines; auto is found from the values on the surface."));
+      "Minimum curvature of ridge and valley lines; auto derives it from the values on the surface."));
   add(entry<Scene>("look.ridge_width", ISOLUX_MEMBER(look.ridgeWidth), {0.01, 100}, "pixels or mm",
                    "Width of ridge and valley lines, in the unit of look.ridge_width_unit."));
   add(choiceEntry<Scene>(
       "look.ridge_width_unit", ISOLUX_MEMBER(look.ridgeWidthUnit),
       "Unit of the width of ridge and valley lines: pixels of the image, or mm on the surface."));
   add(entry<Scene>("look.ridge_length", ISOLUX_MEMBER(look.ridgeLength), {0, 1e9}, "mm",
-                   "Minimum length of ridge and valley lines; shorter lines, and those below 3 % of the "
+                   "Minimum length of ridge and valley lines. Shorter lines, and those below 3 % of the "
                    "image width, fade out. auto is the radius of the least curvature drawn."));
   add(entry<Scene>("look.ridge_color", ISOLUX_MEMBER(look.ridgeColor), unitRange, "linear RGB",
                    "Colour of ridges."));
@@ -334,12 +335,14 @@ std::vector<Setting> makeSettings() {
   add(choiceEntry<Scene>("flow.direction", ISOLUX_MEMBER(flow.direction),
                          "Direction of the streaks: of the larger or the smaller principal curvature."));
   add(entry<Scene>("flow.length", ISOLUX_MEMBER(flow.length), {2, 200}, "pixels", "Length of a streak."));
-  add(entry<Scene>("flow.grain", ISOLUX_MEMBER(flow.grain), {1, 20}, "pixels", "Grain size of the noise."));
+  add(entry<Scene>("flow.grain", ISOLUX_MEMBER(flow.grain), {1, 20}, "pixels",
+                   "Grain size of the noise that the streaks follow."));
   add(entry<Scene>("flow.animate", ISOLUX_MEMBER(flow.animate), noRange, "",
                    "Animates the streaks in the window."));
   add(entry<Scene>("flow.speed", ISOLUX_MEMBER(flow.speed), {0.05, 10}, "1/s",
                    "Speed of the animation: periods of the pattern per second."));
-  add(entry<Scene>("flow.time", ISOLUX_MEMBER(flow.time), {0, 1e6}, "s", "Time of the animation."));
+  add(entry<Scene>("flow.time", ISOLUX_MEMBER(flow.time), {0, 1e6}, "s",
+                   "Current time of the flow animation."));
 
   add(choiceEntry<Scene>("light.setup", ISOLUX_MEMBER(light.setup),
                          "Lighting: three_point has a key light, a fill light and rim lights, each occluded "
@@ -362,37 +365,38 @@ std::vector<Setting> makeSettings() {
   add(entry<Scene>("light.headlight", ISOLUX_MEMBER(light.headlight), {0, 1e6}, "",
                    "Brightness of a white light at the eye."));
 
+  add(entry<Scene>("light.environment.file", ISOLUX_MEMBER(light.environment.file), noRange, "",
+                   "Equirectangular environment map (.hdr, .exr, ...), with its first row at the top; if "
+                   "empty, none is used."));
   add(entry<Scene>(
-      "light.environment.file", ISOLUX_MEMBER(light.environment.file), noRange, "",
-      "Environment map, equirectangular, first row at the top: .hdr, .exr, ...; empty is none."));
-  add(entry<Scene>("light.environment.constant", ISOLUX_MEMBER(light.environment.constant), {0, 1e6},
-                   "linear RGB radiance",
-                   "Radiance of a constant environment, used if there is no environment map; auto is none."));
+      "light.environment.constant", ISOLUX_MEMBER(light.environment.constant), {0, 1e6},
+      "linear RGB radiance",
+      "Radiance of a constant environment, used if there is no environment map; auto uses none."));
   add(choiceEntry<Scene>(
       "light.environment.builtin", ISOLUX_MEMBER(light.environment.builtIn),
       "Built-in environment, used if there is neither an environment map nor a constant environment."));
   add(entry<Scene>("light.environment.azimuth", ISOLUX_MEMBER(light.environment.azimuth), {-360, 360},
                    "degrees",
-                   "Rotation of the environment about the vertical, counterclockwise from above."));
-  add(entry<Scene>("light.environment.elevation", ISOLUX_MEMBER(light.environment.elevation), {-180, 180},
-                   "degrees", "Tilt of the environment before its rotation; raises light from the front."));
+                   "Rotation of the environment about the vertical, counterclockwise as seen from above."));
+  add(entry<Scene>(
+      "light.environment.elevation", ISOLUX_MEMBER(light.environment.elevation), {-180, 180}, "degrees",
+      "Tilt of the environment before its rotation; positive values raise light from the front."));
   add(rotationEntry<Scene>(
       "light.environment.rotation", ISOLUX_MEMBER(light.environment.rotation),
       "Rotation from the environment's axes to the world's, before azimuth and elevation."));
   add(entry<Scene>("light.environment.exposure", ISOLUX_MEMBER(light.environment.exposure), {-40, 40},
                    "stops", "Exposure of the environment: multiplies its radiance by 2 to this power."));
   add(entry<Scene>("light.environment.moves", ISOLUX_MEMBER(light.environment.moves), noRange, "",
-                   "Bakes light that allows the environment to be rotated or exchanged without a new bake; "
-                   "with gi.mode=auto."));
+                   "With gi.mode=auto, bakes light such that the environment can be rotated or exchanged "
+                   "without another bake."));
   add(entry<Scene>("light.environment.visible", ISOLUX_MEMBER(light.environment.visible), noRange, "",
                    "Shows the environment behind the surface."));
   for (std::size_t i = 0; i < kLamps; ++i) {
     const std::string group = "lamp" + std::to_string(i + 1) + '.';
     add(entry<Scene>(group + "shown", ISOLUX_ITEM(lamps, i, shown), noRange, "",
                      "Switches on a light source of global illumination."));
-    add(choiceEntry<Scene>(
-        group + "kind", ISOLUX_ITEM(lamps, i, kind),
-        "Kind of the light source: a point, a distant (directional) light, or a luminous sphere."));
+    add(choiceEntry<Scene>(group + "kind", ISOLUX_ITEM(lamps, i, kind),
+                           "Kind of the light source: point, distant (directional) or sphere light."));
     add(entry<Scene>(
         group + "position", ISOLUX_ITEM(lamps, i, position), positionRange, "mm",
         "Position of a point or sphere light; auto is above the volume, towards the front and the left."));
@@ -406,13 +410,13 @@ std::vector<Setting> makeSettings() {
     add(entry<Scene>(group + "color", ISOLUX_ITEM(lamps, i, color), unitRange, "linear RGB",
                      "Colour of the light source."));
     add(entry<Scene>(group + "intensity", ISOLUX_ITEM(lamps, i, intensity), {0, 1e6}, "",
-                     "Brightness of a white surface at the volume's centre that faces the light source."));
+                     "Brightness of a white surface that faces the light source at the volume's centre."));
   }
 
   add(choiceEntry<Scene>("gi.mode", ISOLUX_MEMBER(gi.mode),
                          "Quantity that is baked: irradiance (static light), transfer (spherical harmonics, "
                          "rotatable environment), vicinity (constant environment, no bounces) or shadow (no "
-                         "bounces); auto bakes the cheapest that the scene allows."));
+                         "bounces). auto bakes the cheapest that the scene allows."));
   add(choiceEntry<Scene>(
       "gi.extent", ISOLUX_MEMBER(gi.extent),
       "Texels that are lit: all, those needed for the isovalues of gi.band, or the visible ones."));
@@ -421,9 +425,9 @@ std::vector<Setting> makeSettings() {
       "Isovalues of interest, low and high; auto is the isovalue ± a twentieth of the volume's range."));
   add(choiceEntry<Scene>(
       "gi.texels", ISOLUX_MEMBER(gi.texels),
-      "Surface on which texels are lit: own is each sample's own isosurface, for any isovalue; shown is the "
-      "displayed isosurface, more accurate but for one isovalue. auto is shown with gi.extent=view, "
-      "otherwise own. With several isosurfaces it is own."));
+      "Surface on which texels are lit. own: each sample's own isosurface, for any isovalue. shown: the "
+      "displayed isosurface, which is more accurate, but for one isovalue. auto is shown with "
+      "gi.extent=view, otherwise own. With several isosurfaces, it is own."));
   add(entry<Scene>("gi.samples", ISOLUX_MEMBER(gi.samples), {1, 1000000}, "paths per texel",
                    "Light paths per texel; four times as many halve the noise."));
   add(choiceEntry<Scene>("gi.sequence", ISOLUX_MEMBER(gi.sequence),
@@ -435,15 +439,15 @@ std::vector<Setting> makeSettings() {
                    "Bounce at which Russian roulette begins: paths then end at random, with the probability "
                    "that light is absorbed."));
   add(entry<Scene>("gi.environment_share", ISOLUX_MEMBER(gi.environmentShare), {0, 0.95}, "",
-                   "Fraction of light samples drawn from the environment instead of the surface (MIS); auto "
+                   "Fraction of light samples drawn from the environment instead of the surface (MIS). auto "
                    "is 0.75 under an environment map, 0.5 with more than one bounce."));
   add(entry<Scene>("gi.lattice_scale", ISOLUX_MEMBER(gi.latticeScale), {0.125, 4},
-                   "texels per voxel and axis", "Resolution of baked light."));
+                   "texels per voxel and axis", "Resolution of the lattice of baked light."));
   add(choiceEntry<Scene>("gi.interpolation", ISOLUX_MEMBER(gi.interpolation),
                          "Interpolation of baked light between texels; weighted favours texels whose normal "
                          "fits, and smooths noise along their isosurfaces."));
   add(choiceEntry<Scene>("gi.precision", ISOLUX_MEMBER(gi.precision),
-                         "Number format of irradiance on the graphics card: 4 or 8 bytes per texel."));
+                         "Number format of irradiance on the GPU: 4 or 8 bytes per texel."));
   add(entry<Scene>(
       "gi.sh_order", ISOLUX_MEMBER(gi.shOrder), {1, 8}, "",
       "Number of spherical harmonic bands of baked transfer; more bands resolve sharper light."));
@@ -474,34 +478,34 @@ std::vector<Setting> makeSettings() {
                          "Perspective (distant parts look smaller) or orthographic projection."));
 
   add(entry<Scene>("picture.supersampling", ISOLUX_MEMBER(picture.supersampling), {1, 4},
-                   "rays per pixel and axis", "Anti-aliasing of final images."));
+                   "rays per pixel and axis", "Supersampling (anti-aliasing) of final images."));
   add(choiceEntry<Scene>("picture.rest_hits", ISOLUX_MEMBER(picture.restHits),
                          "Interpolant of final images if hit.field is trilinear: same, or the interpolating "
-                         "B-spline. auto takes the spline if more than a tenth of the visible surface is "
-                         "over a tenth of a voxel off. AOVs and baked light keep hit.field."));
+                         "B-spline. auto uses the spline if more than a tenth of the visible surface "
+                         "deviates by over a tenth of a voxel. AOVs and baked light use hit.field."));
   add(entry<Scene>("picture.exposure", ISOLUX_MEMBER(picture.exposure), {-40, 40}, "stops",
                    "Exposure of images lit by global illumination; auto follows picture.metering."));
   add(choiceEntry<Scene>("picture.metering", ISOLUX_MEMBER(picture.metering),
-                         "Basis of automatic exposure: the lit surface seen from the front, independent of "
-                         "the view; or the lights, which makes an unoccluded white surface nearly white."));
+                         "Basis of automatic exposure: the lit surface seen from the front, whatever the "
+                         "view, or the lights. The lights make an unoccluded white surface nearly white."));
   add(entry<Scene>(
       "picture.letters", ISOLUX_MEMBER(picture.letters), noRange, "",
-      "Draws orientation labels at the edges of the final image: the ends of the patient's axes, or of the "
-      "world's if the file states no orientation. The window always shows them."));
+      "Draws orientation labels at the edges of the final image: the ends of the patient's axes. If the "
+      "patient orientation is unknown, they name the world's axes. The window always shows them."));
   add(entry<Scene>("picture.scale_bar", ISOLUX_MEMBER(picture.scaleBar), noRange, "",
-                   "Draws a scale bar of a round length on the final image; in perspective it is true at the "
-                   "depth of camera.target. The window always shows it."));
+                   "Draws a scale bar of a round length on the final image. In perspective it is valid at "
+                   "the depth of camera.target. The window always shows it."));
   add(entry<Scene>("picture.isovalue", ISOLUX_MEMBER(picture.isovalue), noRange, "",
                    "Writes the isovalues of the visible surfaces, with their unit, on the final image."));
   add(entry<Scene>("picture.caveats", ISOLUX_MEMBER(picture.caveats), noRange, "",
-                   "Writes a line on the final image for each omission or interpolation: hidden connected "
-                   "components, interpolated missing slices. Nothing is written if there is none."));
+                   "Writes a line on the final image for each omission or interpolation, such as hidden "
+                   "connected components or interpolated missing slices."));
   add(entry<Scene>(
       "picture.transparent", ISOLUX_MEMBER(picture.transparent), noRange, "",
       "Leaves out the background of the final image; its alpha is the covered fraction of each pixel."));
   add(entry<Scene>("picture.pixel_ratio", ISOLUX_MEMBER(picture.pixelRatio), {0.1, 32}, "pixels",
-                   "Pixels of the final image per pixel in which line and streak sizes are stated. Use 2 in "
-                   "an image twice as large, for the same look."));
+                   "Pixels of the final image per pixel in which line and streak sizes are stated. For the "
+                   "same look in an image twice as large, use 2."));
   return list;
 }
 

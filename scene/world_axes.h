@@ -1,9 +1,9 @@
 // Defines the meaning of the world axes (millimetres) in a volume, and their labels.
 //
 // Anatomical labels (L, P, S for +x, +y, +z; R, A, I for the other ends) apply to volumes whose file states
-// the patient orientation. All others have +X, -X ... Their up axis is a convention, not information from the
-// file. It is z for voxels (layers of a stack, height of a simulation), and y for meshes, as in most
-// modelling programs.
+// the patient orientation. The labels of all others are +X, -X ... Their up axis is a convention, not
+// information from the file. It is z for voxels (layers of a stack, height of a simulation), and y for
+// meshes, as in most modelling programs.
 #pragma once
 
 #include <string>

@@ -19,7 +19,7 @@
 
 namespace isolux::gi {
 
-// Samples from which noise is a fine grain and no texel stands out from its neighbours.
+// Number of samples above which noise is a fine grain: no texel differs visibly from its neighbours.
 constexpr std::uint32_t kSmoothSamples = 16;
 
 // Returns the numbers of samples at which the rounds up to `samples` end: 4, 16, 64, ..., samples.

@@ -1,7 +1,7 @@
 // Computes units of a bake: calls the estimator for a few texels at a time and writes the block.
 //
 // A call takes a few milliseconds, whatever a path costs. A round of a single texel with long paths is split
-// into several calls; the partial sums are kept while the thread serves other requests in between.
+// into several calls. Between them, the thread stores the partial sums and serves other requests.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace isolux::gi {
 
-// Runs units on one thread; it learns how many paths take a few milliseconds.
+// Runs units on one thread. Adapts the number of paths per call so that a call takes a few milliseconds.
 class UnitRunner {
  public:
   UnitRunner(LightLattice& lattice, const TexelEstimator& estimator)
@@ -24,7 +24,7 @@ class UnitRunner {
   using AfterCall = std::function<bool(std::uint64_t rays, std::uint64_t paths)>;
 
   // Refines the unit's texels to its target, or fewer of them if `leave` returns true. The lattice contains
-  // what was computed, also if the estimator throws; the exception is passed on.
+  // the samples computed so far, also if the estimator throws; the exception is passed on.
   void run(const BakeQueue::Unit& unit, const std::stop_token& stop, const AfterCall& leave);
 
  private:

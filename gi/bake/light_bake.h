@@ -3,13 +3,14 @@
 //
 // Rounds end at 4, 16, 64, 256, 1024, then every 1024 samples per texel, and at the requested number. The
 // unit of work is a block and a round; no two threads work on one block. A texel's mean is updated once per
-// round, mean += (mean of the round - mean) * count / total, however the round is split among calls of the
-// estimator. The lattice is therefore bit-identical for any number of threads, any order of requests, and
-// after stopping and resuming. A number of samples that ends no regular round (100) ends a round only while
-// it is requested. If it is raised later, texels continue from there with the same samples, but summed in
-// other groups. The last bits may then differ from those of a bake that had the higher number from the start.
+// round: mean += (mean of the round - mean) * count / total. Splitting a round among calls of the estimator
+// does not change it. The lattice is therefore bit-identical for any number of threads, any order of
+// requests, and after stopping and resuming. A number of samples that ends no regular round (100) ends a
+// round only while it is requested. If it is raised later, texels continue from there with the same samples,
+// but summed in other groups. The last bits may then differ from those of a bake that had the higher number
+// from the start.
 //
-// There are no callbacks: owners poll counters() and LightLattice::changedSince(). All members are safe from
+// It calls no callbacks: owners poll counters() and LightLattice::changedSince(). All members are safe from
 // any thread; only waitFor() and the destructor wait for a worker. An exception of an estimator ends the bake
 // and is returned by failure().
 #pragma once
@@ -26,8 +27,8 @@
 namespace isolux::gi {
 
 struct BakeCounters {
-  // Of all requests, each texel once. Texels count as requested until it is known that their isosurface has
-  // no normal.
+  // Of all requests, each texel once. Texels count as requested until their isosurface turns out to have no
+  // normal.
   std::uint64_t texelsWanted = 0, texelsDone = 0;    // done: have all samples
   std::uint64_t texelsStarted = 0;                   // have any
   std::uint64_t texelsLit = 0;                       // of all texels in the lattice
@@ -48,7 +49,7 @@ class LightBake {
   struct Options {
     std::uint32_t samples = 100;  // per texel at the end
     int threads = 1;
-    // Gives the threads a tenth of the processor where others need it: for a window that must stay
+    // Gives the threads a tenth of the processor if other threads need it, for a window that must stay
     // responsive.
     bool background = false;
   };
@@ -67,7 +68,7 @@ class LightBake {
   void setSamples(std::uint32_t samples);
   void setThreads(int threads);  // at most as many as the system creates: counters().threads
   void setPaused(bool paused);
-  // Yields the processor to someone else, such as a frame being drawn. Threads pause after their current call
+  // Yields the processor to another task, such as a frame being drawn. Threads pause after their current call
   // until yield(false), but at most 250 ms after the first yield(true).
   void yield(bool yielding);
 
@@ -75,7 +76,7 @@ class LightBake {
   // Waits until every request is fulfilled up to `samples` per texel (0: all), an error, or the timeout [s].
   // Returns whether they are fulfilled.
   bool waitFor(std::uint32_t samples, double timeoutSeconds) const;
-  // Returns what ended the bake (a base::Error, std::bad_alloc or an internal error), or null.
+  // Returns the exception that ended the bake (a base::Error, std::bad_alloc or an internal error), or null.
   std::exception_ptr failure() const;
   const std::shared_ptr<LightLattice>& lattice() const;
 

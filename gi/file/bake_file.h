@@ -2,20 +2,19 @@
 // world.
 //
 // Point data, one point per texel: `irradiance` (3 components; light of one channel three times) or
-// `transfer` (order^2 or 3 order^2 components), `samples` (paths; 0: not baked), and of the light sources
-// `irradiance_lamps` and `samples_lamps`; `normal` (world). Field data, texts: `key`, `key_lamps`
+// `transfer` (order^2 or 3 order^2 components). Also `samples` (paths; 0: not baked), `irradiance_lamps` and
+// `samples_lamps` (of the light sources), and `normal` (world). Field data, texts: `key`, `key_lamps`
 // (lightKey()), `content`, `volume_hash`, `arithmetic` (gi/arithmetic.h) and, for one part of a bake, `part`.
 // Arrays are zlib-compressed, appended, raw.
 //
-// All numbers are stored as in memory, so that a bake resumed from the file is bit-identical to one that was
-// not interrupted, provided that the arithmetic is the same. A file computed by two kinds of arithmetic names
-// both.
+// All numbers are stored as in memory. With the same arithmetic, a bake resumed from the file is therefore
+// bit-identical to an uninterrupted one. A file computed by two kinds of arithmetic names both.
 //
-// Files are written next to their name, flushed to the disk and renamed: whenever the program ends, the file
-// is the complete old one or the complete new one. Lattices may be filled meanwhile; each block is written as
-// it was at one moment. Memory: a few layers of blocks as plain arrays, and the old state of blocks that a
-// bake replaces meanwhile. Throws base::Error: input, naming the file, the array and the reason; memory;
-// interrupted.
+// Files are written to a temporary file in the same folder, flushed to the disk and renamed. Whenever the
+// program ends, the file is the complete old or the complete new one. Lattices may be filled meanwhile; each
+// block is written as it was at one moment. Needs memory for a few layers of blocks as plain arrays, and for
+// the old state of blocks that a bake replaces meanwhile. Throws base::Error: input, naming the file, the
+// array and the reason; memory; interrupted.
 #pragma once
 
 #include <filesystem>
@@ -55,17 +54,17 @@ struct StoredLight {
 void writeBakeFile(const std::filesystem::path& path, const volume::Grid& grid, const StoredLight& light,
                    base::Progress& progress);
 
-// Writes the light as slabs, each a .vti of its own, and their index (.pvti), which ParaView opens. There are
-// at most `pieces` slabs and as many as layers of blocks; neighbours share a slice. Each file is complete or
-// as before; the index is written last. Throws as writeBakeFile().
+// Writes the light as slabs, each a .vti of its own, and their index (.pvti), which ParaView opens. Writes at
+// most `pieces` slabs, and at most one per layer of blocks; neighbours share a slice. Each file is complete
+// or as before; the index is written last. Throws as writeBakeFile().
 void writeBakePieces(const std::filesystem::path& index, int pieces, const volume::Grid& grid,
                      const StoredLight& light, base::Progress& progress);
 // Returns the path of a slab next to its index: L.pvti has L.piece-1-of-4.vti.
 std::filesystem::path bakePieceFile(const std::filesystem::path& index, int number, int count);
 
 // Reads the lattices with those keys; an empty key requests none. A lattice is null if the file does not
-// contain it. Throws for a file of another volume and for lattices of another key, and says what differs.
-// `hidden`: of the tracer that computed the light (IsosurfaceTracer::hidden()).
+// contain it. Throws for a file of another volume and for lattices of another key; the message states the
+// difference. `hidden`: of the tracer that computed the light (IsosurfaceTracer::hidden()).
 StoredLight readBakeFile(const std::filesystem::path& path, const volume::Grid& grid,
                          std::span<const volume::HiddenOfSurface> hidden, const std::string& skyKey,
                          const std::string& lampsKey, base::Progress& progress);

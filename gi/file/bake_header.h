@@ -25,11 +25,11 @@ struct BakeHeader {
   std::uint64_t appendedAt = 0;  // byte that offsets count from
 };
 
-// Returns a text of the field data as written in the header. kBakeFileEnd is what follows the arrays.
+// Returns a text of the field data as written in the header. kBakeFileEnd is the text after the arrays.
 std::string bakeTextField(const std::string& name, const std::string& text);
 inline constexpr const char* kBakeFileEnd = "\n  </AppendedData>\n</VTKFile>\n";
 
-// Reads the header. Throws base::Error{input} that names the file and what differs from files of this
+// Reads the header. Throws base::Error{input} that names the file and its difference from files of this
 // program.
 BakeHeader readBakeHeader(const volume::Bytes& bytes);
 BakeFacts bakeFactsOf(const BakeHeader& header, const std::string& file);

@@ -11,10 +11,10 @@ namespace isolux::gi {
 // Merges `files`, in any order. Requires all parts of one bake, each finished and present once. The result is
 // byte-identical to a file that writeBakeFile() writes of all texels. Memory: about 2 MiB per file.
 //
-// Throws base::Error{input} naming the file that is not a part, is of another volume, light or lattice, is a
-// duplicate, is unfinished, is of other arithmetic (unless `mixArithmetic`), or is damaged. Throws it naming
-// `out`, with the numbers of the parts, if parts are missing. Throws Error{interrupted}. `out` is complete or
-// as before.
+// Throws base::Error{input} naming a file that is not a part, is a duplicate, is unfinished or is damaged.
+// Also for a file of another volume, light or lattice, or of other arithmetic (unless `mixArithmetic`).
+// Throws it naming `out`, with the numbers of the parts, if parts are missing. Throws Error{interrupted}.
+// `out` is complete or as before.
 void mergeBakeFiles(std::span<const std::filesystem::path> files, const std::filesystem::path& out,
                     bool mixArithmetic, base::Progress& progress);
 

@@ -1,7 +1,7 @@
 // Allocates the bits of a texel to the components of compressed transfer, and quantises their numbers.
 //
-// Numbers are quantised uniformly within a range that may exclude rare values if that lessens the mean
-// squared error. Bits are allocated one by one, each to the component whose error it lessens most per bit.
+// Numbers are quantised uniformly within a range. The range may exclude rare values if that reduces the mean
+// squared error. Allocates bits one by one, each to the component where it reduces the error most per bit.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // Computes how the irradiance of an unoccluded sky depends on the normal.
 //
-// Baked irradiance is filtered and interpolated as a fraction of it, since this fraction varies little where
-// a surface bends. Uses nine spherical harmonics (Ramamoorthi & Hanrahan 2001), each channel divided by its
+// Baked irradiance is filtered and interpolated as a fraction of it, because this fraction varies little on
+// curved surfaces. Uses nine spherical harmonics (Ramamoorthi & Hanrahan 2001), each channel divided by its
 // mean over all normals. Values are at least kLeastOpenSky: below it, nine terms are inaccurate and the
 // fraction would be large.
 #pragma once

@@ -68,8 +68,9 @@ struct GaussLegendre {
 // Returns the factor of band l that reduces ringing: Lanczos' sigma factor sinc(strength l / order), sinc(t)
 // = sin(pi t) / (pi t). Strength 0 keeps the coefficients; at 1 the factors would reach 0 at the first band
 // left out. In between, the window is that of the order / strength first bands. For one light in one
-// direction at order 5, the deepest undershoot is 15 % of the peak at strength 0 and 6 % at 1; in the
-// irradiance 3.2 % and 1.4 %. Light can therefore be negative, and callers that display it must clamp it.
+// direction at order 5, the deepest undershoot is 15 % of the peak at strength 0, and 6 % at 1. In the
+// irradiance it is 3.2 % and 1.4 %. Light can therefore be negative, and callers that display it must clamp
+// it.
 double shWindow(int order, double strength, int l);
 void windowSh(int order, double strength, std::span<double> coefficients);
 void windowSh(int order, double strength, std::span<glm::dvec3> coefficients);

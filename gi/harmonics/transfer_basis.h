@@ -3,8 +3,8 @@
 // A transfer vector of D = channels * order^2 numbers is written as mean + sum_k c_k B_k. Lighting then needs
 // no decompression: E = mean . l + sum_k c_k (B_k . l), with the dot products computed once per frame (Sloan
 // et al. 2003, "Clustered Principal Components", with one cluster). Wyman et al. 2006 store D floats. Each
-// bit goes to the component whose error it lessens most (Huang & Schultheiss 1963). The first components
-// therefore get several times as many as the last, and useless ones get none.
+// bit is allocated to the component where it reduces the error most (Huang & Schultheiss 1963). The first
+// components therefore get several times as many as the last, and useless ones get none.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ class TransferBasis {
   };
 
   // Fits a basis to the baked texels of lattices of the same content, at most `mostTexels` of them, evenly
-  // chosen. Returns null if there are none.
+  // chosen. Returns null if no texel is baked.
   //
   // `bits` per texel, for at most `components` components, are rounded up to whole words. Errors are weighted
   // by their effect on E under usual environments, whose coefficients fall with the SH band. Throws

@@ -13,8 +13,8 @@ namespace isolux::gi {
 // The two halves of a lattice in a chessboard pattern: x + y + z is even or odd.
 enum class HalfOfTexels { even, odd };
 
-// Returns a lattice in which each texel of the other half has the mean of its lit neighbours along the axes,
-// all of which are in `half`. A neighbour's weight is the fourth power of the normals' cosine times its
+// Returns a lattice in which each texel of the other half has the mean of its lit neighbours along the axes.
+// All of these are in `half`. A neighbour's weight is the fourth power of the normals' cosine times its
 // paths. A texel without a neighbour that faces the same way keeps its own light. Normals, positions and
 // paths are those of `lattice`. Throws Error{memory}.
 std::shared_ptr<LightLattice> halfOf(const LightLattice& lattice, HalfOfTexels half);

@@ -6,7 +6,7 @@
 // blocks.
 //
 // A texel is lit on the isosurface through it. If the lattice has an isovalue, a texel is lit at the point of
-// that isosurface nearest to it: such a lattice serves one isovalue, with a smaller error.
+// that isosurface nearest to it. Such a lattice serves one isovalue, with a smaller error.
 #pragma once
 
 #include <cstdint>

@@ -1,9 +1,9 @@
 // Divides a lattice's texels into parts, for bakes that machines do independently of each other.
 //
-// Tiles are 4 x 4 x 4 blocks (32^3 texels; fewer at the upper border), in Morton order of their positions
-// (the lowest bit is x's). Part i of n has every tile whose number in that order is i modulo n. Neighbouring
-// tiles belong to different parts, so that parts take about equally long. The parts of one n are disjoint and
-// cover the lattice; if there are fewer tiles than parts, some are empty.
+// Tiles are 4 x 4 x 4 blocks (32^3 texels; fewer at the upper border). Their order is the Morton order of
+// their positions, with x in the lowest bit. Part i of n contains every tile whose number in that order is i
+// modulo n. Neighbouring tiles belong to different parts, so that parts take about equally long. The parts of
+// one n are disjoint and cover the lattice; with fewer tiles than parts, some are empty.
 #pragma once
 
 #include <cstdint>

@@ -93,8 +93,8 @@ class LightLattice {
   LightContent content_;
   std::string key_;
   base::MemoryBudget::Held held_;  // for the table
-  // Guards the table; blocks are shared immutable copies. Nothing is counted, allocated or freed while it is
-  // locked, as a writer may be a thread of low priority, and the window's thread a reader.
+  // Guards the table; blocks are shared immutable copies. No code counts, allocates or frees memory while it
+  // is locked. A writer may be a thread of low priority, and the window's thread a reader.
   mutable std::mutex mutex_;
   static constexpr std::uint32_t kNone = 0xffffffff;
   struct Stored {

@@ -1,7 +1,7 @@
 // Samples directions for many paths at once, one per SIMD lane.
 //
-// The functions compute what directions.h and environment.h compute for one direction, in the same arithmetic
-// without fused products: a number does not depend on its lane.
+// Each function computes what directions.h or environment.h computes for one direction. The arithmetic is the
+// same, without fused multiply-add (FMA), so a result does not depend on its lane.
 //
 // A batch is arrays of kBatch numbers, of which the first `count` are requested. Whole vectors are computed;
 // the numbers behind `count` are undefined. Immutable; safe from any thread.

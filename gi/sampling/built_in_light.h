@@ -1,7 +1,7 @@
 // Provides the built-in environments: radiance as formulas of direction, evaluated once into the image that
 // the environment samples.
 //
-// Directions are in the environment's own frame (gi/sampling/environment.h): +z is up; a viewer of the
+// Directions are in the environment's own frame (gi/sampling/environment.h): +z is up. A viewer of the
 // volume's front is at -y and looks towards +y, with +x to the right. The main light of each is at the
 // viewer's upper left.
 #pragma once

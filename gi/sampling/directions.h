@@ -2,20 +2,21 @@
 // sphere.
 //
 // samplePair() and sampleOne() depend only on their arguments: they are the same on every machine, in any
-// order and from any number of threads. `seed` selects the pattern (a texel or a pixel; neighbours may have
-// neighbouring seeds) and `sample` the point of it. `pair` or `dimension` selects the decision of the path: 0
-// the first direction, then the later ones. Every prefix of a pattern is well distributed, and any number of
-// samples may follow. Coordinates are odd multiples of 2^-24: never 0 or 1, so no direction lies in the
-// surface.
+// order and from any number of threads. `seed` selects the pattern (of a texel or pixel; neighbours may have
+// neighbouring seeds), `sample` its point. `pair` or `dimension` selects the decision of the path: 0 the
+// first direction, then the later ones. Every prefix of a pattern is well distributed, and any number of
+// samples may follow. Coordinates are odd multiples of 2^-24: never 0 or 1, so no direction is tangential to
+// the surface.
 //
 // Sequences:
-//   sobol_owen: the first two dimensions of Sobol's sequence, a (0,2)-sequence: the first 2^k points put
-//     exactly one into each of the 2^k boxes of any shape a power of two wide and high. Owen scrambling by a
+//   sobol_owen: the first two dimensions of Sobol's sequence, a (0,2)-sequence. Of the first 2^k points,
+//   exactly one is in each of the 2^k boxes whose width and height are powers of two. Owen scrambling by a
 //     hash (Laine & Karras 2011; Burley, JCGT 9(4), 2020; the hash is that of Vegdahl 2021, also in pbrt-v4).
 //     Pairs after the first are the same sequence in another order, scrambled again ("padded", Burley 2020
 //     sec. 5).
 //   r2: fractional parts of n (1/p, 1/p^2), p^3 = p + 1 (Roberts 2018), with a shift per seed (Cranley &
-//     Patterson 1976), in 64-bit integers: no drift at large n. Pairs after the first are sobol_owen, because
+//   Patterson 1976). Computed in 64-bit integers, they do not drift at large n. Pairs after the first are
+//   sobol_owen, because
 //     two shifted copies of one lattice would be the same in every pair.
 //   random: independent numbers, a hash of the counters.
 #pragma once

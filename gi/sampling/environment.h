@@ -5,10 +5,10 @@
 // right edge of the last) is towards -y. In the world (LPS) and unturned, a viewer in front of a patient sees
 // the image's middle behind the patient.
 //
-// The radiance is piecewise constant: that of the pixel a direction is in, whose solid angle is 2 pi / width
-// * (cos of its upper edge - cos of its lower edge). radiance(), sample(), pdf(), project() and mean() all
-// use this function. Radiance is linear RGB (BT.709), without exposure. Densities are per steradian.
-// Directions are unit vectors. Immutable; safe from any thread.
+// The radiance of a direction is the radiance of its pixel (piecewise constant). A pixel's solid angle is 2
+// pi / width * (cos of its upper edge - cos of its lower edge). radiance(), sample(), pdf(), project() and
+// mean() all use this piecewise constant function. Radiance is linear RGB (BT.709), without exposure.
+// Densities are per steradian. Directions are unit vectors. Immutable; safe from any thread.
 #pragma once
 
 #include <cstddef>
@@ -32,7 +32,7 @@ class Environment {
   static Environment constant(glm::dvec3 radiance);
   // Makes an environment of width * height `pixels`, row by row, row 0 up; both are at least 1. Throws
   // Error{memory} for 2^31 pixels or more. Negative values become 0. A pixel with NaN or infinity becomes the
-  // mean of its up to 8 finite neighbours, or 0 if there are none.
+  // mean of its up to 8 finite neighbours, or 0 if none is finite.
   static Environment fromImage(int width, int height, std::vector<glm::vec3> pixels);
   // Reads any format of OpenImageIO: .hdr, .exr and others of one channel (grey) or more. Decodes integer
   // samples and those marked sRGB from the sRGB curve; ignores alpha. Throws base::Error of kind input,

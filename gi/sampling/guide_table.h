@@ -1,10 +1,10 @@
 // Finds which of many adjacent intervals contains a number, in constant time on average.
 //
-// [0, 2^31) is divided into 2^bits cells of equal width, and the table stores the interval in which each cell
-// begins (Chen & Asau 1974; Devroye 1986, sec. III.2.4). A binary search among the cell's intervals finds the
-// result. It is that of a search among all intervals, so the map from numbers to intervals is monotone and
-// preserves the stratification of a sequence. A cell overlaps about eight intervals on average: fewer would
-// cost more memory accesses than the search steps they save.
+// Divides [0, 2^31) into 2^bits cells of equal width. The table stores the interval in which each cell begins
+// (Chen & Asau 1974; Devroye 1986, sec. III.2.4). A binary search among the cell's intervals finds the
+// result. The result equals that of a search among all intervals. The map from numbers to intervals is
+// therefore monotone and preserves the stratification of a sequence. A cell overlaps about eight intervals on
+// average: fewer would cost more memory accesses than the search steps they save.
 #pragma once
 
 #include <algorithm>

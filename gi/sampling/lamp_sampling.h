@@ -1,11 +1,11 @@
 // Samples light sources from a surface point: the unoccluded irradiance and the direction of a shadow ray.
 //
-// Sphere lights are sampled uniformly in the cone that they subtend, which is exact near and far; from
-// inside, where both sides shine, by the cosine. Distant discs are sampled by their cone likewise (Shirley,
-// Wang & Zimmerman 1996). Points are voxel coordinates, normals and directions unit vectors in the world,
-// lengths mm. Positions are stored relative to the volume, so that large world coordinates cost no precision.
-// Within a thousandth of the shortest voxel axis, a point light gets no brighter. Immutable; safe from any
-// thread.
+// Sphere lights are sampled uniformly in the cone that they subtend, which is exact near and far. From
+// inside, where both sides shine, they are sampled by the cosine. Distant discs are sampled by their cone
+// likewise (Shirley, Wang & Zimmerman 1996). Points are voxel coordinates, normals and directions unit
+// vectors in the world, lengths mm. Positions are stored relative to the volume, so that large world
+// coordinates do not reduce precision. Within a thousandth of the shortest voxel axis, a point light gets no
+// brighter. Immutable; safe from any thread.
 #pragma once
 
 #include <span>

@@ -11,8 +11,8 @@
 
 namespace isolux::gi {
 
-// Returns the texels that lookups on the isosurfaces of isovalues [low, high] (data units) can read, from the
-// minimum and maximum voxel around each: all of them, and few more. With Field::cubic_interpolating, which
+// Returns all texels that lookups on the isosurfaces of isovalues [low, high] (data units) can read, and few
+// more. Tests the minimum and maximum voxel around each texel. With Field::cubic_interpolating, which
 // overshoots its voxels, some may be missing. Multithreaded; throws Error{interrupted}.
 std::vector<WantedBlock> texelsOfBand(const LatticeGeometry& lattice, const volume::Grid& grid, double low,
                                       double high, int reach, base::Progress& progress,

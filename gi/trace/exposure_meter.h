@@ -1,8 +1,8 @@
 // Measures the brightness of a lit surface for automatic exposure.
 //
 // It path-traces a few hundred points of the surface, seen from the front with the whole volume in the image.
-// The result does not depend on the view, the image size or what is baked so far. Turning the view therefore
-// changes no exposure, tiles agree, and an image redrawn from its session is the same.
+// The result does not depend on the view, the image size or the progress of the bake. Rotating the view
+// therefore does not change the exposure, tiles agree, and an image redrawn from its session is the same.
 #pragma once
 
 #include <memory>
@@ -14,8 +14,8 @@
 
 namespace isolux::gi {
 
-// Returns the scene reduced to what brightness depends on: equal ones have equal brightness in one volume and
-// environment.
+// Returns the scene reduced to the settings that affect brightness. Equal results have equal brightness in
+// one volume and environment.
 scene::Scene meteredScene(const scene::Scene& resolved);
 
 // Measures the brightness. Returns nullopt if the front view shows no front face. `tracer`, `environment`: as

@@ -1,5 +1,5 @@
-// Estimates the light of a lattice's texels by the path tracer: position, isovalue (the texel's own, or the
-// lattice's) and B-spline normal of each.
+// Estimates the light of a lattice's texels by the path tracer. Determines position, isovalue (the texel's
+// own, or the lattice's) and B-spline normal of each texel.
 #pragma once
 
 #include <memory>

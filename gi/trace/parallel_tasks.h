@@ -37,7 +37,7 @@ bool runTasks(std::size_t count, int threads, const Body& body) {
     try {
       for (int i = 1; i < threads && static_cast<std::size_t>(i) < count; ++i) others.emplace_back(work);
     } catch (const std::system_error&) {
-      // The system creates no more threads: the existing ones do the work.
+      // If the system creates no more threads, the existing ones do the work.
     }
     work();
   }

@@ -2,13 +2,13 @@
 //
 // Each point is lit on its own isosurface: every ray of its paths is traced against that isovalue (Wyman et
 // al. 2006 sec. 4.1). Directions are cosine-distributed about the B-spline normal. A fraction of them are
-// shadow rays towards directions sampled from the environment instead; its direct light is weighted for both
-// (one-sample multiple importance sampling, balance heuristic: Veach 1997 sec. 9.2.4). Light sources are
-// sampled by shadow rays. Paths never branch, and end by Russian roulette.
+// shadow rays towards directions sampled from the environment instead. Direct light of the environment is
+// weighted for both (one-sample multiple importance sampling, balance heuristic: Veach 1997 sec. 9.2.4).
+// Light sources are sampled by shadow rays. Paths never branch, and end by Russian roulette.
 //
-// Rays start off the surface by kOffsetVoxels along the normal; the light of a source is that at the point
-// itself. The result for a point and a sample number does not depend on other requests. A path that has not
-// ended after kMostBounces (albedo 1 in a closed cavity) is ended and counted. Thread-safe.
+// Rays start off the surface by kOffsetVoxels along the normal; the light of a source is evaluated at the
+// point itself. The result for a point and a sample number does not depend on other requests. A path that has
+// not ended after kMostBounces (albedo 1 in a closed cavity) is ended and counted. Thread-safe.
 #pragma once
 
 #include <atomic>

@@ -1,17 +1,18 @@
-// Advances a wave of light paths together, one segment at a time: rays are generated, traced and shaded in
+// Advances a wave of light paths together, one segment at a time. Rays are generated, traced and shaded in
 // batches, so that the tracer's lanes stay full.
 //
 // Path i of a wave is sample samples.first + i % samples.count of point i / samples.count. At each vertex,
-// direct light of the sky is estimated by one direction. It is sampled from the sky with probability `share`,
-// else from the cosine, and weighted for both (one-sample multiple importance sampling with the balance
-// heuristic, Veach 1997 eq. 9.15). A path continues only in cosine-sampled directions, which count 1 / (1 -
-// share) times as much; a direction sampled from the sky is a shadow ray and ends the path.
+// direct light of the sky is estimated by one direction. The direction is sampled from the sky with
+// probability `share`, else from the cosine. Its light is weighted for both (one-sample multiple importance
+// sampling with the balance heuristic, Veach 1997 eq. 9.15). A path continues only in cosine-sampled
+// directions, which count 1 / (1 - share) times as much. A direction sampled from the sky is a shadow ray and
+// ends the path.
 //
-// After a bounce the directions are about the B-spline normal. If that does not face the arriving ray, or is
-// 0, they are about the normal of the trilinear cell; if that does not either, the path goes straight back. A
-// path is never dropped, so no light vanishes. Lengths are mm, positions voxel coordinates, directions and
-// normals world. The decisions of a path depend only on its point's seed, its sample and its depth: a path is
-// the same in any wave.
+// After a bounce the directions are about the B-spline normal. If that normal is 0 or does not face the
+// arriving ray, they are about the normal of the trilinear cell. If neither faces it, the path continues
+// straight back. A path is never dropped, so no light vanishes. Lengths are mm, positions voxel coordinates,
+// directions and normals world. The random choices along a path depend only on its point's seed, its sample
+// and its depth. A path is therefore the same in any wave.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +31,8 @@
 
 namespace isolux::gi {
 
-// Paths of one wave: enough to fill the tracer, about 1 MB of state. Measured: 16384 paths are 1 % slower.
+// Paths of one wave: enough to fill the tracer, about 1 MB of state. 16384 paths are 1 % slower
+// (docs/records/tried-and-not-kept.md).
 inline constexpr std::size_t kWavePaths = 8192;
 
 // Data shared by all paths of a light scene.

@@ -1,6 +1,6 @@
 // Finds the exact first hit of each pixel's centre with all shown isosurfaces.
 //
-// Caps (volume/clip/cut_faces.h) occlude what is behind them and are not hits. Rays, camera and pixels are
+// Caps (volume/clip/cut_faces.h) occlude surfaces behind them and are not hits. Rays, camera and pixels are
 // those of the renderer. Computes in double precision the first root in every cell (volume/hit/exact_hit.h,
 // volume/hit/exact_cubic_hit.h) of the field hit.field, whatever hit.method is. Positions are voxel
 // coordinates. Const members are safe from any thread.

@@ -30,8 +30,8 @@
 
 namespace isolux::gi {
 
-// Row 0 is the top row; one entry per pixel. A pixel is NaN without a hit or sample; its colour is then that
-// of the environment if that is shown as the background, else NaN.
+// Row 0 is the top row; one entry per pixel. A pixel without a hit or sample is NaN. Its colour is then that
+// of the environment, if that is shown as the background.
 struct ReferenceImage {
   glm::ivec2 size{0};
   std::vector<glm::vec3> color;        // linear
@@ -50,7 +50,7 @@ class Reference {
     int threads = 1;
     std::vector<std::uint32_t> pixels = {};  // only these, ascending, x fastest; empty: all
   };
-  // Finds the visible points. `environment`: what light.environment names; `tracer`: of the volume and
+  // Finds the visible points. `environment`: that of light.environment; `tracer`: of the volume and
   // isosurface.inside. Throws Error: usage if a surface is transparent; memory before anything is allocated;
   // interrupted.
   Reference(std::shared_ptr<const volume::PreparedVolume> volume,

@@ -17,7 +17,7 @@ SettingsDict = TypedDict("SettingsDict", {
     "source.series": str | os.PathLike[str],  # SeriesInstanceUID of the series to read from a DICOM folder; empty selects the series with the most slices.
     "source.component": int,  # Channel to read from a file with several values per voxel; -1 reads the magnitude of the vector.
     "source.time_step": int,  # Time step to read from a file with several, counted from 0.
-    "source.kind": Literal["auto", "ct_hu", "ct", "mr", "microscopy", "simulation", "distance", "labels", "other"],  # Kind of data: CT in Hounsfield or other units, MR, distance field …; auto decides from the file and its values. Presets and the first isovalue depend on it.
+    "source.kind": Literal["auto", "ct_hu", "ct", "mr", "microscopy", "simulation", "distance", "labels", "other"],  # Kind of data: CT in Hounsfield or other units, MR, distance field …; auto derives it from the file and its values. Presets and the first isovalue depend on it.
     "source.level": int,  # Resolution level of a large file: 0 is full resolution, each further level halves it along each axis. Levels stored in the file are used; others are averaged.
     "source.around_damage": bool,  # Treats unreadable voxels of a chunked file as missing; otherwise the file is rejected.
     "source.mesh_voxels": int,  # Resolution of the distance field made from a triangle mesh: voxels along the longest axis.
@@ -41,21 +41,21 @@ SettingsDict = TypedDict("SettingsDict", {
     "isosurface.clipped": bool,  # Applies clip planes and clip box to the first surface.
     "isosurface2.shown": bool,  # Draws one more isosurface of the same volume.
     "isosurface2.name": str | os.PathLike[str],  # Name of that surface.
-    "isosurface2.value": float | Literal["auto"] | None,  # Isovalue of that surface; auto takes the histogram's next suggestion outside the first surface, or inside if there is none.
+    "isosurface2.value": float | Literal["auto"] | None,  # Isovalue of that surface; auto uses the histogram's next suggestion outside the first surface, or inside if there is none.
     "isosurface2.albedo": Sequence[Any] | str,  # Diffuse reflectance of that surface.
     "isosurface2.opacity": float,  # Opacity of that surface; 1 hides everything behind it.
     "isosurface2.facing_opacity": float,  # View-dependent opacity: factor on that opacity where the surface faces the viewer.
     "isosurface2.clipped": bool,  # Applies clip planes and clip box to that surface.
     "isosurface3.shown": bool,  # Draws one more isosurface of the same volume.
     "isosurface3.name": str | os.PathLike[str],  # Name of that surface.
-    "isosurface3.value": float | Literal["auto"] | None,  # Isovalue of that surface; auto takes the histogram's next suggestion outside the first surface, or inside if there is none.
+    "isosurface3.value": float | Literal["auto"] | None,  # Isovalue of that surface; auto uses the histogram's next suggestion outside the first surface, or inside if there is none.
     "isosurface3.albedo": Sequence[Any] | str,  # Diffuse reflectance of that surface.
     "isosurface3.opacity": float,  # Opacity of that surface; 1 hides everything behind it.
     "isosurface3.facing_opacity": float,  # View-dependent opacity: factor on that opacity where the surface faces the viewer.
     "isosurface3.clipped": bool,  # Applies clip planes and clip box to that surface.
     "isosurface4.shown": bool,  # Draws one more isosurface of the same volume.
     "isosurface4.name": str | os.PathLike[str],  # Name of that surface.
-    "isosurface4.value": float | Literal["auto"] | None,  # Isovalue of that surface; auto takes the histogram's next suggestion outside the first surface, or inside if there is none.
+    "isosurface4.value": float | Literal["auto"] | None,  # Isovalue of that surface; auto uses the histogram's next suggestion outside the first surface, or inside if there is none.
     "isosurface4.albedo": Sequence[Any] | str,  # Diffuse reflectance of that surface.
     "isosurface4.opacity": float,  # Opacity of that surface; 1 hides everything behind it.
     "isosurface4.facing_opacity": float,  # View-dependent opacity: factor on that opacity where the surface faces the viewer.
@@ -64,17 +64,17 @@ SettingsDict = TypedDict("SettingsDict", {
     "pieces.smallest": float,  # Hides connected components that enclose a smaller volume.
     "pieces.hidden": Sequence[Any] | str,  # Hides the connected components that contain one of these world points.
     "pieces.only": Sequence[Any] | str,  # If not empty, shows only the connected components that contain one of these world points.
-    "pieces.within": float | Literal["auto"] | None,  # Shows only connected components of which at least half is inside the body above this value, for example the skin's. This hides a headrest and a table. Structures thinner than 8 mm do not count as body; auto shows components everywhere.
-    "pieces.depth": float,  # Minimum depth inside that body of half of a component, as a fraction of the body's greatest depth. A brain is deep enough, its scalp is not.
+    "pieces.within": float | Literal["auto"] | None,  # Shows only connected components with at least half inside the body above this value, for example the skin's. This hides a headrest or a table. Structures thinner than 8 mm do not count as body; auto shows components everywhere.
+    "pieces.depth": float,  # Minimum depth inside that body for half of a component, as a fraction of the body's greatest depth. A brain is deep enough; its scalp is not.
     "clip.planes": Sequence[Any] | str,  # Up to six clip planes "px,py,pz nx,ny,nz; ...", a point and a normal each; they remove the side that the normal points to.
     "clip.box": Sequence[Any] | str,  # Two opposite corners "x,y,z; x,y,z" of the clip box, which removes everything outside it; empty removes nothing.
     "clip.box_rotation": Sequence[Any] | str,  # Rotation of the clip box about its centre.
-    "clip.removed": Sequence[Any] | str,  # Removed boxes: two opposite corners "x,y,z; x,y,z" of each of up to eight boxes inside which everything is clipped; they may reach beyond the volume.
-    "clip.cap": Literal["none", "inside", "whole"],  # Cap of cut faces: none, the voxels' values where the inside was cut, or the values of the whole face.
-    "slice.level": float | Literal["auto"] | None,  # Window level: the value shown as middle grey in slices and on cut faces; auto is found from the volume.
-    "slice.width": float | Literal["auto"] | None,  # Window width: the range of values from black to white in slices and on cut faces; auto is found from the volume.
-    "slice.map": Literal["auto", "viridis", "cividis", "inferno", "gray", "coolwarm", "blue_orange", "purple_green", "spectral"],  # Colour map of slices and cut faces; auto is gray.
-    "slice.field": Literal["trilinear", "cubic", "cubic_interpolating"],  # Interpolation between voxels in slices and on cut faces.
+    "clip.removed": Sequence[Any] | str,  # Two opposite corners "x,y,z; x,y,z" of each removed box, at most eight boxes. Everything inside them is clipped; they may extend beyond the volume.
+    "clip.cap": Literal["none", "inside", "whole"],  # Caps of clip planes and boxes: none, the voxel values where the inside is cut, or the voxel values of the whole face.
+    "slice.level": float | Literal["auto"] | None,  # Window level: the value shown as middle grey in slices and on caps; auto derives it from the volume.
+    "slice.width": float | Literal["auto"] | None,  # Window width: the range of values from black to white in slices and on caps; auto derives it from the volume.
+    "slice.map": Literal["auto", "viridis", "cividis", "inferno", "gray", "coolwarm", "blue_orange", "purple_green", "spectral"],  # Colour map of slices and caps; auto is gray.
+    "slice.field": Literal["trilinear", "cubic", "cubic_interpolating"],  # Interpolation between voxels in slices and on caps.
     "slice.slab": float,  # Slab thickness of slices, half in front of and half behind their plane; 0 shows the plane itself.
     "slice.slab_mode": Literal["mean", "maximum", "minimum"],  # Projection through a slab: maximum (MIP), minimum (MinIP) or average along its normal.
     "slice.convention": Literal["radiological", "neurological"],  # Display convention of axial and coronal slices: the patient's right on the left (radiological) or on the right (neurological).
@@ -82,27 +82,27 @@ SettingsDict = TypedDict("SettingsDict", {
     "slice.noise_band": float,  # Fills the uncertainty band of the first surface's contour: its isovalue ± this many standard deviations of the noise; 0 fills nothing.
     "slice.position": Sequence[Any] | str | Literal["auto"] | None,  # Point where the three slices meet; auto is the centre of the volume.
     "marks.list": Sequence[Any] | str,  # List of measurements: {kind, name, points, color, shown} each.
-    "hit.method": Literal["sampled", "exact"],  # Intersection of rays with the surface: equidistant samples with refinement, or the first root of the interpolant in the cell.
-    "hit.field": Literal["trilinear", "cubic", "cubic_interpolating"],  # Interpolant whose surface is drawn. Trilinear; the cubic B-spline, smoothest, which shrinks thin structures until they vanish; or the interpolating cubic B-spline, which keeps wires, twigs and vessels connected where trilinear hits draw beads.
+    "hit.method": Literal["sampled", "exact"],  # Intersection of rays with the surface: equidistant samples with refinement, or the first root of the interpolant in each cell.
+    "hit.field": Literal["trilinear", "cubic", "cubic_interpolating"],  # Interpolant whose surface is drawn: trilinear, cubic B-spline or interpolating cubic B-spline. The B-spline is the smoothest, but shrinks thin structures until they vanish. The interpolating one keeps wires, twigs and vessels connected where trilinear hits draw beads.
     "hit.rate": float,  # Sampling rate along a ray; method sampled only.
     "hit.near_factor": float,  # Factor by which sampling is denser near the isovalue; method sampled only.
-    "hit.near_threshold": float | Literal["auto"] | None,  # Distance from the isovalue within which sampling is denser; auto is the typical change of value from one sample to the next; method sampled only.
-    "hit.refinements": int,  # Regula falsi steps after a sampled hit; method sampled only.
+    "hit.near_threshold": float | Literal["auto"] | None,  # Distance from the isovalue within which sampling is denser, for method sampled only. auto is the typical change of value from one sample to the next.
+    "hit.refinements": int,  # Number of regula falsi steps after a sampled hit; method sampled only.
     "derivatives.field": Literal["trilinear", "cubic", "cubic_interpolating"],  # Interpolant for gradients and curvature: trilinear, the cubic B-spline, or the interpolating cubic B-spline.
     "derivatives.fetch": Literal["fast", "exact"],  # Voxel access of cubic derivatives: the texture unit's linear filter, whose weights many GPUs round to 8 bits, or single voxels weighted in float.
     "derivatives.noise": float | Literal["auto"] | None,  # Standard deviation of a voxel's noise, from which the confidence in curvature is computed; auto estimates it from the volume.
-    "derivatives.scale": float | Literal["auto"] | None,  # Scale σ of curvature, lines and flow: standard deviation of the isotropic Gaussian that smooths the volume before second derivatives are taken; 0 does not smooth, auto chooses from the noise.
+    "derivatives.scale": float | Literal["auto"] | None,  # Scale σ of curvature, lines and flow: standard deviation of the isotropic Gaussian that smooths the volume before second derivatives. 0 does not smooth; auto chooses from the noise.
     "derivatives.normal_scale": float | Literal["auto"] | None,  # Scale σ of the normals used by shading and contours, as derivatives.scale.
     "edge.search": float | Literal["auto"] | None,  # Search distance for the edge of the object along the normal, in both directions; auto depends on spacing and scale.
     "edge.contrast": float,  # Minimum gradient magnitude of an edge, in standard deviations of the gradient's noise; weaker maxima are ignored.
-    "color.volume": str | os.PathLike[str],  # Second volume whose values colour the surface, given as in source.path; empty is none.
+    "color.volume": str | os.PathLike[str],  # Second volume whose values colour the surface, given as in source.path; if empty, none is used.
     "color.raw": str | os.PathLike[str],  # Layout of the second volume's file without a header, as source.raw.
     "color.component": int,  # Channel of the second volume, as source.component.
     "color.time_step": int,  # Time step of the second volume, as source.time_step.
     "color.field": Literal["trilinear", "cubic", "cubic_interpolating"],  # Interpolation of the second volume.
     "color.map": Literal["auto", "viridis", "cividis", "inferno", "gray", "coolwarm", "blue_orange", "purple_green", "spectral"],  # Colour map over the second volume's values; auto is viridis.
-    "color.low": float | Literal["auto"] | None,  # Value at the lower end of the map; auto is found from the values on the surface.
-    "color.high": float | Literal["auto"] | None,  # Value at the upper end of the map; auto is found from the values on the surface.
+    "color.low": float | Literal["auto"] | None,  # Value at the lower end of the map; auto derives it from the values on the surface.
+    "color.high": float | Literal["auto"] | None,  # Value at the upper end of the map; auto derives it from the values on the surface.
     "color.below": float,  # Shows the largest value within this depth below the surface; 0 shows the value at the surface.
     "color.strength": float,  # Opacity of these colours over the surface's own colour.
     "color.fade": bool,  # Fades the strength in, from 0 at the lower end of the map to its full value at the upper end.
@@ -113,29 +113,29 @@ SettingsDict = TypedDict("SettingsDict", {
     "look.ambient": float,  # Ambient light, as a fraction of the albedo.
     "look.ambient_variation": float,  # Hemisphere lighting: how much brighter the ambient light is from the top of the image than from the bottom.
     "look.specular": float,  # Strength of the highlight.
-    "look.shininess": float,  # Exponent of the highlight; larger is smaller and sharper.
+    "look.shininess": float,  # Specular exponent; higher values give a smaller, sharper highlight.
     "look.tone_cool": Sequence[Any] | str,  # Tone shading: colour of parts that face away from the light.
     "look.tone_warm": Sequence[Any] | str,  # Tone shading: colour of parts that face the light.
-    "look.inner_tint": Sequence[Any] | str,  # Back-face tint: multiplies the surface's own colour where its inner side is visible; white is no tint.
+    "look.inner_tint": Sequence[Any] | str,  # Back-face tint: multiplies the surface's own colour where its back face is visible; white does not tint.
     "look.texture": Literal["none", "marble", "wood", "checker"],  # Solid (3-D) texture that varies the albedo.
     "look.texture_scale": float | Literal["auto"] | None,  # Size of the solid texture's features; auto is a tenth of the volume's diagonal.
-    "look.shadow": float,  # Strength of the key light's hard shadow; an exact shadow ray per pixel.
+    "look.shadow": float,  # Strength of the key light's hard shadow, found with one exact shadow ray per pixel.
     "look.occlusion": float,  # Strength of screen-space occlusion: nearby surfaces visible in the image darken crevices.
     "look.occlusion_radius": float | Literal["auto"] | None,  # Radius within which surfaces occlude; auto is a fifth of the volume's diagonal.
     "look.fog": float,  # Amount by which the far end of the volume fades.
     "look.fog_color": Sequence[Any] | str | Literal["auto"] | None,  # Colour of the fog; auto is the background.
     "look.colormap": Literal["auto", "viridis", "cividis", "inferno", "gray", "coolwarm", "blue_orange", "purple_green", "spectral"],  # Colour map of the quantity; auto is diverging for signed quantities, otherwise viridis.
-    "look.range_low": float | Literal["auto"] | None,  # Quantity at the lower end of the colour map; auto is found from the values on the surface.
-    "look.range_high": float | Literal["auto"] | None,  # Quantity at the upper end of the colour map; auto is found from the values on the surface.
-    "look.curvature_points": Sequence[Any] | str | Literal["auto"] | None,  # Control points [kappa1, kappa2, r, g, b] of the colour map of curvature_2d; kappas are fractions of the range. auto: hue is the kind of shape, saturation the curvedness.
+    "look.range_low": float | Literal["auto"] | None,  # Quantity at the lower end of the colour map; auto derives it from the values on the surface.
+    "look.range_high": float | Literal["auto"] | None,  # Quantity at the upper end of the colour map; auto derives it from the values on the surface.
+    "look.curvature_points": Sequence[Any] | str | Literal["auto"] | None,  # Control points [kappa1, kappa2, r, g, b] of the colour map of curvature_2d; kappa1 and kappa2 are fractions of the range. auto: hue from the shape index, chroma from the curvedness.
     "look.legend": bool,  # Draws a legend with units where colours show a quantity.
     "look.legend_corner": Literal["auto", "lower_right", "lower_left", "upper_right", "upper_left"],  # Corner of the legend; auto is the corner that covers least of the surface.
     "look.accessibility": float,  # Crevice shading (accessibility, Miller 1994): darkens hollows by curvature, like dirt.
     "look.ridges": float,  # Strength of ridge and valley lines: curvature maxima across the line.
-    "look.ridge_threshold": float | Literal["auto"] | None,  # Minimum curvature of ridge and valley lines; auto is found from the values on the surface.
+    "look.ridge_threshold": float | Literal["auto"] | None,  # Minimum curvature of ridge and valley lines; auto derives it from the values on the surface.
     "look.ridge_width": float,  # Width of ridge and valley lines, in the unit of look.ridge_width_unit.
     "look.ridge_width_unit": Literal["pixels", "mm"],  # Unit of the width of ridge and valley lines: pixels of the image, or mm on the surface.
-    "look.ridge_length": float | Literal["auto"] | None,  # Minimum length of ridge and valley lines; shorter lines, and those below 3 % of the image width, fade out. auto is the radius of the least curvature drawn.
+    "look.ridge_length": float | Literal["auto"] | None,  # Minimum length of ridge and valley lines. Shorter lines, and those below 3 % of the image width, fade out. auto is the radius of the least curvature drawn.
     "look.ridge_color": Sequence[Any] | str,  # Colour of ridges.
     "look.valley_color": Sequence[Any] | str,  # Colour of valleys.
     "look.contours": float | Literal["auto"] | None,  # Strength of silhouette lines; auto is 0.5 under tone shading, otherwise 0.
@@ -147,10 +147,10 @@ SettingsDict = TypedDict("SettingsDict", {
     "flow.strength": float,  # Strength of streaks along the principal curvature directions, over any look.
     "flow.direction": Literal["maximum", "minimum"],  # Direction of the streaks: of the larger or the smaller principal curvature.
     "flow.length": float,  # Length of a streak.
-    "flow.grain": float,  # Grain size of the noise.
+    "flow.grain": float,  # Grain size of the noise that the streaks follow.
     "flow.animate": bool,  # Animates the streaks in the window.
     "flow.speed": float,  # Speed of the animation: periods of the pattern per second.
-    "flow.time": float,  # Time of the animation.
+    "flow.time": float,  # Current time of the flow animation.
     "light.setup": Literal["three_point", "key"],  # Lighting: three_point has a key light, a fill light and rim lights, each occluded by nearby surfaces; key has the key light alone.
     "light.space": Literal["camera", "world"],  # Fixes the key light to the viewer or to the volume.
     "light.direction": Sequence[Any] | str,  # Direction towards the key light, in camera axes (right, up, towards the viewer) or world axes; any length but zero.
@@ -159,51 +159,51 @@ SettingsDict = TypedDict("SettingsDict", {
     "light.fill": float,  # Brightness of the fill light, on the viewer's other side, as a fraction of the key light's.
     "light.rim": float,  # Brightness of the two rim lights, behind left and right, as a fraction of the key light's.
     "light.headlight": float,  # Brightness of a white light at the eye.
-    "light.environment.file": str | os.PathLike[str],  # Environment map, equirectangular, first row at the top: .hdr, .exr, ...; empty is none.
-    "light.environment.constant": Sequence[Any] | str | Literal["auto"] | None,  # Radiance of a constant environment, used if there is no environment map; auto is none.
+    "light.environment.file": str | os.PathLike[str],  # Equirectangular environment map (.hdr, .exr, ...), with its first row at the top; if empty, none is used.
+    "light.environment.constant": Sequence[Any] | str | Literal["auto"] | None,  # Radiance of a constant environment, used if there is no environment map; auto uses none.
     "light.environment.builtin": Literal["studio", "window", "overcast", "sunset"],  # Built-in environment, used if there is neither an environment map nor a constant environment.
-    "light.environment.azimuth": float,  # Rotation of the environment about the vertical, counterclockwise from above.
-    "light.environment.elevation": float,  # Tilt of the environment before its rotation; raises light from the front.
+    "light.environment.azimuth": float,  # Rotation of the environment about the vertical, counterclockwise as seen from above.
+    "light.environment.elevation": float,  # Tilt of the environment before its rotation; positive values raise light from the front.
     "light.environment.rotation": Sequence[Any] | str,  # Rotation from the environment's axes to the world's, before azimuth and elevation.
     "light.environment.exposure": float,  # Exposure of the environment: multiplies its radiance by 2 to this power.
-    "light.environment.moves": bool,  # Bakes light that allows the environment to be rotated or exchanged without a new bake; with gi.mode=auto.
+    "light.environment.moves": bool,  # With gi.mode=auto, bakes light such that the environment can be rotated or exchanged without another bake.
     "light.environment.visible": bool,  # Shows the environment behind the surface.
     "lamp1.shown": bool,  # Switches on a light source of global illumination.
-    "lamp1.kind": Literal["point", "directional", "sphere"],  # Kind of the light source: a point, a distant (directional) light, or a luminous sphere.
+    "lamp1.kind": Literal["point", "directional", "sphere"],  # Kind of the light source: point, distant (directional) or sphere light.
     "lamp1.position": Sequence[Any] | str | Literal["auto"] | None,  # Position of a point or sphere light; auto is above the volume, towards the front and the left.
     "lamp1.direction": Sequence[Any] | str,  # Direction towards a distant light, world axes; any length but zero.
     "lamp1.radius": float | Literal["auto"] | None,  # Radius of a sphere light; a larger one gives softer shadows; auto is a tenth of the volume's diagonal.
     "lamp1.angle": float,  # Angular diameter of a distant light; the sun has 0.53, 0 gives hard shadows.
     "lamp1.color": Sequence[Any] | str,  # Colour of the light source.
-    "lamp1.intensity": float,  # Brightness of a white surface at the volume's centre that faces the light source.
+    "lamp1.intensity": float,  # Brightness of a white surface that faces the light source at the volume's centre.
     "lamp2.shown": bool,  # Switches on a light source of global illumination.
-    "lamp2.kind": Literal["point", "directional", "sphere"],  # Kind of the light source: a point, a distant (directional) light, or a luminous sphere.
+    "lamp2.kind": Literal["point", "directional", "sphere"],  # Kind of the light source: point, distant (directional) or sphere light.
     "lamp2.position": Sequence[Any] | str | Literal["auto"] | None,  # Position of a point or sphere light; auto is above the volume, towards the front and the left.
     "lamp2.direction": Sequence[Any] | str,  # Direction towards a distant light, world axes; any length but zero.
     "lamp2.radius": float | Literal["auto"] | None,  # Radius of a sphere light; a larger one gives softer shadows; auto is a tenth of the volume's diagonal.
     "lamp2.angle": float,  # Angular diameter of a distant light; the sun has 0.53, 0 gives hard shadows.
     "lamp2.color": Sequence[Any] | str,  # Colour of the light source.
-    "lamp2.intensity": float,  # Brightness of a white surface at the volume's centre that faces the light source.
+    "lamp2.intensity": float,  # Brightness of a white surface that faces the light source at the volume's centre.
     "lamp3.shown": bool,  # Switches on a light source of global illumination.
-    "lamp3.kind": Literal["point", "directional", "sphere"],  # Kind of the light source: a point, a distant (directional) light, or a luminous sphere.
+    "lamp3.kind": Literal["point", "directional", "sphere"],  # Kind of the light source: point, distant (directional) or sphere light.
     "lamp3.position": Sequence[Any] | str | Literal["auto"] | None,  # Position of a point or sphere light; auto is above the volume, towards the front and the left.
     "lamp3.direction": Sequence[Any] | str,  # Direction towards a distant light, world axes; any length but zero.
     "lamp3.radius": float | Literal["auto"] | None,  # Radius of a sphere light; a larger one gives softer shadows; auto is a tenth of the volume's diagonal.
     "lamp3.angle": float,  # Angular diameter of a distant light; the sun has 0.53, 0 gives hard shadows.
     "lamp3.color": Sequence[Any] | str,  # Colour of the light source.
-    "lamp3.intensity": float,  # Brightness of a white surface at the volume's centre that faces the light source.
-    "gi.mode": Literal["auto", "off", "irradiance", "transfer", "vicinity", "shadow"],  # Quantity that is baked: irradiance (static light), transfer (spherical harmonics, rotatable environment), vicinity (constant environment, no bounces) or shadow (no bounces); auto bakes the cheapest that the scene allows.
+    "lamp3.intensity": float,  # Brightness of a white surface that faces the light source at the volume's centre.
+    "gi.mode": Literal["auto", "off", "irradiance", "transfer", "vicinity", "shadow"],  # Quantity that is baked: irradiance (static light), transfer (spherical harmonics, rotatable environment), vicinity (constant environment, no bounces) or shadow (no bounces). auto bakes the cheapest that the scene allows.
     "gi.extent": Literal["full", "band", "view"],  # Texels that are lit: all, those needed for the isovalues of gi.band, or the visible ones.
     "gi.band": Sequence[Any] | str | Literal["auto"] | None,  # Isovalues of interest, low and high; auto is the isovalue ± a twentieth of the volume's range.
-    "gi.texels": Literal["auto", "own", "shown"],  # Surface on which texels are lit: own is each sample's own isosurface, for any isovalue; shown is the displayed isosurface, more accurate but for one isovalue. auto is shown with gi.extent=view, otherwise own. With several isosurfaces it is own.
+    "gi.texels": Literal["auto", "own", "shown"],  # Surface on which texels are lit. own: each sample's own isosurface, for any isovalue. shown: the displayed isosurface, which is more accurate, but for one isovalue. auto is shown with gi.extent=view, otherwise own. With several isosurfaces, it is own.
     "gi.samples": int,  # Light paths per texel; four times as many halve the noise.
     "gi.sequence": Literal["sobol_owen", "r2", "random"],  # Sampling sequence of path directions: scrambled Sobol points, Roberts' R2 shifted per texel, or independent random numbers.
     "gi.bounces": int,  # Maximum number of diffuse reflections of a light path; 0 is direct light only.
     "gi.roulette_depth": int,  # Bounce at which Russian roulette begins: paths then end at random, with the probability that light is absorbed.
-    "gi.environment_share": float | Literal["auto"] | None,  # Fraction of light samples drawn from the environment instead of the surface (MIS); auto is 0.75 under an environment map, 0.5 with more than one bounce.
-    "gi.lattice_scale": float,  # Resolution of baked light.
+    "gi.environment_share": float | Literal["auto"] | None,  # Fraction of light samples drawn from the environment instead of the surface (MIS). auto is 0.75 under an environment map, 0.5 with more than one bounce.
+    "gi.lattice_scale": float,  # Resolution of the lattice of baked light.
     "gi.interpolation": Literal["closest_isovalue", "nearest", "trilinear", "tricubic", "weighted"],  # Interpolation of baked light between texels; weighted favours texels whose normal fits, and smooths noise along their isosurfaces.
-    "gi.precision": Literal["r11g11b10", "half"],  # Number format of irradiance on the graphics card: 4 or 8 bytes per texel.
+    "gi.precision": Literal["r11g11b10", "half"],  # Number format of irradiance on the GPU: 4 or 8 bytes per texel.
     "gi.sh_order": int,  # Number of spherical harmonic bands of baked transfer; more bands resolve sharper light.
     "gi.sh_window": float,  # Damping of the environment's high bands against ringing.
     "gi.components": int,  # Maximum number of principal components to which baked transfer is compressed.
@@ -214,24 +214,24 @@ SettingsDict = TypedDict("SettingsDict", {
     "camera.frames": Literal["surface", "volume"],  # Object that the automatic camera frames: the surface or the volume. A patient's surface and the volume are seen from the front, other surfaces from where most of them is visible.
     "camera.fov": float,  # Vertical field of view; an orthographic image has this height at the target's distance.
     "camera.projection": Literal["perspective", "orthographic"],  # Perspective (distant parts look smaller) or orthographic projection.
-    "picture.supersampling": int,  # Anti-aliasing of final images.
-    "picture.rest_hits": Literal["auto", "same", "cubic_interpolating"],  # Interpolant of final images if hit.field is trilinear: same, or the interpolating B-spline. auto takes the spline if more than a tenth of the visible surface is over a tenth of a voxel off. AOVs and baked light keep hit.field.
+    "picture.supersampling": int,  # Supersampling (anti-aliasing) of final images.
+    "picture.rest_hits": Literal["auto", "same", "cubic_interpolating"],  # Interpolant of final images if hit.field is trilinear: same, or the interpolating B-spline. auto uses the spline if more than a tenth of the visible surface deviates by over a tenth of a voxel. AOVs and baked light use hit.field.
     "picture.exposure": float | Literal["auto"] | None,  # Exposure of images lit by global illumination; auto follows picture.metering.
-    "picture.metering": Literal["surface", "lights"],  # Basis of automatic exposure: the lit surface seen from the front, independent of the view; or the lights, which makes an unoccluded white surface nearly white.
-    "picture.letters": bool,  # Draws orientation labels at the edges of the final image: the ends of the patient's axes, or of the world's if the file states no orientation. The window always shows them.
-    "picture.scale_bar": bool,  # Draws a scale bar of a round length on the final image; in perspective it is true at the depth of camera.target. The window always shows it.
+    "picture.metering": Literal["surface", "lights"],  # Basis of automatic exposure: the lit surface seen from the front, whatever the view, or the lights. The lights make an unoccluded white surface nearly white.
+    "picture.letters": bool,  # Draws orientation labels at the edges of the final image: the ends of the patient's axes. If the patient orientation is unknown, they name the world's axes. The window always shows them.
+    "picture.scale_bar": bool,  # Draws a scale bar of a round length on the final image. In perspective it is valid at the depth of camera.target. The window always shows it.
     "picture.isovalue": bool,  # Writes the isovalues of the visible surfaces, with their unit, on the final image.
-    "picture.caveats": bool,  # Writes a line on the final image for each omission or interpolation: hidden connected components, interpolated missing slices. Nothing is written if there is none.
+    "picture.caveats": bool,  # Writes a line on the final image for each omission or interpolation, such as hidden connected components or interpolated missing slices.
     "picture.transparent": bool,  # Leaves out the background of the final image; its alpha is the covered fraction of each pixel.
-    "picture.pixel_ratio": float,  # Pixels of the final image per pixel in which line and streak sizes are stated. Use 2 in an image twice as large, for the same look.
+    "picture.pixel_ratio": float,  # Pixels of the final image per pixel in which line and streak sizes are stated. For the same look in an image twice as large, use 2.
     "memory.gpu_budget_mb": int,  # Graphics memory that voxels may use.
-    "memory.layout": Literal["auto", "whole", "bricks"],  # Layout of the volume on the graphics card: one texture, or bricks of which only those needed are resident; auto takes one texture if it fits.
-    "memory.voxels": Literal["auto", "memory", "file"],  # Location of the voxels while drawing: memory, or the file, of which parts are read when needed (out of core). auto takes the file if the volume does not fit in memory.
+    "memory.layout": Literal["auto", "whole", "bricks"],  # Layout of the volume on the GPU: one texture, or bricks of which only those needed are resident. auto uses one texture if it fits.
+    "memory.voxels": Literal["auto", "memory", "file"],  # Location of the voxels while drawing: memory, or the file, which is read in parts when needed (out of core). auto uses the file if the volume does not fit in memory.
     "memory.ram_budget_mb": int,  # Memory for bricks of an out-of-core volume.
     "gi.threads": int | Literal["auto"] | None,  # CPU threads that compute light; auto is one per core.
-    "picture.adaptive": bool,  # Draws interactive frames at a lower resolution until they are fast enough; the full image follows at rest.
+    "picture.adaptive": bool,  # Draws interactive frames at a lower resolution until they are fast enough; the full image follows when the view is idle.
     "picture.motion_target": float,  # Time limit of an interactive frame.
-    "picture.executor": Literal["auto", "gpu", "cpu"],  # Device that computes hits and derivatives: the graphics card, or the CPU (exact hits only); auto takes the CPU if OpenGL is software.
+    "picture.executor": Literal["auto", "gpu", "cpu"],  # Device that computes hits and derivatives: the GPU, or the CPU (exact hits only). auto uses the CPU if OpenGL is software.
 }, total=False)
 
 class IsoluxWarning(UserWarning): ...

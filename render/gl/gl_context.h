@@ -33,7 +33,7 @@ class OffscreenContext {
 
   // Creates a GL 4.5 core context and makes it current. automatic: a hardware EGL device, else OSMesa, else
   // software EGL; software: the same without the first. Throws base::Error: memory if drivers would lack
-  // memory, before any is loaded; graphics with what was tried and why each failed.
+  // memory, before any is loaded; graphics with the contexts tried and the reason of each failure.
   static std::unique_ptr<OffscreenContext> create(ContextChoice choice);
 };
 

@@ -1,4 +1,4 @@
-// Records the driver's error messages about GL calls (KHR_debug), which would otherwise be lost.
+// Records the driver's error messages about GL calls (KHR_debug).
 //
 // Messages are stored per thread, since a context belongs to one thread and the driver reports within the
 // faulty call. The objects check for GL_OUT_OF_MEMORY themselves, handle it and remove it from the messages

@@ -118,7 +118,7 @@ class Query : public GlObject<deleteQuery> {
   explicit Query(const GlPtr& gl, GLenum kind = GL_TIMESTAMP);
 };
 
-// A linked vertex and fragment program. Uniforms are set by name, locations are cached. Setting a uniform
+// A linked vertex and fragment program. Sets uniforms by name and caches their locations. Setting a uniform
 // that the compiler removed is allowed (it depends on defines).
 class Program : public GlObject<deleteProgram> {
  public:

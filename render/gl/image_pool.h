@@ -15,17 +15,18 @@ namespace isolux::render {
 struct Target {
   std::vector<Texture> images;
   Framebuffer framebuffer;
-  // Outside this area the images are known to hold the value for nothing. For new images the area is unknown.
+  // Outside this area, the images hold the value for pixels without content. For new images the area is
+  // unknown.
   volume::PictureArea drawn;
   std::size_t bytes() const;
 };
 
 class ImagePool {
  public:
-  // Returns the target of this name; creates it if there is none of this size and these formats. Throws
+  // Returns the target of this name; creates it if none of this size and these formats exists. Throws
   // base::Error{memory, graphics}.
   Target& make(const GlPtr& gl, const std::string& name, glm::ivec2 size, const std::vector<GLenum>& formats);
-  // Returns a target that make() created. Throws std::logic_error if there is none.
+  // Returns a target that make() created. Throws std::logic_error if it does not exist.
   const Target& at(const std::string& name) const;
   Target& at(const std::string& name);
   bool has(const std::string& name) const { return entries_.count(name) > 0; }

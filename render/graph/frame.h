@@ -72,7 +72,7 @@ struct FrameRequest {
   // Limits the bytes of baked lighting uploaded in one frame; the next frames continue
   // (FrameReport::light.pending). 0: no limit.
   std::size_t lightUploadBytes = 0;
-  // After a stop request, render() throws Error{interrupted}; completed results are kept for the next frame.
+  // After a stop request, render() throws Error{interrupted}; the next frame reuses completed results.
   std::stop_token stop = {};
 };
 

@@ -1,8 +1,8 @@
 // Determines which passes a frame needs, and which of them must run again. No GL; testable anywhere.
 //
 // A pass declares the images it reads and writes and the parameters it depends on, each as a named hash. A
-// pass from which no chain of reads leads to a requested image is skipped. A pass whose parameters and inputs
-// are those of its last run is cached. All others run, in declared order.
+// pass from which no chain of reads leads to a requested image is skipped. A pass is cached if its parameters
+// and inputs equal those of its last run. All others run, in declared order.
 #pragma once
 
 #include <cstdint>

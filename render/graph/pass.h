@@ -1,9 +1,9 @@
-// Defines a pass of the renderer: its name, its shader, the images it reads and writes, the settings that its
-// result depends on, and how it runs. render/passes/pass_list.cpp lists the passes in their order.
+// Defines a pass of the renderer: name, shader, the images it reads and writes, the settings that its result
+// depends on, and its execution. render/passes/pass_list.cpp lists the passes in their order.
 //
 // A pass depends on a set of paths of scene/settings.h; a value counts only if the setting is active
-// (scene/rules/relevance.h). Passes also depend on inputs that are not settings (the volume, the image size)
-// and on numbers derived from settings (which surfaces are shown, the phase of a flow).
+// (scene/rules/relevance.h). Passes also depend on inputs that are not settings (the volume, the image size).
+// They may depend on numbers derived from settings (the phase of a flow), too.
 #pragma once
 
 #include <cstdint>
@@ -57,9 +57,8 @@ inline constexpr const char *activeBlocks = "active blocks", *segments = "ray se
                             *linear = "linear picture";  // the image before it is encoded
 }
 
-// The volume, as far as passes depend on it. Images that show the same voxels stay valid when the GPU's copy
-// of them is made again. Data in that copy (active blocks, resident bricks) do not: their passes depend on
-// `made` too.
+// The volume, as far as passes depend on it. If the GPU's copy of the same voxels is made again, images stay
+// valid. Data in that copy (active blocks, resident bricks) do not, so their passes depend on `made`, too.
 struct VolumeState {
   VolumeState(std::uint64_t hashOfVoxels = 0, std::uint64_t copiesMade = 0)  // NOLINT: a hash is a volume
       : hash(hashOfVoxels), made(copiesMade) {}
@@ -92,7 +91,7 @@ struct LightState {
   bool background = false;         // the environment is shown as the background
 };
 
-// Everything that decides which passes a frame needs and what they depend on.
+// All inputs that determine which passes a frame needs and their dependencies.
 class Asked {
  public:
   Asked(const scene::Scene& scene, const FrameRequest& request, const VolumeState& volume,
@@ -182,16 +181,16 @@ class Pass {
 
   // Declares the pass for a frame. Pure, and without GL.
   virtual void declare(Declaring& d) const = 0;
-  // Returns what the look of this scene reads of its images.
+  // Returns the inputs that the look of this scene reads of the pass's images.
   virtual std::optional<LookInput> forLook(const scene::Scene&) const { return std::nullopt; }
 
-  // Draws what was declared, for the frame's current crossing. This and the following members use GL.
+  // Draws the declared images, for the frame's current crossing. This and the following members use GL.
   virtual void run(FrameState& frame) = 0;
   // Returns the bytes that it writes outside the image pool.
   virtual std::optional<std::size_t> bytes(const FrameState&) const { return std::nullopt; }
   // Returns whether the CPU computes it.
   virtual bool isOn(const OnProcessor&) const { return false; }
-  // Discards what it keeps between frames for reuse.
+  // Discards the data that the pass reuses between frames.
   virtual void forget() {}
 };
 

@@ -1,4 +1,4 @@
-// Declares the passes of a frame: a pure function from the request to what must be computed. No GL.
+// Declares the passes of a frame: a pure function from the request to the required computations. No GL.
 #pragma once
 
 #include "render/graph/pass.h"
@@ -20,7 +20,8 @@ bool readsHessian(Aov aov);
 bool readsEdge(Aov aov);
 // Returns whether a value of the second volume is shown.
 bool readsSecond(const scene::Scene& scene, const FrameRequest& request);
-// Return whether the frame reads them, through its look or one of its AOVs.
+// Return whether the frame reads first derivatives, second derivatives or edges, through its look or one of
+// its AOVs.
 bool readsDerivatives(const scene::Scene& scene, const FrameRequest& request);
 bool readsHessian(const scene::Scene& scene, const FrameRequest& request);
 bool readsEdge(const scene::Scene& scene, const FrameRequest& request);

@@ -38,17 +38,17 @@ struct LegendImage {
 };
 
 LegendImage drawLegend(const Legend& legend, int pictureHeight);
-// Draws the legend at a size for this image: smaller, while legible, if it would cover more than two fifths
-// of the width or half the height. Returns an empty image if it would still cover most of either.
+// Draws the legend at a size for this image. It is smaller, but legible, if it would cover more than two
+// fifths of the width or half the height. Returns an empty image if it would still cover most of either.
 LegendImage legendFor(const Legend& legend, glm::ivec2 picture);
 glm::ivec2 legendSizeFor(const Legend& legend, glm::ivec2 picture);  // of the same; 0: empty
 
-// Returns multiples of 1, 2 or 5 times a power of ten within [low, high], about `count` of them, ascending;
+// Returns about `count` multiples of 1, 2 or 5 times a power of ten within [low, high], ascending. Returns
 // the value itself if low and high coincide.
 std::vector<double> tickValues(double low, double high, int count);
 
-// Returns the ticks of a logarithmic axis, 0 < low < high: powers of ten, for a short range also 2 and 5
-// times these; an end without a tick near it.
+// Returns the ticks of a logarithmic axis, 0 < low < high: powers of ten, and for a short range 2 and 5 times
+// these. An end without a tick near it is a tick, too.
 std::vector<double> logarithmicTicks(double low, double high);
 // Returns whether all of these are written as powers of ten: if one would have too many digits.
 bool areShownAsPowers(const std::vector<double>& ticks);

@@ -22,13 +22,13 @@ MeasureColors measureColors(const scene::Look& look);
 Legend measureLegend(const scene::Scene& scene, glm::dvec2 range);
 
 // Returns the size that the legend of an image of this size may take, in pixels; 0: it has none. Before the
-// image is drawn, ends of the range and scale may be unknown: the widest numbers are assumed.
+// image is drawn, ends of the range and the scale may be unknown. The size then assumes the widest numbers.
 glm::ivec2 legendReserve(const scene::Scene& scene, glm::ivec2 picture);
 
-// Returns the lower left pixel of a legend of this size in an image, row 0 being the lowest. It is in the
-// requested corner, or in that which shows least of the surface. If corners are equal, or show little, it is
-// the lower right one. `covered`: returns how many pixels of a rectangle show the surface; called only if the
-// corner is automatic.
+// Returns the lower left pixel of a legend of this size in an image, row 0 being the lowest. The legend is in
+// the requested corner, or in the corner that shows least of the surface. If corners are equal, or show
+// little, it is in the lower right one. `covered`: returns how many pixels of a rectangle show the surface;
+// called only if the corner is automatic.
 using CoveredPixels = std::function<std::int64_t(const volume::Rectangle&)>;
 glm::ivec2 legendPlace(scene::LegendCorner corner, glm::ivec2 legend, glm::ivec2 picture,
                        const CoveredPixels& covered);

@@ -1,12 +1,11 @@
-// Stores baked lighting on the GPU: the existing blocks of the light lattices in slots of a buffer, and a
-// page table from blocks to slots.
+// Stores baked lighting on the GPU: existing blocks of the light lattices in slots of a buffer, and a page
+// table from blocks to slots.
 //
 // The two lattices of a side, of the sky and of the light sources, have the same geometry and share slots.
-// Blocks of back faces have pages of their own after those of front faces, once there are any. update()
-// uploads only what has changed since the last call. A block that does not fit is omitted; light there is
-// unshadowed. Reads LightLattice on the GL thread while bakes run. Texels are those of
-// render/light/light_texel.h, x fastest, 512 per slot. Wyman et al. 2006 sec. 4.2 keeps one texture over the
-// whole volume.
+// Blocks of back faces, if any, have separate pages after those of front faces. update() uploads only blocks
+// that changed since the last call. It omits blocks that do not fit; unshadowed light replaces them. Reads
+// LightLattice on the GL thread while bakes run. Texels are those of render/light/light_texel.h, x fastest,
+// 512 per slot. Wyman et al. 2006 sec. 4.2 keeps one texture over the whole volume.
 #pragma once
 
 #include <array>

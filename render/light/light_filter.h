@@ -1,6 +1,5 @@
-// Denoises baked irradiance: each texel becomes a weighted mean of itself and those of its 26 neighbours that
-// are on nearly the same isosurface with nearly the same normal. Then compensates for the blur of lookups
-// between texels. No GL.
+// Denoises baked irradiance. Each texel becomes a weighted mean of itself and of those of its 26 neighbours
+// with nearly the same isosurface and normal. Then compensates for the blur of lookups between texels. No GL.
 //
 // The weight of a neighbour is the product of
 //   - its number of paths;
@@ -9,7 +8,7 @@
 //     difference over the gradient; omitted if all texels are lit on one isosurface;
 //   - the 16th power of the normals' cosine;
 //   - an edge factor.
-// A texel on the other side of a thin wall, or on a wall at an angle, therefore counts little or nothing. The
+// A texel on the other side of a thin wall, or on a wall at an angle, therefore has little or no weight. The
 // edge factor averages varying light along the lines of equal light, not across them. A plane is fitted to
 // the luminance of the 27 texels by weighted least squares and predicts the difference of luminance at the
 // neighbour's position. The factor is a Gaussian of this difference. Its width is half a standard error of
@@ -18,14 +17,14 @@
 // against path-traced pixels (docs/explanation/accuracy.md).
 //
 // A lookup at the position where a texel is lit reads eight texels that are lit elsewhere, and does not
-// reproduce its light. The difference is added to the texel (one step of Van Cittert's iteration, 1931), so
-// that light that varies within a texel, in a narrow gap or at a rim, is not blurred.
+// reproduce its light. The difference is added to the texel (one step of Van Cittert's iteration, 1931).
+// Light that varies within a texel, in a narrow gap or at a rim, is then not blurred.
 //
-// A texel lit on its own isosurface, at the edge of a plateau or in the middle of a thin wall, is where
-// trilinear interpolation makes that isosurface bumpy. Its light is wrong, whatever the number of paths. The
-// weight is therefore also multiplied by the steepness of the field there over 1 + (kink / 0.7)^4. `kink` is
-// the change of the steepness from one texel to the next as a fraction of itself (1 / 3 on an isosurface of a
-// parabola three texels from its peak).
+// At the edge of a plateau or in the middle of a thin wall, trilinear interpolation makes a texel's own
+// isosurface bumpy. The light of such a texel is wrong, whatever the number of paths. The weight is therefore
+// also multiplied by the steepness of the field there over 1 + (kink / 0.7)^4. `kink` is the relative change
+// of the steepness from one texel to the next. It is 1 / 3 on an isosurface of a parabola three texels from
+// its peak.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,6 @@
-// Computes the automatic values of a look that depend on the curvature of the whole surface: ends of colour
-// maps, the threshold of ridges, the curvature of hollows. No GL; 1/mm (Gaussian curvature: 1/mm^2).
+// Computes the automatic values of a look that depend on the curvature of the whole surface. These are ends
+// of colour maps, the threshold of ridges and the curvature of hollows. No GL; 1/mm (Gaussian curvature:
+// 1/mm^2).
 //
 // `flat` is the curvature below which a surface counts as flat: it is the fallback if the surface has no
 // curvature.

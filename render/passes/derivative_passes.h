@@ -35,8 +35,8 @@ class CurvaturePass : public Pass {
   void run(FrameState& frame) override;
 };
 
-// Computes the distance of the object's edge from the surface point along the outward normal, and how far the
-// gradient there exceeds the noise.
+// Computes the distance of the object's edge from the surface point along the outward normal, and the ratio
+// of the gradient there to its noise.
 class EdgePass : public Pass {
  public:
   EdgePass() : Pass("edge", "edge.frag.glsl", {.ofCrossing = true}) {}

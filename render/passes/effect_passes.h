@@ -27,8 +27,8 @@ class OpennessPass : public Pass {
   void run(FrameState& frame) override;
 };
 
-// Turns openness into occlusion. A tile contains only a part of the nearby geometry: it takes its part of the
-// small image drawn before the tiles.
+// Turns openness into occlusion. A tile contains only a part of the nearby geometry. It therefore uses its
+// part of the small image drawn before the tiles.
 class OcclusionPass : public Pass {
  public:
   OcclusionPass() : Pass("occlusion", "occlusion.frag.glsl", {.ofCrossing = true}) {}

@@ -1,5 +1,5 @@
-// Holds what the passes of one frame share. The renderer owns it; passes keep only their own data between
-// frames.
+// Holds the data that the passes of one frame share. The renderer owns it; passes keep only their own data
+// between frames.
 #pragma once
 
 #include <functional>
@@ -89,7 +89,7 @@ struct FrameState {
   std::vector<Pass*> used;                 // the passes that this frame needs, run or cached, in order
 
   // Rays in bricks (render/volume/brick_rounds.h). `onlyWaiting`: the cast is of the rays that waited for a
-  // brick. `keepHits`: no image of the hits is cleared, because parts that cannot be drawn again are kept.
+  // brick. `keepHits`: passes do not clear the images of the hits, because some parts cannot be drawn again.
   bool onlyWaiting = false, keepHits = false;
   std::optional<volume::Rectangle> raysOfRound;  // the only part drawn; nullopt: everything
 
@@ -107,7 +107,7 @@ struct FrameState {
   }
   // Returns the rays per pixel in settings: widths and lengths in pixels are multiplied by it.
   double raysPerWidth() const { return request.supersampling * request.pixelRatio; }
-  // Returns null if rays of this frame meet no bricks.
+  // Returns null if the rays of this frame traverse no bricks.
   Bricks* bricks() { return volume && !onProcessor.all ? volume->bricks() : nullptr; }
   bool crossed = true;  // VolumeState::crossed
   bool empty() const {

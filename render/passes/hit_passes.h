@@ -58,7 +58,7 @@ class RefinePass : public Pass {
 
 bool anyHit(FrameState& frame);  // returns whether there is any surface point
 
-// Return the defines for shaders that cast rays, and set what trace.glsl and trace_cubic.glsl read: view,
+// Return the defines for shaders that cast rays, and set the inputs of trace.glsl and trace_cubic.glsl: view,
 // volume, isovalues, block masks, hidden components. Texture units 0, 1, 3, 14.
 std::string traceDefines(const FrameState& frame);
 void setTrace(FrameState& frame, Program& program);

@@ -1,5 +1,5 @@
-// Computes irradiance at surface points from baked lighting: the passes light and irradiance, and what they
-// share.
+// Computes irradiance at surface points from baked lighting: the passes light and irradiance, and their
+// shared data.
 #pragma once
 
 #include <cstddef>
@@ -11,12 +11,12 @@
 
 namespace isolux::render {
 
-// The light of the frames on the GPU: what passes and the renderer read of frame.light.
+// The light of the frames on the GPU, as passes and the renderer read it from frame.light.
 class FrameLight {
  public:
   explicit FrameLight(const GlPtr& gl);
 
-  // Sets what is stored at the start of a frame, from frame.light and the scene. `budgetBytes`: for baked
+  // Sets the light to store at the start of a frame, from frame.light and the scene. `budgetBytes`: for baked
   // lighting.
   void prepare(FrameState& frame, std::size_t budgetBytes);
   // Returns the state that passes depend on.

@@ -14,7 +14,7 @@ class RangesPass : public Pass {
   void run(FrameState& frame) override;
 };
 
-// Shades the first crossing in linear colour; a layer is blended behind what is drawn.
+// Shades the first crossing in linear colour; a layer is blended behind the colour drawn so far.
 class ShadePass : public Pass {
  public:
   ShadePass() : Pass("shade", "shade.frag.glsl", {.ofCrossing = true}) {}
@@ -40,8 +40,8 @@ class ShadePass : public Pass {
   scene::ColorMap secondColorsOf_ = scene::ColorMap::automatic;
 };
 
-// Draws crossings behind transparent surfaces, one after another until none is visible. For each, all passes
-// of a crossing are drawn again, from cast to shade.
+// Draws crossings behind transparent surfaces, one after another until none is visible. For each crossing,
+// runs all passes from cast to shade again.
 class LayersPass : public Pass {
  public:
   LayersPass() : Pass(pass::layers, "", {.castsRays = true}) {}

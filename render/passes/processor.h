@@ -52,8 +52,8 @@ struct HostImages {
 
 // Finds the crossings of frame.layer, or those behind frame.layerBefore, and uploads them.
 void castOnProcessor(FrameState& frame);
-// Computes derivatives at the points of frame.layer and uploads them to the images of `target`: the gradient;
-// with three images, also the diagonal and mixed entries of the Hessian.
+// Computes derivatives at the points of frame.layer and uploads them to the images of `target`. One image is
+// the gradient; three also hold the diagonal and mixed entries of the Hessian.
 void deriveOnProcessor(FrameState& frame, Target& target, const FieldAt& field);
 
 // Finds the object's edge at those points.

@@ -1,7 +1,8 @@
 // Provides the camera for the shaders: in voxel space, as float, computed in double.
 //
-// If the eye is many times the volume's size away, its position is not used in float arithmetic: rays start
-// on a plane in front of the volume, whose corners are known in double precision. Near eyes keep their rays.
+// If the eye is many times the volume's size away, rays start on a plane in front of the volume. The corners
+// of this plane are computed in double precision, because float loses the eye's position. Near eyes keep
+// their rays.
 #pragma once
 
 #include <glm/vec2.hpp>

@@ -47,8 +47,7 @@ class BrickCache {
   // Marks a resident brick as needed by rays of this round.
   void use(Brick brick);
 
-  // Returns the round that last used the brick that the next place() would evict; 0 while there is a free
-  // slot.
+  // Returns the round that last used the brick that the next place() would evict; 0 while a slot is free.
   Round oldest() const;
   // Returns whether place() would find a slot.
   bool hasPlace(Round kept) const { return oldest() < kept || resident_ < slots(); }

@@ -1,8 +1,8 @@
 // Casts rays through bricks in rounds: cast, upload the bricks that rays wait for, and cast the waiting rays
 // again.
 //
-// A pixel keeps the hit that it has found, so bricks needed only by such pixels may be evicted; passes at the
-// hits are drawn before. If the bricks of all waiting rays do not fit together, parts of the image are cast
+// A pixel keeps its hit, so bricks that only such pixels need may be evicted. Before an eviction, the passes
+// at the hits are drawn. If the bricks of all waiting rays do not fit together, parts of the image are cast
 // one after the other. An image is complete if the bricks of a few neighbouring rays fit.
 #pragma once
 
@@ -14,8 +14,8 @@ namespace isolux::render {
 
 class BrickRounds {
  public:
-  // Takes a pass that casts rays. `drawAtHits` draws what needs the bricks at the hits found so far, and
-  // keeps what it drew before.
+  // Takes a pass that casts rays. `drawAtHits` runs the passes that need the bricks at the hits found so far;
+  // it does not change pixels drawn before.
   BrickRounds(FrameState& frame, Pass& pass, std::function<void()> drawAtHits);
 
   // Rays without a result.

@@ -1,11 +1,11 @@
 // Stores a volume as bricks in a cache on the GPU: its textures, the requests of rays, and the uploads.
 //
 // Rays mark the bricks they use and those they wait for (bricks.glsl). After a round of rays, endRound()
-// reads the marks and serve() uploads the requested bricks, evicting the least recently used. There is one
-// cache texture per channel (the samples, the coefficients of splines); a brick has the same slot in all. The
-// brick table, a texture, maps bricks to slots. Blocks of 8^3 cells of a brick are lost if their lookups need
-// unreadable voxels of the file; a brick of which all blocks are lost is lost too. Rays end there and do not
-// wait. Hadwiger et al. 2005 sec. 3.1.
+// reads the marks and serve() uploads the requested bricks, evicting the least recently used. Each channel
+// (the samples, the coefficients of splines) has one cache texture; a brick has the same slot in all. The
+// brick table, a texture, maps bricks to slots. A block of 8^3 cells of a brick is lost if its lookups need
+// unreadable voxels of the file. A brick is lost if all its blocks are. Rays end there and do not wait.
+// Hadwiger et al. 2005 sec. 3.1.
 #pragma once
 
 #include <cstdint>
@@ -22,10 +22,10 @@ namespace isolux::render {
 
 class Bricks {
  public:
-  // Creates an empty cache. It takes what fits into the budget and the driver's 3D textures, at most all
-  // bricks. Throws base::Error{memory} if not even a handful fits. `channels` must outlive this. `apron`: as
-  // the lookups need it (brick_cache.h); programs get BRICK_APRON. `moved`: called whenever a brick becomes
-  // resident or is evicted.
+  // Creates an empty cache. It has as many slots as fit into the budget and the driver's 3D textures, at most
+  // one per brick. Throws base::Error{memory} if not even a handful fits. `channels` must outlive this.
+  // `apron`: as the lookups need it (brick_cache.h); programs get BRICK_APRON. `moved`: called whenever a
+  // brick becomes resident or is evicted.
   using Moved = std::function<void(glm::ivec3 brick, bool isResident, BlockBits lost)>;
   Bricks(GlPtr gl, std::vector<const TexelSource*> channels, int apron, std::size_t budgetBytes,
          Moved moved = {});
@@ -41,7 +41,7 @@ class Bricks {
   std::size_t slots() const { return cache_.slots(); }
   std::size_t resident() const { return cache_.resident(); }
   bool holdsAll() const;  // once resident, a brick stays
-  // Returns whether bricks come from a file of which not all parts stay in memory: requesting neighbours
+  // Returns whether bricks are read from a file that does not stay in memory whole. Requesting neighbours
   // together then reads fewer parts.
   bool readsTwice() const;
 

@@ -24,7 +24,7 @@
 
 namespace isolux::render {
 
-// What a lookup reads: a field, at a scale σ (mm) if that is above 0 (volume/field/scaled_field.h).
+// The data that a lookup reads: a field, at a scale σ (mm) if that is above 0 (volume/field/scaled_field.h).
 struct FieldAt {
   scene::Field field = scene::Field::trilinear;
   double scaleMm = 0.0;
@@ -64,8 +64,8 @@ class GpuVolume {
   double dataUnitsPerTexel(scene::Field field) const;
 
   glm::dvec3 noiseBlur() const;  // scene::NoiseModel; estimated at the first call
-  // Returns the curvature statistics of the surface of `value` (data units) with these derivatives; all 0 if
-  // there is no surface.
+  // Returns the curvature statistics of the surface of `value` (data units) with these derivatives; all 0
+  // without a surface.
   volume::CurvatureStatistics curvatureStatistics(const FieldAt& of, double value, double outward,
                                                   const volume::HiddenPieces& hidden);
 
@@ -76,14 +76,14 @@ class GpuVolume {
 
   // Returns false if no cell of this field can contain a surface of one of `values` (data units).
   bool mayCross(scene::Field field, const std::vector<double>& values) const;
-  // Activates the blocks that the surfaces of `values` (data units) of this field can cross, in time
-  // proportional to the change; uploads the masks of their sub-blocks. The masks ignore hidden components.
+  // Activates the blocks that the surfaces of `values` (data units) of this field can cross, and uploads the
+  // masks of their sub-blocks. Takes time proportional to the change. The masks ignore hidden components.
   void activate(scene::Field field, const std::vector<double>& values,
                 const std::vector<volume::HiddenOfSurface>& hidden);
   std::size_t activeBlocks() const { return surfaces_.empty() ? 0 : surface().active().activeCount(); }
   const volume::MinMaxBlocks& blocks() const { return surface().blocks(); }
-  // Returns for each block the sub-blocks that can contain a surface (volume::BoxBounds); empty if blocks are
-  // not of 8^3 cells.
+  // Returns the sub-blocks of each block that can contain a surface (volume::BoxBounds); empty unless blocks
+  // have 8^3 cells.
   std::span<const std::uint64_t> masks() const { return surface().masks(); }
   // Returns the coefficients of the field's B-spline; null: the samples themselves.
   const volume::Coefficients* coefficients(scene::Field field) const;
@@ -91,8 +91,8 @@ class GpuVolume {
   const volume::ScaledField* scaled(const FieldAt& of) const;
   bool isActive(std::size_t block) const { return surface().active().flags()[block] != 0; }
   // Prepares for casting an image of these surfaces. The first is cast by sub-blocks. From the second on,
-  // each cell has a bit (volume/skip/cell_bits.h) if its corners decide; computing them reads the voxels of
-  // active blocks once, which does not pay while the isovalue moves. Hits are the same.
+  // each cell has a bit (volume/skip/cell_bits.h) if its corners determine it. Computing the bits reads the
+  // voxels of active blocks once, which takes too long while the isovalue changes. Hits are the same.
   void prepareMasks(const scene::Hit& hit) { surface().prepareMasks(hit); }
   // Sets the masks that trace.glsl skips empty space by, on texture unit `unit`.
   void bindMasks(Program& program, const scene::Hit& hit, int unit) {
@@ -125,8 +125,8 @@ class GpuVolume {
   void makeWhole(std::size_t budgetBytes);
   void makeBricks(std::size_t budgetBytes);
   const TexelSource& sourceOf(const FieldAt& of) const;
-  // Returns what a cubic field needs; computes it at the first call (see volume/field/cubic_fields.h: takes
-  // long).
+  // Returns the data of a cubic field; computes them at the first call (see volume/field/cubic_fields.h:
+  // takes long).
   const volume::CubicField& cubic(scene::Field field) const;
   SurfaceBlocks& blocksOf(scene::Field field);  // becomes the last used
   SurfaceBlocks& surface() { return *surfaces_.back(); }

@@ -26,8 +26,8 @@ class RayStarts {
 
   // Sets the inputs of start.glsl and fullscreen.vert.glsl (TILES), on texture unit `unit`.
   void bind(Program& program, int unit) const;
-  // Draws the pixels of those tiles with the current program, as points: squares without a diagonal, at which
-  // groups of pixels would be drawn twice. Changes the viewport.
+  // Draws the pixels of those tiles with the current program, as points: squares without a diagonal, because
+  // pixel groups along a diagonal would be drawn twice. Changes the viewport.
   void draw() const;
   std::size_t bytes() const { return depths_.bytes() + buffer_.bytes(); }
 

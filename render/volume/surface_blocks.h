@@ -1,5 +1,5 @@
-// Determines which blocks, sub-blocks and cells of a hit field can contain the shown isosurfaces: in main
-// memory, and as the texture by which shaders skip empty space.
+// Determines which blocks, sub-blocks and cells of a hit field can contain the shown isosurfaces. Holds the
+// result in main memory, and as the texture by which shaders skip empty space.
 #pragma once
 
 #include <memory>

@@ -12,12 +12,13 @@
 
 namespace isolux::render {
 
-// Provides voxels as texels: stored = texel * scale + offset, where texel is what the shader fetches:
+// Provides voxels as texels: stored = texel * scale + offset, where texel is the value that the shader
+// fetches:
 //   int8, uint8   R8   (int8 biased by 128)      scale 255
 //   int16, uint16 R16  (int16 biased by 32768)   scale 65535
 //   float32       R32F multiplied by a power of two that brings the largest magnitude near 1 (exact).
-//                 If all values are within a factor of two of one another, their middle is subtracted
-//                 first (exact, Sterbenz 1974): of 1e6 + small, filters and sums keep the small part.
+//                 If all values are within a factor of two of one another, their middle is subtracted first
+//                 (exact, Sterbenz 1974). Of 1e6 + small, filters and sums then preserve the small part.
 // Keeps pointers to the voxels it is made from.
 class TexelSource {
  public:
@@ -39,7 +40,7 @@ class TexelSource {
   // repeats. `unknown`: as for BrickSource::copyBox().
   void copyBox(glm::ivec3 first, glm::ivec3 size, void* texels,
                std::vector<volume::DamagedPart>* unknown = nullptr) const;
-  // Returns what reads ahead for copyBox(); null if the voxels are in memory.
+  // Returns the object that reads ahead for copyBox(); null if the voxels are in memory.
   volume::BrickSource* parts() const { return parts_.get(); }
 
  private:

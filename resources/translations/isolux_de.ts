@@ -376,8 +376,8 @@
         <translation>interner Fehler</translation>
     </message>
     <message>
-        <source>Isolux requires OpenGL 4.5. `isolux doctor` lists what this computer offers.</source>
-        <translation>Isolux benötigt OpenGL 4.5. `isolux doctor` zeigt, was dieser Rechner bietet.</translation>
+        <source>Isolux requires OpenGL 4.5. `isolux doctor` lists what this computer supports.</source>
+        <translation>Isolux benötigt OpenGL 4.5. `isolux doctor` zeigt, was dieser Rechner unterstützt.</translation>
     </message>
     <message>
         <source>To try again, undo the last step or change a setting.</source>
@@ -736,20 +736,20 @@
         <translation>Renderzeit etwa %1 ms; %2</translation>
     </message>
     <message>
-        <source>This image uses no baked light; nothing to choose</source>
-        <translation>Dieses Bild verwendet kein gespeichertes Licht; nichts zu wählen</translation>
+        <source>This image uses no baked light; no settings to choose</source>
+        <translation>Dieses Bild verwendet kein gespeichertes Licht; keine Einstellungen zu wählen</translation>
     </message>
     <message>
-        <source>This image uses no significant curvature; nothing to choose</source>
-        <translation>Dieses Bild verwendet keine signifikante Krümmung; nichts zu wählen</translation>
+        <source>This image uses no significant curvature; no settings to choose</source>
+        <translation>Dieses Bild verwendet keine signifikante Krümmung; keine Einstellungen zu wählen</translation>
     </message>
     <message>
-        <source>This image has no such error; nothing to choose</source>
-        <translation>Dieses Bild hat keinen solchen Fehler; nichts zu wählen</translation>
+        <source>This image has no such error; no settings to choose</source>
+        <translation>Dieses Bild hat keinen solchen Fehler; keine Einstellungen zu wählen</translation>
     </message>
     <message>
-        <source>The first isosurface is not visible; nothing to choose</source>
-        <translation>Die erste Isofläche ist nicht sichtbar; nichts zu wählen</translation>
+        <source>The first isosurface is not visible; no settings to choose</source>
+        <translation>Die erste Isofläche ist nicht sichtbar; keine Einstellungen zu wählen</translation>
     </message>
     <message>
         <source>no missed pixels</source>
@@ -765,11 +765,11 @@
     </message>
     <message>
         <source>Error bounds of the visible surface. Noise and discretisation: against the object itself. Rounding: against the same view in double precision.
-99 % of visible pixels keep these bounds (light: %2 %).
+These bounds hold for 99 % of visible pixels (light: %2 %).
 A pixel is uncertain if rounding may change the surface that it shows, for example along edges.
 Computed with one ray through the centre of each pixel, %1 pixels.</source>
         <translation>Fehlerschranken der sichtbaren Fläche. Rauschen und Diskretisierung: gegenüber dem Objekt selbst. Rundung: gegenüber derselben Ansicht in doppelter Genauigkeit.
-99 % der sichtbaren Pixel halten diese Schranken ein (Licht: %2 %).
+Diese Schranken gelten für 99 % der sichtbaren Pixel (Licht: %2 %).
 Ein Pixel ist unsicher, wenn Rundung die gezeigte Fläche ändern kann, etwa an Kanten.
 Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
     </message>
@@ -1413,8 +1413,8 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>Alle Ebenen und Quader entfernen</translation>
     </message>
     <message>
-        <source>Add a plane through the crosshair or the view’s target, and cut away what is in front of it</source>
-        <translation>Eine Ebene durch das Fadenkreuz oder das Ziel der Ansicht hinzufügen und wegschneiden, was davor liegt</translation>
+        <source>Add a plane through the crosshair or the view’s target, and cut away the part in front of it</source>
+        <translation>Eine Ebene durch das Fadenkreuz oder das Ziel der Ansicht hinzufügen und den Teil davor wegschneiden</translation>
     </message>
     <message>
         <source>Plane facing the &amp;viewer</source>
@@ -1537,7 +1537,7 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>&amp;Ganze Schicht</translation>
     </message>
     <message>
-        <source>Show voxel values on the whole cut face</source>
+        <source>Show voxel values on the whole cap</source>
         <translation>Voxelwerte auf der ganzen Schnittfläche zeigen</translation>
     </message>
     <message>
@@ -1593,12 +1593,12 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>Erst drei Punkte setzen, mit einem Werkzeug des Menüs Messen.</translation>
     </message>
     <message>
-        <source>There is a box already: drag its faces.</source>
-        <translation>Es gibt schon einen Quader: an seinen Seiten ziehen.</translation>
+        <source>The scene already has a box: drag its faces.</source>
+        <translation>Die Szene hat schon einen Quader: an seinen Seiten ziehen.</translation>
     </message>
     <message>
-        <source>There is no plane.</source>
-        <translation>Es gibt keine Ebene.</translation>
+        <source>The scene has no plane.</source>
+        <translation>Die Szene hat keine Ebene.</translation>
     </message>
     <message>
         <source>The box is not turned.</source>
@@ -1613,7 +1613,7 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>Ebene durch drei Punkte</translation>
     </message>
     <message>
-        <source>The three points lie on a line: set another point off that line.</source>
+        <source>The three points are collinear: set another point off their line.</source>
         <translation>Die drei Punkte liegen auf einer Geraden: einen weiteren Punkt abseits davon setzen.</translation>
     </message>
     <message>
@@ -1858,8 +1858,8 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
 <context>
     <name>isolux::ui::DocumentKeeper</name>
     <message>
-        <source>The recording %1 ends there and is not continued</source>
-        <translation>Die Aufzeichnung %1 endet dort und wird nicht fortgesetzt</translation>
+        <source>Recording %1 was interrupted and is not continued</source>
+        <translation>Die Aufzeichnung %1 wurde unterbrochen und wird nicht fortgesetzt</translation>
     </message>
     <message>
         <source>Autosave failed: %1. Save the session; Isolux tries again every minute.</source>
@@ -2028,14 +2028,14 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>Vorgeschlagener Isowert</translation>
     </message>
     <message>
-        <source>The surface is where the volume has this value.
+        <source>The surface consists of all points with this value.
 
 Drag the line on the histogram (counts are logarithmic).
 Wheel or arrow keys: fine steps (Shift: tenfold)
 Double click: suggested isovalue
 Alt+click or right click: add an isosurface there
 Ctrl+wheel: zoom the value axis, middle drag: pan it</source>
-        <translation>Die Fläche liegt dort, wo das Volumen diesen Wert hat.
+        <translation>Die Fläche besteht aus allen Punkten mit diesem Wert.
 
 Die Linie im Histogramm ziehen (die Anzahlen sind logarithmisch).
 Rad oder Pfeiltasten: feine Schritte (Umschalt: zehnfach)
@@ -2333,8 +2333,8 @@ Strg+Rad: Wertachse zoomen, Ziehen mit der mittleren Taste: verschieben</transla
         <translation>Eine Sitzung enthält Isowert, Darstellung, Licht und Ansicht, aber nicht das gespeicherte Licht.</translation>
     </message>
     <message>
-        <source>An autosave could not be read. It is kept as %1</source>
-        <translation>Eine automatische Sicherung war nicht lesbar. Sie bleibt erhalten als %1</translation>
+        <source>An autosave could not be read. Its file is %1</source>
+        <translation>Eine automatische Sicherung war nicht lesbar. Ihre Datei ist %1</translation>
     </message>
     <message>
         <source>Continue: %1, %2</source>
@@ -2741,8 +2741,8 @@ Strg+Rad: Wertachse zoomen, Ziehen mit der mittleren Taste: verschieben</transla
         <translation>Bild &amp;kopieren</translation>
     </message>
     <message>
-        <source>Copy the image as Save image would save it</source>
-        <translation>Das Bild kopieren, wie „Bild speichern“ es speichern würde</translation>
+        <source>Copy the image with the options of Save image</source>
+        <translation>Das Bild mit den Optionen von „Bild speichern“ kopieren</translation>
     </message>
     <message>
         <source>Lin&amp;k views of windows</source>
@@ -2785,8 +2785,8 @@ Strg+Rad: Wertachse zoomen, Ziehen mit der mittleren Taste: verschieben</transla
         <translation>Wo ist %1?</translation>
     </message>
     <message>
-        <source>%1 shows %2, which is neither in its old place nor next to the file. Where is it now?</source>
-        <translation>%1 zeigt %2; diese Datei liegt weder am alten Ort noch daneben. Wo ist sie jetzt?</translation>
+        <source>%1 shows %2, which is neither in its previous folder nor next to the session. Where is it now?</source>
+        <translation>%1 zeigt %2; diese Datei liegt weder im früheren Ordner noch neben der Sitzung. Wo ist sie jetzt?</translation>
     </message>
     <message>
         <source>a folder</source>
@@ -3104,8 +3104,8 @@ Ein Werkzeug aus dem Menü Messen wählen, dann auf die Oberfläche klicken: Pin
         <translation>Trotzdem messen</translation>
     </message>
     <message>
-        <source>Measure with voxels of 1 mm, which may be wrong: the file states no size</source>
-        <translation>Mit Voxeln von 1 mm messen, was falsch sein kann: Die Datei gibt keine Größe an</translation>
+        <source>Measure with voxels of 1 mm, which may be wrong: the file states no voxel size</source>
+        <translation>Mit Voxeln von 1 mm messen, was falsch sein kann: Die Datei gibt keine Voxelgröße an</translation>
     </message>
 </context>
 <context>
@@ -3299,8 +3299,8 @@ Ein Werkzeug aus dem Menü Messen wählen, dann auf die Oberfläche klicken: Pin
         <translation>&amp;Orientierungsbuchstaben</translation>
     </message>
     <message>
-        <source>Side of the patient at each edge, if the file states the orientation</source>
-        <translation>Seite des Patienten an jedem Rand, wenn die Datei die Orientierung angibt</translation>
+        <source>Side of the patient at each edge, if the patient orientation is known</source>
+        <translation>Seite des Patienten an jedem Rand, wenn die Orientierung des Patienten bekannt ist</translation>
     </message>
     <message>
         <source>Scale &amp;bar</source>
@@ -3327,8 +3327,8 @@ Ein Werkzeug aus dem Menü Messen wählen, dann auf die Oberfläche klicken: Pin
         <translation>Bedeutung der Farben; auch im Fenster gezeigt</translation>
     </message>
     <message>
-        <source>The colours of this look show no numbers</source>
-        <translation>Die Farben dieser Darstellung zeigen keine Zahlen</translation>
+        <source>The colours of this look show no quantity</source>
+        <translation>Die Farben dieser Darstellung zeigen keine Größe</translation>
     </message>
     <message>
         <source>Size and background</source>
@@ -3415,8 +3415,8 @@ Ein Werkzeug aus dem Menü Messen wählen, dann auf die Oberfläche klicken: Pin
         <translation>&amp;Verborgene und interpolierte Daten</translation>
     </message>
     <message>
-        <source>Lists hidden pieces and interpolated slices, if there are any</source>
-        <translation>Nennt verborgene Teile und interpolierte Schichten, wenn es welche gibt</translation>
+        <source>Lists hidden pieces and interpolated slices</source>
+        <translation>Nennt verborgene Teile und interpolierte Schichten</translation>
     </message>
 </context>
 <context>
@@ -3430,8 +3430,8 @@ Ein Werkzeug aus dem Menü Messen wählen, dann auf die Oberfläche klicken: Pin
         <translation>Ein feineres Bild wird gerendert</translation>
     </message>
     <message>
-        <source>There is no image yet</source>
-        <translation>Noch gibt es kein Bild</translation>
+        <source>No image yet</source>
+        <translation>Noch kein Bild</translation>
     </message>
     <message>
         <source>The image is final except for its light</source>
@@ -3600,8 +3600,8 @@ Ein Werkzeug aus dem Menü Messen wählen, dann auf die Oberfläche klicken: Pin
         <translation>Ebene hinzufügen</translation>
     </message>
     <message>
-        <source>Add a copy of the last plane, or a plane across the z axis through the origin; the Cut menu adds planes through the view’s target</source>
-        <translation>Eine Kopie der letzten Ebene oder eine Ebene quer zur z-Achse durch den Ursprung hinzufügen; das Menü Schneiden fügt Ebenen durch das Ziel der Ansicht hinzu</translation>
+        <source>Add a copy of the last plane, or a plane across the z axis through the origin. The Cut menu adds planes through the view’s target.</source>
+        <translation>Eine Kopie der letzten Ebene oder eine Ebene quer zur z-Achse durch den Ursprung hinzufügen. Das Menü Schneiden fügt Ebenen durch das Ziel der Ansicht hinzu.</translation>
     </message>
     <message>
         <source>%1 at</source>
@@ -3796,7 +3796,7 @@ Ein Werkzeug aus dem Menü Messen wählen, dann auf die Oberfläche klicken: Pin
         <translation>Schicht %1 von %2</translation>
     </message>
     <message>
-        <source>This slice lies beyond the end of the file.</source>
+        <source>This slice is beyond the end of the file.</source>
         <translation>Diese Schicht liegt hinter dem Ende der Datei.</translation>
     </message>
 </context>
@@ -3972,8 +3972,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Einstellung suchen</translation>
     </message>
     <message>
-        <source>No effective settings: %1</source>
-        <translation>Keine wirksamen Einstellungen: %1</translation>
+        <source>No setting in this group has an effect: %1</source>
+        <translation>Keine Einstellung dieser Gruppe hat eine Wirkung: %1</translation>
     </message>
     <message>
         <source>Settings of the scene</source>
@@ -3995,8 +3995,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Schräge Schicht</translation>
     </message>
     <message>
-        <source>Slice through cut %1</source>
-        <translation>Schicht durch Schnitt %1</translation>
+        <source>Slice in clip plane %1</source>
+        <translation>Schicht in Schnittebene %1</translation>
     </message>
     <message>
         <source>Move cut</source>
@@ -4144,8 +4144,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Anwenden</translation>
     </message>
     <message>
-        <source>Time at most, milliseconds</source>
-        <translation>Zeit höchstens, Millisekunden</translation>
+        <source>Maximum time, milliseconds</source>
+        <translation>Höchstzeit, Millisekunden</translation>
     </message>
     <message>
         <source>Kind of error</source>
@@ -4172,8 +4172,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Fehler sind nur für eine ungeschnittene Isofläche bekannt: die Schnitte entfernen oder sie davon ausnehmen</translation>
     </message>
     <message>
-        <source>No settings keep 0: enter a larger number</source>
-        <translation>Keine Einstellungen halten 0 ein: eine größere Zahl eingeben</translation>
+        <source>No settings achieve 0: enter a larger number</source>
+        <translation>Keine Einstellungen erreichen 0: eine größere Zahl eingeben</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -4254,8 +4254,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Perspektivische Ansicht</translation>
     </message>
     <message>
-        <source>The environment is not turned: %1</source>
-        <translation>Die Umgebung wird nicht gedreht: %1</translation>
+        <source>Cannot turn the environment: %1</source>
+        <translation>Die Umgebung kann nicht gedreht werden: %1</translation>
     </message>
     <message>
         <source>Rotate</source>
@@ -5515,12 +5515,12 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
 <context>
     <name>settings</name>
     <message>
-        <source>Kind of the light source: a point, a distant (directional) light, or a luminous sphere.</source>
-        <translation>Art der Lichtquelle: ein Punkt, ein fernes (gerichtetes) Licht oder eine leuchtende Kugel.</translation>
+        <source>Kind of the light source: point, distant (directional) or sphere light.</source>
+        <translation>Art der Lichtquelle: Punktlicht, fernes (gerichtetes) Licht oder Kugellicht.</translation>
     </message>
     <message>
-        <source>Second volume whose values colour the surface, given as in source.path; empty is none.</source>
-        <translation>Zweites Volumen, dessen Werte die Oberfläche färben, angegeben wie source.path; leer ist keines.</translation>
+        <source>Second volume whose values colour the surface, given as in source.path; if empty, none is used.</source>
+        <translation>Zweites Volumen, dessen Werte die Oberfläche färben, angegeben wie source.path; ist es leer, wird keines verwendet.</translation>
     </message>
     <message>
         <source>Solid (3-D) texture that varies the albedo.</source>
@@ -5531,7 +5531,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Richtung der Streifen: die der größeren oder der kleineren Hauptkrümmung.</translation>
     </message>
     <message>
-        <source>Anti-aliasing of final images.</source>
+        <source>Supersampling (anti-aliasing) of final images.</source>
         <translation>Kantenglättung fertiger Bilder.</translation>
     </message>
     <message>
@@ -5571,7 +5571,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Radius, in dem Flächen verdecken; auto ist ein Fünftel der Diagonale des Volumens.</translation>
     </message>
     <message>
-        <source>Brightness of a white surface at the volume&apos;s centre that faces the light source.</source>
+        <source>Brightness of a white surface that faces the light source at the volume&apos;s centre.</source>
         <translation>Helligkeit einer weißen Fläche in der Mitte des Volumens, die der Lichtquelle zugewandt ist.</translation>
     </message>
     <message>
@@ -5607,7 +5607,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Farbskala der Größe; auto ist divergierend für Größen mit Vorzeichen, sonst Viridis.</translation>
     </message>
     <message>
-        <source>Minimum curvature of ridge and valley lines; auto is found from the values on the surface.</source>
+        <source>Minimum curvature of ridge and valley lines; auto derives it from the values on the surface.</source>
         <translation>Mindestkrümmung der Grat- und Tallinien; auto folgt aus den Werten auf der Oberfläche.</translation>
     </message>
     <message>
@@ -5639,8 +5639,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Zeichnet zwei Unsicherheitsflächen: durchsichtige Isoflächen beim ersten Isowert ± so vielen Standardabweichungen des Rauschens. Sie begrenzen die Verschiebung durch Rauschen; 0 zeichnet keine.</translation>
     </message>
     <message>
-        <source>Exponent of the highlight; larger is smaller and sharper.</source>
-        <translation>Exponent des Glanzlichts; größer ist kleiner und schärfer.</translation>
+        <source>Specular exponent; higher values give a smaller, sharper highlight.</source>
+        <translation>Exponent des Glanzlichts; höhere Werte geben ein kleineres, schärferes Glanzlicht.</translation>
     </message>
     <message>
         <source>Fills the uncertainty band of the first surface&apos;s contour: its isovalue ± this many standard deviations of the noise; 0 fills nothing.</source>
@@ -5659,7 +5659,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Arbeitsspeicher für Blöcke eines Volumens, das in seiner Datei bleibt.</translation>
     </message>
     <message>
-        <source>Location of the voxels while drawing: memory, or the file, of which parts are read when needed (out of core). auto takes the file if the volume does not fit in memory.</source>
+        <source>Location of the voxels while drawing: memory, or the file, which is read in parts when needed (out of core). auto uses the file if the volume does not fit in memory.</source>
         <translation>Ort der Voxel beim Zeichnen: der Arbeitsspeicher oder die Datei, von der Teile nach Bedarf gelesen werden. auto nimmt die Datei, wenn das Volumen nicht in den Arbeitsspeicher passt.</translation>
     </message>
     <message>
@@ -5683,7 +5683,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Mindestbetrag des Gradienten einer Kante, in Standardabweichungen des Gradientenrauschens; schwächere Maxima bleiben außer Acht.</translation>
     </message>
     <message>
-        <source>Window width: the range of values from black to white in slices and on cut faces; auto is found from the volume.</source>
+        <source>Window width: the range of values from black to white in slices and on caps; auto derives it from the volume.</source>
         <translation>Fensterbreite: der Wertebereich von Schwarz bis Weiß in Schichten und auf Schnittflächen; auto folgt aus dem Volumen.</translation>
     </message>
     <message>
@@ -5691,7 +5691,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Auflösung des Abstandsfelds eines Dreiecksnetzes: Voxel entlang der längsten Achse.</translation>
     </message>
     <message>
-        <source>Resolution of baked light.</source>
+        <source>Resolution of the lattice of baked light.</source>
         <translation>Auflösung des gespeicherten Lichts.</translation>
     </message>
     <message>
@@ -5739,7 +5739,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Geschwindigkeit der Animation: Perioden des Musters je Sekunde.</translation>
     </message>
     <message>
-        <source>Intersection of rays with the surface: equidistant samples with refinement, or the first root of the interpolant in the cell.</source>
+        <source>Intersection of rays with the surface: equidistant samples with refinement, or the first root of the interpolant in each cell.</source>
         <translation>Schnitt von Strahlen mit der Fläche: gleichabständige Abtastung mit Verfeinerung oder die erste Nullstelle des Interpolanten in der Zelle.</translation>
     </message>
     <message>
@@ -5759,7 +5759,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Aufbau einer Datei ohne Kopf: „BxHxT TYP [little|big] [spacing x,y,z] [header BYTES]“.</translation>
     </message>
     <message>
-        <source>Minimum depth inside that body of half of a component, as a fraction of the body&apos;s greatest depth. A brain is deep enough, its scalp is not.</source>
+        <source>Minimum depth inside that body for half of a component, as a fraction of the body&apos;s greatest depth. A brain is deep enough; its scalp is not.</source>
         <translation>Mindesttiefe der Hälfte eines Teils in diesem Körper, als Anteil der größten Tiefe des Körpers. Ein Gehirn liegt tief genug, seine Kopfhaut nicht.</translation>
     </message>
     <message>
@@ -5787,8 +5787,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Abstand der Isolinien des zweiten Volumens; 0 zeichnet keine.</translation>
     </message>
     <message>
-        <source>Control points [kappa1, kappa2, r, g, b] of the colour map of curvature_2d; kappas are fractions of the range. auto: hue is the kind of shape, saturation the curvedness.</source>
-        <translation>Stützpunkte [kappa1, kappa2, r, g, b] der Farbskala von curvature_2d; Kappas sind Anteile des Bereichs. auto: Farbton nach der Art der Form, Sättigung nach der Stärke der Krümmung.</translation>
+        <source>Control points [kappa1, kappa2, r, g, b] of the colour map of curvature_2d; kappa1 and kappa2 are fractions of the range. auto: hue from the shape index, chroma from the curvedness.</source>
+        <translation>Stützpunkte [kappa1, kappa2, r, g, b] der Farbskala von curvature_2d; kappa1 und kappa2 sind Anteile des Bereichs. auto: Farbton nach dem Formindex, Buntheit nach der Stärke der Krümmung.</translation>
     </message>
     <message>
         <source>Light paths per texel; four times as many halve the noise.</source>
@@ -5799,11 +5799,11 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Belichtung der Umgebung: multipliziert ihre Strahldichte mit 2 hoch diesem Wert.</translation>
     </message>
     <message>
-        <source>Back-face tint: multiplies the surface&apos;s own colour where its inner side is visible; white is no tint.</source>
-        <translation>Tönung der Rückseite: multipliziert die eigene Farbe der Oberfläche, wo ihre Innenseite zu sehen ist; Weiß tönt nicht.</translation>
+        <source>Back-face tint: multiplies the surface&apos;s own colour where its back face is visible; white does not tint.</source>
+        <translation>Tönung der Rückseite: multipliziert die eigene Farbe der Oberfläche, wo ihre Rückseite zu sehen ist; Weiß tönt nicht.</translation>
     </message>
     <message>
-        <source>Number format of irradiance on the graphics card: 4 or 8 bytes per texel.</source>
+        <source>Number format of irradiance on the GPU: 4 or 8 bytes per texel.</source>
         <translation>Zahlenformat der Bestrahlungsstärke auf der Grafikkarte: 4 oder 8 Byte je Texel.</translation>
     </message>
     <message>
@@ -5815,11 +5815,11 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Mittlere Zahl der Bits je Komponente; Komponenten, die mehr schwanken, bekommen mehr. Die Bits eines Texels werden auf 32 aufgerundet.</translation>
     </message>
     <message>
-        <source>Draws interactive frames at a lower resolution until they are fast enough; the full image follows at rest.</source>
+        <source>Draws interactive frames at a lower resolution until they are fast enough; the full image follows when the view is idle.</source>
         <translation>Zeichnet Bilder bei Bewegung in geringerer Auflösung, bis sie schnell genug sind; in Ruhe folgt das volle Bild.</translation>
     </message>
     <message>
-        <source>Shows only connected components of which at least half is inside the body above this value, for example the skin&apos;s. This hides a headrest and a table. Structures thinner than 8 mm do not count as body; auto shows components everywhere.</source>
+        <source>Shows only connected components with at least half inside the body above this value, for example the skin&apos;s. This hides a headrest or a table. Structures thinner than 8 mm do not count as body; auto shows components everywhere.</source>
         <translation>Zeigt nur zusammenhängende Teile, die mindestens zur Hälfte im Körper über diesem Wert liegen, etwa dem der Haut. Kopfstütze und Liege sind dann verborgen. Strukturen dünner als 8 mm gelten nicht als Körper; auto zeigt Teile überall.</translation>
     </message>
     <message>
@@ -5827,16 +5827,16 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Verbirgt zusammenhängende Teile, die ein kleineres Volumen umschließen.</translation>
     </message>
     <message>
-        <source>Regula falsi steps after a sampled hit; method sampled only.</source>
+        <source>Number of regula falsi steps after a sampled hit; method sampled only.</source>
         <translation>Regula-falsi-Schritte nach einem abgetasteten Treffer; nur bei Verfahren Abgetastet.</translation>
     </message>
     <message>
-        <source>Minimum length of ridge and valley lines; shorter lines, and those below 3 % of the image width, fade out. auto is the radius of the least curvature drawn.</source>
-        <translation>Mindestlänge der Grat- und Tallinien; kürzere und solche unter 3 % der Bildbreite blenden aus. auto ist der Radius der geringsten gezeichneten Krümmung.</translation>
+        <source>Minimum length of ridge and valley lines. Shorter lines, and those below 3 % of the image width, fade out. auto is the radius of the least curvature drawn.</source>
+        <translation>Mindestlänge der Grat- und Tallinien. Kürzere und solche unter 3 % der Bildbreite blenden aus. auto ist der Radius der geringsten gezeichneten Krümmung.</translation>
     </message>
     <message>
-        <source>Distance from the isovalue within which sampling is denser; auto is the typical change of value from one sample to the next; method sampled only.</source>
-        <translation>Abstand vom Isowert, innerhalb dessen die Abtastung dichter ist; auto ist die typische Änderung des Werts von einem Abtastpunkt zum nächsten; nur bei Verfahren Abgetastet.</translation>
+        <source>Distance from the isovalue within which sampling is denser, for method sampled only. auto is the typical change of value from one sample to the next.</source>
+        <translation>Abstand vom Isowert, innerhalb dessen die Abtastung dichter ist, nur bei Verfahren Abgetastet. auto ist die typische Änderung des Werts von einem Abtastpunkt zum nächsten.</translation>
     </message>
     <message>
         <source>Shows the environment behind the surface.</source>
@@ -5847,8 +5847,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Zeigt den größten Wert bis zu dieser Tiefe unter der Oberfläche; 0 zeigt den Wert auf der Oberfläche.</translation>
     </message>
     <message>
-        <source>Grain size of the noise.</source>
-        <translation>Korngröße des Rauschens.</translation>
+        <source>Grain size of the noise that the streaks follow.</source>
+        <translation>Korngröße des Rauschens, dem die Streifen folgen.</translation>
     </message>
     <message>
         <source>Size of the solid texture&apos;s features; auto is a tenth of the volume&apos;s diagonal.</source>
@@ -5879,8 +5879,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Stärke des Glanzlichts.</translation>
     </message>
     <message>
-        <source>Strength of the key light&apos;s hard shadow; an exact shadow ray per pixel.</source>
-        <translation>Stärke des harten Schattens des Hauptlichts; ein exakter Schattenstrahl je Pixel.</translation>
+        <source>Strength of the key light&apos;s hard shadow, found with one exact shadow ray per pixel.</source>
+        <translation>Stärke des harten Schattens des Hauptlichts, bestimmt mit einem exakten Schattenstrahl je Pixel.</translation>
     </message>
     <message>
         <source>Strength of silhouette lines; auto is 0.5 under tone shading, otherwise 0.</source>
@@ -5919,8 +5919,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Folge der Pfadrichtungen: verwürfelte Sobol-Punkte, Roberts’ R2 mit einer Verschiebung je Texel oder unabhängige Zufallszahlen.</translation>
     </message>
     <message>
-        <source>Bakes light that allows the environment to be rotated or exchanged without a new bake; with gi.mode=auto.</source>
-        <translation>Speichert Licht so, dass die Umgebung ohne neue Berechnung gedreht oder getauscht werden kann; bei gi.mode=auto.</translation>
+        <source>With gi.mode=auto, bakes light such that the environment can be rotated or exchanged without another bake.</source>
+        <translation>Speichert bei gi.mode=auto Licht so, dass die Umgebung ohne neue Berechnung gedreht oder getauscht werden kann.</translation>
     </message>
     <message>
         <source>Isovalue at the lower end of that map; auto is the volume&apos;s minimum.</source>
@@ -5939,28 +5939,28 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Wichtige Isowerte, von und bis; auto ist der Isowert ± ein Zwanzigstel des Wertebereichs.</translation>
     </message>
     <message>
-        <source>Environment map, equirectangular, first row at the top: .hdr, .exr, ...; empty is none.</source>
-        <translation>Umgebungsbild, äquirektangular, erste Zeile oben: .hdr, .exr, ...; leer ist keines.</translation>
+        <source>Equirectangular environment map (.hdr, .exr, ...), with its first row at the top; if empty, none is used.</source>
+        <translation>Äquirektangulares Umgebungsbild (.hdr, .exr, ...) mit der ersten Zeile oben; ist es leer, wird keines verwendet.</translation>
     </message>
     <message>
         <source>Built-in environment, used if there is neither an environment map nor a constant environment.</source>
         <translation>Eingebaute Umgebung, wenn es weder ein Umgebungsbild noch eine konstante Umgebung gibt.</translation>
     </message>
     <message>
-        <source>Quantity at the lower end of the colour map; auto is found from the values on the surface.</source>
+        <source>Quantity at the lower end of the colour map; auto derives it from the values on the surface.</source>
         <translation>Größe am unteren Ende der Farbskala; auto folgt aus den Werten auf der Oberfläche.</translation>
     </message>
     <message>
-        <source>Quantity at the upper end of the colour map; auto is found from the values on the surface.</source>
+        <source>Quantity at the upper end of the colour map; auto derives it from the values on the surface.</source>
         <translation>Größe am oberen Ende der Farbskala; auto folgt aus den Werten auf der Oberfläche.</translation>
     </message>
     <message>
-        <source>Fraction of light samples drawn from the environment instead of the surface (MIS); auto is 0.75 under an environment map, 0.5 with more than one bounce.</source>
-        <translation>Anteil der Lichtproben, die nach der Umgebung statt nach der Oberfläche gezogen werden (MIS); auto ist 0,75 unter einem Umgebungsbild, 0,5 bei mehr als einer Reflexion.</translation>
+        <source>Fraction of light samples drawn from the environment instead of the surface (MIS). auto is 0.75 under an environment map, 0.5 with more than one bounce.</source>
+        <translation>Anteil der Lichtproben, die nach der Umgebung statt nach der Oberfläche gezogen werden (MIS). auto ist 0,75 unter einem Umgebungsbild, 0,5 bei mehr als einer Reflexion.</translation>
     </message>
     <message>
-        <source>Radiance of a constant environment, used if there is no environment map; auto is none.</source>
-        <translation>Strahldichte einer konstanten Umgebung, wenn es kein Umgebungsbild gibt; auto ist keine.</translation>
+        <source>Radiance of a constant environment, used if there is no environment map; auto uses none.</source>
+        <translation>Strahldichte einer konstanten Umgebung, wenn es kein Umgebungsbild gibt; auto verwendet keine.</translation>
     </message>
     <message>
         <source>Interpolation of the second volume.</source>
@@ -5971,15 +5971,15 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Interpolant für Gradienten und Krümmung: trilinear, der kubische B-Spline oder der interpolierende kubische B-Spline.</translation>
     </message>
     <message>
-        <source>Interpolation between voxels in slices and on cut faces.</source>
+        <source>Interpolation between voxels in slices and on caps.</source>
         <translation>Interpolation zwischen den Voxeln in Schichten und auf Schnittflächen.</translation>
     </message>
     <message>
-        <source>Interpolant whose surface is drawn. Trilinear; the cubic B-spline, smoothest, which shrinks thin structures until they vanish; or the interpolating cubic B-spline, which keeps wires, twigs and vessels connected where trilinear hits draw beads.</source>
-        <translation>Interpolant, dessen Fläche gezeichnet wird. Trilinear; der kubische B-Spline, am glattesten, der dünne Strukturen schrumpfen lässt, bis sie verschwinden; oder der interpolierende kubische B-Spline, der Drähte, Zweige und Gefäße zusammenhält, wo trilineare Treffer Perlen zeichnen.</translation>
+        <source>Interpolant whose surface is drawn: trilinear, cubic B-spline or interpolating cubic B-spline. The B-spline is the smoothest, but shrinks thin structures until they vanish. The interpolating one keeps wires, twigs and vessels connected where trilinear hits draw beads.</source>
+        <translation>Interpolant, dessen Fläche gezeichnet wird: trilinear, kubischer B-Spline oder interpolierender kubischer B-Spline. Der B-Spline ist am glattesten, lässt aber dünne Strukturen schrumpfen, bis sie verschwinden. Der interpolierende hält Drähte, Zweige und Gefäße zusammen, wo trilineare Treffer Perlen zeichnen.</translation>
     </message>
     <message>
-        <source>Interpolant of final images if hit.field is trilinear: same, or the interpolating B-spline. auto takes the spline if more than a tenth of the visible surface is over a tenth of a voxel off. AOVs and baked light keep hit.field.</source>
+        <source>Interpolant of final images if hit.field is trilinear: same, or the interpolating B-spline. auto uses the spline if more than a tenth of the visible surface deviates by over a tenth of a voxel. AOVs and baked light use hit.field.</source>
         <translation>Interpolant fertiger Bilder, wenn hit.field trilinear ist: derselbe oder der interpolierende B-Spline. auto nimmt den Spline, wenn mehr als ein Zehntel der sichtbaren Oberfläche um über ein Zehntel Voxel abweicht. AOVs und gespeichertes Licht bleiben bei hit.field.</translation>
     </message>
     <message>
@@ -5987,8 +5987,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Skala σ der Normalen für Schattierung und Konturen, wie derivatives.scale.</translation>
     </message>
     <message>
-        <source>Scale σ of curvature, lines and flow: standard deviation of the isotropic Gaussian that smooths the volume before second derivatives are taken; 0 does not smooth, auto chooses from the noise.</source>
-        <translation>Skala σ von Krümmung, Linien und Strömung: Standardabweichung der isotropen Gauß-Glättung des Volumens vor den zweiten Ableitungen; 0 glättet nicht, auto wählt nach dem Rauschen.</translation>
+        <source>Scale σ of curvature, lines and flow: standard deviation of the isotropic Gaussian that smooths the volume before second derivatives. 0 does not smooth; auto chooses from the noise.</source>
+        <translation>Skala σ von Krümmung, Linien und Strömung: Standardabweichung der isotropen Gauß-Glättung des Volumens vor den zweiten Ableitungen. 0 glättet nicht; auto wählt nach dem Rauschen.</translation>
     </message>
     <message>
         <source>Second volume of the Boolean operation, given as in source.path. A phantom without SIZE uses the first volume&apos;s grid.</source>
@@ -5999,20 +5999,20 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Schattierung der Darstellungen, die eine Farbe geben: Krümmungen, Vertiefungen und Strömung; gi ist gespeicherte globale Beleuchtung.</translation>
     </message>
     <message>
-        <source>Value at the lower end of the map; auto is found from the values on the surface.</source>
+        <source>Value at the lower end of the map; auto derives it from the values on the surface.</source>
         <translation>Wert am unteren Ende der Skala; auto folgt aus den Werten auf der Oberfläche.</translation>
     </message>
     <message>
-        <source>Value at the upper end of the map; auto is found from the values on the surface.</source>
+        <source>Value at the upper end of the map; auto derives it from the values on the surface.</source>
         <translation>Wert am oberen Ende der Skala; auto folgt aus den Werten auf der Oberfläche.</translation>
     </message>
     <message>
-        <source>Window level: the value shown as middle grey in slices and on cut faces; auto is found from the volume.</source>
+        <source>Window level: the value shown as middle grey in slices and on caps; auto derives it from the volume.</source>
         <translation>Fenstermitte: der Wert, der in Schichten und auf Schnittflächen mittelgrau erscheint; auto folgt aus dem Volumen.</translation>
     </message>
     <message>
-        <source>Layout of the volume on the graphics card: one texture, or bricks of which only those needed are resident; auto takes one texture if it fits.</source>
-        <translation>Anordnung des Volumens auf der Grafikkarte: eine Textur oder Blöcke, von denen nur die nötigen geladen sind; auto nimmt eine Textur, wenn sie passt.</translation>
+        <source>Layout of the volume on the GPU: one texture, or bricks of which only those needed are resident. auto uses one texture if it fits.</source>
+        <translation>Anordnung des Volumens auf der Grafikkarte: eine Textur oder Blöcke, von denen nur die nötigen geladen sind. auto nimmt eine Textur, wenn sie passt.</translation>
     </message>
     <message>
         <source>Volume to draw: a file, a DICOM folder, a triangle mesh, or phantom:NAME[:SIZE].</source>
@@ -6023,7 +6023,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Breite der Konturen der Isoflächen in Schichten; 0 zeichnet keine.</translation>
     </message>
     <message>
-        <source>Colour map of slices and cut faces; auto is gray.</source>
+        <source>Colour map of slices and caps; auto is gray.</source>
         <translation>Farbskala von Schichten und Schnittflächen; auto ist Grau.</translation>
     </message>
     <message>
@@ -6035,8 +6035,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>CPU-Threads, die Licht berechnen; auto ist einer je Kern.</translation>
     </message>
     <message>
-        <source>Tilt of the environment before its rotation; raises light from the front.</source>
-        <translation>Kippung der Umgebung vor der Drehung; hebt Licht von vorn.</translation>
+        <source>Tilt of the environment before its rotation; positive values raise light from the front.</source>
+        <translation>Neigung der Umgebung vor ihrer Drehung; positive Werte heben Licht von vorn.</translation>
     </message>
     <message>
         <source>Tone shading: colour of parts that face away from the light.</source>
@@ -6055,7 +6055,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Richtung zum Hauptlicht, in Achsen der Kamera (rechts, oben, zum Betrachter) oder des Raums; jede Länge außer null.</translation>
     </message>
     <message>
-        <source>Rotation of the environment about the vertical, counterclockwise from above.</source>
+        <source>Rotation of the environment about the vertical, counterclockwise as seen from above.</source>
         <translation>Drehung der Umgebung um die Senkrechte, von oben gesehen gegen den Uhrzeigersinn.</translation>
     </message>
     <message>
@@ -6079,16 +6079,16 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Projektion durch eine dicke Schicht: Maximum (MIP), Minimum (MinIP) oder Mittel längs ihrer Normalen.</translation>
     </message>
     <message>
-        <source>Basis of automatic exposure: the lit surface seen from the front, independent of the view; or the lights, which makes an unoccluded white surface nearly white.</source>
-        <translation>Grundlage der automatischen Belichtung: die beleuchtete Oberfläche von vorn, unabhängig von der Ansicht; oder die Lichter, womit eine unverdeckte weiße Fläche fast weiß ist.</translation>
+        <source>Basis of automatic exposure: the lit surface seen from the front, whatever the view, or the lights. The lights make an unoccluded white surface nearly white.</source>
+        <translation>Grundlage der automatischen Belichtung: die beleuchtete Oberfläche von vorn, unabhängig von der Ansicht, oder die Lichter. Mit den Lichtern wird eine unverdeckte weiße Fläche fast weiß.</translation>
     </message>
     <message>
-        <source>Device that computes hits and derivatives: the graphics card, or the CPU (exact hits only); auto takes the CPU if OpenGL is software.</source>
-        <translation>Gerät, das Treffer und Ableitungen berechnet: die Grafikkarte oder die CPU (nur exakte Treffer); auto nimmt die CPU, wenn OpenGL Software ist.</translation>
+        <source>Device that computes hits and derivatives: the GPU, or the CPU (exact hits only). auto uses the CPU if OpenGL is software.</source>
+        <translation>Gerät, das Treffer und Ableitungen berechnet: die Grafikkarte oder die CPU (nur exakte Treffer). auto nimmt die CPU, wenn OpenGL Software ist.</translation>
     </message>
     <message>
-        <source>Cap of cut faces: none, the voxels&apos; values where the inside was cut, or the values of the whole face.</source>
-        <translation>Füllung von Schnittflächen: keine, die Werte der Voxel, wo das Innere geschnitten wurde, oder die Werte der ganzen Fläche.</translation>
+        <source>Caps of clip planes and boxes: none, the voxel values where the inside is cut, or the voxel values of the whole face.</source>
+        <translation>Füllung der Schnittebenen und -quader: keine, die Werte der Voxel, wo das Innere geschnitten ist, oder die Werte der Voxel auf der ganzen Fläche.</translation>
     </message>
     <message>
         <source>Colour of the fog; auto is the background.</source>
@@ -6099,8 +6099,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Liste der Messungen: je {kind, name, points, color, shown}.</translation>
     </message>
     <message>
-        <source>Quantity that is baked: irradiance (static light), transfer (spherical harmonics, rotatable environment), vicinity (constant environment, no bounces) or shadow (no bounces); auto bakes the cheapest that the scene allows.</source>
-        <translation>Gespeicherte Größe: Bestrahlungsstärke (festes Licht), Transfer (Kugelflächenfunktionen, drehbare Umgebung), Nachbarschaft (konstante Umgebung, keine Reflexionen) oder Schatten (keine Reflexionen); auto speichert die billigste, die die Szene zulässt.</translation>
+        <source>Quantity that is baked: irradiance (static light), transfer (spherical harmonics, rotatable environment), vicinity (constant environment, no bounces) or shadow (no bounces). auto bakes the cheapest that the scene allows.</source>
+        <translation>Gespeicherte Größe: Bestrahlungsstärke (festes Licht), Transfer (Kugelflächenfunktionen, drehbare Umgebung), Nachbarschaft (konstante Umgebung, keine Reflexionen) oder Schatten (keine Reflexionen). auto speichert die billigste, die die Szene zulässt.</translation>
     </message>
     <message>
         <source>Look (display mode): the shaded surface, or a quantity shown in colour.</source>
@@ -6111,12 +6111,12 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Position eines Punkt- oder Kugellichts; auto ist über dem Volumen, vorn und links.</translation>
     </message>
     <message>
-        <source>Surface on which texels are lit: own is each sample&apos;s own isosurface, for any isovalue; shown is the displayed isosurface, more accurate but for one isovalue. auto is shown with gi.extent=view, otherwise own. With several isosurfaces it is own.</source>
-        <translation>Fläche, auf der Texel beleuchtet werden: own ist die eigene Isofläche jedes Abtastwerts, für jeden Isowert; shown ist die gezeigte Isofläche, genauer, aber für einen Isowert. auto ist shown bei gi.extent=view, sonst own. Bei mehreren Isoflächen gilt own.</translation>
+        <source>Surface on which texels are lit. own: each sample&apos;s own isosurface, for any isovalue. shown: the displayed isosurface, which is more accurate, but for one isovalue. auto is shown with gi.extent=view, otherwise own. With several isosurfaces, it is own.</source>
+        <translation>Fläche, auf der Texel beleuchtet werden. own: die eigene Isofläche jedes Abtastwerts, für jeden Isowert. shown: die gezeigte Isofläche, was genauer ist, aber für einen Isowert. auto ist shown bei gi.extent=view, sonst own. Bei mehreren Isoflächen gilt own.</translation>
     </message>
     <message>
-        <source>Time of the animation.</source>
-        <translation>Zeitpunkt der Animation.</translation>
+        <source>Current time of the flow animation.</source>
+        <translation>Zeitpunkt der Strömungsanimation.</translation>
     </message>
     <message>
         <source>Corner of the legend; auto is the corner that covers least of the surface.</source>
@@ -6195,19 +6195,19 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Zeigt, wenn nicht leer, nur die zusammenhängenden Teile, die einen dieser Punkte im Raum enthalten.</translation>
     </message>
     <message>
-        <source>Draws a scale bar of a round length on the final image; in perspective it is true at the depth of camera.target. The window always shows it.</source>
-        <translation>Zeichnet einen Maßstab von runder Länge auf das fertige Bild; in der Perspektive gilt er in der Tiefe von camera.target. Das Fenster zeigt ihn immer.</translation>
+        <source>Draws a scale bar of a round length on the final image. In perspective it is valid at the depth of camera.target. The window always shows it.</source>
+        <translation>Zeichnet einen Maßstab von runder Länge auf das fertige Bild. In der Perspektive gilt er in der Tiefe von camera.target. Das Fenster zeigt ihn immer.</translation>
     </message>
     <message>
-        <source>Isovalue of that surface; auto takes the histogram&apos;s next suggestion outside the first surface, or inside if there is none.</source>
+        <source>Isovalue of that surface; auto uses the histogram&apos;s next suggestion outside the first surface, or inside if there is none.</source>
         <translation>Isowert dieser Fläche; auto nimmt den nächsten Vorschlag des Histogramms außerhalb der ersten Fläche oder, gibt es keinen, innerhalb.</translation>
     </message>
     <message>
-        <source>Draws orientation labels at the edges of the final image: the ends of the patient&apos;s axes, or of the world&apos;s if the file states no orientation. The window always shows them.</source>
-        <translation>Zeichnet Orientierungsbuchstaben an die Ränder des fertigen Bildes: die Enden der Achsen des Patienten oder, wenn die Datei keine Orientierung angibt, des Raums. Das Fenster zeigt sie immer.</translation>
+        <source>Draws orientation labels at the edges of the final image: the ends of the patient&apos;s axes. If the patient orientation is unknown, they name the world&apos;s axes. The window always shows them.</source>
+        <translation>Zeichnet Orientierungsbuchstaben an die Ränder des fertigen Bildes: die Enden der Achsen des Patienten. Ist die Orientierung des Patienten unbekannt, bezeichnen sie die Achsen des Raums. Das Fenster zeigt sie immer.</translation>
     </message>
     <message>
-        <source>Pixels of the final image per pixel in which line and streak sizes are stated. Use 2 in an image twice as large, for the same look.</source>
+        <source>Pixels of the final image per pixel in which line and streak sizes are stated. For the same look in an image twice as large, use 2.</source>
         <translation>Pixel des fertigen Bildes je Pixel, in dem Größen von Linien und Streifen angegeben sind. 2 in einem doppelt so großen Bild erhält das Aussehen.</translation>
     </message>
     <message>
@@ -6243,8 +6243,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Behandelt unlesbare Voxel einer Datei aus Blöcken als fehlend; sonst wird die Datei abgewiesen.</translation>
     </message>
     <message>
-        <source>Writes a line on the final image for each omission or interpolation: hidden connected components, interpolated missing slices. Nothing is written if there is none.</source>
-        <translation>Schreibt für jede Auslassung oder Interpolation eine Zeile auf das fertige Bild: verborgene Teile, interpolierte fehlende Schichten. Gibt es keine, steht nichts da.</translation>
+        <source>Writes a line on the final image for each omission or interpolation, such as hidden connected components or interpolated missing slices.</source>
+        <translation>Schreibt für jede Auslassung oder Interpolation eine Zeile auf das fertige Bild, etwa für verborgene Teile oder interpolierte fehlende Schichten.</translation>
     </message>
     <message>
         <source>Isovalue of the first surface; auto follows isosurface.suggestion.</source>
@@ -6267,12 +6267,12 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Position des Betrachters; auto richtet sich nach camera.frames.</translation>
     </message>
     <message>
-        <source>Kind of data: CT in Hounsfield or other units, MR, distance field …; auto decides from the file and its values. Presets and the first isovalue depend on it.</source>
+        <source>Kind of data: CT in Hounsfield or other units, MR, distance field …; auto derives it from the file and its values. Presets and the first isovalue depend on it.</source>
         <translation>Art der Daten: CT in Hounsfield-Einheiten oder in anderen, MR, Abstandsfeld …; auto entscheidet nach Datei und Werten. Vorlagen und der erste Isowert hängen davon ab.</translation>
     </message>
     <message>
-        <source>Removed boxes: two opposite corners &quot;x,y,z; x,y,z&quot; of each of up to eight boxes inside which everything is clipped; they may reach beyond the volume.</source>
-        <translation>Entfernte Quader: je zwei gegenüberliegende Ecken „x,y,z; x,y,z“ von bis zu acht Quadern, in denen alles weggeschnitten wird; sie dürfen über das Volumen hinausreichen.</translation>
+        <source>Two opposite corners &quot;x,y,z; x,y,z&quot; of each removed box, at most eight boxes. Everything inside them is clipped; they may extend beyond the volume.</source>
+        <translation>Je zwei gegenüberliegende Ecken „x,y,z; x,y,z“ der entfernten Quader, höchstens acht. Alles in ihnen wird weggeschnitten; sie dürfen über das Volumen hinausreichen.</translation>
     </message>
 </context>
 <context>

@@ -1,4 +1,4 @@
-// Fills in what a Scene leaves automatic: isovalue and camera, from facts about the volume.
+// Fills in the automatic settings of a Scene, such as isovalue and camera, from facts about the volume.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ namespace isolux::scene {
 struct VolumeFacts {
   glm::dvec3 boundsMinMm{0.0}, boundsMaxMm{0.0};  // world box of the visible part
   double suggestedIsovalue = 0.0;                 // data units, volume::suggestIsovalue()
-  // Ascending: each shows something of its own, volume::suggestIsovalues().
+  // Ascending: each shows a different structure, volume::suggestIsovalues().
   std::vector<double> suggestedIsovalues{};
   std::optional<double> csgIsovalue = std::nullopt;  // of the second volume, if any
   double minimum = 0.0, maximum = 0.0;               // data units
@@ -38,18 +38,18 @@ struct VolumeFacts {
 //   - the fog's colour and the exposure, which the renderer chooses;
 //   - gi.environment_share, which the bake chooses;
 //   - the isovalue of a second volume if there is none.
-// Further isosurfaces take the next suggestion outside the first, else the next inside. If all are taken,
-// each goes a quarter of the way to the innermost value. An explicit setting is never changed. An automatic
-// camera frames what camera.frames says for images of any aspect ratio >= 1: the outline, or the box. It
+// Further isosurfaces use the next suggestion outside the first, else the next inside. If all are in use,
+// each moves a quarter of the way to the innermost value. An explicit setting is never changed. An automatic
+// camera frames the outline or the box, as camera.frames states, for images of any aspect ratio >= 1. It
 // shows the box from the front (frontOf(): a patient faces the viewer, patient left at the right) and
 // slightly above. Light sources are placed relative to the front.
 Scene resolve(Scene scene, const VolumeFacts& facts);
 
-// Returns the camera with the same direction and up, framing what camera.frames says as resolve() does.
+// Returns the camera with the same direction and up that frames the object of camera.frames, as in resolve().
 Camera framed(const Camera& camera, const VolumeFacts& facts);
 
-// Returns a resolved camera of framed(), adapted to these rooms. Returns any other camera unchanged: the user
-// has chosen its view.
+// Returns a resolved camera of framed(), adapted to these free rectangles. Returns any other camera
+// unchanged, because the user has chosen its view.
 Camera fittedTo(const Camera& camera, const VolumeFacts& facts, const Rooms& rooms);
 
 }  // namespace isolux::scene

@@ -1,7 +1,7 @@
 // Determines the environment of a scene and its rotation, from several settings of light.environment.
 //
 // An environment map's file has priority, then a constant environment, then a built-in one. Setting one is
-// therefore enough, and older scenes with a sky colour keep it.
+// therefore sufficient, and older scenes keep their sky colour.
 #pragma once
 
 #include <string>
@@ -23,7 +23,8 @@ void chooseBuiltIn(Environment& environment, BuiltInLight light);
 // Returns the whole rotation, quaternion (w, x, y, z), from the environment's own axes
 // (gi/sampling/environment.h) to the world's. Built-in lights are oriented by the volume's up and front,
 // files by the world's axes. Then follow `rotation`, `elevation` about the axis to the right of a viewer of
-// the front, and `azimuth` about up. Returns the quaternion unchanged if nothing else rotates.
+// the front, and `azimuth` about up. Returns the quaternion unchanged if no other setting rotates the
+// environment.
 glm::dvec4 rotationOf(const Environment& environment, WorldAxes axes);
 // Sets the quaternion such that rotationOf() equals this rotation; azimuth and elevation stay.
 void setRotation(Environment& environment, const glm::dvec4& rotation, WorldAxes axes);

@@ -9,7 +9,7 @@
 namespace isolux::scene {
 
 // Turns further isosurfaces that are not shown into uncertainty surfaces, in their order and colours: first
-// the one above the isovalue. With one of them free, only that one is added, with none free or without noise
+// the one above the isovalue. If only one of them is free, adds one; if none is free or the noise is 0, adds
 // none. Requires that isosurface.value and derivatives.noise are known.
 void addGhosts(Scene& scene);
 // Returns how many of the two uncertainty surfaces found no free further isosurface.

@@ -1,8 +1,8 @@
 // Chooses the global illumination of a scene: the least that produces its image, and the reason.
 //
 // A pure function of the Scene (resolved or not). The bake planner, the renderer, `--explain` and the rules
-// of active settings all call it, so that they agree. Wyman et al. 2006 has irradiance, transfer and vicinity
-// as separate choices of its user.
+// of active settings all call it, so that they agree. In Wyman et al. 2006, the user chooses irradiance,
+// transfer or vicinity.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace isolux::scene {
 
 struct GiChoice {
   bool wanted = false;  // a look reads baked lighting
-  // What is baked of the sky's light: off, irradiance, transfer, vicinity or shadow; never automatic.
+  // The baked quantity of the sky's light: off, irradiance, transfer, vicinity or shadow; never automatic.
   GiMode sky = GiMode::off;
   bool unitSky = false;  // baked under a sky of radiance 1; the frame multiplies by its colour
   int channels = 3;      // of the sky's baked light: 1 if it stays grey

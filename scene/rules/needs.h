@@ -1,4 +1,4 @@
-// Derives from several settings what a scene's look needs and shows.
+// Derives the inputs and contents of a scene's look from several settings.
 //
 // Pure functions of the Scene, resolved or not. Rules of relevance, passes of the renderer and the light all
 // call them, so that they agree.
@@ -21,7 +21,7 @@ Shading shadingOf(const Scene& scene);
 bool usesGi(const Scene& scene);
 // Returns the same scene under lights that need no baking, for frames before the light is baked.
 Scene withoutGi(Scene scene);
-// Returns whether the key light brightens anything, so that its shadow is visible.
+// Returns whether the key light contributes to the image, so that its shadow is visible.
 bool keyLightActs(const Scene& scene);
 // Returns whether the key light's shadow is drawn.
 bool showsShadow(const Scene& scene);
@@ -43,7 +43,7 @@ bool mayRefineHits(const Scene& scene);
 bool needsGradient(const Scene& scene);
 bool needsCurvature(const Scene& scene);
 bool needsEdge(const Scene& scene);  // the distance of the object's edge from the surface
-// Returns whether derivatives at derivatives.scale are needed, and the noise that they are judged by.
+// Returns whether the look needs derivatives at derivatives.scale and their noise.
 bool needsSecondDerivatives(const Scene& scene);
 
 // Return the scales σ, mm, of the derivatives for curvature and for normals (derivatives.scale,
@@ -56,8 +56,8 @@ double normalScale(const Scene& scene);
 bool readsUnscaled(const Scene& scene);
 bool fetchesFast(const Scene& scene);
 
-// Return whether there is a clip plane, a clip box or a removed box; whether one of them clips a shown
-// isosurface; and whether the resulting caps show values.
+// Return whether the scene has a clip plane, a clip box or a removed box; whether one clips a shown
+// isosurface; and whether caps show values.
 bool hasCuts(const Clip& clip);
 bool cutsSurfaces(const Scene& scene);
 bool showsCutFaces(const Scene& scene);

@@ -8,8 +8,8 @@
 
 namespace isolux::scene {
 
-// Returns the first feature that needs all voxels in memory and what to set instead, in one line; nullopt if
-// the whole scene can be drawn. Scales of `resolved` derivatives count if they are known.
+// Returns one line: the first feature that needs all voxels in memory, and the setting to use instead.
+// Returns nullopt if the whole scene can be drawn. Scales of `resolved` derivatives count if they are known.
 std::optional<std::string> needsWholeVoxels(const Scene& resolved);
 
 }  // namespace isolux::scene

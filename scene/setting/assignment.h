@@ -9,7 +9,7 @@ namespace isolux::scene {
 
 std::string_view pathOf(std::string_view assignment);  // without surrounding blanks
 // Returns the value that the text means for this setting. Text that cannot be parsed stays text, which
-// Setting::set rejects with the reason. Throws base::Error of kind usage if there is no '='.
+// Setting::set rejects with the reason. Throws base::Error of kind usage if '=' is missing.
 nlohmann::json valueOf(const SettingInfo& target, std::string_view assignment);
 // Convert a list of positions to and from the form "x,y,z; x,y,z", "" for none; text that is not such a list
 // stays text.

@@ -153,8 +153,7 @@ SettingOf<Owner> choiceEntry(const std::string& path, Member member, const std::
 
 }  // namespace isolux::scene
 
-// A member's name cannot be in parentheses.
-// NOLINTBEGIN(bugprone-macro-parentheses)
+// The name of a member cannot be in parentheses in this macro. NOLINTBEGIN(bugprone-macro-parentheses)
 #define ISOLUX_MEMBER(name)  \
   [](auto& owner) -> auto& { \
     return owner.name;       \

@@ -97,8 +97,8 @@ QString accuracyMeaning(const app::Accuracy& accuracy) {
   QString text =
       QObject::tr(
           "Error bounds of the visible surface. Noise and discretisation: against the object itself. "
-          "Rounding: against the same view in double precision.\n99 % of visible pixels keep these bounds "
-          "(light: %2 %).\nA pixel is uncertain if rounding may change the surface that it shows, for "
+          "Rounding: against the same view in double precision.\nThese bounds hold for 99 % of visible "
+          "pixels (light: %2 %).\nA pixel is uncertain if rounding may change the surface that it shows, for "
           "example along edges.\nComputed with one ray through the centre of each pixel, %1 pixels.")
           .arg(accuracy.pixels)
           .arg(roundedText(100.0 * app::kLightLevel));
@@ -160,17 +160,17 @@ QString refusalText(const base::Error& error) {
 QString ignoredText(app::Quantity asked) {
   switch (asked) {
     case app::Quantity::light:
-      return QObject::tr("This image uses no baked light; nothing to choose");
+      return QObject::tr("This image uses no baked light; no settings to choose");
     case app::Quantity::curvature:
-      return QObject::tr("This image uses no significant curvature; nothing to choose");
+      return QObject::tr("This image uses no significant curvature; no settings to choose");
     default:
       break;
   }
-  return QObject::tr("This image has no such error; nothing to choose");
+  return QObject::tr("This image has no such error; no settings to choose");
 }
 
 QString nothingSeenText() {
-  return QObject::tr("The first isosurface is not visible; nothing to choose");
+  return QObject::tr("The first isosurface is not visible; no settings to choose");
 }
 
 }  // namespace isolux::ui

@@ -63,7 +63,7 @@ TargetBox::TargetBox(QWidget* parent)
 void TargetBox::makeRows() {
   error_->setChecked(true);
   most_->setAccessibleName(tr("Error at most"));
-  milliseconds_->setAccessibleName(tr("Time at most, milliseconds"));
+  milliseconds_->setAccessibleName(tr("Maximum time, milliseconds"));
   unit_->setAccessibleName(tr("Kind of error"));
   for (const app::Quantity each : app::kAllQuantities) unit_->addItem(unitTextOf(each));
   most_->setValue(mostAtFirst);
@@ -163,7 +163,7 @@ void TargetBox::find() {
   if (const std::optional<app::Limit> asked = limit()) question.limits = {*asked};
   const bool mayBeNone = !asksTime() && quantity() == app::Quantity::missed;
   if (!mayBeNone && !((asksTime() ? question.milliseconds : question.limits.front().most) > 0.0)) {
-    said_ = tr("No settings keep 0: enter a larger number");
+    said_ = tr("No settings achieve 0: enter a larger number");
     return showState();
   }
   job_ = std::make_unique<app::TargetJob>(std::move(question));

@@ -63,7 +63,7 @@ void CutMenu::allow(QAction* action, const QString& whyNot) {
 
 void CutMenu::makeAdding(QMenu* menu) {
   const QString tip =
-      tr("Add a plane through the crosshair or the view’s target, and cut away what is in front of it");
+      tr("Add a plane through the crosshair or the view’s target, and cut away the part in front of it");
   for (const int axis : {2, 1, 0}) {
     QAction*& action = across_[static_cast<std::size_t>(axis)];
     action = add(menu, {}, tip, {});
@@ -151,7 +151,7 @@ void CutMenu::makeFaces(QMenu* menu) {
   choice(scene::ClipCap::none, tr("&None"), tr("Leave the cut open and show the back faces of surfaces"));
   choice(scene::ClipCap::inside, tr("Values &inside"),
          tr("Show voxel values where the inside of a surface is cut"));
-  choice(scene::ClipCap::whole, tr("&Whole slice"), tr("Show voxel values on the whole cut face"));
+  choice(scene::ClipCap::whole, tr("&Whole slice"), tr("Show voxel values on the whole cap"));
 }
 
 void CutMenu::makeSurfaces(QMenu* menu) {
@@ -206,10 +206,10 @@ void CutMenu::showState() {
   allow(through_, !noPlane.isEmpty() ? noPlane
                   : marked           ? QString()
                                      : tr("Set three points first, with a tool of the Measure menu."));
-  allow(box_, boxed ? tr("There is a box already: drag its faces.") : noVolume);
+  allow(box_, boxed ? tr("The scene already has a box: drag its faces.") : noVolume);
   const bool full = clip.removed.size() >= 2 * scene::kRemovedBoxes;
   allow(corner_, full ? tr("At most %1 corners: remove one first.").arg(scene::kRemovedBoxes) : noVolume);
-  allow(flipLast_, clip.planes.empty() ? tr("There is no plane.") : noVolume);
+  allow(flipLast_, clip.planes.empty() ? tr("The scene has no plane.") : noVolume);
   for (std::size_t i = 0; i < planes_.size(); ++i)
     planes_[i].menu->menuAction()->setVisible(volume_ && i < clip.planes.size());
   boxMenu_->menuAction()->setVisible(boxed);
@@ -284,7 +284,7 @@ void CutMenu::addThrough() {
   if (plane)
     addPlane(*plane, tr("Plane through three points"));
   else
-    Q_EMIT failed(tr("The three points lie on a line: set another point off that line."));
+    Q_EMIT failed(tr("The three points are collinear: set another point off their line."));
 }
 
 void CutMenu::changePlane(std::size_t plane, const QString& name,

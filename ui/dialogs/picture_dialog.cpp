@@ -48,16 +48,16 @@ PictureDialog::PictureDialog(const PictureChoices& choices, QSize window, bool h
   auto* words = new QGroupBox(tr("Annotations"));
   auto* wordRows = new QVBoxLayout(words);
   letters = newCheck(tr("&Orientation labels"), choices.picture.letters,
-                     tr("Side of the patient at each edge, if the file states the orientation"), wordRows);
+                     tr("Side of the patient at each edge, if the patient orientation is known"), wordRows);
   scaleBar = newCheck(tr("Scale &bar"), choices.picture.scaleBar, tr("Bar of a round length in millimetres"),
                       wordRows);
   isovalue = newCheck(tr("&Isovalue"), choices.picture.isovalue,
                       tr("Isovalues of the surfaces shown, with their unit"), wordRows);
   caveats = newCheck(tr("&Hidden and interpolated data"), choices.picture.caveats,
-                     tr("Lists hidden pieces and interpolated slices, if there are any"), wordRows);
+                     tr("Lists hidden pieces and interpolated slices"), wordRows);
   legend = newCheck(tr("Le&gend"), choices.legend && hasLegend,
                     hasLegend ? tr("Meaning of the colours; also shown in the window")
-                              : tr("The colours of this look show no numbers"),
+                              : tr("The colours of this look show no quantity"),
                     wordRows);
   legend->setEnabled(hasLegend);
 

@@ -241,7 +241,7 @@ void RawImportDialog::showSlice() {
   const auto image = rawSlice(file_, described, z, 512);
   const double aspect =
       described.dims.x * described.spacingMm.x / std::max(1e-12, described.dims.y * described.spacingMm.y);
-  preview_->showSlice(image.value_or(QImage()), aspect, tr("This slice lies beyond the end of the file."));
+  preview_->showSlice(image.value_or(QImage()), aspect, tr("This slice is beyond the end of the file."));
 }
 
 }  // namespace isolux::ui

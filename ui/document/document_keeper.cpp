@@ -74,7 +74,7 @@ void DocumentKeeper::finishRestoring() {
   const std::string recording = lost()->document.recordingFile;
   if (!recording.empty())
     Q_EMIT noted(
-        tr("The recording %1 ends there and is not continued").arg(QString::fromStdString(recording)));
+        tr("Recording %1 was interrupted and is not continued").arg(QString::fromStdString(recording)));
   save();
   finish();
   if (!file_.problem()) lost_.found.front().discard();

@@ -24,8 +24,8 @@ PlanesWidget::PlanesWidget(const scene::SettingInfo& setting, QWidget* parent)
   add_ = new QToolButton(this);
   add_->setText(tr("Add a plane"));
   add_->setToolTip(
-      tr("Add a copy of the last plane, or a plane across the z axis through the origin; the Cut menu adds "
-         "planes through the view’s target"));
+      tr("Add a copy of the last plane, or a plane across the z axis through the origin. The Cut menu adds "
+         "planes through the view’s target."));
   layout->addWidget(add_, 0, Qt::AlignLeft);
   setFocusProxy(add_);
   connect(add_, &QToolButton::clicked, this, [this] {

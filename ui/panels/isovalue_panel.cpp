@@ -29,7 +29,7 @@ IsovaluePanel::IsovaluePanel(QWidget* parent)
   title_->setFont(bold);
   title_->setBuddy(spinBox_);
   title_->setToolTip(
-      tr("The surface is where the volume has this value.\n\nDrag the line on the histogram (counts are "
+      tr("The surface consists of all points with this value.\n\nDrag the line on the histogram (counts are "
          "logarithmic).\nWheel or arrow keys: fine steps (Shift: tenfold)\nDouble click: suggested "
          "isovalue\nAlt+click or right click: add an isosurface there\nCtrl+wheel: zoom the value axis, "
          "middle drag: pan it"));

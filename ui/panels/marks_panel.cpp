@@ -78,7 +78,7 @@ MarksPanel::MarksPanel(QWidget* parent)
   import_ = addButton(tr("Import…"), tr("Open 3D Slicer markups (.mrk.json)"));
   stop_ = addButton(tr("Stop"), tr("Stop measuring"));
   anyway_ = addButton(tr("Measure anyway"),
-                      tr("Measure with voxels of 1 mm, which may be wrong: the file states no size"));
+                      tr("Measure with voxels of 1 mm, which may be wrong: the file states no voxel size"));
   connect(anyway_, &QToolButton::clicked, this, &MarksPanel::anywayWanted);
   connect(delete_, &QToolButton::clicked, this, &MarksPanel::deleteChosen);
   connect(copy_, &QToolButton::clicked, this, [this] { QApplication::clipboard()->setText(text()); });

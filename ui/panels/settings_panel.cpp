@@ -198,7 +198,9 @@ void SettingsPanel::showGroup(Group& group) {
   group.header->setVisible(!searching() || anyFound);
   group.header->setEnabled(searching() || anyUseful);
   group.header->setToolTip(
-      anyUseful ? QString() : tr("No effective settings: %1").arg(group.rows.front().editor->whyInactive()));
+      anyUseful
+          ? QString()
+          : tr("No setting in this group has an effect: %1").arg(group.rows.front().editor->whyInactive()));
   group.header->setChecked(open);
   group.header->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
   group.box->setVisible(open);

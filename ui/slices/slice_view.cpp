@@ -44,7 +44,7 @@ void SliceView::nameIt() {
   using Kind = app::SliceChoice::Kind;
   setAccessibleName(now.kind == Kind::straight  ? QObject::tr(names[static_cast<int>(now.direction)])
                     : now.kind == Kind::oblique ? tr("Oblique slice")
-                                                : tr("Slice through cut %1").arg(now.cut + 1));
+                                                : tr("Slice in clip plane %1").arg(now.cut + 1));
 }
 
 void SliceView::setVolume(const VolumePointer& volume) {

@@ -83,7 +83,7 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
       if (!(modifiers & Qt::ShiftModifier)) {
         drag_ = Drag::zoom;
       } else if (const QString why = whyItCannotTurn(resolved_); !why.isEmpty()) {
-        Q_EMIT noted(tr("The environment is not turned: %1").arg(why));
+        Q_EMIT noted(tr("Cannot turn the environment: %1").arg(why));
         return;
       } else {
         drag_ = Drag::environment;

@@ -71,7 +71,7 @@ QString reasonOf(const std::exception_ptr& failure) {
 }
 
 constexpr auto needsOpenGl = QT_TRANSLATE_NOOP(
-    "QObject", "Isolux requires OpenGL 4.5. `isolux doctor` lists what this computer offers.");
+    "QObject", "Isolux requires OpenGL 4.5. `isolux doctor` lists what this computer supports.");
 constexpr auto comesBack =
     QT_TRANSLATE_NOOP("QObject", "To try again, undo the last step or change a setting.");
 }  // namespace

@@ -265,7 +265,7 @@ void MainWindow::keepDocument(const std::filesystem::path& folder) {
   offerLost();
   if (keeper_->damaged().empty()) return;
   message_->show(MessageBar::Kind::note,
-                 tr("An autosave could not be read. It is kept as %1")
+                 tr("An autosave could not be read. Its file is %1")
                      .arg(QString::fromStdString(keeper_->damaged().front().string())),
                  showInFolder(QString::fromStdString(keeper_->damaged().front().string())));
 }

@@ -97,7 +97,7 @@ void MainWindow::makeEditMenu() {
   connect(redo_, &QAction::triggered, document_, &Document::redo);
   menu->addSeparator();
   copyPicture_ = newAction(menu, tr("&Copy image"), "", QKeySequence::Copy,
-                           tr("Copy the image as Save image would save it"));
+                           tr("Copy the image with the options of Save image"));
   // Only while the picture has the focus: elsewhere it copies text.
   copyPicture_->setShortcutContext(Qt::WidgetShortcut);
   viewport_->addAction(copyPicture_);

@@ -32,10 +32,11 @@ void MainWindow::askForVolume(const scene::Scene& scene, const QString& sessionF
                        rememberFolder(file);
                        take(file);
                      }});
-  message_->show(MessageBar::Kind::question,
-                 tr("%1 shows %2, which is neither in its old place nor next to the file. Where is it now?")
-                     .arg(of, name),
-                 std::move(answers));
+  message_->show(
+      MessageBar::Kind::question,
+      tr("%1 shows %2, which is neither in its previous folder nor next to the session. Where is it now?")
+          .arg(of, name),
+      std::move(answers));
 }
 
 }  // namespace isolux::ui

@@ -45,7 +45,7 @@ void PictureDot::tell() {
   QStringList lines;
   if (!light_.isEmpty()) lines += light_;
   if (milliseconds_ < 0.0) {
-    lines += tr("There is no image yet");
+    lines += tr("No image yet");
   } else if (isFinal()) {
     lines += light_.isEmpty() ? tr("The image is final") : tr("The image is final except for its light");
   } else {

@@ -74,7 +74,7 @@ TEST_F(TargetBoxTest, WhatIsRefusedSaysWhyInOneSentence) {
   EXPECT_TRUE(box()->text().contains("the smallest guaranteed error is depth "));
   EXPECT_FALSE(box()->applyButton()->isEnabled());
   box()->askError(app::Quantity::light, 2.0);
-  EXPECT_EQ(found(), "This image uses no baked light; nothing to choose");
+  EXPECT_EQ(found(), "This image uses no baked light; no settings to choose");
   box()->askTime(1e-6);
   EXPECT_TRUE(found().startsWith("No settings keep 1e-06 ms; the fastest take about "))
       << box()->text().toStdString();
