@@ -14,9 +14,9 @@ namespace isolux::scene {
 // "x", "-y", ..., in any case. Throws base::Error{usage}.
 StandardView standardViewNamed(std::string_view name, WorldAxes axes);
 
-// Turns the camera about the target by degrees. First azimuth about camera.up, > 0: the eye moves to its
-// right (counterclockwise seen from above). Then elevation, > 0: the eye moves up, over the top and down
-// behind. Angles that are not finite change nothing.
+// Turns the camera about the target by degrees. A positive azimuth, applied first, turns the eye about
+// camera.up to its right (counterclockwise seen from above). A positive elevation, applied second, moves the
+// eye up, over the top and down behind. Angles that are not finite change nothing.
 Camera turned(const Camera& camera, double azimuthDegrees, double elevationDegrees);
 // Turns eye and up by degrees about an axis through the target (any length but 0), counterclockwise seen from
 // its tip.

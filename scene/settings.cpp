@@ -455,9 +455,10 @@ std::vector<Setting> makeSettings() {
                    "Damping of the environment's high bands against ringing."));
   add(entry<Scene>("gi.components", ISOLUX_MEMBER(gi.components), {4, 192}, "numbers per texel",
                    "Maximum number of principal components to which baked transfer is compressed."));
-  add(entry<Scene>("gi.component_bits", ISOLUX_MEMBER(gi.componentBits), {1, 16}, "bits per number",
-                   "Mean number of bits per component; components that vary more get more. A texel's bits "
-                   "are rounded up to 32."));
+  add(entry<Scene>(
+      "gi.component_bits", ISOLUX_MEMBER(gi.componentBits), {1, 16}, "bits per number",
+      "Mean number of bits per principal component; components that vary more get more. The bits "
+      "of a texel are rounded up to a multiple of 32."));
 
   add(entry<Scene>("camera.eye", ISOLUX_MEMBER(camera.eye), positionRange, "mm",
                    "Position of the viewer; auto follows camera.frames."));

@@ -27,8 +27,8 @@
 namespace isolux::gi {
 
 struct BakeCounters {
-  // Of all requests, each texel once. Texels count as requested until their isosurface turns out to have no
-  // normal.
+  // Counts each texel once, over all requests. Texels count as requested until their isosurface turns out to
+  // have no normal.
   std::uint64_t texelsWanted = 0, texelsDone = 0;    // done: have all samples
   std::uint64_t texelsStarted = 0;                   // have any
   std::uint64_t texelsLit = 0;                       // of all texels in the lattice

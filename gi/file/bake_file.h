@@ -31,7 +31,7 @@
 
 namespace isolux::gi {
 
-// One part of a bake's texels, in a file of its own.
+// One part of a bake's texels, in a separate file.
 struct BakedPart {
   LatticePart part;
   std::uint32_t samples = 0;  // requested paths per texel
@@ -54,7 +54,7 @@ struct StoredLight {
 void writeBakeFile(const std::filesystem::path& path, const volume::Grid& grid, const StoredLight& light,
                    base::Progress& progress);
 
-// Writes the light as slabs, each a .vti of its own, and their index (.pvti), which ParaView opens. Writes at
+// Writes the light as slabs in separate .vti files, and their index (.pvti), which ParaView opens. Writes at
 // most `pieces` slabs, and at most one per layer of blocks; neighbours share a slice. Each file is complete
 // or as before; the index is written last. Throws as writeBakeFile().
 void writeBakePieces(const std::filesystem::path& index, int pieces, const volume::Grid& grid,

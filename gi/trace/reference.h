@@ -8,7 +8,7 @@
 // automatic exposure), times look.inner_tint on back faces. Solid textures, lines and fog are not drawn.
 // gi.mode has no effect, except that `vicinity` uses the sky's mean without bounces, and `shadow` no bounces.
 //
-// One owner thread. Threads of its own share the work; the result does not depend on their number.
+// One owner thread. It shares the work among its own threads; the result does not depend on their number.
 #pragma once
 
 #include <array>

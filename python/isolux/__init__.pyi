@@ -207,7 +207,7 @@ SettingsDict = TypedDict("SettingsDict", {
     "gi.sh_order": int,  # Number of spherical harmonic bands of baked transfer; more bands resolve sharper light.
     "gi.sh_window": float,  # Damping of the environment's high bands against ringing.
     "gi.components": int,  # Maximum number of principal components to which baked transfer is compressed.
-    "gi.component_bits": int,  # Mean number of bits per component; components that vary more get more. A texel's bits are rounded up to 32.
+    "gi.component_bits": int,  # Mean number of bits per principal component; components that vary more get more. The bits of a texel are rounded up to a multiple of 32.
     "camera.eye": Sequence[Any] | str | Literal["auto"] | None,  # Position of the viewer; auto follows camera.frames.
     "camera.target": Sequence[Any] | str | Literal["auto"] | None,  # Point that the camera looks at and turns about; auto is the centre of the framed object.
     "camera.up": Sequence[Any] | str | Literal["auto"] | None,  # Upward direction of the image; auto is superior (y for meshes), or anterior (the front) when looking along it.

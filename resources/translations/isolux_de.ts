@@ -2921,8 +2921,8 @@ Strg+Rad: Wertachse zoomen, Ziehen mit der mittleren Taste: verschieben</transla
         <translation>Ende des Rundgangs</translation>
     </message>
     <message>
-        <source>Presets set suitable isovalues for CT and MR; Ctrl+F finds every setting; F1 lists mouse and keys. Every change can be undone.</source>
-        <translation>Vorlagen setzen passende Isowerte für CT und MR; Strg+F findet jede Einstellung; F1 zeigt Maus und Tasten. Jede Änderung lässt sich rückgängig machen.</translation>
+        <source>Presets set suitable isovalues for CT and MR. Ctrl+F finds every setting. F1 lists mouse and keys. You can undo every change.</source>
+        <translation>Vorlagen setzen passende Isowerte für CT und MR. Strg+F findet jede Einstellung. F1 zeigt Maus und Tasten. Jede Änderung lässt sich rückgängig machen.</translation>
     </message>
     <message>
         <source>Overview: level %1</source>
@@ -5811,8 +5811,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Radius eines Kugellichts; größer gibt weichere Schatten; auto ist ein Zehntel der Diagonale des Volumens.</translation>
     </message>
     <message>
-        <source>Mean number of bits per component; components that vary more get more. A texel&apos;s bits are rounded up to 32.</source>
-        <translation>Mittlere Zahl der Bits je Komponente; Komponenten, die mehr schwanken, bekommen mehr. Die Bits eines Texels werden auf 32 aufgerundet.</translation>
+        <source>Mean number of bits per principal component; components that vary more get more. The bits of a texel are rounded up to a multiple of 32.</source>
+        <translation>Mittlere Zahl der Bits je Hauptkomponente; Komponenten, die mehr schwanken, bekommen mehr. Die Bits eines Texels werden auf ein Vielfaches von 32 aufgerundet.</translation>
     </message>
     <message>
         <source>Draws interactive frames at a lower resolution until they are fast enough; the full image follows when the view is idle.</source>

@@ -114,8 +114,8 @@ void MainWindow::startTour() {
                    [this] { return placeOfTool(picture_); }, [asked] { return *asked; },
                    [asked] { *asked = false; }});
   steps.push_back({tr("End of the tour"),
-                   tr("Presets set suitable isovalues for CT and MR; Ctrl+F finds every setting; F1 lists "
-                      "mouse and keys. Every change can be undone."),
+                   tr("Presets set suitable isovalues for CT and MR. Ctrl+F finds every setting. F1 lists "
+                      "mouse and keys. You can undo every change."),
                    {},
                    {},
                    {}});
