@@ -170,6 +170,7 @@ std::shared_ptr<Core> Core::ofArray(const py::array& array, glm::dvec3 spacingMm
   voxels.header.unit = unit;
   voxels.header.axes = anatomical ? scene::WorldAxes::anatomical : scene::WorldAxes::zUp;
   const std::shared_ptr<Core> core(new Core);
+  core->source_.path = volume::kArrayPath + name;
   // The desk may go on after an interrupt: it holds what it reads.
   auto kept = std::shared_ptr<py::array>(new py::array(array), [](py::array* held) {
     const py::gil_scoped_acquire lock;

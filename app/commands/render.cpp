@@ -246,12 +246,12 @@ class RenderRun {
     const bool automatic = !scene.camera.eye;
     scene::Scene framed = scene;
     if (overlay_.colors) framed.look.legend = false;  // the overlay has its own
-    const glm::ivec2 legend = overlayReserve(overlay_, request_.size);
     if (options_.turntable > 0)
       scene.camera = turntableStart(wish, automatic, scene::resolve(framed, prepared_->facts), *prepared_,
-                                    request_.size, progress_, legend);
+                                    request_.size, progress_);
     else
-      scene.camera = wishedCamera(wish, framed, *prepared_, request_.size, progress_, legend);
+      scene.camera = wishedCamera(wish, framed, *prepared_, request_.size, progress_,
+                                  overlayReserve(overlay_, request_.size));
     return scene;
   }
 

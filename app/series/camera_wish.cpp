@@ -65,8 +65,8 @@ scene::Camera wishedCamera(const CameraWish& wish, const scene::Scene& scene,
 }
 
 scene::Camera turntableStart(const CameraWish& wish, bool automatic, const scene::Scene& resolved,
-                             const volume::PreparedVolume& volume, glm::ivec2 size, base::Progress& progress,
-                             glm::ivec2 overlayLegend) {
+                             const volume::PreparedVolume& volume, glm::ivec2 size,
+                             base::Progress& progress) {
   const scene::VolumeFacts& facts = volume.facts;
   scene::Scene directed = resolved;
   directed.camera = directedCamera(wish, resolved, facts);
@@ -77,8 +77,10 @@ scene::Camera turntableStart(const CameraWish& wish, bool automatic, const scene
                            0.5 * glm::length(facts.boundsMaxMm - facts.boundsMinMm)};
     const volume::Ball ball =
         wish.fit == Framing::volume ? box : volume::surfaceBall(volume, resolved, progress).value_or(box);
-    camera = scene::framingBall(camera, freeRooms(directed, volume, size, {}, overlayLegend), ball.centreMm,
-                                ball.radiusMm);
+    // A legend may cover some of what turns: beside it, in the middle of the picture, little room is left.
+    directed.look.legend = false;
+    camera =
+        scene::framingBall(camera, freeRooms(directed, volume, size, {}, {}), ball.centreMm, ball.radiusMm);
   }
   return wish.zoom == 1.0 ? camera : scene::zoomed(camera, wish.zoom);
 }

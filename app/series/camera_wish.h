@@ -40,8 +40,7 @@ scene::Camera wishedCamera(const CameraWish& wish, const scene::Scene& scene,
 // all the way round. Without a wish for it, of a camera that was automatic the surface is framed, another
 // stays where it is.
 scene::Camera turntableStart(const CameraWish& wish, bool automatic, const scene::Scene& resolved,
-                             const volume::PreparedVolume& volume, glm::ivec2 size, base::Progress& progress,
-                             glm::ivec2 overlayLegend = glm::ivec2(0));
+                             const volume::PreparedVolume& volume, glm::ivec2 size, base::Progress& progress);
 // Of so many views, the one by this index: turned counterclockwise about the volume's up, as seen from above.
 scene::Camera turntableCamera(const scene::Camera& start, scene::WorldAxes axes, int index, int count);
 

@@ -68,7 +68,10 @@ void BakedLight::setScene(const scene::Scene& resolved) {
   scene_ = std::move(wanted);
   toldScene_ = true;
   cancelled_ = false;
-  if (begins && std::exchange(held_, false)) controller_.setPaused(false);
+  if ((begins || !lit) && std::exchange(held_, false)) {
+    controller_.setPaused(false);
+    Q_EMIT answered();
+  }
   if (begins && std::exchange(shown_, false)) Q_EMIT lightChanged(light_, true, shown_);
   controller_.setScene(resolved, volume_);
   asked_ = true;
@@ -112,12 +115,16 @@ void BakedLight::cancel() {
 }
 
 void BakedLight::askFirst() {
-  if (std::exchange(held_, false)) controller_.setPaused(false);
+  if (std::exchange(held_, false)) {
+    controller_.setPaused(false);
+    Q_EMIT answered();
+  }
   asksFirst_ = true;
 }
 
 void BakedLight::goOn() {
-  asksFirst_ = held_ = false;
+  asksFirst_ = false;
+  if (std::exchange(held_, false)) Q_EMIT answered();
   controller_.setPaused(false);
   if (std::exchange(cancelled_, false)) controller_.setVisible(hits_);
   takeState();

@@ -53,6 +53,7 @@ class BakedLight : public QObject {
   // Another picture would show other light, or the light will not change any more. `shown`: isShown().
   void lightChanged(const isolux::ui::LightPointer& light, bool changing, bool shown);
   void takesLong(double seconds);  // it was paused: askFirst()
+  void answered();                 // it goes on, or no look needs it any more
   void stateChanged(const isolux::app::LightState& state, bool cancelled);
   void failed(const QString& message);
   void noted(const QString& message);

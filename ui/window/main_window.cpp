@@ -279,6 +279,7 @@ void MainWindow::connectLight() {
                    tr("Light for this image takes about %1").arg(durationText(seconds)),
                    {{tr("Compute light"), [this] { light_->goOn(); }}});
   });
+  connect(light_, &BakedLight::answered, this, [this] { message_->withdraw(MessageBar::Kind::question); });
   connect(lightStatus_, &LightStatus::paused, light_, [this] { light_->setPaused(true); });
   connect(lightStatus_, &LightStatus::goOn, light_, &BakedLight::goOn);
   connect(lightStatus_, &LightStatus::cancelled, light_, &BakedLight::cancel);

@@ -102,7 +102,8 @@ QString MainWindow::shapeText(glm::dvec3 worldMm) const {
   scene::Scene scene = document_->resolvedScene();
   const scene::Derivatives& derivatives = scene.derivatives;
   if (!scene.isosurface.value ||
-      !volume->derivativeChoices->find({*scene.isosurface.value, derivatives.field, derivatives.noise}) ||
+      !volume->derivativeChoices->find(
+          {*scene.isosurface.value, derivatives.field, document_->scene().derivatives.noise}) ||
       !volume->derivativeChoices->completeIfChosen(scene))
     return {};
   const auto interpolating = scene::Field::cubic_interpolating;

@@ -132,6 +132,8 @@ Volume readAny(const std::string& path, const ReadOptions& options, base::Progre
 }  // namespace
 
 Volume readVolume(const std::string& path, const ReadOptions& options, base::Progress& progress) {
+  if (fs::path(path).filename().string().starts_with(kArrayPath))
+    throwInput(path, "", "the volume was an array in memory; open the data that it was made of");
   try {
     return readAny(path, options, progress);
   } catch (const std::bad_alloc&) {

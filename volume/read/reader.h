@@ -72,6 +72,9 @@ struct Volume {
   std::vector<std::string> warnings;
 };
 
+// The path of a volume that was an array in memory begins so: sessions and images name it, nothing reads it.
+inline constexpr const char* kArrayPath = "array:";
+
 // Reads a volume. `path` as Source::path. Throws base::Error (input, memory, interrupted).
 Volume readVolume(const std::string& path, const ReadOptions& options, base::Progress& progress);
 

@@ -149,6 +149,16 @@ TEST_F(LightWindowTest, LightThatNobodyHasAskedForIsPausedWhereItTakesLong) {
   EXPECT_TRUE(waitForPhase(Phase::baking));
   QTest::qWait(300);
   EXPECT_EQ(light()->state().phase, Phase::baking) << "it was asked for";
+  EXPECT_EQ(window_->messageBar()->text(), "");
+}
+
+TEST_F(LightWindowTest, TheQuestionForLightGoesWithTheLook) {
+  lightUp(endless);
+  light()->askFirst();
+  ASSERT_TRUE(waitForPhase(Phase::paused));
+  ASSERT_TRUE(waitUntil([&] { return window_->messageBar()->text().startsWith("Light"); }));
+  set("look.mode", "lambert");
+  EXPECT_EQ(window_->messageBar()->text(), "");
 }
 
 TEST_F(LightWindowTest, PausedLightStandsStillAndGoesOn) {
