@@ -285,7 +285,7 @@ TEST_F(CutsTest, APlaneGoesThroughThreeMarkedPoints) {
   });
   menuAction({}, "Plane through three points")->trigger();
   EXPECT_EQ(clip().planes.size(), 1u);
-  EXPECT_TRUE(window_->messageBar()->text().contains("on a line"));
+  EXPECT_TRUE(window_->messageBar()->text().contains("collinear"));
 }
 
 TEST_F(CutsTest, ARightClickOnAHandleOpensThatPlanesMenu) {
