@@ -70,6 +70,9 @@ struct LightBake::Parts {
     double pathsPerSecond = 0.0;
   };
   base::Mailbox<Report> report;
+  // Reports that the owner has read, for the next ones: whoever frees what another thread has allocated may
+  // wait for the allocator's lock.
+  base::Mailbox<Report> spent;
   std::atomic<bool> failed{false};
   std::exception_ptr firstFailure;  // not written any more once `failure` points to it
   std::atomic<const std::exception_ptr*> failure{nullptr};
@@ -128,7 +131,12 @@ struct LightBake::Parts {
   void tellQueue();
   // With `tallyLock` locked.
   double secondsWorked() const;
-  void tell() { report.put(std::make_unique<Report>(tally)); }
+  void tell() {
+    std::unique_ptr<Report> next = spent.take();
+    if (!next) next = std::make_unique<Report>();
+    *next = tally;
+    report.put(std::move(next));
+  }
 
   void begin();
   void note(std::uint64_t rays, std::uint64_t morePaths);
@@ -340,7 +348,10 @@ BakeCounters LightBake::counters() const {
   // Before the report, so that what is missing there is missed.
   const std::uint64_t orders = parts.orders.load(std::memory_order_acquire);
   const std::lock_guard lock(parts.asking);
-  if (const auto news = parts.report.take()) parts.lastReport = *news;
+  if (auto news = parts.report.take()) {
+    parts.lastReport = *news;
+    parts.spent.put(std::move(news));
+  }
   const Parts::Report& report = parts.lastReport;
   BakeCounters counters = report.counters;
   counters.texelsLit = parts.lattice->bakedTexels();
