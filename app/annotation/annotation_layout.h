@@ -20,7 +20,7 @@ struct PixelBox {
   bool empty() const { return size.x <= 0 || size.y <= 0; }
 };
 
-// Of several surfaces each line has a sample of its colour, where that is to be seen.
+// Returns whether each line has a sample of its surface's colour: with several surfaces that show theirs.
 bool areKeyed(const std::vector<ShownValue>& values, const scene::Scene& scene);
 std::string lineOf(const ShownValue& value, bool keyed);
 

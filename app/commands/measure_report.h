@@ -18,7 +18,7 @@ nlohmann::ordered_json vectorsOf(const std::vector<glm::dvec3>& vectors);
 nlohmann::ordered_json measuredJson(const volume::Measured& measured);
 nlohmann::ordered_json measuredJson(const volume::Measured& measured, const volume::ErrorParts& parts);
 
-// What is measured of a whole surface: the keys from "area_mm2" to "open_reason" of
+// Returns the measures of a whole surface: the keys from "area_mm2" to "open_reason" of
 // docs/reference/outputs.md.
 nlohmann::ordered_json surfaceJson(const volume::SurfaceMeasure& surface);
 // Why it is open, as one clause.

@@ -14,7 +14,7 @@
 
 namespace isolux::app {
 
-// What a volume must be, by its kind (volume::FoundKind).
+// A requirement of a preset on the kind of data (volume::FoundKind).
 enum class PresetNeed {
   hounsfield,      // a CT, and Hounsfield units can be told from its values
   not_hounsfield,  // no CT

@@ -24,7 +24,7 @@ SliceLetters lettersOf(const volume::SlicePlane& plane, scene::WorldAxes axes);
 std::string placeText(const volume::SlicePlane& plane, scene::WorldAxes axes);
 // "radiological", "neurological"; "orientation not stated".
 std::string conventionText(scene::Convention convention, scene::WorldAxes axes);
-// Whether left and right of the patient are seen, which the convention is about: not on a sagittal slice.
+// Returns whether the slice shows the patient's left and right, which the convention orders: not if sagittal.
 bool showsLeftAndRight(const SliceLetters& letters);
 // "level 40 · width 400 HU", and the slab: "mean of 5 mm".
 std::string windowText(const SliceContent& content, const scene::Slice& slice, const std::string& unit);

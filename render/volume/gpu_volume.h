@@ -140,7 +140,7 @@ class GpuVolume {
   std::optional<Bricks> bricks_;
   std::size_t bricksMade_ = 0;
 
-  // Of fields of hits, with that of the last frame last: idle frames may use another than interactive ones.
+  // Holds the blocks of the last fields of hits, the latest last: idle and interactive frames may differ.
   static constexpr std::size_t kKeptFields = 2;
   std::vector<std::unique_ptr<SurfaceBlocks>> surfaces_;
 };

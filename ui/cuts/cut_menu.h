@@ -31,7 +31,7 @@ class CutMenu : public QObject {
   // The mark that is chosen in the list of marks, -1 for none.
   void setChosenMark(std::function<int()> chosen) { chosenMark_ = std::move(chosen); }
   bool showsHandles() const;
-  // What can be done with the plane, or a box, of a handle.
+  // Shows the menu of the plane or box of a handle.
   void showMenuOf(const QPoint& onScreen, const app::CutGrip& grip);
 
  Q_SIGNALS:

@@ -103,8 +103,8 @@ class Viewport : public QWidget {
   };
   render::StillPicture picture(const StillWish& wish);
   render::StillPicture picture() { return picture(StillWish{}); }
-  // What the letters at the sides of a picture of this size take: views are fitted between them. `ratio`:
-  // pixels to one of a screen at 100 %.
+  // Returns the margins of the orientation labels of an image of this size; views are fitted between them.
+  // `ratio`: pixels to one of a screen at 100 %.
   static app::Edges letterEdges(glm::ivec2 pixels, double ratio);
   glm::ivec2 pixelSize() const;  // of the screen
   const ViewportOverlay* overlay() const { return overlay_; }

@@ -19,7 +19,7 @@ struct StretchLanes {
   VF begin, end;
 };
 
-// Where rays are in the kept region: between the faces, and in no removed box.
+// The intervals in which rays are in the kept region: between the faces, and in no removed box.
 struct KeptLanes {
   StretchLanes between;
   StretchLanes gone[ClipRegion::kMostRemoved];  // begin >= end where a ray is not in the box
