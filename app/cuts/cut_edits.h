@@ -54,8 +54,8 @@ void addBox(scene::Clip& clip, const scene::VolumeFacts& facts);
 void addCorner(scene::Clip& clip, const glm::dvec3& point, const glm::dvec3& back, const BoxCorners& volume);
 void removeCorner(scene::Clip& clip, std::size_t number);  // none where there is no such one
 
-// A box: its middle, half its size, and its axes in columns. Number 0 is clip.box, which must be there; -1 and
-// below are the boxes that are removed.
+// A box: its middle, half its size, and its axes in columns. Number 0 is clip.box, which must be there; -1
+// and below are the boxes that are removed.
 struct TurnedBox {
   glm::dvec3 middle{0.0}, half{0.0};
   glm::dmat3 axes{1.0};
