@@ -89,7 +89,11 @@ TEST_F(ReopenTest, TheFileOnShowIsShownAgainUnderItsStoredLight) {
   scene::setting("gi.samples").set(edit.scene, 4);
   scene::setting("look.mode").set(edit.scene, "gi");
   window_->document()->edit(edit);
-  const auto lit = [&] { return window_->light()->state().phase == app::LightState::Phase::finished; };
+  const ui::BakedLight* const light = window_->light();
+  const auto lit = [&] {
+    return light->isShown() && !light->changing() &&
+           light->state().phase == app::LightState::Phase::finished;
+  };
   ASSERT_TRUE(waitUntil(lit));
   const QString session = newFile("lit.isolux");
   ASSERT_TRUE(window_->document()->saveSession(session));
