@@ -27,7 +27,7 @@ if(ISOLUX_BENCH)  # what Isolux is compared with
 endif()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${vtk_modules})
 find_package(DICOM REQUIRED)  # vtk-dicom
-find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets Svg Charts)
+find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets OpenGLWidgets Svg Charts)
 
 if(ISOLUX_PYTHON)
   # Debian's Python, for which its pybind11 and NumPy are, whatever other one is on PATH.

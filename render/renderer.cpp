@@ -482,6 +482,10 @@ const FrameReport& Renderer::render(const scene::Scene& asked, const FrameReques
   return parts.report;
 }
 
+const Texture& Renderer::color() const {
+  return parts_->frame.images.at(image::picture).images[0];
+}
+
 ColorImage Renderer::readColor() {
   return render::readColor(parts_->frame, parts_->drawn);
 }

@@ -22,6 +22,7 @@
 namespace isolux::render {
 
 struct Gl;
+class Texture;
 
 class Renderer {
  public:
@@ -50,6 +51,8 @@ class Renderer {
   void invalidate();
 
   ColorImage readColor();
+  // Returns the shaded image where it is: RGBA8, bottom row first, valid until the next render().
+  const Texture& color() const;
   LinearImage readLinear();
   // Returns the image as linear float32, not clamped, without legend and dither, at the requested size. It
   // includes the background, averages supersamples and has alpha 1. With picture.transparent, it has no

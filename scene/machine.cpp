@@ -33,6 +33,10 @@ std::vector<MachineSetting> makeMachineSettings() {
   list.push_back(choiceEntry<Machine>("picture.executor", ISOLUX_MEMBER(executor),
                                       "Device that computes hits and derivatives: the GPU, or the CPU (exact "
                                       "hits only). auto uses the CPU if OpenGL is software."));
+  list.push_back(choiceEntry<Machine>(
+      "window.canvas", ISOLUX_MEMBER(canvas),
+      "How the window shows images: as textures that stay on the graphics card, or as pixels copied to main "
+      "memory. auto uses textures on a graphics card. Takes effect at the next start."));
   return list;
 }
 

@@ -28,10 +28,15 @@ struct Memory {
   bool operator==(const Memory&) const = default;
 };
 
+// How the window shows pictures: as textures that stay on the graphics card, or as pixels in main memory.
+// automatic: textures on a graphics card.
+enum class Canvas { automatic, textures, pixels };
+
 struct Machine {
   Memory memory{};
   std::optional<int> threads{};  // for computing light; automatic: as many as the process may use
   bool adaptive = true;          // interactive frames are reduced until they are fast enough
+  Canvas canvas = Canvas::automatic;
   double motionTarget = 25.0;    // target time of an interactive frame, ms
   Executor executor = Executor::automatic;
   VoxelPlace voxels = VoxelPlace::automatic;

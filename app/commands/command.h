@@ -43,7 +43,8 @@ Command makeStudy(CLI::App& program);
 Command makeMesh(CLI::App& program);
 Command makePhantom(CLI::App& program);
 Command makeSettings(CLI::App& program);
-Command makeDoctor(CLI::App& program);
+// `describeWindow` returns how the window would show images here; empty: it is not said.
+Command makeDoctor(CLI::App& program, const std::function<std::string()>& describeWindow);
 Command makeHelp(CLI::App& program);
 Command makePresets(CLI::App& program);
 Command makeProbe(CLI::App& program);

@@ -43,7 +43,7 @@ struct Program {
   std::vector<Command> commands;
 };
 
-void declare(Program& program) {
+void declare(Program& program, const std::function<std::string()>& describeWindow) {
   CLI::App& parser = program.parser;
   parser.get_formatter()->column_width(34);
   parser.set_version_flag("--version", "isolux " + std::string(version()), "Print the version and exit");
@@ -71,8 +71,10 @@ void declare(Program& program) {
       "Example:\n  isolux ct.nii.gz --isovalue 300");
   for (const auto make :
        {makeInfo, makeRender, makeBake, makeMerge, makeIndex, makeReference, makeReplay, makeStudy, makeProbe,
-        makeMeasure, makeSlice, makeMesh, makePhantom, makePresets, makeSettings, makeDoctor, makeHelp})
+        makeMeasure, makeSlice, makeMesh, makePhantom, makePresets, makeSettings})
     program.commands.push_back(make(parser));
+  program.commands.push_back(makeDoctor(parser, describeWindow));
+  program.commands.push_back(makeHelp(parser));
   addMemoryOption(parser);
   for (const Command& command : program.commands) addMemoryOption(*command.parser);
 }
@@ -236,12 +238,13 @@ int guarded(Body body, const std::function<bool(bool interrupted)>& mayReport) {
 
 }  // namespace
 
-int runCommandLine(int argc, char** argv, const OpenWindow& openWindow) {
+int runCommandLine(int argc, char** argv, const OpenWindow& openWindow,
+                   const std::function<std::string()>& describeWindow) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file over the limit of size is an error of its write, not the end
   return guarded(
       [&] {
         Program program;
-        declare(program);
+        declare(program, describeWindow);
         if (!parse(program, argc, argv)) {
           checkStandardOutput();
           return 0;

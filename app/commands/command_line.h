@@ -25,7 +25,8 @@ struct WindowRequest {
 };
 using OpenWindow = std::function<int(const WindowRequest&)>;
 
-// Returns the exit code (docs/reference/outputs.md). Never throws.
-int runCommandLine(int argc, char** argv, const OpenWindow& openWindow);
+// Returns the exit code (docs/reference/outputs.md). Never throws. `describeWindow`: see makeDoctor().
+int runCommandLine(int argc, char** argv, const OpenWindow& openWindow,
+                   const std::function<std::string()>& describeWindow = {});
 
 }  // namespace isolux::app

@@ -100,7 +100,7 @@ void printExecutors(std::ostream& out, base::Progress& progress) {
 
 }  // namespace
 
-void printDoctor(std::ostream& out, base::Progress& progress) {
+void printDoctor(std::ostream& out, const std::string& window, base::Progress& progress) {
   row(out, "isolux", std::string(version()));
   row(out, "compiler", __VERSION__);
   row(out, "CPU threads", std::to_string(tbb::info::default_concurrency()));
@@ -113,6 +113,7 @@ void printDoctor(std::ostream& out, base::Progress& progress) {
       dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH));
   row(out, "CLI11", CLI11_VERSION);
   row(out, "ffmpeg", movieText(progress));
+  if (!window.empty()) row(out, "window", window);
 
   out << "\nGraphics contexts without a window (OpenGL 4.5 core), in the order they are tried:\n";
   std::string chosen;
@@ -131,11 +132,13 @@ void printDoctor(std::ostream& out, base::Progress& progress) {
   if (!chosen.empty()) printExecutors(out, progress);
 }
 
-Command makeDoctor(CLI::App& program) {
+Command makeDoctor(CLI::App& program, const std::function<std::string()>& describeWindow) {
   CLI::App* const parser =
       program.add_subcommand("doctor", "Print graphics contexts, memory and libraries of this computer");
   parser->footer("Example:\n  isolux doctor");
-  return {parser, [](base::Progress& progress) { printDoctor(std::cout, progress); }};
+  return {parser, [describeWindow](base::Progress& progress) {
+            printDoctor(std::cout, describeWindow ? describeWindow() : std::string(), progress);
+          }};
 }
 
 }  // namespace isolux::app

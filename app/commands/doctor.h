@@ -2,12 +2,14 @@
 #pragma once
 
 #include <ostream>
+#include <string>
 
 #include "base/progress.h"
 
 namespace isolux::app {
 
-// Makes graphics contexts on the calling thread. Throws Error{interrupted}.
-void printDoctor(std::ostream& out, base::Progress& progress);
+// Makes graphics contexts on the calling thread. `window`: how the window would show images; empty: not said.
+// Throws Error{interrupted}.
+void printDoctor(std::ostream& out, const std::string& window, base::Progress& progress);
 
 }  // namespace isolux::app

@@ -28,29 +28,43 @@ struct PictureThread::Work {
     std::shared_ptr<const base::Progress> of;  // which order
   };
   base::Mailbox<DrawnStill> stills;
+  explicit Work(Options asked) : options(std::move(asked)) {}
+
+  const Options options;
   Context context;
   std::atomic<bool> contextKnown{false}, ending{false}, forgets{false};
   std::counting_semaphore<> news{0};
 
-  void run(render::ContextChoice choice);
-  void serve(const std::shared_ptr<const render::Gl>& gl);
-  void draw(const Numbered& numbered, const std::shared_ptr<const render::Gl>& gl);
-  void drawStill(const StillOrder& still, const std::shared_ptr<const render::Gl>& gl);
+  void run();
+  void tell() const {
+    if (options.news) options.news();
+  }
+  void serve();
+  void makeContext();
+  void draw(const Numbered& numbered);
+  void drawStill(const StillOrder& still);
   void forget();
-  render::Renderer& rendererFor(const PictureOrder& order, const std::shared_ptr<const render::Gl>& gl);
+  void failed(const std::exception_ptr& failure);
+  render::Renderer& rendererFor(const PictureOrder& order);
 
-  std::unique_ptr<render::Renderer> renderer;  // of the thread, as the volume that it draws
+  // Of the thread, as the volume that it draws. No context: the driver was reset, and the next order makes
+  // another.
+  std::unique_ptr<render::OffscreenContext> made;
+  std::unique_ptr<render::Renderer> renderer;
+  std::optional<render::PictureRing> ring;
   std::shared_ptr<const volume::PreparedVolume> volume;
 };
 
 namespace {
 
-enum class Refusal { stopped, refused, unknown };
+enum class Refusal { stopped, refused, lost, unknown };
 
 // After anything but an Error nobody knows what state the renderer is in.
 Refusal refusalOf(const std::exception_ptr& failure) {
   try {
     std::rethrow_exception(failure);
+  } catch (const render::ContextLost&) {
+    return Refusal::lost;
   } catch (const base::Error& error) {
     return error.kind() == base::ErrorKind::interrupted ? Refusal::stopped : Refusal::refused;
   } catch (...) {
@@ -60,9 +74,16 @@ Refusal refusalOf(const std::exception_ptr& failure) {
 
 }  // namespace
 
-render::Renderer& PictureThread::Work::rendererFor(const PictureOrder& order,
-                                                   const std::shared_ptr<const render::Gl>& gl) {
-  if (!renderer) renderer = std::make_unique<render::Renderer>(gl);
+void PictureThread::Work::makeContext() {
+  made = options.context ? options.context()
+                         : render::OffscreenContext::create(render::ContextChoice::automatic);
+  made->makeCurrent();
+  if (options.handsTextures) ring.emplace(made->gl());
+}
+
+render::Renderer& PictureThread::Work::rendererFor(const PictureOrder& order) {
+  if (!made) makeContext();
+  if (!renderer) renderer = std::make_unique<render::Renderer>(made->gl());
   renderer->setMachine(order.machine);
   renderer->setVolume(order.volume);
   renderer->setLight(order.light);
@@ -70,36 +91,50 @@ render::Renderer& PictureThread::Work::rendererFor(const PictureOrder& order,
   return *renderer;
 }
 
-void PictureThread::Work::draw(const Numbered& numbered, const std::shared_ptr<const render::Gl>& gl) {
+void PictureThread::Work::failed(const std::exception_ptr& failure) {
+  const Refusal how = refusalOf(failure);
+  if (how == Refusal::lost || how == Refusal::unknown) renderer.reset();
+  if (how != Refusal::lost) return;
+  ring.reset();
+  made.reset();
+}
+
+void PictureThread::Work::draw(const Numbered& numbered) {
   const PictureOrder& order = numbered.order;
   const auto begin = std::chrono::steady_clock::now();
   try {
-    render::Renderer& draws = rendererFor(order, gl);
-    DrawnPicture drawn{numbered.number, order.request, draws.render(order.scene, order.request), {}, {}, 0.0};
-    drawn.color = draws.readColor();
+    render::Renderer& draws = rendererFor(order);
+    DrawnPicture drawn{
+        numbered.number, order.request, draws.render(order.scene, order.request), {}, {}, {}, 0.0};
+    if (ring)
+      drawn.texture = ring->hand(draws.color());
+    else
+      drawn.color = draws.readColor();
     if (order.hits != PictureOrder::Hits::none)
       drawn.hitVoxels = draws.hitVoxels(order.hits == PictureOrder::Hits::all);
+    made->gl()->throwIfLost();
     drawn.milliseconds =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     results.put(std::make_unique<Result>(std::move(drawn)));
   } catch (...) {
     const std::exception_ptr failure = std::current_exception();
-    const Refusal how = refusalOf(failure);
-    if (how == Refusal::stopped) return;
-    if (how == Refusal::unknown) renderer.reset();
+    if (refusalOf(failure) == Refusal::stopped) return;
+    failed(failure);
     results.put(std::make_unique<Result>(FailedPicture{numbered.number, failure}));
   }
+  tell();
 }
 
-void PictureThread::Work::drawStill(const StillOrder& still, const std::shared_ptr<const render::Gl>& gl) {
+void PictureThread::Work::drawStill(const StillOrder& still) {
   const PictureOrder& order = still.order;
   try {
-    stills.put(std::make_unique<DrawnStill>(
-        DrawnStill{render::drawStill(rendererFor(order, gl), order.scene, order.request, *still.progress),
-                   still.progress}));
+    render::StillPicture picture =
+        render::drawStill(rendererFor(order), order.scene, order.request, *still.progress);
+    made->gl()->throwIfLost();
+    stills.put(std::make_unique<DrawnStill>(DrawnStill{std::move(picture), still.progress}));
   } catch (...) {
     const std::exception_ptr failure = std::current_exception();
-    if (refusalOf(failure) == Refusal::unknown) renderer.reset();
+    failed(failure);
     stills.put(std::make_unique<DrawnStill>(DrawnStill{failure, still.progress}));
   }
 }
@@ -112,40 +147,40 @@ void PictureThread::Work::forget() {
   base::retire(std::exchange(volume, nullptr));
 }
 
-void PictureThread::Work::serve(const std::shared_ptr<const render::Gl>& gl) {
+void PictureThread::Work::serve() {
   while (!ending.load(std::memory_order_acquire)) {
     if (forgets.exchange(false, std::memory_order_acq_rel))
       forget();
     else if (const auto still = stillOrders.take())
-      drawStill(*still, gl);
+      drawStill(*still);
     else if (const auto numbered = orders.take())
-      draw(*numbered, gl);
+      draw(*numbered);
     else
       news.acquire();
   }
-  renderer.reset();
 }
 
-void PictureThread::Work::run(render::ContextChoice choice) {
-  std::unique_ptr<render::OffscreenContext> made;
+void PictureThread::Work::run() {
   try {
-    made = render::OffscreenContext::create(choice);
-    made->makeCurrent();
+    makeContext();
     context.description = made->description();
   } catch (...) {
     made.reset();
     context.failure = std::current_exception();
   }
   contextKnown.store(true, std::memory_order_release);
-  if (made) serve(made->gl());
+  tell();
+  if (made) serve();
+  renderer.reset();  // while the context is current
+  ring.reset();
+  made.reset();
 }
 
-PictureThread::PictureThread(render::ContextChoice choice, Priority priority)
-    : work_(std::make_shared<Work>()) {
+PictureThread::PictureThread(Options options) : work_(std::make_shared<Work>(std::move(options))) {
   try {
-    thread_ = std::jthread([work = work_, choice, priority] {
-      if (priority == Priority::background) giveWay();
-      work->run(choice);
+    thread_ = std::jthread([work = work_] {
+      if (work->options.priority == Priority::background) giveWay();
+      work->run();
     });
   } catch (const std::system_error&) {
     work_->context.failure = std::make_exception_ptr(

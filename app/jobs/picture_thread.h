@@ -1,5 +1,5 @@
 // Draws pictures on a thread of its own, which owns the GL context and the renderer, so that its owner - the
-// window - waits for none of them; the owner polls.
+// window - waits for none of them; the owner polls, or is told.
 //
 // Data: an order is all that a picture is made from, by value. Of orders that are not begun the newest
 // counts; one that is being drawn is dropped for a newer one, unless it is a draft: drafts are quick, and a
@@ -10,6 +10,7 @@
 #include <atomic>
 #include <cstdint>
 #include <exception>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <semaphore>
@@ -23,6 +24,7 @@
 #include "gi/picture_light.h"
 #include "gi/seen_points.h"
 #include "render/gl/gl_context.h"
+#include "render/gl/handed_picture.h"
 #include "render/graph/frame.h"
 #include "render/still_picture.h"
 #include "scene/machine.h"
@@ -47,6 +49,7 @@ struct DrawnPicture {
   render::FrameRequest request;
   render::FrameReport report;
   render::ColorImage color;
+  std::shared_ptr<const render::HandedPicture> texture;  // instead of `color`, if the thread hands textures
   gi::SeenPoints hitVoxels;
   double milliseconds = 0.0;  // until it could be taken
 };
@@ -63,9 +66,17 @@ class PictureThread {
 
   // Whose pictures somebody waits for. Others are drawn by a thread that gives way to every other.
   enum class Priority { user, background };
-  // Begins to make the context (OffscreenContext::create).
-  explicit PictureThread(render::ContextChoice choice = render::ContextChoice::automatic,
-                         Priority priority = Priority::user);
+  struct Options {
+    // Creates the context, on the thread; empty: OffscreenContext::create(automatic).
+    std::function<std::unique_ptr<render::OffscreenContext>()> context{};
+    bool handsTextures = false;  // its context shares objects with that of the owner
+    Priority priority = Priority::user;
+    // Called on the thread whenever context() or take() may return something new; may outlive the owner.
+    std::function<void()> news{};
+  };
+  // Begins to make the context.
+  PictureThread() : PictureThread(Options()) {}
+  explicit PictureThread(Options options);
   ~PictureThread();  // stops; the end of the thread is not waited for (base/retire.h)
   PictureThread(const PictureThread&) = delete;
   PictureThread& operator=(const PictureThread&) = delete;

@@ -1,6 +1,5 @@
 #include "render/gl/gl.h"
 
-#include "base/error.h"
 #include "render/gl/gl_messages.h"
 
 namespace isolux::render {
@@ -43,6 +42,10 @@ std::shared_ptr<const Gl> Gl::load(const GlLoader& loader) {
 std::string Gl::string(GLenum name) const {
   const GLubyte* text = GetString(name);
   return text ? reinterpret_cast<const char*>(text) : "";
+}
+
+void Gl::throwIfLost() const {
+  if (GetGraphicsResetStatus() != GL_NO_ERROR) throw ContextLost();
 }
 
 }  // namespace isolux::render

@@ -10,9 +10,17 @@
 
 #include <GL/glcorearb.h>
 
+#include "base/error.h"
+
 namespace isolux::render {
 
 using GlLoader = std::function<void*(const char* name)>;
+
+// The driver was reset: nothing of the context is valid any more, and a new one is needed.
+class ContextLost : public base::Error {
+ public:
+  ContextLost() : Error(base::ErrorKind::graphics, "", "", "the graphics driver was reset") {}
+};
 
 struct Gl {
 #define ISOLUX_GL(type, name) type name = nullptr;
@@ -28,6 +36,9 @@ struct Gl {
   static std::shared_ptr<const Gl> load(const GlLoader& loader);
 
   std::string string(GLenum name) const;  // GetString, "" if null
+
+  // Throws ContextLost if the driver was reset since the context was made.
+  void throwIfLost() const;
 };
 
 }  // namespace isolux::render

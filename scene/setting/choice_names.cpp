@@ -279,6 +279,13 @@ std::span<const Named<VoxelPlace>> choicesOf() {
 }
 
 template <>
+std::span<const Named<Canvas>> choicesOf() {
+  static constexpr Named<Canvas> names[] = {
+      {Canvas::automatic, "auto"}, {Canvas::textures, "textures"}, {Canvas::pixels, "pixels"}};
+  return names;
+}
+
+template <>
 std::span<const Named<Executor>> choicesOf() {
   static constexpr Named<Executor> names[] = {
       {Executor::automatic, "auto"}, {Executor::gpu, "gpu"}, {Executor::cpu, "cpu"}};

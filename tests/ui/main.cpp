@@ -2,6 +2,7 @@
 // user's.
 #include <cstdio>
 #include <cstdlib>
+#include <string_view>
 
 #include <QSettings>
 
@@ -10,6 +11,7 @@
 #include "base/retire.h"
 #include "tests/support/test_data.h"
 #include "tests/support/ui/time_bound.h"
+#include "ui/viewport/canvas_choice.h"
 #include "ui/window/application.h"
 
 int main(int argc, char** argv) {
@@ -24,6 +26,8 @@ int main(int argc, char** argv) {
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
                      QString::fromStdString(isolux::test::temporaryFolder().string()));
   qputenv("XDG_STATE_HOME", QByteArray::fromStdString(isolux::test::temporaryFolder().string()));
+  if (const char* const canvas = std::getenv("ISOLUX_TEST_CANVAS"); canvas && std::string_view(canvas) == "textures")
+    isolux::ui::prepareCanvas(isolux::scene::Canvas::textures);
   const isolux::ui::Application application(argc, argv);
   isolux::ui::finishApplication();
   isolux::test::boundEachTest();

@@ -40,7 +40,7 @@ class AccuracyPanel : public Panel {
   void setComplete(bool complete);    // the picture on screen is the full one of the scene
   void setPreviewing(bool previews);  // the picture is not the document's
   // The pixels on screen and where their legend stands, after setComplete().
-  void setPixels(const QImage& picture, const std::optional<render::Tile>& legend);
+  void setPixels(std::function<QImage()> picture, const std::optional<render::Tile>& legend);
   void setLight(const LightPointer& light, bool changing);
   void seenChanged();  // its dock came to the front, or went
 
@@ -98,7 +98,7 @@ class AccuracyPanel : public Panel {
     bool onProcessor = false;
   };
   Drawn reported_, drawn_;  // the last picture; the last full one
-  QImage pixels_;           // of the last full one
+  std::function<QImage()> pixels_;  // of the last full one; empty: there is none
   std::optional<render::Tile> legend_;
   bool complete_ = false, previewing_ = false, lightChanging_ = false;
   std::vector<app::Knob> acting_;

@@ -42,8 +42,8 @@ void AccuracyPanel::setComplete(bool complete) {
   measureSoon();
 }
 
-void AccuracyPanel::setPixels(const QImage& picture, const std::optional<render::Tile>& legend) {
-  pixels_ = picture;
+void AccuracyPanel::setPixels(std::function<QImage()> picture, const std::optional<render::Tile>& legend) {
+  pixels_ = std::move(picture);
   legend_ = legend;
   showOverlay();
 }
@@ -61,7 +61,7 @@ void AccuracyPanel::showOverlay() {
   ErrorOverlayBox::Shown shown;
   if (volume_ && overlay_->wanted()) {
     shown.errors = picture_->images();
-    if (shown.errors) shown.picture = pixels_;
+    if (shown.errors && pixels_) shown.picture = pixels_();
     const glm::dvec3 edges = volume_->grid().geometry().spacingMm();
     shown.shortestEdgeMm = std::min({edges.x, edges.y, edges.z});
     shown.corner = resolved_.look.legendCorner;

@@ -111,8 +111,8 @@ void LevelZero::draw() {
     app::PictureOrder wanted = order(request);
     wanted.scene.picture.transparent = false;
     if (!thread_)
-      thread_ = std::make_unique<app::PictureThread>(render::ContextChoice::automatic,
-                                                     app::PictureThread::Priority::background);
+      thread_ = std::make_unique<app::PictureThread>(
+          app::PictureThread::Options{.priority = app::PictureThread::Priority::background});
     thread_->drawStill(std::move(wanted));
   } catch (const base::Error& error) {
     return say({}, tr("Full resolution is not drawn: %1").arg(QString::fromStdString(error.reason())));

@@ -33,7 +33,8 @@ QString labelOf(const scene::SettingInfo& setting) {
       {"gi.threads", QObject::tr("CPU threads for lighting")},
       {"picture.adaptive", QObject::tr("Lower resolution in motion")},
       {"picture.motion_target", QObject::tr("Frame time in motion")},
-      {"picture.executor", QObject::tr("Ray casting device")}};
+      {"picture.executor", QObject::tr("Ray casting device")},
+      {"window.canvas", QObject::tr("Image display")}};
   const auto known = labels.find(setting.path);
   return known != labels.end() ? known->second : wordsOf(QString::fromStdString(setting.path));
 }

@@ -98,6 +98,10 @@ void PassesPanel::setReport(const render::FrameReport& report, const render::Fra
   if (isVisible() && !timer_.isActive()) timer_.start();
 }
 
+void PassesPanel::setDisplay(const QString& text) {
+  display_ = text;
+}
+
 void PassesPanel::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   refresh();
@@ -186,6 +190,7 @@ QString PassesPanel::summary() const {
                  .arg(report_.blocksTotal)
                  .arg(numberText(part, 2));
   }
+  if (!display_.isEmpty()) lines += tr("Display: %1").arg(display_);
   if (shownAgain_ > 0) lines += repeats();
   return lines.join('\n');
 }

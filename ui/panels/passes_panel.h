@@ -22,6 +22,7 @@ class PassesPanel : public Panel {
   explicit PassesPanel(QWidget* parent = nullptr);
 
   void setReport(const render::FrameReport& report, const render::FrameRequest& request) override;  // cheap
+  void setDisplay(const QString& text);  // how the window shows images
   QString text() const;  // the table as tab-separated lines, for other programs
   QTreeWidget* table() const { return table_; }
 
@@ -44,6 +45,7 @@ class PassesPanel : public Panel {
   QTimer timer_;
   render::FrameReport report_;
   render::FrameRequest request_;
+  QString display_;
   int shownAgain_ = 0;                       // since report_
   std::map<std::string, double> lastTimes_;  // milliseconds, of each pass when it last ran
 };

@@ -84,8 +84,8 @@ void ThumbnailPainter::next() {
       std::find_if(places_.begin(), places_.end(), [this](const Place& place) { return !isThere(place); });
   if (wanted == places_.end()) return;
   if (!thread_)
-    thread_ = std::make_unique<app::PictureThread>(render::ContextChoice::automatic,
-                                                   app::PictureThread::Priority::background);
+    thread_ = std::make_unique<app::PictureThread>(
+          app::PictureThread::Options{.priority = app::PictureThread::Priority::background});
   app::PictureOrder order{volume_, *wanted->wanted, {}, nullptr, {}};
   order.machine.executor = scene::Executor::cpu;  // the volume is on the graphics card once, for the user
   order.request.size = {pixels_.width(), pixels_.height()};

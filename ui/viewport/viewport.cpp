@@ -18,7 +18,6 @@ namespace isolux::ui {
 namespace {
 constexpr int viewRestMilliseconds = 200;  // after the last change, before the fine picture
 constexpr int fieldPollMilliseconds = 50;
-constexpr int pictureMilliseconds = 4;             // a picture that is there is taken
 const QString caveatSign = QStringLiteral(" · ");  // between two of them
 constexpr int pointedMilliseconds = 40;            // the pointer's value is looked up at most this often
 
@@ -55,7 +54,6 @@ Viewport::Viewport(QWidget* parent)
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(240, 180);
-  setAttribute(Qt::WA_OpaquePaintEvent);
   setAccessibleName(tr("3-D view"));
   remedy_->setObjectName("remedy");
   remedy_->hide();
@@ -75,11 +73,7 @@ Viewport::Viewport(QWidget* parent)
   connect(&pointTimer_, &QTimer::timeout, this, &Viewport::reportPointed);
   fieldTimer_.setInterval(fieldPollMilliseconds);
   connect(&fieldTimer_, &QTimer::timeout, this, &Viewport::pollFields);
-  connect(&fadeTimer_, &QTimer::timeout, this, qOverload<>(&QWidget::update));
-  pollTimer_.setTimerType(Qt::PreciseTimer);
-  pollTimer_.setInterval(pictureMilliseconds);
-  connect(&pollTimer_, &QTimer::timeout, this, &Viewport::poll);
-  pollTimer_.start();  // for the context, also where the picture is not shown at first
+  connect(&fadeTimer_, &QTimer::timeout, this, &Viewport::paintCanvas);
   connect(&turnTimer_, &QTimer::timeout, this, &Viewport::turnOn);
 }
 
@@ -152,9 +146,9 @@ void Viewport::takeRemedy() {
 std::vector<QRectF> Viewport::legendBoxes() const {
   std::vector<QRectF> boxes;
   const auto add = [&](const std::optional<render::Tile>& tile) {  // from below, in the picture's pixels
-    if (!tile || image_.isNull()) return;
-    const double across = static_cast<double>(width()) / image_.width(),
-                 down = static_cast<double>(height()) / image_.height();
+    if (!tile || !picture_) return;
+    const double across = static_cast<double>(width()) / picture_.size().width(),
+                 down = static_cast<double>(height()) / picture_.size().height();
     boxes.emplace_back(across * tile->origin.x, height() - down * (tile->origin.y + tile->size.y),
                        across * tile->size.x, down * tile->size.y);
   };
@@ -261,9 +255,11 @@ void Viewport::setVolume(VolumePointer volume) {
 }
 
 void Viewport::setMachine(const scene::Machine& machine) {
-  if (machine == machine_) return;
+  if (canvas_ && machine == machine_) return;
+  const bool otherCanvas = !canvas_ || machine.canvas != machine_.canvas;
   machine_ = machine;
   quality_.setMachine(machine);
+  if (otherCanvas) setCanvas(chooseCanvas(machine.canvas));
   redraw();
 }
 

@@ -44,6 +44,8 @@ class QPushButton;
 #include "ui/document/baked_light.h"
 #include "ui/document/document.h"
 #include "ui/document/edit.h"
+#include "ui/viewport/canvas.h"
+#include "ui/viewport/canvas_choice.h"
 #include "ui/viewport/slice_outlines.h"
 
 namespace isolux::ui {
@@ -108,7 +110,12 @@ class Viewport : public QWidget {
   static app::Edges letterEdges(glm::ivec2 pixels, double ratio);
   glm::ivec2 pixelSize() const;  // of the screen
   const ViewportOverlay* overlay() const { return overlay_; }
-  const QImage& shown() const { return image_; }  // the pixels on screen, without letters and scale
+  // Returns the pixels on screen, without letters and scale; the same QImage until another picture is shown.
+  // Reads a texture back from the graphics card.
+  const QImage& shown() const;
+  const CanvasChoice& canvas() const { return canvasChoice_; }  // how pictures are shown, and why
+  // Shows pictures in this way from now on. Where it turns out not to work, pixels are shown.
+  void setCanvas(CanvasChoice choice);
   const std::optional<render::Tile>& legend() const { return legend_; }  // where it stands in them
   // What may be shown in place of the picture: the last that is there.
   enum class Over { structure, levelZero, errors };
@@ -118,7 +125,7 @@ class Viewport : public QWidget {
                const std::optional<render::Tile>& legend = {});
   bool showsOver(Over what) const {
     const Laid& laid = laid_[static_cast<std::size_t>(what)];
-    return !laid.image.isNull() && laid.of == image_.cacheKey();
+    return !laid.image.isNull() && laid.of == picture_.pixels.cacheKey();
   }
   bool complete() const;        // the picture on screen is the full one
   QString description() const;  // GL strings, or why there is no picture
@@ -149,7 +156,6 @@ class Viewport : public QWidget {
   void noted(const QString& message);  // worth knowing, nothing has failed
 
  protected:
-  void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
@@ -163,7 +169,9 @@ class Viewport : public QWidget {
   bool event(QEvent* event) override;
 
  private:
-  const QImage& pixelsToShow() const;
+  void paintCanvas();
+  void painted();  // the canvas was
+  void failedPicture(const std::exception_ptr& reason);
   enum class Drag { none, orbit, pan, zoom, roll, environment, lamp, cut };
   void takeContext();
   void orderSoon();
@@ -195,7 +203,7 @@ class Viewport : public QWidget {
   };
   Answered answer(std::uint64_t order);
   bool standsIn() const;  // the next picture is lit without the stored light that the scene asks for
-  void fadeFrom(const QImage& before);
+  void fadeFrom(const CanvasPicture& before);
   void viewChanged();
   bool current() const { return shownChanges_ == changes_; }
   void changed();
@@ -241,7 +249,9 @@ class Viewport : public QWidget {
   std::optional<app::Pick> pickAt(QPointF position) const;
   scene::WorldAxes axes() const;
 
-  app::PictureThread thread_;
+  CanvasChoice canvasChoice_;
+  std::unique_ptr<Canvas> canvas_;
+  std::unique_ptr<app::PictureThread> thread_;
   bool hasContext_ = false;
   std::optional<QString> problem_;
   QString glDescription_;
@@ -255,7 +265,7 @@ class Viewport : public QWidget {
   // Changes are counted. What is on screen: its pixels, what they were asked for, and after how many changes.
   // What was ordered last: the same.
   std::uint64_t changes_ = 1, shownChanges_ = 0, orderedChanges_ = 0;
-  QImage image_;
+  mutable CanvasPicture picture_;  // its pixels as far as somebody asked for them
   struct Laid {
     QImage image;
     qint64 of = 0;  // QImage::cacheKey
@@ -263,8 +273,8 @@ class Viewport : public QWidget {
   };
   std::array<Laid, 3> laid_;  // by Over
   std::optional<render::Tile> legend_;
-  // The picture before stored light was there, and since when that fades into image_; null: none does.
-  QImage before_;
+  // The picture before stored light was there, and since when it fades into picture_; none: none does.
+  CanvasPicture before_;
   QElapsedTimer sinceFade_;
   Answered shownAs_;
   render::FrameRequest shownRequest_, orderedRequest_;
@@ -294,7 +304,7 @@ class Viewport : public QWidget {
   std::uint64_t view_ = 0;
   double seenRays_ = 0.0;
   QElapsedTimer sinceSeen_;
-  QTimer refineTimer_, pointTimer_, pollTimer_, fieldTimer_, turnTimer_, fadeTimer_;
+  QTimer refineTimer_, pointTimer_, fieldTimer_, turnTimer_, fadeTimer_;
   int turnMilliseconds_ = 0;
   std::optional<scene::Camera> turnsFrom_;  // while the view turns to the scene's camera
   QElapsedTimer sinceTurn_;

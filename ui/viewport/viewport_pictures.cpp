@@ -3,15 +3,16 @@
 #include <cmath>
 #include <utility>
 
-#include <QPainter>
 #include <QPushButton>
 
 #include "app/jobs/rest_scene.h"
+#include "render/gl/gl.h"
 #include "render/graph/pass.h"
 #include "scene/rules/relevance.h"
 #include "ui/dialogs/waiting.h"
 #include "ui/language/sentences.h"
 #include "ui/language/translated.h"
+#include "ui/viewport/posted_call.h"
 #include "ui/viewport/viewport.h"
 #include "ui/viewport/viewport_overlay.h"
 
@@ -76,11 +77,32 @@ constexpr auto comesBack =
     QT_TRANSLATE_NOOP("QObject", "To try again, undo the last step or change a setting.");
 }  // namespace
 
+void Viewport::setCanvas(CanvasChoice choice) {
+  canvasChoice_ = std::move(choice);
+  hasContext_ = failed_ = false;
+  picture_ = before_ = {};
+  laid_ = {};
+  awaited_.clear();
+  shownChanges_ = orderedChanges_ = 0;
+  canvas_ = makeCanvas(canvasChoice_.kind, this, [this] { painted(); });
+  canvas_->widget()->setGeometry(rect());
+  canvas_->widget()->lower();
+  canvas_->widget()->show();
+  thread_ = std::make_unique<app::PictureThread>(
+      app::PictureThread::Options{.context = canvasChoice_.context,
+                                  .handsTextures = canvasChoice_.kind == CanvasKind::textures,
+                                  .news = posted(this, [this] { poll(); })});
+}
+
 void Viewport::takeContext() {
-  const app::PictureThread::Context* const context = thread_.context();
+  const app::PictureThread::Context* const context = thread_->context();
   if (context == nullptr) return;
+  if (context->failure && canvas_->kind() == CanvasKind::textures) {
+    setCanvas({CanvasKind::pixels, reasonOf(context->failure)});
+    Q_EMIT noted(tr("Images are copied through main memory: %1").arg(canvasChoice_.why));
+    return;
+  }
   if (context->failure) {
-    pollTimer_.stop();
     fail(reasonOf(context->failure), QObject::tr(needsOpenGl));
     return;
   }
@@ -99,19 +121,19 @@ void Viewport::fail(const QString& reason, const QString& advice) {
   remedy_->hide();
   problem_ = reason;
   overlay_->setProblem(reason, advice);
-  update();
+  paintCanvas();
   if (news) Q_EMIT failed(reason);
 }
 
 void Viewport::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
-  pollTimer_.start();
   orderSoon();
 }
 
 void Viewport::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   overlay_->setGeometry(rect());
+  if (canvas_) canvas_->widget()->setGeometry(rect());
   placeButtons();
   showLamps();
   showCuts();
@@ -130,34 +152,35 @@ glm::ivec2 Viewport::pixelSize() const {
           std::max(1, static_cast<int>(std::lround(height() * ratio)))};
 }
 
-void Viewport::paintEvent(QPaintEvent*) {
-  QPainter painter(this);
-  if (image_.isNull() || problem_) {
-    painter.fillRect(rect(), QColor::fromRgbF(0.09F, 0.10F, 0.12F));
-    return;
-  }
-  const glm::ivec2 size = pixelSize();
-  painter.setRenderHint(QPainter::SmoothPixmapTransform, image_.size() != QSize(size.x, size.y));
-  painter.drawImage(rect(), pixelsToShow());
-  if (const double faded = static_cast<double>(sinceFade_.elapsed()) / fadeMilliseconds;
-      !before_.isNull() && faded < 1.0 && pixelsToShow().cacheKey() == image_.cacheKey()) {
-    painter.setOpacity(1.0 - faded);
-    painter.drawImage(rect(), before_);
+void Viewport::paintCanvas() {
+  if (!canvas_) return;
+  CanvasContent content;
+  if (!problem_) content.picture = picture_;
+  for (const Over what : {Over::errors, Over::levelZero, Over::structure})
+    if (showsOver(what) && content.over.isNull()) content.over = laid_[static_cast<std::size_t>(what)].image;
+  const double faded = static_cast<double>(sinceFade_.elapsed()) / fadeMilliseconds;
+  if (before_ && faded < 1.0 && content.picture && content.over.isNull()) {
+    content.before = before_;
+    content.opacityBefore = 1.0 - faded;
   } else {
     before_ = {};
     fadeTimer_.stop();
   }
+  canvas_->show(std::move(content));
+}
+
+void Viewport::painted() {
+  if (!canvas_->content().picture) return;
   if (unpainted_)
     Q_EMIT answered(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() -
                                                               *std::exchange(unpainted_, std::nullopt))
                         .count());
-  if (!sameRays(shownRequest_, quality_.request(size))) orderSoon();  // on a screen of another pixel ratio
+  if (!sameRays(shownRequest_, quality_.request(pixelSize()))) orderSoon();  // on a screen of another pixel ratio
 }
 
-const QImage& Viewport::pixelsToShow() const {
-  for (const Over what : {Over::errors, Over::levelZero, Over::structure})
-    if (showsOver(what)) return laid_[static_cast<std::size_t>(what)].image;
-  return image_;
+const QImage& Viewport::shown() const {
+  if (picture_.pixels.isNull() && picture_) picture_.pixels = canvas_->read(picture_);
+  return picture_.pixels;
 }
 
 void Viewport::setOver(Over what, const QImage& image, const QImage& of,
@@ -165,7 +188,7 @@ void Viewport::setOver(Over what, const QImage& image, const QImage& of,
   laid_[static_cast<std::size_t>(what)] = {image.convertToFormat(QImage::Format_RGB32), of.cacheKey(),
                                            legend};
   placeButtons();
-  update();
+  paintCanvas();
 }
 
 // Once for all that changes in one turn of the event loop.
@@ -181,7 +204,7 @@ void Viewport::order() {
   const bool tellsAll = wantedHits(request) == app::PictureOrder::Hits::all;
   if (complete() && !tellsAll) return;
   const bool atRest = drawsRest();
-  const bool onItsWay = thread_.busy() && orderedChanges_ == changes_ && orderedAtRest_ == atRest &&
+  const bool onItsWay = thread_->busy() && orderedChanges_ == changes_ && orderedAtRest_ == atRest &&
                         sameRays(orderedRequest_, request);
   const bool isThere = current() && !bricksPending_ && !lightPending_ && shownAtRest_ == atRest &&
                        sameRays(shownRequest_, request) && !tellsAll;
@@ -197,9 +220,8 @@ void Viewport::order() {
   picture.request.lightUploadBytes = lightBytesPerFrame;
   picture.draft = quality_.stage() == app::PictureQuality::Stage::moving;
   picture.hits = wantedHits(request);
-  orderNumber_ = thread_.draw(std::move(picture));
+  orderNumber_ = thread_->draw(std::move(picture));
   awaited_.push_back({orderNumber_, view_, standsIn(), std::exchange(changed_, std::nullopt)});
-  pollTimer_.start();
 }
 
 void Viewport::setDrawing(bool draws) {
@@ -243,16 +265,27 @@ void Viewport::poll() {
     takeContext();
     return;
   }
-  auto result = thread_.take();
-  if (!thread_.busy()) {
-    pollTimer_.stop();
-    setDrawing(false);
-  }
+  auto result = thread_->take();
+  if (!thread_->busy()) setDrawing(false);
   if (!result) return;
   if (auto* const picture = std::get_if<app::DrawnPicture>(&*result))
     put(*picture);
   else if (const auto& failure = std::get<app::FailedPicture>(*result); failure.order == orderNumber_)
-    fail(reasonOf(failure.reason), QObject::tr(comesBack));
+    failedPicture(failure.reason);
+}
+
+void Viewport::failedPicture(const std::exception_ptr& reason) {
+  try {
+    std::rethrow_exception(reason);
+  } catch (const render::ContextLost& lost) {
+    // The next picture has another context; the window's, with which textures were shared, is lost for good.
+    if (canvas_->kind() == CanvasKind::textures)
+      setCanvas({CanvasKind::pixels, translatedSentence(lost.reason())});
+    Q_EMIT noted(tr("The graphics driver was reset; the image is drawn again"));
+    redraw();
+  } catch (...) {
+    fail(reasonOf(reason), QObject::tr(comesBack));
+  }
 }
 
 void Viewport::put(const app::DrawnPicture& picture) {
@@ -260,9 +293,13 @@ void Viewport::put(const app::DrawnPicture& picture) {
   const bool lights = now.view == shownAs_.view && shownAs_.standsIn && !now.standsIn;
   if (lights && picture.report.light.pending) return orderSoon();  // until all of its light is there
   const glm::ivec2 size = picture.color.size;
-  const QImage before = image_;
-  image_ = QImage(picture.color.rgba.data(), size.x, size.y, QImage::Format_RGBX8888)
-               .convertToFormat(QImage::Format_RGB32);
+  const CanvasPicture before = picture_;
+  picture_ = {};
+  if (picture.texture)
+    picture_.texture = picture.texture;
+  else
+    picture_.pixels = QImage(picture.color.rgba.data(), size.x, size.y, QImage::Format_RGBX8888)
+                          .convertToFormat(QImage::Format_RGB32);
   laid_ = {};
   legend_ = picture.report.legend;
   placeButtons();
@@ -274,10 +311,10 @@ void Viewport::put(const app::DrawnPicture& picture) {
   if (lights) fadeFrom(before);
   shownAs_ = now;
   showed(picture, now.view);
-  update();
+  paintCanvas();
 }
 
-void Viewport::fadeFrom(const QImage& before) {
+void Viewport::fadeFrom(const CanvasPicture& before) {
   before_ = before;
   sinceFade_.start();
   fadeTimer_.start(fadeStepMilliseconds);
@@ -394,7 +431,7 @@ render::StillPicture Viewport::picture(const StillWish& wish) {
   if (!ofScreen) order.request.pixelRatio = wish.pixelRatio;
   if (wish.camera) order.scene.camera = *wish.camera;
   order.scene.picture.transparent = scene_.picture.transparent;
-  thread_.drawStill(std::move(order));
+  thread_->drawStill(std::move(order));
   const std::unique_ptr<app::PictureThread::Still> still = awaitStill(what);
   changed();  // the order that was dropped for it
   if (!still)
@@ -439,10 +476,10 @@ std::unique_ptr<app::PictureThread::Still> Viewport::awaitStill(const QString& w
   setDrawing(true);
   waitFor(window(), {what,
                      [&] {
-                       still = thread_.takeStill();
+                       still = thread_->takeStill();
                        return still != nullptr;
                      },
-                     [this] { return thread_.stillFraction(); }, [this] { thread_.stopStill(); }});
+                     [this] { return thread_->stillFraction(); }, [this] { thread_->stopStill(); }});
   stillComes_ = false;
   setDrawing(false);
   return still;

@@ -1,7 +1,9 @@
 #include "ui/window/application.h"
 
 #include <clocale>
+#include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <string_view>
 
 #include <dlfcn.h>
@@ -15,10 +17,12 @@
 #include "app/files/state_folder.h"
 #include "app/process/caught_error.h"
 #include "app/version.h"
+#include "base/retire.h"
 #include "ui/document/preferences.h"
 #include "ui/language/language.h"
 #include "ui/theme/focus_ring.h"
 #include "ui/theme/interface_scale.h"
+#include "ui/viewport/canvas_choice.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/icons.h"
 #include "ui/window/main_window.h"
@@ -28,6 +32,8 @@
 namespace isolux::ui {
 
 namespace {
+constexpr double secondsToEnd = 1.0;
+
 bool isSet(const char* name) {
   const char* value = std::getenv(name);
   return value != nullptr && *value != '\0';
@@ -103,6 +109,28 @@ void finishApplication() {
   QGuiApplication::setApplicationDisplayName("Isolux");
 }
 
+std::string describeWindow() {
+  if (const auto problem = displayProblem()) return "none: " + *problem;
+  prepareApplication();
+  const scene::Canvas wish = keptMachine().canvas;
+  prepareCanvas(wish);
+  int argc = 1;
+  char name[] = "isolux";
+  char* argv[] = {name, nullptr};
+  const QApplication application(argc, argv);
+  return describe(chooseCanvas(wish)).toStdString();
+}
+
+namespace {
+
+scene::Canvas wishedCanvas(const app::WindowRequest& request) {
+  scene::Machine machine = keptMachine();
+  for (const std::string& assignment : request.machine) scene::applyAssignment(machine, assignment);
+  return machine.canvas;
+}
+
+}  // namespace
+
 int openWindow(const app::WindowRequest& request) {
   if (const auto problem = displayProblem()) {
     throw base::Error(base::ErrorKind::graphics, "", "no window",
@@ -112,6 +140,7 @@ int openWindow(const app::WindowRequest& request) {
   constexpr auto scaleVariable = "QT_SCALE_FACTOR";
   const bool scaleIsGiven = qEnvironmentVariableIsSet(scaleVariable);
   applyInterfaceScale(keptScale());
+  prepareCanvas(wishedCanvas(request));
   int argc = 1;
   char name[] = "isolux";
   char* argv[] = {name, nullptr};
@@ -120,7 +149,8 @@ int openWindow(const app::WindowRequest& request) {
   finishApplication();
 
   setLanguage(keptLanguage());
-  MainWindow window;
+  auto made = std::make_unique<MainWindow>();
+  MainWindow& window = *made;
   constexpr int turnMilliseconds = 150;  // views that are asked for by name
   window.viewport()->setTurnMilliseconds(turnMilliseconds);
   QObject::connect(&application, &QGuiApplication::commitDataRequest, &window, &MainWindow::commitData,
@@ -129,7 +159,14 @@ int openWindow(const app::WindowRequest& request) {
   window.open(request);
   window.greet();
   if (const auto folder = app::stateFolder(); !folder.empty()) window.keepDocument(folder / "autosave");
-  return QApplication::exec();
+  const int exitCode = QApplication::exec();
+  made.reset();
+  // Threads that draw have contexts of the window system, which goes with the application.
+  if (!base::awaitRetired(secondsToEnd)) {
+    std::fflush(nullptr);
+    std::_Exit(exitCode);
+  }
+  return exitCode;
 }
 
 }  // namespace isolux::ui

@@ -21,6 +21,10 @@ class Application : public QApplication {
 // base::Error{graphics} when no display can be reached.
 int openWindow(const app::WindowRequest& request);
 
+// Returns how the window would show images here, or why there would be none, in a line. Creates and destroys
+// a QApplication.
+std::string describeWindow();
+
 // Why no window can be shown on this machine, or nothing when one can. Asks before Qt is started, because Qt
 // aborts the process when it cannot reach its display.
 std::optional<std::string> displayProblem();

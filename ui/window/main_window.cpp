@@ -36,6 +36,7 @@
 #include "ui/panels/isovalue_panel.h"
 #include "ui/panels/light_status.h"
 #include "ui/panels/panel.h"
+#include "ui/panels/passes_panel.h"
 #include "ui/slices/slice_board.h"
 #include "ui/viewport/pointed_piece.h"
 #include "ui/viewport/viewport.h"
@@ -239,6 +240,8 @@ void MainWindow::connectDocument() {
   };
   connect(isovalue_, &IsovaluePanel::dragStarted, this, begin);
   connect(isovalue_, &IsovaluePanel::dragEnded, this, end);
+  connect(viewport_, &Viewport::reported, this,
+          [this] { panel<PassesPanel>()->setDisplay(describe(viewport_->canvas())); });
   for (const Docked& docked : panels_) {
     connect(viewport_, &Viewport::reported, docked.panel, &Panel::setReport);
     connect(docked.panel, &Panel::failed, this, showError);

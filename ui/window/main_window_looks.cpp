@@ -60,7 +60,9 @@ void MainWindow::connectLooks() {
 void MainWindow::tellAccuracy() {
   auto* const accuracy = panel<AccuracyPanel>();
   accuracy->setComplete(viewport_->complete());
-  accuracy->setPixels(viewport_->complete() ? viewport_->shown() : QImage(), viewport_->legend());
+  using Pixels = std::function<QImage()>;
+  accuracy->setPixels(viewport_->complete() ? Pixels([this] { return viewport_->shown(); }) : Pixels(),
+                      viewport_->legend());
   const VolumePointer& volume = document_->volume();
   const bool isLevel = volume && document_->shownLevel() > 0;
   levelZero_->setSource(isLevel ? std::optional(document_->scene().source) : std::nullopt);

@@ -21,6 +21,10 @@
 namespace isolux::test {
 namespace {
 
+app::PictureThread::Options inSoftware() {
+  return {.context = [] { return render::OffscreenContext::create(render::ContextChoice::software); }};
+}
+
 class PictureThreadGlTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -76,7 +80,7 @@ class PictureThreadGlTest : public testing::Test {
   }
 
   std::shared_ptr<const volume::PreparedVolume> volume_ = phantom("gyroid", 48);
-  app::PictureThread thread_{render::ContextChoice::software};
+  app::PictureThread thread_{inSoftware()};
 };
 
 }  // namespace
@@ -122,7 +126,7 @@ TEST_F(PictureThreadGlTest, TheNewestOrderIsDrawnAndIsRight) {
 TEST_F(PictureThreadGlTest, ItsOwnerWaitsForNothing) {
   long inCalls = std::numeric_limits<long>::max(), atTheEnd = inCalls;
   for (int i = 0; i < 5; ++i) {
-    auto thread = std::make_unique<app::PictureThread>(render::ContextChoice::software);
+    auto thread = std::make_unique<app::PictureThread>(inSoftware());
     ASSERT_TRUE(pollUntil([&] { return thread->context() != nullptr; }));
     app::PictureOrder large = order(30.0, {1024, 1024});
     large.draft = true;  // is not dropped: the thread goes on with it

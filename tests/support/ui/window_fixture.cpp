@@ -15,6 +15,7 @@
 #include <QWheelEvent>
 
 #include "tests/support/test_data.h"
+#include "ui/document/preferences.h"
 #include "ui/viewport/viewport.h"
 
 namespace isolux::test {
@@ -105,6 +106,9 @@ QString writeBall(int size, glm::dvec3 spacingMm) {
 
 void WindowTest::SetUp() {
   QSettings().clear();
+  // ISOLUX_TEST_CANVAS=textures (tests/ui/main.cpp): the same tests with pictures on the graphics card.
+  if (QCoreApplication::testAttribute(Qt::AA_ShareOpenGLContexts))
+    ui::keepMachine({}, {.canvas = scene::Canvas::textures});
   window_ = makeWindow();
 }
 

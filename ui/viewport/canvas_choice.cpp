@@ -1,0 +1,169 @@
+#include "ui/viewport/canvas_choice.h"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <optional>
+
+#include <QDir>
+#include <QGuiApplication>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QPainter>
+#include <QProcessEnvironment>
+#include <QSettings>
+#include <QStringList>
+#include <QSurfaceFormat>
+
+#include "base/error.h"
+#include "render/gl/gl.h"
+#include "render/gl/gl_objects.h"
+#include "ui/viewport/shared_context.h"
+
+namespace isolux::ui {
+
+namespace {
+
+constexpr auto measuredKey = "window/canvas_measured", measuredOnKey = "window/canvas_measured_on";
+constexpr glm::ivec2 measuredSize(1280, 900);
+
+// Whatever decides which driver answers, as far as it can be asked without a context.
+QStringList placeOfDrivers() {
+  QStringList place{qVersion()};
+  for (const char* const folder : {"/dev/dri", "/dev"})
+    place += QDir(folder).entryList({"render*", "card*", "nvidia*", "dxg"}, QDir::System | QDir::Files);
+  for (const QString& variable : QProcessEnvironment::systemEnvironment().toStringList())
+    for (const char* const name : {"DISPLAY=", "WAYLAND_DISPLAY=", "QT_", "LIBGL_", "MESA_", "GALLIUM_", "__"})
+      if (variable.startsWith(name)) place += variable;
+  return place;
+}
+
+// Why pixels are known to be the choice, or nothing.
+QString storedReason() {
+  const QSettings kept;
+  return kept.value(measuredOnKey).toStringList() == placeOfDrivers() ? kept.value(measuredKey).toString()
+                                                                      : QString();
+}
+
+template <class Work>
+double leastMilliseconds(Work work) {
+  constexpr int rounds = 3;
+  double least = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < rounds; ++round) {
+    const auto begin = std::chrono::steady_clock::now();
+    work();
+    least = std::min(
+        least, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
+  }
+  return least;
+}
+
+struct Measured {
+  double texturesMs = 0.0, pixelsMs = 0.0;
+};
+
+// What either canvas does between a finished picture and the window's own pixels.
+Measured measure(const render::GlPtr& gl) {
+  const render::Texture picture = render::Texture::make2D(gl, GL_RGBA8, measuredSize),
+                        canvas = render::Texture::make2D(gl, GL_RGBA8, measuredSize),
+                        window = render::Texture::make2D(gl, GL_RGBA8, measuredSize);
+  render::Program program(gl, "fullscreen.vert.glsl", "canvas.frag.glsl");
+  const render::VertexArray empty(gl);
+  const auto draw = [&](const render::Texture& from, const render::Texture& to) {
+    const render::Framebuffer target(gl, {&to});
+    gl->BindFramebuffer(GL_FRAMEBUFFER, target.id());
+    gl->Viewport(0, 0, measuredSize.x, measuredSize.y);
+    program.setTexture("uPicture", 0, from);
+    program.set("uSize", measuredSize);
+    gl->UseProgram(program.id());
+    gl->BindVertexArray(empty.id());
+    gl->DrawArrays(GL_TRIANGLES, 0, 3);
+  };
+  QImage shown(measuredSize.x, measuredSize.y, QImage::Format_RGB32);
+  const auto readBack = [&](QImage& pixels, const render::Texture& from) {
+    gl->GetTextureImage(from.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(pixels.sizeInBytes()),
+                        pixels.bits());
+  };
+  QImage pixels(shown.size(), QImage::Format_RGBX8888);
+  return {leastMilliseconds([&] {
+            draw(picture, canvas);  // by the canvas, then by the composition of the window
+            draw(canvas, window);
+            readBack(pixels, window);  // a software driver puts it onto the screen from main memory
+          }),
+          leastMilliseconds([&] {
+            readBack(pixels, picture);
+            const QImage upright = pixels.mirrored().convertToFormat(QImage::Format_RGB32);
+            QPainter(&shown).drawImage(0, 0, upright);
+          })};
+}
+
+CanvasChoice pixelsBecause(const QString& why) {
+  return {CanvasKind::pixels, why};
+}
+
+CanvasChoice textures(const QString& why) {
+  return {CanvasKind::textures, why, sharedContext()};
+}
+
+CanvasChoice chooseWith(QOpenGLContext& window, scene::Canvas wish) {
+  QOffscreenSurface surface;
+  surface.setFormat(window.format());
+  surface.create();
+  if (!window.makeCurrent(&surface)) return pixelsBecause(QObject::tr("OpenGL of the window does not work"));
+  const auto gl = render::Gl::load(
+      [&](const char* name) { return reinterpret_cast<void*>(window.getProcAddress(name)); });
+  const QString driver = QString::fromStdString(gl->string(GL_RENDERER));
+  std::optional<Measured> measured;
+  if (wish == scene::Canvas::automatic && gl->software) measured = measure(gl);
+  window.doneCurrent();
+  if (wish == scene::Canvas::textures) return textures(QObject::tr("window.canvas asks for it; %1").arg(driver));
+  if (!measured) return textures(driver);
+  const QString figures = QObject::tr("%1: textures take %2 ms, pixels %3 ms")
+                              .arg(driver)
+                              .arg(measured->texturesMs, 0, 'f', 1)
+                              .arg(measured->pixelsMs, 0, 'f', 1);
+  if (measured->texturesMs < measured->pixelsMs) return textures(figures);
+  QSettings kept;
+  kept.setValue(measuredKey, figures);
+  kept.setValue(measuredOnKey, placeOfDrivers());
+  return pixelsBecause(figures);
+}
+
+}  // namespace
+
+void prepareCanvas(scene::Canvas wish) {
+  if (wish == scene::Canvas::pixels) return;
+  if (wish == scene::Canvas::automatic && !storedReason().isEmpty()) return;
+  QSurfaceFormat format;
+  format.setVersion(4, 5);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  format.setOption(QSurfaceFormat::ResetNotification);
+  format.setDepthBufferSize(0);
+  format.setStencilBufferSize(0);
+  QSurfaceFormat::setDefaultFormat(format);
+  QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+}
+
+CanvasChoice chooseCanvas(scene::Canvas wish) {
+  if (wish == scene::Canvas::pixels) return pixelsBecause(QObject::tr("window.canvas asks for it"));
+  if (!QCoreApplication::testAttribute(Qt::AA_ShareOpenGLContexts)) {
+    const QString reason = wish == scene::Canvas::automatic ? storedReason() : QString();
+    return pixelsBecause(reason.isEmpty() ? QObject::tr("window.canvas takes effect at the next start") : reason);
+  }
+  QOpenGLContext* const window = QOpenGLContext::globalShareContext();
+  if (window == nullptr || !window->isValid())
+    return pixelsBecause(QObject::tr("the window system offers no OpenGL"));
+  try {
+    return chooseWith(*window, wish);
+  } catch (const base::Error& error) {
+    return pixelsBecause(QString::fromStdString(error.reason()));
+  }
+}
+
+QString describe(const CanvasChoice& choice) {
+  return choice.kind == CanvasKind::textures
+             ? QObject::tr("images stay on the graphics card as textures (%1)").arg(choice.why)
+             : QObject::tr("images are copied to main memory (%1)").arg(choice.why);
+}
+
+}  // namespace isolux::ui

@@ -1,0 +1,61 @@
+#include "ui/viewport/shared_context.h"
+
+#include <QGuiApplication>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+
+#include "base/error.h"
+#include "render/gl/gl.h"
+
+namespace isolux::ui {
+
+namespace {
+
+[[noreturn]] void fail(const char* reason) {
+  throw base::Error(base::ErrorKind::graphics, "", "OpenGL", reason);
+}
+
+class SharedContext final : public render::OffscreenContext {
+ public:
+  explicit SharedContext(std::shared_ptr<QOffscreenSurface> surface) : surface_(std::move(surface)) {
+    QOpenGLContext* const window = QOpenGLContext::globalShareContext();
+    context_.setFormat(window->format());
+    context_.setShareContext(window);
+    if (!context_.create()) fail("the window system creates no second context");
+    if (!QOpenGLContext::areSharing(&context_, window)) fail("the driver shares no objects between contexts");
+    SharedContext::makeCurrent();
+    gl_ = render::Gl::load(
+        [this](const char* name) { return reinterpret_cast<void*>(context_.getProcAddress(name)); });
+    description_ = {"Qt " + QGuiApplication::platformName().toStdString() + ", shared with the window",
+                    gl_->string(GL_VENDOR),
+                    gl_->string(GL_RENDERER),
+                    gl_->string(GL_VERSION),
+                    gl_->string(GL_SHADING_LANGUAGE_VERSION),
+                    gl_->software};
+  }
+  ~SharedContext() override { context_.doneCurrent(); }
+  void makeCurrent() override {
+    if (!context_.makeCurrent(surface_.get())) fail("the window system cannot make the context current");
+  }
+  const render::ContextDescription& description() const override { return description_; }
+  std::shared_ptr<const render::Gl> gl() const override { return gl_; }
+
+ private:
+  std::shared_ptr<QOffscreenSurface> surface_;
+  QOpenGLContext context_;
+  std::shared_ptr<const render::Gl> gl_;
+  render::ContextDescription description_;
+};
+
+}  // namespace
+
+std::function<std::unique_ptr<render::OffscreenContext>()> sharedContext() {
+  // Made, used and destroyed by different threads; windows belong to that of the application.
+  const std::shared_ptr<QOffscreenSurface> surface(new QOffscreenSurface,
+                                                   [](QOffscreenSurface* made) { made->deleteLater(); });
+  surface->setFormat(QOpenGLContext::globalShareContext()->format());
+  surface->create();
+  return [surface] { return std::make_unique<SharedContext>(surface); };
+}
+
+}  // namespace isolux::ui

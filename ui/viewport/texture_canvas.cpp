@@ -1,0 +1,99 @@
+#include "ui/viewport/texture_canvas.h"
+
+#include <utility>
+
+#include <QOpenGLContext>
+
+namespace isolux::ui {
+
+TextureCanvas::Objects::Objects(render::GlPtr pointer)
+    : gl(std::move(pointer)), program(gl, "fullscreen.vert.glsl", "canvas.frag.glsl"), empty(gl) {}
+
+TextureCanvas::TextureCanvas(QWidget* parent, Painted painted)
+    : QOpenGLWidget(parent), Canvas(std::move(painted)) {
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+}
+
+TextureCanvas::~TextureCanvas() {
+  release();
+}
+
+void TextureCanvas::release() {
+  if (!objects_) return;
+  makeCurrent();
+  objects_.reset();
+  doneCurrent();
+}
+
+void TextureCanvas::initializeGL() {
+  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &TextureCanvas::release,
+          Qt::UniqueConnection);
+  objects_.emplace(render::Gl::load(
+      [this](const char* name) { return reinterpret_cast<void*>(context()->getProcAddress(name)); }));
+}
+
+GLuint TextureCanvas::overTexture(const QImage& over) {
+  Objects& own = *objects_;
+  if (own.overKey == over.cacheKey()) return own.over.id();
+  const QImage image = over.convertToFormat(QImage::Format_RGBX8888);
+  own.over = render::Texture::make2D(own.gl, GL_RGBA8, {image.width(), image.height()});
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    own.gl->TextureParameteri(own.over.id(), filter, GL_LINEAR);
+  own.gl->TextureSubImage2D(own.over.id(), 0, 0, 0, image.width(), image.height(), GL_RGBA, GL_UNSIGNED_BYTE,
+                            image.constBits());
+  own.overKey = over.cacheKey();
+  return own.over.id();
+}
+
+// Sets all state that it relies on: Qt's widgets are drawn with another context.
+void TextureCanvas::draw(const CanvasContent& shown) {
+  Objects& own = *objects_;
+  const render::Gl& gl = *own.gl;
+  const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
+  gl.Viewport(0, 0, pixels.width(), pixels.height());
+  const bool isOver = !shown.over.isNull(), fades = shown.opacityBefore > 0.0;
+  shown.picture.texture->await(gl);
+  if (fades) shown.before.texture->await(gl);
+  gl.BindTextureUnit(0, isOver ? overTexture(shown.over) : shown.picture.texture->texture());
+  gl.BindTextureUnit(1, fades ? shown.before.texture->texture() : 0);
+  own.program.set("uPicture", 0);
+  own.program.set("uBefore", 1);
+  own.program.set("uOpacityBefore", fades ? static_cast<float>(shown.opacityBefore) : 0.0F);
+  own.program.set("uSize", glm::ivec2(pixels.width(), pixels.height()));
+  own.program.set("uTopRowFirst", isOver ? 1 : 0);
+  gl.UseProgram(own.program.id());
+  gl.BindVertexArray(own.empty.id());
+  gl.DrawArrays(GL_TRIANGLES, 0, 3);
+  gl.BindVertexArray(0);
+  gl.UseProgram(0);
+  shown.picture.texture->readUntilHere(gl);
+  if (fades) shown.before.texture->readUntilHere(gl);
+}
+
+void TextureCanvas::paintGL() {
+  const CanvasContent& shown = content();
+  if (shown.picture.texture) {
+    draw(shown);
+  } else {
+    const float ground[4] = {canvasGround[0], canvasGround[1], canvasGround[2], 1.0F};
+    objects_->gl->ClearNamedFramebufferfv(defaultFramebufferObject(), GL_COLOR, 0, ground);
+  }
+  painted();
+}
+
+QImage TextureCanvas::read(const CanvasPicture& picture) {
+  if (!picture.texture) return picture.pixels;
+  makeCurrent();
+  if (!objects_) return {};  // never shown
+  const render::Gl& gl = *objects_->gl;
+  QImage image(picture.size(), QImage::Format_RGBX8888);
+  picture.texture->await(gl);
+  gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
+  gl.GetTextureImage(picture.texture->texture(), 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                     static_cast<GLsizei>(image.sizeInBytes()), image.bits());
+  picture.texture->readUntilHere(gl);
+  doneCurrent();
+  return image.mirrored().convertToFormat(QImage::Format_RGB32);
+}
+
+}  // namespace isolux::ui
