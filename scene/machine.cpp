@@ -36,7 +36,7 @@ std::vector<MachineSetting> makeMachineSettings() {
   list.push_back(choiceEntry<Machine>(
       "window.canvas", ISOLUX_MEMBER(canvas),
       "How the window shows images: as textures that stay on the graphics card, or as pixels copied to main "
-      "memory. auto uses textures on a graphics card. Takes effect at the next start."));
+      "memory. auto uses textures on a graphics card. A change to textures may need a restart."));
   return list;
 }
 

@@ -1,6 +1,5 @@
 #include "app/jobs/picture_thread.h"
 
-#include <chrono>
 #include <system_error>
 #include <utility>
 
@@ -105,7 +104,7 @@ void PictureThread::Work::draw(const Numbered& numbered) {
   try {
     render::Renderer& draws = rendererFor(order);
     DrawnPicture drawn{
-        numbered.number, order.request, draws.render(order.scene, order.request), {}, {}, {}, 0.0};
+        numbered.number, order.request, draws.render(order.scene, order.request), {}, {}, {}, 0.0, {}};
     if (ring)
       drawn.texture = ring->hand(draws.color());
     else
@@ -113,8 +112,8 @@ void PictureThread::Work::draw(const Numbered& numbered) {
     if (order.hits != PictureOrder::Hits::none)
       drawn.hitVoxels = draws.hitVoxels(order.hits == PictureOrder::Hits::all);
     made->gl()->throwIfLost();
-    drawn.milliseconds =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    drawn.finished = std::chrono::steady_clock::now();
+    drawn.milliseconds = std::chrono::duration<double, std::milli>(drawn.finished - begin).count();
     results.put(std::make_unique<Result>(std::move(drawn)));
   } catch (...) {
     const std::exception_ptr failure = std::current_exception();

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <exception>
 #include <functional>
@@ -51,7 +52,8 @@ struct DrawnPicture {
   render::ColorImage color;
   std::shared_ptr<const render::HandedPicture> texture;  // instead of `color`, if the thread hands textures
   gi::SeenPoints hitVoxels;
-  double milliseconds = 0.0;  // until it could be taken
+  double milliseconds = 0.0;                       // until it was finished
+  std::chrono::steady_clock::time_point finished;  // when it could be taken
 };
 
 struct FailedPicture {

@@ -2,7 +2,6 @@
 // user's.
 #include <cstdio>
 #include <cstdlib>
-#include <string_view>
 
 #include <QSettings>
 
@@ -26,8 +25,10 @@ int main(int argc, char** argv) {
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
                      QString::fromStdString(isolux::test::temporaryFolder().string()));
   qputenv("XDG_STATE_HOME", QByteArray::fromStdString(isolux::test::temporaryFolder().string()));
-  if (const char* const canvas = std::getenv("ISOLUX_TEST_CANVAS"); canvas && std::string_view(canvas) == "textures")
-    isolux::ui::prepareCanvas(isolux::scene::Canvas::textures);
+  // textures: pictures stay on the graphics card. none: the same is asked of a window system without OpenGL.
+  const QByteArray canvas = qgetenv("ISOLUX_TEST_CANVAS");
+  if (canvas == "none") qputenv("QT_XCB_GL_INTEGRATION", "none");
+  if (!canvas.isEmpty()) isolux::ui::prepareCanvas(isolux::scene::Canvas::textures);
   const isolux::ui::Application application(argc, argv);
   isolux::ui::finishApplication();
   isolux::test::boundEachTest();

@@ -25,7 +25,7 @@ namespace isolux::ui {
 namespace {
 
 constexpr auto measuredKey = "window/canvas_measured", measuredOnKey = "window/canvas_measured_on";
-constexpr glm::ivec2 measuredSize(1280, 900);
+constexpr glm::ivec2 measuredSize(640, 450);
 
 // Whatever decides which driver answers, as far as it can be asked without a context.
 QStringList placeOfDrivers() {

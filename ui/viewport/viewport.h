@@ -143,8 +143,9 @@ class Viewport : public QWidget {
   void cutMenuAsked(const QPoint& onScreen, const isolux::app::CutGrip& grip);
   void toolChanged();
   void drawn(double milliseconds, bool complete);
-  // A picture is on screen that shows a change of this long ago (the first, where it shows several).
-  void answered(double milliseconds);
+  // A picture is on screen that shows a change of this long ago (the first, where it shows several). It was
+  // finished `sinceFinished` ago.
+  void answered(double milliseconds, double sinceFinished);
   void drawing(bool begins);  // pictures are on their way, or none is any more
   // The surface points of a picture that is lit by stored light, voxel coordinates; `finer`: of more rays
   // than those told of the same view.
@@ -177,6 +178,7 @@ class Viewport : public QWidget {
   void orderSoon();
   void order();
   app::PictureOrder orderOf(const render::FrameRequest& request, bool atRest);
+  void awaitContext(const QString& what);
   void awaitFields(const QString& what);
   std::unique_ptr<app::PictureThread::Still> awaitStill(const QString& what);
   app::PictureOrder::Hits wantedHits(const render::FrameRequest& request) const;
@@ -282,6 +284,7 @@ class Viewport : public QWidget {
   // When the first change came that was not ordered yet, and that is shown by the next painting.
   using Moment = std::chrono::steady_clock::time_point;
   std::optional<Moment> changed_, unpainted_;
+  Moment finished_{};  // when the picture on screen was
   struct Awaited {
     std::uint64_t order, view;
     bool standsIn;                  // lit without the stored light that its scene asks for

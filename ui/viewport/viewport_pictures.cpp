@@ -171,10 +171,10 @@ void Viewport::paintCanvas() {
 
 void Viewport::painted() {
   if (!canvas_->content().picture) return;
-  if (unpainted_)
-    Q_EMIT answered(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() -
-                                                              *std::exchange(unpainted_, std::nullopt))
-                        .count());
+  const auto since = [now = std::chrono::steady_clock::now()](Moment moment) {
+    return std::chrono::duration<double, std::milli>(now - moment).count();
+  };
+  if (unpainted_) Q_EMIT answered(since(*std::exchange(unpainted_, std::nullopt)), since(finished_));
   if (!sameRays(shownRequest_, quality_.request(pixelSize()))) orderSoon();  // on a screen of another pixel ratio
 }
 
@@ -301,6 +301,7 @@ void Viewport::put(const app::DrawnPicture& picture) {
     picture_.pixels = QImage(picture.color.rgba.data(), size.x, size.y, QImage::Format_RGBX8888)
                           .convertToFormat(QImage::Format_RGB32);
   laid_ = {};
+  finished_ = picture.finished;
   legend_ = picture.report.legend;
   placeButtons();
   // A draft that comes after a change is shown all the same, so that the view moves.
@@ -418,9 +419,10 @@ render::StillPicture Viewport::picture(const StillWish& wish) {
   const auto refuse = [](const QString& why) {
     throw base::Error(base::ErrorKind::graphics, "", "", why.toStdString());
   };
-  if (!hasContext_ || failed_) refuse(tr("there is no image to save"));
   if (stillComes_) refuse(tr("another image is being saved"));
   const QString what = wish.what.isEmpty() ? tr("Drawing the image") : wish.what;
+  awaitContext(what);
+  if (!hasContext_ || failed_) refuse(tr("there is no image to save"));
   awaitFields(what);
   const bool ofScreen = wish.size == glm::ivec2(0);
   render::FrameRequest request;
@@ -445,6 +447,16 @@ render::StillPicture Viewport::picture(const StillWish& wish) {
   } catch (...) {
     throw base::Error(base::ErrorKind::graphics, "", "", reasonOf(std::current_exception()).toStdString());
   }
+}
+
+// Of a window that was just opened.
+void Viewport::awaitContext(const QString& what) {
+  bool stopped = hasContext_ || failed_;
+  stillComes_ = true;
+  if (!stopped)
+    waitFor(window(), {what, [&] { return hasContext_ || failed_ || stopped; }, [] { return 0.0; },
+                       [&] { stopped = true; }});
+  stillComes_ = false;
 }
 
 // Throws what ended the job.

@@ -2,6 +2,7 @@
 #include "app/jobs/picture_thread.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <limits>
 #include <thread>
@@ -14,6 +15,7 @@
 #include "render/renderer.h"
 #include "scene/camera.h"
 #include "scene/rules/automatic.h"
+#include "tests/support/losing_context.h"
 #include "tests/support/own_waits.h"
 #include "tests/support/poll.h"
 #include "tests/support/volumes.h"
@@ -175,6 +177,39 @@ TEST_F(PictureThreadGlTest, APictureThatFailsSaysWhyAndTheNextComes) {
   const app::PictureOrder good = order(30.0);
   thread_.draw(good);
   EXPECT_EQ(nextPicture().color.rgba, expected(good));
+}
+
+TEST_F(PictureThreadGlTest, AfterAResetOfTheDriverTheNextPictureHasAnotherContext) {
+  std::atomic<int> contexts{0}, news{0};
+  app::PictureThread thread(
+      {.context =
+           [&] {
+             ++contexts;
+             return std::make_unique<LosingContext>(
+                 render::OffscreenContext::create(render::ContextChoice::software));
+           },
+       .news = [&] { ++news; }});
+  const auto result = [&] {
+    std::optional<app::PictureThread::Result> taken;
+    EXPECT_TRUE(pollUntil([&] { return (taken = thread.take()).has_value(); }));
+    return std::move(*taken);
+  };
+  ASSERT_TRUE(pollUntil([&] { return thread.context() != nullptr; }));
+  thread.draw(order(30.0));
+  EXPECT_TRUE(std::holds_alternative<app::DrawnPicture>(result()));
+  LosingContext::lost = true;
+  thread.draw(order(31.0));
+  const app::PictureThread::Result failed = result();
+  LosingContext::lost = false;
+  ASSERT_TRUE(std::holds_alternative<app::FailedPicture>(failed));
+  EXPECT_THROW(std::rethrow_exception(std::get<app::FailedPicture>(failed).reason), render::ContextLost);
+  EXPECT_EQ(contexts, 1);
+  thread.draw(order(31.0));
+  const app::PictureThread::Result next = result();
+  ASSERT_TRUE(std::holds_alternative<app::DrawnPicture>(next));
+  EXPECT_EQ(std::get<app::DrawnPicture>(next).color.rgba, expected(order(31.0)));
+  EXPECT_EQ(contexts, 2);
+  EXPECT_TRUE(pollUntil([&] { return news == 4; })) << "one of the context and one of each result";
 }
 
 TEST_F(PictureThreadGlTest, AStillIsDrawnWhateverIsOrderedMeanwhile) {

@@ -97,11 +97,11 @@ TEST_F(PreferencesTest, WhatTheCommandLineSaysHoldsForOneRun) {
 }
 
 TEST_F(PreferencesTest, WhatDoesNotFitIsPassedOver) {
+  scene::Machine expected = ui::keptMachine();
+  expected.motionTarget = 70.0;
   QSettings().setValue("machine/memory.gpu_budget_mb", "-5");
   QSettings().setValue("machine/memory.layout", "[[[");
   QSettings().setValue("machine/picture.motion_target", "70.0");
-  scene::Machine expected;
-  expected.motionTarget = 70.0;
   EXPECT_EQ(ui::keptMachine(), expected);
 }
 

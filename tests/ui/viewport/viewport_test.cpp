@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "scene/camera.h"
+#include "ui/document/preferences.h"
 #include "ui/viewport/viewport.h"
 
 namespace isolux::test {
@@ -209,7 +210,7 @@ TEST_F(ViewportTest, APictureInMotionOfTheFullSizeIsRefinedToo) {
   const auto draw = [&](double fov, int supersampling, double target) {
     scene.camera.fov = resolved.camera.fov = fov;
     scene.picture.supersampling = resolved.picture.supersampling = supersampling;
-    scene::Machine machine;
+    scene::Machine machine = ui::keptMachine();
     machine.motionTarget = target;
     viewport()->setMachine(machine);
     viewport()->setScene(scene, resolved);

@@ -1,0 +1,32 @@
+// A context whose driver is reset when the test says so.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <utility>
+
+#include "render/gl/gl.h"
+#include "render/gl/gl_context.h"
+
+namespace isolux::test {
+
+class LosingContext final : public render::OffscreenContext {
+ public:
+  // While true, contexts say that they are lost.
+  static inline std::atomic<bool> lost{false};
+
+  explicit LosingContext(std::unique_ptr<render::OffscreenContext> real) : real_(std::move(real)) {
+    auto table = std::make_shared<render::Gl>(*real_->gl());
+    table->GetGraphicsResetStatus = []() -> GLenum { return lost ? GL_UNKNOWN_CONTEXT_RESET : GL_NO_ERROR; };
+    gl_ = std::move(table);
+  }
+  void makeCurrent() override { real_->makeCurrent(); }
+  const render::ContextDescription& description() const override { return real_->description(); }
+  std::shared_ptr<const render::Gl> gl() const override { return gl_; }
+
+ private:
+  std::unique_ptr<render::OffscreenContext> real_;
+  std::shared_ptr<const render::Gl> gl_;
+};
+
+}  // namespace isolux::test

@@ -1,0 +1,160 @@
+// Measures, for both canvases in turns, how long a finished picture takes to the screen, and how soon moves
+// of the mouse are answered.
+//
+//   isolux_canvas_time [--rounds N] [--moves N] [--size WxH] [--set PATH=VALUE]... PATH
+//
+// `size` is that of the picture, in pixels of the screen. Needs a display; without one:
+// xvfb-run -a -s "-screen 0 3840x2400x24" isolux_canvas_time ...
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <map>
+#include <vector>
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QElapsedTimer>
+#include <QMouseEvent>
+#include <QSettings>
+#include <QTemporaryDir>
+
+#include "scene/machine.h"
+#include "scene/settings.h"
+#include "ui/viewport/canvas_choice.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/application.h"
+#include "ui/window/main_window.h"
+
+namespace {
+
+using namespace isolux;
+
+bool waitUntil(const std::function<bool()>& condition, int milliseconds = 120000) {
+  QElapsedTimer timer;
+  timer.start();
+  while (!condition()) {
+    if (timer.elapsed() > milliseconds) return false;
+    QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 5);
+  }
+  return true;
+}
+
+struct Times {
+  std::vector<double> answers, toScreen;  // ms
+};
+
+void sendMouse(QWidget* widget, QEvent::Type type, QPointF position, Qt::MouseButton button) {
+  QMouseEvent event(type, position, widget->mapToGlobal(position), button, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(widget, &event);
+}
+
+// A drag of so many moves, a display's frame apart. What was painted in an event is on its way to the screen
+// when the event has been processed.
+void dragAbout(ui::Viewport* viewport, int moves, Times& times) {
+  QElapsedTimer sincePainted;
+  std::vector<double> painted;
+  const auto connection = QObject::connect(viewport, &ui::Viewport::answered,
+                                           [&](double milliseconds, double sinceFinished) {
+                                             times.answers.push_back(milliseconds);
+                                             painted.push_back(sinceFinished);
+                                             sincePainted.start();
+                                           });
+  const QPointF middle(viewport->rect().center());
+  sendMouse(viewport, QEvent::MouseButtonPress, middle, Qt::LeftButton);
+  for (int move = 0; move < moves; ++move) {
+    sendMouse(viewport, QEvent::MouseMove, middle + QPointF(move % 200 - 100, (move * 7) % 80 - 40),
+              Qt::NoButton);
+    QElapsedTimer frame;
+    frame.start();
+    while (frame.nsecsElapsed() < 16'700'000) {
+      QCoreApplication::processEvents(QEventLoop::AllEvents, 2);
+      for (const double before : painted)
+        times.toScreen.push_back(before + static_cast<double>(sincePainted.nsecsElapsed()) * 1e-6);
+      painted.clear();
+    }
+  }
+  QMouseEvent release(QEvent::MouseButtonRelease, middle, viewport->mapToGlobal(middle), Qt::LeftButton,
+                      Qt::NoButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(viewport, &release);
+  QObject::disconnect(connection);
+}
+
+void print(const char* what, std::vector<double> times) {
+  if (times.empty()) return;
+  std::sort(times.begin(), times.end());
+  const auto at = [&](double part) {
+    return times[std::min(times.size() - 1, static_cast<std::size_t>(part * static_cast<double>(times.size())))];
+  };
+  std::printf("  %s: median %.1f ms, 99 %% %.1f ms, longest %.1f ms (%zu)\n", what, at(0.5), at(0.99),
+              times.back(), times.size());
+}
+
+int measure(const QCommandLineParser& options) {
+  const QStringList size = options.value("size").split('x');
+  const QSize wanted(size.value(0).toInt(), size.value(1).toInt());
+  ui::MainWindow window;
+  window.show();
+  app::WindowRequest request;
+  request.scene.source.path = options.positionalArguments().value(0, "phantom:head").toStdString();
+  for (const QString& assignment : options.values("set"))
+    if (const std::string text = assignment.toStdString(); scene::isOfMachine(text))
+      request.machine.push_back(text);
+    else
+      scene::applyAssignment(request.scene, text);
+  window.open(request);
+  ui::Viewport* const viewport = window.viewport();
+  window.resize(window.size() + wanted - viewport->size());
+  const auto complete = [&] { return window.document()->volume() && viewport->complete(); };
+  if (!waitUntil(complete)) {
+    std::fprintf(stderr, "isolux_canvas_time: no picture\n");
+    return 1;
+  }
+  std::printf("%d x %d pixels\n", viewport->pixelSize().x, viewport->pixelSize().y);
+  std::map<ui::CanvasKind, Times> times;
+  for (int round = 0; round < options.value("rounds").toInt(); ++round)
+    for (const auto wish : {scene::Canvas::textures, scene::Canvas::pixels}) {
+      viewport->setCanvas(ui::chooseCanvas(wish));
+      waitUntil(complete);
+      Times warmUp;
+      dragAbout(viewport, 40, warmUp);
+      dragAbout(viewport, options.value("moves").toInt(), times[viewport->canvas().kind]);
+      waitUntil(complete);
+    }
+  for (const auto& [kind, of] : times) {
+    std::printf("%s\n", kind == ui::CanvasKind::textures ? "textures" : "pixels");
+    print("finished to screen", of.toScreen);
+    print("move to picture", of.answers);
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    if (const auto problem = ui::displayProblem()) {
+      std::fprintf(stderr, "isolux_canvas_time: %s\n", problem->c_str());
+      return 1;
+    }
+    ui::prepareApplication();
+    const QTemporaryDir settings;  // the user's recent files and window size are not touched
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
+    ui::prepareCanvas(scene::Canvas::textures);
+    const QApplication application(argc, argv);
+    ui::finishApplication();
+    QCommandLineParser options;
+    options.addOptions({{"rounds", "Rounds of both canvases.", "N", "3"},
+                        {"moves", "Moves of the mouse in each.", "N", "200"},
+                        {"size", "Size of the picture.", "WxH", "1280x900"},
+                        {"set", "Override one setting.", "PATH=VALUE"}});
+    options.addPositionalArgument("PATH", "What to open.");
+    options.addHelpOption();
+    options.process(application);
+    return measure(options);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "isolux_canvas_time: %s\n", error.what());
+    return 1;
+  }
+}
