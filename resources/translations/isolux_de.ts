@@ -801,6 +801,42 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <source>Rotatable</source>
         <translation>Drehbar</translation>
     </message>
+    <message>
+        <source>Image display</source>
+        <translation>Bildanzeige</translation>
+    </message>
+    <message>
+        <source>OpenGL of the window does not work</source>
+        <translation>das OpenGL des Fensters arbeitet nicht</translation>
+    </message>
+    <message>
+        <source>set by window.canvas; %1</source>
+        <translation>von window.canvas vorgegeben; %1</translation>
+    </message>
+    <message>
+        <source>%1: textures take %2 ms, pixels %3 ms</source>
+        <translation>%1: Texturen brauchen %2 ms, Pixel %3 ms</translation>
+    </message>
+    <message>
+        <source>set by window.canvas</source>
+        <translation>von window.canvas vorgegeben</translation>
+    </message>
+    <message>
+        <source>window.canvas takes effect at the next start</source>
+        <translation>window.canvas wirkt ab dem nächsten Start</translation>
+    </message>
+    <message>
+        <source>the window system offers no OpenGL</source>
+        <translation>das Fenstersystem bietet kein OpenGL</translation>
+    </message>
+    <message>
+        <source>images stay on the graphics card as textures (%1)</source>
+        <translation>Bilder bleiben als Texturen auf der Grafikkarte (%1)</translation>
+    </message>
+    <message>
+        <source>images are copied to main memory (%1)</source>
+        <translation>Bilder werden in den Hauptspeicher kopiert (%1)</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -3283,6 +3319,10 @@ Ein Werkzeug aus dem Menü Messen wählen, dann auf die Oberfläche klicken: Pin
         <source>Active blocks: %1 of %2 (%3 %)</source>
         <translation>Aktive Blöcke: %1 von %2 (%3 %)</translation>
     </message>
+    <message>
+        <source>Display: %1</source>
+        <translation>Anzeige: %1</translation>
+    </message>
 </context>
 <context>
     <name>isolux::ui::PictureDialog</name>
@@ -4360,6 +4400,14 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     <message>
         <source>Show</source>
         <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Images are copied through main memory: %1</source>
+        <translation>Bilder werden über den Hauptspeicher kopiert: %1</translation>
+    </message>
+    <message>
+        <source>The graphics driver was reset; the image is drawn again</source>
+        <translation>Der Grafiktreiber wurde zurückgesetzt; das Bild wird neu gezeichnet</translation>
     </message>
 </context>
 <context>
@@ -6273,6 +6321,10 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     <message>
         <source>Two opposite corners &quot;x,y,z; x,y,z&quot; of each removed box, at most eight boxes. Everything inside them is clipped; they may extend beyond the volume.</source>
         <translation>Je zwei gegenüberliegende Ecken „x,y,z; x,y,z“ der entfernten Quader, höchstens acht. Alles in ihnen wird weggeschnitten; sie dürfen über das Volumen hinausreichen.</translation>
+    </message>
+    <message>
+        <source>How the window shows images: as textures that stay on the graphics card, or as pixels copied to main memory. auto uses textures on a graphics card. A change to textures may need a restart.</source>
+        <translation>Wie das Fenster Bilder zeigt: als Texturen, die auf der Grafikkarte bleiben, oder als Pixel, die in den Hauptspeicher kopiert werden. auto nimmt Texturen, wo es eine Grafikkarte gibt. Ein Wechsel zu Texturen kann einen Neustart brauchen.</translation>
     </message>
 </context>
 <context>
@@ -8510,6 +8562,14 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     <message>
         <source>Voxel access of derivatives</source>
         <translation>Voxelzugriff der Ableitungen</translation>
+    </message>
+    <message>
+        <source>Textures</source>
+        <translation>Texturen</translation>
+    </message>
+    <message>
+        <source>canvas</source>
+        <translation>Leinwand</translation>
     </message>
 </context>
 </TS>

@@ -116,7 +116,7 @@ CanvasChoice chooseWith(QOpenGLContext& window, scene::Canvas wish) {
   std::optional<Measured> measured;
   if (wish == scene::Canvas::automatic && gl->software) measured = measure(gl);
   window.doneCurrent();
-  if (wish == scene::Canvas::textures) return textures(QObject::tr("window.canvas asks for it; %1").arg(driver));
+  if (wish == scene::Canvas::textures) return textures(QObject::tr("set by window.canvas; %1").arg(driver));
   if (!measured) return textures(driver);
   const QString figures = QObject::tr("%1: textures take %2 ms, pixels %3 ms")
                               .arg(driver)
@@ -145,7 +145,7 @@ void prepareCanvas(scene::Canvas wish) {
 }
 
 CanvasChoice chooseCanvas(scene::Canvas wish) {
-  if (wish == scene::Canvas::pixels) return pixelsBecause(QObject::tr("window.canvas asks for it"));
+  if (wish == scene::Canvas::pixels) return pixelsBecause(QObject::tr("set by window.canvas"));
   if (!QCoreApplication::testAttribute(Qt::AA_ShareOpenGLContexts)) {
     const QString reason = wish == scene::Canvas::automatic ? storedReason() : QString();
     return pixelsBecause(reason.isEmpty() ? QObject::tr("window.canvas takes effect at the next start") : reason);

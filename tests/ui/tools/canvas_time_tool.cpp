@@ -5,6 +5,8 @@
 //
 // `size` is that of the picture, in pixels of the screen. Needs a display; without one:
 // xvfb-run -a -s "-screen 0 3840x2400x24" isolux_canvas_time ...
+#include <time.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -18,6 +20,7 @@
 #include <QMouseEvent>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <QThread>
 
 #include "scene/machine.h"
 #include "scene/settings.h"
@@ -40,18 +43,37 @@ bool waitUntil(const std::function<bool()>& condition, int milliseconds = 120000
   return true;
 }
 
+// Tells when the window system has been given what a turn of painting has made.
+class Application : public QApplication {
+ public:
+  using QApplication::QApplication;
+  std::function<void()> updated;
+  bool notify(QObject* receiver, QEvent* event) override {
+    const bool isUpdate = event->type() == QEvent::UpdateRequest;
+    const bool done = QApplication::notify(receiver, event);
+    if (isUpdate && updated) updated();
+    return done;
+  }
+};
+
 struct Times {
   std::vector<double> answers, toScreen;  // ms
+  double processorMs = 0.0;               // of the window's thread
 };
+
+double threadMilliseconds() {
+  timespec now{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
+}
 
 void sendMouse(QWidget* widget, QEvent::Type type, QPointF position, Qt::MouseButton button) {
   QMouseEvent event(type, position, widget->mapToGlobal(position), button, Qt::LeftButton, Qt::NoModifier);
   QCoreApplication::sendEvent(widget, &event);
 }
 
-// A drag of so many moves, a display's frame apart. What was painted in an event is on its way to the screen
-// when the event has been processed.
-void dragAbout(ui::Viewport* viewport, int moves, Times& times) {
+// A drag of so many moves, a display's frame apart.
+void dragAbout(Application& application, ui::Viewport* viewport, int moves, Times& times) {
   QElapsedTimer sincePainted;
   std::vector<double> painted;
   const auto connection = QObject::connect(viewport, &ui::Viewport::answered,
@@ -60,6 +82,12 @@ void dragAbout(ui::Viewport* viewport, int moves, Times& times) {
                                              painted.push_back(sinceFinished);
                                              sincePainted.start();
                                            });
+  application.updated = [&] {
+    for (const double until : painted)
+      times.toScreen.push_back(until + static_cast<double>(sincePainted.nsecsElapsed()) * 1e-6);
+    painted.clear();
+  };
+  const double before = threadMilliseconds();
   const QPointF middle(viewport->rect().center());
   sendMouse(viewport, QEvent::MouseButtonPress, middle, Qt::LeftButton);
   for (int move = 0; move < moves; ++move) {
@@ -69,14 +97,14 @@ void dragAbout(ui::Viewport* viewport, int moves, Times& times) {
     frame.start();
     while (frame.nsecsElapsed() < 16'700'000) {
       QCoreApplication::processEvents(QEventLoop::AllEvents, 2);
-      for (const double before : painted)
-        times.toScreen.push_back(before + static_cast<double>(sincePainted.nsecsElapsed()) * 1e-6);
-      painted.clear();
+      QThread::usleep(200);  // another thread draws
     }
   }
   QMouseEvent release(QEvent::MouseButtonRelease, middle, viewport->mapToGlobal(middle), Qt::LeftButton,
                       Qt::NoButton, Qt::NoModifier);
   QCoreApplication::sendEvent(viewport, &release);
+  application.updated = {};
+  times.processorMs += threadMilliseconds() - before;
   QObject::disconnect(connection);
 }
 
@@ -90,7 +118,7 @@ void print(const char* what, std::vector<double> times) {
               times.back(), times.size());
 }
 
-int measure(const QCommandLineParser& options) {
+int measure(Application& application, const QCommandLineParser& options) {
   const QStringList size = options.value("size").split('x');
   const QSize wanted(size.value(0).toInt(), size.value(1).toInt());
   ui::MainWindow window;
@@ -117,14 +145,16 @@ int measure(const QCommandLineParser& options) {
       viewport->setCanvas(ui::chooseCanvas(wish));
       waitUntil(complete);
       Times warmUp;
-      dragAbout(viewport, 40, warmUp);
-      dragAbout(viewport, options.value("moves").toInt(), times[viewport->canvas().kind]);
+      dragAbout(application, viewport, 40, warmUp);
+      dragAbout(application, viewport, options.value("moves").toInt(), times[viewport->canvas().kind]);
       waitUntil(complete);
     }
   for (const auto& [kind, of] : times) {
     std::printf("%s\n", kind == ui::CanvasKind::textures ? "textures" : "pixels");
     print("finished to screen", of.toScreen);
     print("move to picture", of.answers);
+    std::printf("  processor of the window's thread: %.1f ms a picture\n",
+                of.processorMs / static_cast<double>(std::max<std::size_t>(of.answers.size(), 1)));
   }
   return 0;
 }
@@ -142,7 +172,7 @@ int main(int argc, char** argv) {
     QSettings::setDefaultFormat(QSettings::IniFormat);
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
     ui::prepareCanvas(scene::Canvas::textures);
-    const QApplication application(argc, argv);
+    Application application(argc, argv);
     ui::finishApplication();
     QCommandLineParser options;
     options.addOptions({{"rounds", "Rounds of both canvases.", "N", "3"},
@@ -152,7 +182,7 @@ int main(int argc, char** argv) {
     options.addPositionalArgument("PATH", "What to open.");
     options.addHelpOption();
     options.process(application);
-    return measure(options);
+    return measure(application, options);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "isolux_canvas_time: %s\n", error.what());
     return 1;
