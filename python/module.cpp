@@ -313,7 +313,7 @@ void defineVolume(py::module_& module) {
 std::string doctor(const py::object& told) {
   const auto text = std::make_shared<std::ostringstream>();
   Desk desk([] {});
-  desk.run([text](base::Progress& progress) { app::printDoctor(*text, progress); }, told);
+  desk.run([text](base::Progress& progress) { app::printDoctor(*text, "", progress); }, told);
   return text->str();
 }
 
