@@ -15,6 +15,8 @@
 #include "tests/support/test_data.h"
 #include "tests/support/ui/dialog_answers.h"
 #include "tests/support/ui/time_bound.h"
+#include "render/gl/gl_messages.h"
+#include "render/gl/handed_picture.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/message_bar.h"
 
@@ -165,7 +167,9 @@ TEST_F(WindowTest, AVisitOfRandomActionsEndsWithThePictureOfItsSession) {
     ASSERT_FALSE(visitor.window().viewport()->problem())
         << "seed " << seed << ", action " << i << ": " << name << ": "
         << visitor.window().viewport()->problem()->toStdString();
+    ASSERT_LE(render::PictureRing::textures(), 7u) << "seed " << seed << ", action " << i << ": " << name;
   }
+  EXPECT_EQ(render::glErrorCount(), 0u) << render::glErrors().front();
   visitor.settle();
 
   const QString session = folder + "/end.isolux", shown = folder + "/window.png",
