@@ -185,6 +185,7 @@ Renderer::~Renderer() = default;
 
 void Renderer::setMachine(const scene::Machine& machine) {
   parts_->memory = machine.memory;
+  parts_->memory.gpuBudgetMb = parts_->frame.gl->budgetMb(machine.memory.gpuBudgetMb);
   parts_->executor = machine.executor;
 }
 

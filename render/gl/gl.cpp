@@ -6,12 +6,6 @@
 namespace isolux::render {
 
 namespace {
-bool isSoftware(const std::string& renderer) {
-  for (const char* name : {"llvmpipe", "softpipe", "swrast", "SWR", "Software Rasterizer"})
-    if (renderer.find(name) != std::string::npos) return true;
-  return false;
-}
-
 [[noreturn]] void fail(const std::string& reason) {
   throw base::Error(base::ErrorKind::graphics, "", "OpenGL", reason);
 }
@@ -33,9 +27,7 @@ std::shared_ptr<const Gl> Gl::load(const GlLoader& loader) {
   if (!gl->name) fail("the driver has no gl" #name);
 #include "render/gl/gl_functions.inc"
 #undef ISOLUX_GL
-  gl->software = isSoftware(gl->string(GL_RENDERER));
-  gl->GetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &gl->max3dTexture);
-  gl->GetIntegerv(GL_MAX_TEXTURE_SIZE, &gl->maxImage);
+  static_cast<GlLimits&>(*gl) = askLimits(*gl);
   listenToGl(*gl);
   return gl;
 }

@@ -10,18 +10,16 @@
 
 #include <GL/glcorearb.h>
 
+#include "render/gl/gl_limits.h"
+
 namespace isolux::render {
 
 using GlLoader = std::function<void*(const char* name)>;
 
-struct Gl {
+struct Gl : GlLimits {
 #define ISOLUX_GL(type, name) type name = nullptr;
 #include "render/gl/gl_functions.inc"
 #undef ISOLUX_GL
-
-  bool software = true;    // a CPU rasteriser (llvmpipe, softpipe, swrast)
-  GLint max3dTexture = 0;  // texels per axis
-  GLint maxImage = 0;      // texels per axis of an image that is drawn into
 
   // Loads every function, checks the version and records errors (render/gl/gl_messages.h). Requires a current
   // context. Throws base::Error{graphics} naming the first missing function or the version found.
