@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "render/gl/gl_messages.h"
+#include "render/gl/program_cache.h"
 
 namespace isolux::render {
 
@@ -28,6 +29,7 @@ std::shared_ptr<const Gl> Gl::load(const GlLoader& loader) {
 #include "render/gl/gl_functions.inc"
 #undef ISOLUX_GL
   static_cast<GlLimits&>(*gl) = askLimits(*gl);
+  gl->programs = std::make_shared<ProgramCache>(*gl, programStore());
   listenToGl(*gl);
   return gl;
 }

@@ -14,12 +14,16 @@
 
 namespace isolux::render {
 
+class ProgramCache;
+
 using GlLoader = std::function<void*(const char* name)>;
 
 struct Gl : GlLimits {
 #define ISOLUX_GL(type, name) type name = nullptr;
 #include "render/gl/gl_functions.inc"
 #undef ISOLUX_GL
+
+  std::shared_ptr<ProgramCache> programs;  // of the context; null: every program is compiled
 
   // Loads every function, checks the version and records errors (render/gl/gl_messages.h). Requires a current
   // context. Throws base::Error{graphics} naming the first missing function or the version found.

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "render/gl/gl_messages.h"
+#include "render/gl/program_cache.h"
 #include "render/gl/shader_library.h"
 
 namespace isolux::render {
@@ -223,6 +224,9 @@ Program::Program(const GlPtr& gl, const std::string& vertex, const std::string& 
 Program Program::ofTexts(const GlPtr& gl, const std::string& vertex, const std::string& fragment,
                          const std::string& words) {
   Program program(gl, gl->CreateProgram());
+  ProgramCache* const cache = gl->programs.get();
+  if (cache && cache->load(*gl, program.id(), vertex, fragment)) return program;
+  if (cache) cache->beforeLink(*gl, program.id());
   const Shader vertexShader = compiled(gl, GL_VERTEX_SHADER, vertex, words);
   const Shader fragmentShader = compiled(gl, GL_FRAGMENT_SHADER, fragment, words);
   gl->AttachShader(program.id(), vertexShader.id());
@@ -237,6 +241,7 @@ Program Program::ofTexts(const GlPtr& gl, const std::string& vertex, const std::
     gl->GetProgramInfoLog(program.id(), sizeof log, nullptr, log);
     throw std::logic_error("program " + words + " does not link: " + log);
   }
+  if (cache) cache->store(*gl, program.id(), vertex, fragment);
   return program;
 }
 
