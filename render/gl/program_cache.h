@@ -25,7 +25,7 @@ struct ProgramStore {
   std::filesystem::path folder;  // created with the first file; empty: nothing is stored
   std::string version;           // of Isolux
   // Software rasterisers, too. Mesa has a cache of its own for them, which also holds machine code: figures
-  // in docs/developers/frame-graph.md.
+  // in docs/records/2026-11-benchmarks.md, First picture.
   bool software = false;
   std::uint64_t mostBytes = std::uint64_t{64} << 20;
 };
