@@ -13,6 +13,7 @@
 #include "app/documents/session.h"
 #include "app/documents/session_accuracy.h"
 #include "app/files/image_io.h"
+#include "app/process/program_store.h"
 #include "app/process/thread_limit.h"
 #include "app/version.h"
 #include "base/error.h"
@@ -324,6 +325,7 @@ std::string doctor(const py::object& told) {
 PYBIND11_MODULE(_isolux, module) {
   using namespace isolux::python;
   namespace py = pybind11;
+  isolux::app::storePrograms();
   module.doc() = "What isolux has of C++; use the module isolux.";
   py::register_exception_translator(translate);
   defineWishes(module);

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "render/empty_picture.h"
 #include "render/gl/gl_messages.h"
+#include "render/gl/program_cache.h"
 #include "render/graph/pass_declarations.h"
 #include "render/passes/curvature_ranges.h"
 #include "render/passes/cut_faces_pass.h"
@@ -185,6 +186,7 @@ Renderer::~Renderer() = default;
 
 void Renderer::setMachine(const scene::Machine& machine) {
   parts_->memory = machine.memory;
+  parts_->memory.gpuBudgetMb = parts_->frame.gl->budgetMb(machine.memory.gpuBudgetMb);
   parts_->executor = machine.executor;
 }
 
@@ -461,6 +463,7 @@ const FrameReport& Renderer::render(const scene::Scene& asked, const FrameReques
     const double flat = parts.frame.flatCurvature();
     parts.report.curvature = {measureRange(scene, surface, flat), ridgeThresholds(scene, surface, flat)};
   }
+  if (gl.programs) parts.report.programs = gl.programs->counts();
   if (request.color) parts.report.legend = parts.frame.legend;
   parts.report.surfaceChanged = std::exchange(parts.hitsChanged, false);
   parts.report.milliseconds = millisecondsSince(begin);

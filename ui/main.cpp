@@ -4,6 +4,7 @@
 
 #include "app/commands/command_line.h"
 #include "app/process/last_resort.h"
+#include "app/process/program_store.h"
 #include "base/retire.h"
 #include "ui/window/application.h"
 
@@ -15,7 +16,9 @@ __attribute__((section(".preinit_array"),
 
 int main(int argc, char** argv) {
   constexpr double secondsToEnd = 1.0;
-  const int exitCode = isolux::app::runCommandLine(argc, argv, isolux::ui::openWindow, isolux::ui::describeWindow);
+  isolux::app::storePrograms();
+  const int exitCode =
+      isolux::app::runCommandLine(argc, argv, isolux::ui::openWindow, isolux::ui::describeWindow);
   if (isolux::base::awaitRetired(secondsToEnd)) return exitCode;
   // A thread is stuck, perhaps in a read from a dead disk: it must not see the program's statics go.
   std::fflush(nullptr);

@@ -13,9 +13,12 @@
 #include "app/commands/command.h"
 #include "app/commands/doctor.h"
 #include "app/process/external_program.h"
+#include "app/process/program_store.h"
 #include "app/version.h"
 #include "base/memory_budget.h"
 #include "base/number_text.h"
+#include "render/gl/gl.h"
+#include "render/gl/program_cache.h"
 #include "render/graph/pass.h"
 #include "render/passes/processor.h"
 #include "render/renderer.h"
@@ -70,14 +73,40 @@ double hitMilliseconds(render::Renderer& renderer, const scene::Scene& scene, sc
   return least;
 }
 
+std::string storedProgramsText() {
+  const std::filesystem::path folder = programFolder();
+  if (folder.empty()) return "none: the user has no home folder";
+  const render::StoredPrograms stored = render::storedPrograms(folder);
+  return std::to_string(stored.count) + " programs, " + bytesText(stored.bytes) + ", in " + folder.string();
+}
+
+// Prints what the driver has of what Isolux uses, and what follows.
+void printLimits(std::ostream& out, const render::Gl& gl) {
+  out << "\nLimits and extensions of this OpenGL:\n";
+  for (const render::GlFact& fact : render::glFacts(gl)) {
+    out << "  " << fact.use.name << ": " << fact.value << " (" << fact.use.purpose << ')';
+    if (fact.value != "yes") out << "; " << fact.use.without;
+    out << '\n';
+  }
+  const int asked = scene::Memory{}.gpuBudgetMb;
+  if (gl.software)
+    out << "  Textures are in main memory, and linked programs are not stored: the driver has its own "
+           "cache.\n";
+  else if (gl.memoryBytes == 0)
+    out << "  The memory of the card is unknown; memory.gpu_budget_mb (default " << asked
+        << ") limits its use.\n";
+  else
+    out << "  The card has " << bytesText(gl.memoryBytes) << "; memory.gpu_budget_mb (default " << asked
+        << ") is limited to " << gl.budgetMb(std::numeric_limits<int>::max()) << ".\n";
+}
+
 // Which executor finds hits and gradients sooner here, and which one is taken.
-void printExecutors(std::ostream& out, base::Progress& progress) {
-  const auto context = render::OffscreenContext::create(render::ContextChoice::automatic);
-  context->makeCurrent();
+void printExecutors(std::ostream& out, const std::shared_ptr<const render::Gl>& gl,
+                    base::Progress& progress) {
   scene::Source source;
   source.path = "phantom:gyroid:96";
   const auto prepared = volume::loadVolume(source, progress);
-  render::Renderer renderer(context->gl());
+  render::Renderer renderer(gl);
   renderer.setVolume(prepared);
   const scene::Scene scene = scene::resolve({}, prepared->facts);
   scene::Scene cubic = scene;
@@ -87,7 +116,7 @@ void printExecutors(std::ostream& out, base::Progress& progress) {
            base::shortText(hitMilliseconds(renderer, cubic, executor), 3) + " ms";
   };
   out << "\nHits and gradients of an image of 256x256 (phantom:gyroid:96):\n";
-  const bool taken = render::takesProcessor(scene::Executor::automatic, *context->gl());
+  const bool taken = render::takesProcessor(scene::Executor::automatic, *gl);
   out << (taken ? "  " : "* ") << "gpu: " << measured(scene::Executor::gpu) << '\n';
   if (!volume::SurfaceCaster::available()) {
     out << "  cpu: this CPU lacks the vector instructions needed\n";
@@ -114,6 +143,7 @@ void printDoctor(std::ostream& out, const std::string& window, base::Progress& p
   row(out, "CLI11", CLI11_VERSION);
   row(out, "ffmpeg", movieText(progress));
   if (!window.empty()) row(out, "window", window);
+  row(out, "shader cache", storedProgramsText());
 
   out << "\nGraphics contexts without a window (OpenGL 4.5 core), in the order they are tried:\n";
   std::string chosen;
@@ -129,7 +159,11 @@ void printDoctor(std::ostream& out, const std::string& window, base::Progress& p
   else
     out << "* " << chosen
         << " is the choice of --context auto: first a GPU through EGL, then OSMesa, then software EGL.\n";
-  if (!chosen.empty()) printExecutors(out, progress);
+  if (chosen.empty()) return;
+  const auto context = render::OffscreenContext::create(render::ContextChoice::automatic);
+  context->makeCurrent();
+  printLimits(out, *context->gl());
+  printExecutors(out, context->gl(), progress);
 }
 
 Command makeDoctor(CLI::App& program, const std::function<std::string()>& describeWindow) {

@@ -76,6 +76,8 @@ ordered_json renderJson(const scene::Scene& scene, const render::FrameRequest& r
   json["bake"] = bakeJson(light.state());
   json["exposure"] = exposureJson(scene, light.light().get());
   json["accuracy"] = accuracy ? accuracyJson(*accuracy) : ordered_json(nullptr);
+  const render::ProgramCounts& programs = drawn.picture.report.programs;
+  json["programs"] = {{"compiled", programs.compiled}, {"cached", programs.cached}};
   json["gpu_bytes"] = drawn.picture.report.gpuBytes;
   json["peak_bytes"] = peakBytes();
   json["parts"] = partsJson(prepared.grid());

@@ -43,6 +43,13 @@ fs::path configFolder() {
   return home.empty() ? fs::path() : home / ".config" / "isolux";
 }
 
+fs::path cacheFolder() {
+  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache != nullptr && *cache == '/')
+    return fs::path(cache) / "isolux";
+  const fs::path home = homeFolder();
+  return home.empty() ? fs::path() : home / ".cache" / "isolux";
+}
+
 void makePrivateFolder(const fs::path& folder) {
   std::error_code error;
   if (fs::is_directory(folder, error)) return;

@@ -1,16 +1,11 @@
 #include "render/gl/gl.h"
 
 #include "render/gl/gl_messages.h"
+#include "render/gl/program_cache.h"
 
 namespace isolux::render {
 
 namespace {
-bool isSoftware(const std::string& renderer) {
-  for (const char* name : {"llvmpipe", "softpipe", "swrast", "SWR", "Software Rasterizer"})
-    if (renderer.find(name) != std::string::npos) return true;
-  return false;
-}
-
 [[noreturn]] void fail(const std::string& reason) {
   throw base::Error(base::ErrorKind::graphics, "", "OpenGL", reason);
 }
@@ -32,9 +27,8 @@ std::shared_ptr<const Gl> Gl::load(const GlLoader& loader) {
   if (!gl->name) fail("the driver has no gl" #name);
 #include "render/gl/gl_functions.inc"
 #undef ISOLUX_GL
-  gl->software = isSoftware(gl->string(GL_RENDERER));
-  gl->GetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &gl->max3dTexture);
-  gl->GetIntegerv(GL_MAX_TEXTURE_SIZE, &gl->maxImage);
+  static_cast<GlLimits&>(*gl) = askLimits(*gl);
+  gl->programs = std::make_shared<ProgramCache>(*gl, programStore());
   listenToGl(*gl);
   return gl;
 }

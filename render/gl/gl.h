@@ -11,8 +11,11 @@
 #include <GL/glcorearb.h>
 
 #include "base/error.h"
+#include "render/gl/gl_limits.h"
 
 namespace isolux::render {
+
+class ProgramCache;
 
 using GlLoader = std::function<void*(const char* name)>;
 
@@ -22,14 +25,12 @@ class ContextLost : public base::Error {
   ContextLost() : Error(base::ErrorKind::graphics, "", "", "the graphics driver was reset") {}
 };
 
-struct Gl {
+struct Gl : GlLimits {
 #define ISOLUX_GL(type, name) type name = nullptr;
 #include "render/gl/gl_functions.inc"
 #undef ISOLUX_GL
 
-  bool software = true;    // a CPU rasteriser (llvmpipe, softpipe, swrast)
-  GLint max3dTexture = 0;  // texels per axis
-  GLint maxImage = 0;      // texels per axis of an image that is drawn into
+  std::shared_ptr<ProgramCache> programs;  // of the context; null: every program is compiled
 
   // Loads every function, checks the version and records errors (render/gl/gl_messages.h). Requires a current
   // context. Throws base::Error{graphics} naming the first missing function or the version found.

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "render/gl/gl_messages.h"
+#include "render/gl/program_cache.h"
 #include "render/gl/shader_library.h"
 
 namespace isolux::render {
@@ -80,12 +81,25 @@ base::MemoryBudget::Held ownMemory(const Gl& gl, std::size_t bytes, const char* 
   return base::machineMemory().reserve(bytes, what, remedy);
 }
 
+// Throws where something is larger than the driver allows.
+void checkSize(const char* what, std::size_t asked, GLint most, const char* unit) {
+  if (asked <= static_cast<std::size_t>(std::max(most, 0))) return;
+  throw base::Error(base::ErrorKind::memory, "", "graphics memory",
+                    std::string(what) + " of " + std::to_string(asked) + ' ' + unit +
+                        " is too large for this driver, which allows " + std::to_string(most));
+}
+
+std::size_t longestOf(glm::ivec3 size) {
+  return static_cast<std::size_t>(std::max({size.x, size.y, size.z, 0}));
+}
+
 constexpr const char* kSmallerPicture = "a smaller image or a lower picture.supersampling needs less";
 constexpr const char* kLessOnGpu = "a lower memory.gpu_budget_mb needs less";
 
 }  // namespace
 
 Texture Texture::make2D(const GlPtr& gl, GLenum internalFormat, glm::ivec2 size) {
+  checkSize("an image", longestOf({size, 1}), gl->maxImage, "texels on an axis");
   const std::size_t bytes =
       static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * texelBytes(internalFormat);
   auto held = ownMemory(*gl, bytes, "an image of the picture", kSmallerPicture);
@@ -102,6 +116,7 @@ Texture Texture::make2D(const GlPtr& gl, GLenum internalFormat, glm::ivec2 size)
 }
 
 Texture Texture::make3D(const GlPtr& gl, GLenum internalFormat, glm::ivec3 size, bool linear) {
+  checkSize("a volume", longestOf(size), gl->max3dTexture, "texels on an axis");
   const std::size_t bytes = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
                             static_cast<std::size_t>(size.z) * texelBytes(internalFormat);
   auto held = ownMemory(*gl, bytes, "the volume's texture", kLessOnGpu);
@@ -123,8 +138,8 @@ std::vector<float> Texture::readFloats(int channels, const volume::Rectangle& pa
   base::machineMemory().check(count * sizeof(float), "a copy of the image", kSmallerPicture);
   std::vector<float> values(count);
   gl().PixelStorei(GL_PACK_ALIGNMENT, 1);
-  // Sizes are 32 bits for GL: rows at a time.
-  constexpr std::size_t most = std::size_t{1} << 28;  // bytes
+  // Rows at a time: sizes are 32 bits for GL, and a card does nothing else during one copy.
+  constexpr std::size_t most = std::size_t{1} << 25;  // bytes
   const int rows = static_cast<int>(std::max<std::size_t>(most / (row * sizeof(float)), 1));
   for (int y = 0; y < part.size.y; y += rows) {
     const int height = std::min(rows, part.size.y - y);
@@ -156,6 +171,8 @@ void Buffer::write(std::size_t offset, const void* data, std::size_t bytes) {
 BufferTexture::BufferTexture(const Buffer& buffer, GLenum internalFormat)
     : GlObject(buffer.pointer(),
                created([&](GLuint* id) { buffer.gl().CreateTextures(GL_TEXTURE_BUFFER, 1, id); })) {
+  checkSize("a texture in a buffer", buffer.bytes() / texelBytes(internalFormat), gl().maxBufferTexels,
+            "texels");
   gl().TextureBuffer(id(), internalFormat, buffer.id());
 }
 
@@ -207,6 +224,9 @@ Program::Program(const GlPtr& gl, const std::string& vertex, const std::string& 
 Program Program::ofTexts(const GlPtr& gl, const std::string& vertex, const std::string& fragment,
                          const std::string& words) {
   Program program(gl, gl->CreateProgram());
+  ProgramCache* const cache = gl->programs.get();
+  if (cache && cache->load(*gl, program.id(), vertex, fragment)) return program;
+  if (cache) cache->beforeLink(*gl, program.id());
   const Shader vertexShader = compiled(gl, GL_VERTEX_SHADER, vertex, words);
   const Shader fragmentShader = compiled(gl, GL_FRAGMENT_SHADER, fragment, words);
   gl->AttachShader(program.id(), vertexShader.id());
@@ -221,6 +241,7 @@ Program Program::ofTexts(const GlPtr& gl, const std::string& vertex, const std::
     gl->GetProgramInfoLog(program.id(), sizeof log, nullptr, log);
     throw std::logic_error("program " + words + " does not link: " + log);
   }
+  if (cache) cache->store(*gl, program.id(), vertex, fragment);
   return program;
 }
 

@@ -59,7 +59,8 @@ void deleteQuery(const Gl& gl, GLuint id);
 class Texture : public GlObject<deleteTexture> {
  public:
   Texture() = default;
-  // Create a texture. `internalFormat`: GL_RGBA32F ...; nearest filtering, clamped.
+  // Create a texture. `internalFormat`: GL_RGBA32F ...; nearest filtering, clamped. Throw
+  // base::Error{memory}: an axis is longer than the driver allows, or memory is short.
   static Texture make2D(const GlPtr& gl, GLenum internalFormat, glm::ivec2 size);
   static Texture make3D(const GlPtr& gl, GLenum internalFormat, glm::ivec3 size, bool linear);
   glm::ivec3 size() const { return size_; }
@@ -96,6 +97,7 @@ class Buffer : public GlObject<deleteBuffer> {
 class BufferTexture : public GlObject<deleteTexture> {
  public:
   BufferTexture() = default;
+  // Throws base::Error{memory} if the buffer has more texels than the driver allows.
   BufferTexture(const Buffer& buffer, GLenum internalFormat);
 };
 

@@ -122,12 +122,19 @@ struct CurvatureReport {
   glm::dvec2 ridgeThresholds{0.0};  // of ridges, of valleys
 };
 
+// Programs of the renderer's context since it was made: those that the driver compiled, and those that the
+// cache had (render/gl/program_cache.h).
+struct ProgramCounts {
+  std::size_t compiled = 0, cached = 0;
+};
+
 struct FrameReport {
   std::vector<PassReport> passes;
   double milliseconds = 0.0;  // wall time of the frame, GL finished
   std::size_t blocksActive = 0, blocksTotal = 0;
   BrickReport bricks;
   LightReport light;
+  ProgramCounts programs;
   std::optional<CurvatureReport> curvature;
   // The surface points changed since the last completed frame: Renderer::hitVoxels() differs.
   bool surfaceChanged = false;

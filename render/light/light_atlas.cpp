@@ -66,11 +66,11 @@ double meanOfOpenSky(const gi::PictureLight& light) {
 
 }  // namespace
 
-LightAtlas::LightAtlas(GlPtr gl) : gl_(std::move(gl)), pages_(gl_), texels_(gl_) {
-  GLint most = 0;
-  gl_->GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);  // words
-  mostBufferBytes_ = static_cast<std::size_t>(std::max(most, 0)) * sizeof(std::uint32_t);
-}
+LightAtlas::LightAtlas(GlPtr gl)
+    : gl_(std::move(gl)),
+      pages_(gl_),
+      texels_(gl_),
+      mostBufferBytes_(static_cast<std::size_t>(std::max(gl_->maxBufferTexels, 0)) * sizeof(std::uint32_t)) {}
 
 std::size_t LightAtlas::slotBytes() const {
   return static_cast<std::size_t>(layout_.words()) * gi::kTexelsOfBlock * sizeof(std::uint32_t);
@@ -232,9 +232,13 @@ bool LightAtlas::reserve(std::size_t slots) {
   const std::size_t wanted = std::min(std::max({slots, 2 * capacity_, kFirstSlots}), most);
   Buffer larger(gl_);
   larger.setData(nullptr, wanted * slotBytes());
-  if (used_ > 0)
-    gl_->CopyNamedBufferSubData(texels_.id(), larger.id(), 0, 0,
-                                static_cast<GLsizeiptr>(used_ * slotBytes()));
+  constexpr std::size_t mostAtOnce = std::size_t{1} << 25;  // bytes: a few milliseconds of a card
+  for (std::size_t from = 0; from < used_ * slotBytes(); from += mostAtOnce) {
+    const auto bytes = static_cast<GLsizeiptr>(std::min(mostAtOnce, used_ * slotBytes() - from));
+    gl_->CopyNamedBufferSubData(texels_.id(), larger.id(), static_cast<GLintptr>(from),
+                                static_cast<GLintptr>(from), bytes);
+    gl_->Flush();
+  }
   texels_ = std::move(larger);
   texelsTexture_ = BufferTexture(texels_, layout_.words() % 2 == 0 ? GL_RG32UI : GL_R32UI);
   capacity_ = wanted;

@@ -90,24 +90,46 @@ void FrameState::drawRectangles(const Program& program,
                                 const std::vector<volume::Rectangle>& rectangles) const {
   gl->UseProgram(program.id());
   gl->BindVertexArray(emptyArray_.id());
-  drawParts(rectangles, [this] { gl->DrawArrays(GL_TRIANGLES, 0, 3); });
+  drawParts(program, rectangles, [this] { gl->DrawArrays(GL_TRIANGLES, 0, 3); });
 }
 
 void FrameState::drawStarts(const Program& program) const {
   gl->UseProgram(program.id());
-  drawParts({{glm::ivec2(0), drawing_}}, [this] { starts->draw(); });
+  drawParts(program, {{glm::ivec2(0), drawing_}}, [this] { starts->draw(); });
 }
 
-void FrameState::drawParts(const Parts& parts, const std::function<void()>& draw) const {
+void FrameState::drawParts(const Program& program, const Parts& parts,
+                           const std::function<void()>& draw) const {
   gl->Enable(GL_SCISSOR_TEST);
   const bool inBricks = volume && !onProcessor.all && volume->bricks();  // their rounds are drawn to the end
-  if (gl->software && request.stop.stop_possible() && !inBricks) {
+  const bool timed = !gl->software && gl->timestampBits > 0;
+  if (!timed && request.stop.stop_possible() && !inBricks) {
     drawInBands(parts, draw);
   } else {
-    for (const volume::Rectangle& one : parts)
-      drawPart(raysOfRound ? volume::common(one, *raysOfRound) : one, draw);
+    Parts drawn = parts;
+    if (raysOfRound)
+      for (volume::Rectangle& one : drawn) one = volume::common(one, *raysOfRound);
+    if (timed)
+      drawTimed(program, drawn, draw);
+    else
+      for (const volume::Rectangle& one : drawn) drawPart(one, draw);
   }
   gl->Disable(GL_SCISSOR_TEST);
+}
+
+void FrameState::drawTimed(const Program& program, const Parts& parts,
+                           const std::function<void()>& draw) const {
+  const bool inBricks = volume && !onProcessor.all && volume->bricks();
+  PartTimer& timer = timers_.try_emplace(program.id(), gl).first->second;
+  PartCutter rest(parts);
+  timer.beginDraw();
+  while (!rest.done() && (inBricks || !request.stop.stop_requested())) {
+    const int rays = timer.beginPart();
+    const Parts part = rest.next(rays);
+    for (const volume::Rectangle& one : part) drawPart(one, draw);
+    timer.endPart(raysOf(part));
+  }
+  timer.endDraw();
 }
 
 void FrameState::drawPart(const volume::Rectangle& part, const std::function<void()>& draw) const {

@@ -12,6 +12,7 @@
 #include "gi/picture_light.h"
 #include "gi/seen_points.h"
 #include "render/gl/image_pool.h"
+#include "render/gl/part_timer.h"
 #include "render/graph/frame.h"
 #include "render/graph/pass.h"
 #include "render/passes/processor.h"
@@ -148,8 +149,9 @@ struct FrameState {
   Program& program(const std::string& fragment, const std::string& defines = "");
   void begin(const Target& target) const;
   void begin(const Target& target, glm::ivec2 size) const;
-  // After a stop request, the rest stays undrawn. Software rasterisers draw in bands of a few milliseconds,
-  // because a draw call cannot be interrupted.
+  // After a stop request, the rest stays undrawn. Draws are cut, because a draw call cannot be interrupted:
+  // on a software rasteriser into bands of a few milliseconds, on a graphics card into parts of at most about
+  // 10 ms (render/gl/draw_parts.h).
   void drawFullscreen(const Program& program) const;
   void drawRectangles(const Program& program, const std::vector<volume::Rectangle>& rectangles) const;
   // Draws only where rays can meet anything. Requires a program with TILES.
@@ -176,7 +178,8 @@ struct FrameState {
 
  private:
   using Parts = std::vector<volume::Rectangle>;
-  void drawParts(const Parts& parts, const std::function<void()>& draw) const;
+  void drawParts(const Program& program, const Parts& parts, const std::function<void()>& draw) const;
+  void drawTimed(const Program& program, const Parts& parts, const std::function<void()>& draw) const;
   void drawInBands(const Parts& parts, const std::function<void()>& draw) const;
   void drawPart(const volume::Rectangle& part, const std::function<void()>& draw) const;
 
@@ -184,6 +187,7 @@ struct FrameState {
   VertexArray emptyArray_;
   Query anySamples_, samples_;
   std::map<std::string, Program> programs_;
+  mutable std::map<GLuint, PartTimer> timers_;  // of programs, on a graphics card
 };
 
 }  // namespace isolux::render

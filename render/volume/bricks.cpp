@@ -106,7 +106,12 @@ Bricks::Bricks(GlPtr gl, std::vector<const TexelSource*> channels, int apron, st
   gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl_->TextureSubImage3D(table_.id(), 0, 0, 0, 0, dims_.x, dims_.y, dims_.z, GL_RGBA_INTEGER,
                          GL_UNSIGNED_SHORT, nowhere.data());
-  use_.setData(nullptr, marks_.size() * sizeof(std::uint32_t));
+  const std::size_t markBytes = marks_.size() * sizeof(std::uint32_t);
+  if (markBytes > static_cast<std::size_t>(std::max(gl_->maxStorageBytes, 0)))
+    throw base::Error(base::ErrorKind::memory, "", "graphics memory",
+                      "the volume has " + std::to_string(product(dims_)) +
+                          " bricks, more than this driver's buffers hold marks for");
+  use_.setData(nullptr, markBytes);
 }
 
 void Bricks::bind(Program& program) const {

@@ -56,10 +56,8 @@ volume::PictureArea areaOf(const volume::StartDepths& depths, int shift, glm::iv
 
 // Of the squares' sides, a power of two.
 int largestSquare(const Gl& gl, int tilePixels) {
-  GLint range[2] = {1, 1};
-  gl.GetIntegerv(GL_POINT_SIZE_RANGE, range);
   int tiles = 1;
-  while (tiles < 16 && 2 * tiles * tilePixels <= range[1]) tiles *= 2;
+  while (tiles < 16 && 2 * tiles * tilePixels <= gl.maxPointSize) tiles *= 2;
   return tiles;
 }
 

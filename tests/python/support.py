@@ -6,7 +6,12 @@ import tempfile
 
 import numpy as np
 
-import isolux  # noqa: F401
+# The module's cache is the tests'; the driver's shaders stay where other processes have them.
+CACHE = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
+os.environ.setdefault("MESA_SHADER_CACHE_DIR", os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache"))
+os.environ["XDG_CACHE_HOME"] = CACHE.name
+
+import isolux  # noqa: E402,F401
 
 BINARY = os.environ.get("ISOLUX_BINARY", "")
 SOURCE = os.environ.get("ISOLUX_SOURCE", os.path.join(os.path.dirname(__file__), "..", ".."))

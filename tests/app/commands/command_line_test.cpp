@@ -510,8 +510,10 @@ TEST(SettingsCommand, ListsAsJsonAndByWord) {
 
 TEST(DoctorCommand, SaysWhatIsThere) {
   const std::string text = success({"doctor"}).out;
-  EXPECT_THAT(text, AllOf(HasSubstr("isolux"), HasSubstr("CPU threads"), HasSubstr("memory"),
-                          HasSubstr("ffmpeg"), HasSubstr("OSMesa")));
+  EXPECT_THAT(text,
+              AllOf(HasSubstr("isolux"), HasSubstr("CPU threads"), HasSubstr("memory"), HasSubstr("ffmpeg"),
+                    HasSubstr("OSMesa"), HasSubstr("shader cache  "), HasSubstr("isolux/programs"),
+                    HasSubstr("MAX_3D_TEXTURE_SIZE: "), HasSubstr("memory.gpu_budget_mb")));
 }
 
 // Until it has used a second of the processor: the command line is behind it then, whatever else the machine

@@ -36,7 +36,14 @@ RunningIsolux::RunningIsolux(const std::vector<std::string>& arguments, const Ru
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
-  std::vector<std::string> environment = settings.environment;
+  // Its cache is the test's; the driver's shaders stay where other processes have them.
+  std::vector<std::string> environment{"XDG_CACHE_HOME=" + (logs_ / "cache").string()};
+  if (std::getenv("MESA_SHADER_CACHE_DIR") == nullptr) {
+    const char *const cache = std::getenv("XDG_CACHE_HOME"), *const home = std::getenv("HOME");
+    if (cache != nullptr || home != nullptr)
+      environment.push_back("MESA_SHADER_CACHE_DIR=" + (cache ? cache : std::string(home) + "/.cache"));
+  }
+  environment.insert(environment.end(), settings.environment.begin(), settings.environment.end());
   const std::string folder = settings.folder.empty() ? temporaryFolder().string() : settings.folder.string();
   const std::string out = (logs_ / "out").string(), err = (logs_ / "err").string();
 
