@@ -49,6 +49,10 @@ class Renderer {
   // Discards the results of earlier frames, so that the next render() runs every pass it needs (benchmarks).
   void invalidate();
 
+  // Returns the bytes that images of the passes may take: of memory.gpu_budget_mb, or of main memory with a
+  // software driver.
+  std::size_t imageBudget() const;
+
   ColorImage readColor();
   LinearImage readLinear();
   // Returns the image as linear float32, not clamped, without legend and dither, at the requested size. It

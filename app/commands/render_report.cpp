@@ -76,6 +76,7 @@ ordered_json renderJson(const scene::Scene& scene, const render::FrameRequest& r
   json["bake"] = bakeJson(light.state());
   json["exposure"] = exposureJson(scene, light.light().get());
   json["accuracy"] = accuracy ? accuracyJson(*accuracy) : ordered_json(nullptr);
+  json["image_bytes"] = drawn.picture.report.imageBytes;
   json["gpu_bytes"] = drawn.picture.report.gpuBytes;
   json["peak_bytes"] = peakBytes();
   json["parts"] = partsJson(prepared.grid());
