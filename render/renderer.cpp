@@ -102,8 +102,8 @@ bool passRan(const FrameReport& report, const std::string& name) {
 
 constexpr const char* kEndOfLayers = " layer";  // of the names of images behind transparent surfaces
 
-// What the volume and light leave of the budget, but a quarter in any case; of a software driver, whose images
-// are in main memory, half of what is left there.
+// What the volume and light leave of the budget, but a quarter in any case; of a software driver, whose
+// images are in main memory, half of what is left there.
 std::size_t budgetOfImages(const Gl& gl, std::size_t budget, std::size_t taken, std::size_t held) {
   const std::size_t share = std::max(budget / 4, budget - std::min(budget, taken));
   return gl.software ? std::min(share, (base::machineMemory().left() + held) / 2) : share;
@@ -173,14 +173,14 @@ struct Renderer::Parts {
   std::optional<scene::Scene> completedScene;  // of completed()
   scene::Memory memory;
   scene::Executor executor = scene::Executor::automatic;
-  std::uint64_t copiesMade = 0;        // VolumeState::made
-  std::uint64_t bricksAsked = 0;       // BrickState::asked
-  BrickRounds::Unfinished unfinished;  // of the last frame that cast rays
-  bool hit = false;                    // some ray of the last frame that cast rays hit a surface
-  bool hitsChanged = false;            // since the last frame that was completed
-  bool complete = true;                // the last frame had all the time it needed
-  bool imagesDropped = false;          // in this frame, because their size is another
-  std::size_t imageBudget = 0;         // bytes
+  std::uint64_t copiesMade = 0;                // VolumeState::made
+  std::uint64_t bricksAsked = 0;               // BrickState::asked
+  BrickRounds::Unfinished unfinished;          // of the last frame that cast rays
+  bool hit = false;                            // some ray of the last frame that cast rays hit a surface
+  bool hitsChanged = false;                    // since the last frame that was completed
+  bool complete = true;                        // the last frame had all the time it needed
+  bool imagesDropped = false;                  // in this frame, because their size is another
+  std::size_t imageBudget = 0;                 // bytes
   std::map<std::string, std::size_t> lastUse;  // of each image in this frame: render::lastUses()
 
   // With what is automatic about derivatives where the picture reads them and nobody has filled it in.
@@ -405,8 +405,8 @@ void Renderer::Parts::makeRoom(const std::vector<PassDeclaration>& declared, std
   if (next < declared.size())
     for (std::size_t k = 0; k < declared[next].writes.size(); ++k)
       if (declared[next].bytes[k] > 0 && !frame.images.has(declared[next].writes[k]))
-        more += static_cast<std::size_t>(declared[next].bytes[k]) * static_cast<std::size_t>(frame.raySize().x) *
-                static_cast<std::size_t>(frame.raySize().y);
+        more += static_cast<std::size_t>(declared[next].bytes[k]) *
+                static_cast<std::size_t>(frame.raySize().x) * static_cast<std::size_t>(frame.raySize().y);
   if (frame.images.bytes() + more <= imageBudget) return;
   frame.images.dropEnding(kEndOfLayers);
   frame.images.dropFree();

@@ -59,7 +59,7 @@ struct FrameRequest {
   std::optional<Tile> tile;   // draw only this part; images read back then have the tile's size
   // Draw a small version of the whole image before its tiles, which take ambient occlusion from it.
   bool beforeTiles = false;
-  bool linear = false;    // readLinearPicture() will be called
+  bool linear = false;  // readLinearPicture() will be called
   // Keep images for the next frame, as far as memory.gpu_budget_mb allows. False: each image is freed after
   // its last reader, and only the requested ones can be read back; the next frame runs all passes.
   bool keepImages = true;

@@ -45,8 +45,8 @@ struct PlannedPass {
   bool remade = false;  // it ran before with the same inputs, but its images were freed
 };
 
-// Returns for each image the index of the last running pass that reads or writes it, passes.size() for those in
-// `wanted`, and nothing for images that no running pass touches: afterwards the image may be freed.
+// Returns for each image the index of the last running pass that reads or writes it, passes.size() for those
+// in `wanted`, and nothing for images that no running pass touches: afterwards the image may be freed.
 std::map<std::string, std::size_t> lastUses(const std::vector<PassDeclaration>& passes,
                                             const std::vector<PlannedPass>& plan,
                                             const std::vector<std::string>& wanted);
@@ -68,8 +68,8 @@ class FrameGraph {
   // Discards the runs of one pass: its images are lost.
   void forget(const std::string& pass) { memory_.erase(pass); }
 
-  // Records that images of a pass were freed. The pass runs again only for passes that run and read them, or if
-  // they are wanted; passes that have read them before stay cached.
+  // Records that images of a pass were freed. The pass runs again only for passes that run and read them, or
+  // if they are wanted; passes that have read them before stay cached.
   void freed(const std::string& pass) {
     if (memory_.count(pass) > 0) freed_.insert(pass);
   }
@@ -92,7 +92,7 @@ class FrameGraph {
   void remakeFreed(const std::vector<PassDeclaration>& passes, const std::vector<std::string>& wanted,
                    std::vector<PlannedPass>& planned) const;
   std::map<std::string, LastRun> memory_;
-  std::set<std::string> freed_;  // passes whose images are not all there
+  std::set<std::string> freed_;                 // passes whose images are not all there
   std::map<std::string, std::string> writers_;  // of each image, in the last planned frame
   std::map<Written, std::uint64_t> versions_;
   std::uint64_t clock_ = 0;

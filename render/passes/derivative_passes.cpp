@@ -95,8 +95,7 @@ void HessianPass::run(FrameState& frame) {
     return;
   }
   Target& hessian = frame.target(image::hessian, {GL_RGBA32F, GL_RGBA32F});
-  target.framebuffer =
-      Framebuffer(frame.gl, {&target.images[0], &hessian.images[0], &hessian.images[1]});
+  target.framebuffer = Framebuffer(frame.gl, {&target.images[0], &hessian.images[0], &hessian.images[1]});
   target.drawn.add(hessian.drawn);
   drawDerivatives(frame, target, shader, scaleMm, true);
   hessian.drawn = target.drawn;

@@ -109,7 +109,8 @@ void OpennessPass::run(FrameState& frame) {
   p.set("uDepthRange", glm::vec2(frame.view->depthRangeMm));
   p.set("uCell", occlusionCell(frame.request));
   p.set("uRadius", static_cast<float>(frame.scene->look.occlusionRadius.value()));
-  p.set("uMostRays", static_cast<float>(kOcclusionReach * frame.request.size.y * frame.request.supersampling));
+  p.set("uMostRays",
+        static_cast<float>(kOcclusionReach * frame.request.size.y * frame.request.supersampling));
   const volume::PictureArea area = inCells(frame, cells);
   if (!frame.gradientInStrips) return frame.drawHits(target, p, area);
   volume::PictureArea drawn = area;

@@ -105,9 +105,7 @@ struct FrameState {
   // Returns the first ray of the images within what is drawn, and within the whole image.
   glm::ivec2 raysLow() const { return hitPart ? hitPart->origin * request.supersampling : glm::ivec2(0); }
   glm::ivec2 rayOrigin() const { return tileOrigin() * request.supersampling + raysLow(); }
-  volume::PictureRays rays() const {
-    return view->rays(request.size * request.supersampling, rayOrigin());
-  }
+  volume::PictureRays rays() const { return view->rays(request.size * request.supersampling, rayOrigin()); }
   // The pixels of what is drawn, from its lower left corner, that images at the size of the rays cover; rays
   // elsewhere hit nothing. None: all. Set by the cast of a frame that keeps no images.
   std::optional<Tile> hitPart;
@@ -149,8 +147,8 @@ struct FrameState {
   std::vector<volume::Rectangle> surfacePixels() const;
   std::optional<Tile> legend;  // its place in the whole image; kept with image::picture
 
-  // Whether this frame draws Hessians (with their own gradients), and whether these are also the gradients for
-  // normals.
+  // Whether this frame draws Hessians (with their own gradients), and whether these are also the gradients
+  // for normals.
   bool withHessian = false, gradientShared = false;
   const Texture& gradientImage() const { return image(gradientShared ? image::tangents : image::gradient); }
   // Returns the field of second derivatives.

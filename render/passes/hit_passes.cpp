@@ -109,8 +109,9 @@ std::optional<std::size_t> BricksPass::bytes(const FrameState& frame) const {
 void CastPass::declare(Declaring& d) const {
   const bool exact = d.asked.scene.hit.method == scene::HitMethod::exact;
   d.reads(image::activeBlocks);
-  d.writes(exact ? image::surface : image::bracket,
-           hasSmallInfos(d.asked.scene, d.asked.request) ? 20 : exact ? 24 : 16);
+  d.writes(exact ? image::surface : image::bracket, hasSmallInfos(d.asked.scene, d.asked.request) ? 20
+                                                    : exact                                       ? 24
+                                                                                                  : 16);
   d.volume().isovalues().cuts().pictureSize().settings({"camera.", "hit."}, {"hit.refinements"});
   d.input("cut faces are shown", scene::showsCutFaces(d.asked.scene));
   if (scene::showsCutFaces(d.asked.scene)) d.reads(image::cutFaces);

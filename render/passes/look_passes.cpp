@@ -323,7 +323,8 @@ void ShadePass::drawBand(FrameState& frame) {
   frame.begin(target);
   frame.drawRectangles(p, parts);
   for (const volume::Rectangle& part : parts)
-    for (int y = 0; y < part.size.y; ++y) target.drawn.add(part.low.y + y, part.low.x, part.low.x + part.size.x);
+    for (int y = 0; y < part.size.y; ++y)
+      target.drawn.add(part.low.y + y, part.low.x, part.low.x + part.size.x);
 }
 
 void LayersPass::declare(Declaring& d) const {

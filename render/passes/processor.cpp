@@ -32,8 +32,8 @@ void upload(const Texture& texture, const std::vector<volume::Rectangle>& parts,
   gl.PixelStorei(GL_UNPACK_ROW_LENGTH, width);
   for (const volume::Rectangle& part : parts) {
     const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(part.low.y) * width + part.low.x;
-    gl.TextureSubImage2D(texture.id(), 0, part.low.x, part.low.y - firstRow, part.size.x, part.size.y, format, type,
-                         texels.data() + first);
+    gl.TextureSubImage2D(texture.id(), 0, part.low.x, part.low.y - firstRow, part.size.x, part.size.y, format,
+                         type, texels.data() + first);
   }
   gl.PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }
@@ -135,8 +135,8 @@ void resize(HostImages::Derivatives& image, std::size_t texels) {
   image.texels.resize(texels);
 }
 
-// The smallest rectangle of whole pixels with all hits and a margin of pixels without, as the passes that read
-// neighbours expect; at multiples of the strips of an area.
+// The smallest rectangle of whole pixels with all hits and a margin of pixels without, as the passes that
+// read neighbours expect; at multiples of the strips of an area.
 Tile pixelsOfHits(const volume::PictureArea& hits, int supersampling, glm::ivec2 drawn) {
   constexpr int margin = 2;
   glm::ivec2 low = hits.size(), high(0);

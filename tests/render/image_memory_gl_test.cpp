@@ -49,8 +49,8 @@ ISOLUX_ON_BOTH_EXECUTORS(ImageMemoryGlTest);
 
 const Settings kHeavy = {"look.mode=kappa1", "look.ridges=1", "flow.strength=0.5"};
 
-// Bytes of 1920 x 1080 pixels of 2 x 2 rays, scaled to the size drawn: of the processor, which software drivers
-// use.
+// Bytes of 1920 x 1080 pixels of 2 x 2 rays, scaled to the size drawn: of the processor, which software
+// drivers use.
 TEST_P(ImageMemoryGlTest, AStillPictureHoldsFewImages) {
   size_ = {480, 270};
   const double scale = 1920.0 * 1080.0 / (480.0 * 270.0);
