@@ -521,7 +521,6 @@ void Renderer::Parts::noteHits() {
 void Renderer::Parts::forgetImages() {
   graph.invalidate();
   if (frame.request.aovs.empty()) frame.host.clear();  // else Hessians may be read back
-  frame.images.dropFree();
   frame.hitPart.reset();
 }
 
@@ -634,6 +633,7 @@ const FrameReport& Renderer::render(const scene::Scene& asked, const FrameReques
   parts.frame.scene = nullptr;
   parts.frame.prepared = nullptr;
   if (!request.keepImages) parts.forgetImages();
+  parts.frame.images.dropFree();
   const std::vector<std::string>& errors = glErrors();
   if (errors.size() > errorsBefore)
     parts.report.glErrors.assign(errors.begin() + static_cast<std::ptrdiff_t>(errorsBefore), errors.end());

@@ -59,7 +59,11 @@ TEST_P(ImageMemoryGlTest, AStillPictureHoldsFewImages) {
     double most, mostOfShaders;  // MB
   };
   for (const Case& one : {Case{kHeavy, 450.0, 800.0}, Case{{}, 200.0, 420.0}}) {
-    const scene::Scene scene = sceneOf(one.settings);
+    scene::Scene scene = assigned(one.settings);
+    scene.camera.frames = scene::Frames::surface;  // as in a picture of the program, it fills most of the width
+    scene = scene::resolve(scene, volume_->facts);
+    scene.camera.fov *= 0.8;
+    renderer_->setVolume(volume_);
     draw(scene, false);
     const double held = 1e-6 * static_cast<double>(report_.imageBytes) * scale;
     draw(scene, true);
