@@ -62,7 +62,7 @@ TEST_P(ImageMemoryGlTest, AStillPictureHoldsFewImages) {
     scene::Scene scene = assigned(one.settings);
     scene.camera.frames = scene::Frames::surface;  // as in a picture of the program, it fills most of the width
     scene = scene::resolve(scene, volume_->facts);
-    scene.camera.fov *= 0.8;
+    scene.camera.fov *= 0.85;
     renderer_->setVolume(volume_);
     draw(scene, false);
     const double held = 1e-6 * static_cast<double>(report_.imageBytes) * scale;
