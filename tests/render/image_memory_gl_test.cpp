@@ -60,7 +60,8 @@ TEST_P(ImageMemoryGlTest, AStillPictureHoldsFewImages) {
   };
   for (const Case& one : {Case{kHeavy, 450.0, 800.0}, Case{{}, 200.0, 420.0}}) {
     scene::Scene scene = assigned(one.settings);
-    scene.camera.frames = scene::Frames::surface;  // as in a picture of the program, it fills most of the width
+    scene.camera.frames =
+        scene::Frames::surface;  // as in a picture of the program, it fills most of the width
     scene = scene::resolve(scene, volume_->facts);
     scene.camera.fov *= 0.85;
     renderer_->setVolume(volume_);
