@@ -35,6 +35,15 @@ struct Source {
   std::vector<float> surface, info, gradient, first, second;
 };
 
+// Diagonal or mixed entries; the processor's are in memory.
+std::vector<float> hessianOf(const FrameState& frame, std::size_t which) {
+  if (frame.images.has(image::hessian)) return frame.image(image::hessian, which).readFloats(4);
+  std::vector<float> values;
+  for (const glm::vec4& texel : frame.host.at("").hessian[1 + which].texels)
+    values.insert(values.end(), {texel.x, texel.y, texel.z, texel.w});
+  return values;
+}
+
 Source sourceOf(const FrameState& frame, Aov aov) {
   Source source;
   source.surface = frame.image(image::surface, 0).readFloats(4);
@@ -46,11 +55,11 @@ Source sourceOf(const FrameState& frame, Aov aov) {
       source.gradient = frame.gradientImage().readFloats(4);
       break;
     case Aov::gradient:
-      source.gradient = frame.image(frame.withHessian ? image::hessian : image::gradient).readFloats(4);
+      source.gradient = frame.image(frame.withHessian ? image::tangents : image::gradient).readFloats(4);
       break;
     case Aov::hessian:
-      source.first = frame.image(image::hessian, 1).readFloats(4);
-      source.second = frame.image(image::hessian, 2).readFloats(4);
+      source.first = hessianOf(frame, 0);
+      source.second = hessianOf(frame, 1);
       break;
     case Aov::kappa:
     case Aov::curvature_confidence:
@@ -60,7 +69,7 @@ Source sourceOf(const FrameState& frame, Aov aov) {
       source.second = frame.image(image::curvature, 1).readFloats(4);
       break;
     case Aov::direction2:
-      source.gradient = frame.image(image::hessian, 0).readFloats(4);
+      source.gradient = frame.image(image::tangents).readFloats(4);
       source.second = frame.image(image::curvature, 1).readFloats(4);
       break;
     case Aov::edge_offset:

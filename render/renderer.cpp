@@ -101,6 +101,23 @@ bool passRan(const FrameReport& report, const std::string& name) {
   });
 }
 
+constexpr const char* kEndOfLayers = " layer";  // of the names of images behind transparent surfaces
+
+// What the volume and light leave of the budget, but a quarter in any case; of a software driver, whose
+// images are in main memory, half of what is left there.
+std::size_t budgetOfImages(const Gl& gl, std::size_t budget, std::size_t taken, std::size_t held) {
+  const std::size_t share = std::max(budget / 4, budget - std::min(budget, taken));
+  return gl.software ? std::min(share, (base::machineMemory().left() + held) / 2) : share;
+}
+
+// Colours need not be there as a whole where resolve is their only reader, and reads only those of hits.
+bool shadesInBands(const FrameState& frame) {
+  const scene::Scene& scene = *frame.scene;
+  return frame.request.color && !frame.request.linear && !scene::isTransparent(scene) &&
+         !scene::showsLegend(scene) && !scene.picture.transparent && !scene::usesGi(scene) &&
+         !frame.cutFaceColors;
+}
+
 // Times the passes of a frame: GPU timestamps, read when the frame is done; on a software rasteriser, whose
 // own time is wall time, a clock around a finished pass.
 class PassClock {
@@ -122,12 +139,15 @@ class PassClock {
   }
   void write(std::vector<PassReport>& passes) const {
     for (std::size_t i = 0; i < timed_.size(); ++i) {
-      passes[timed_[i]].milliseconds = wall_[i];
-      if (gl_->software) continue;
+      double& milliseconds = passes[timed_[i]].milliseconds;
+      if (gl_->software) {
+        milliseconds += wall_[i];
+        continue;
+      }
       GLuint64 from = 0, to = 0;
       gl_->GetQueryObjectui64v(timers_[i].first.id(), GL_QUERY_RESULT, &from);
       gl_->GetQueryObjectui64v(timers_[i].second.id(), GL_QUERY_RESULT, &to);
-      passes[timed_[i]].milliseconds = static_cast<double>(to - from) * 1e-6;
+      milliseconds += static_cast<double>(to - from) * 1e-6;
     }
   }
 
@@ -154,13 +174,15 @@ struct Renderer::Parts {
   std::optional<scene::Scene> completedScene;  // of completed()
   scene::Memory memory;
   scene::Executor executor = scene::Executor::automatic;
-  std::uint64_t copiesMade = 0;        // VolumeState::made
-  std::uint64_t bricksAsked = 0;       // BrickState::asked
-  BrickRounds::Unfinished unfinished;  // of the last frame that cast rays
-  bool hit = false;                    // some ray of the last frame that cast rays hit a surface
-  bool hitsChanged = false;            // since the last frame that was completed
-  bool complete = true;                // the last frame had all the time it needed
-  bool imagesDropped = false;          // in this frame, because their size is another
+  std::uint64_t copiesMade = 0;                // VolumeState::made
+  std::uint64_t bricksAsked = 0;               // BrickState::asked
+  BrickRounds::Unfinished unfinished;          // of the last frame that cast rays
+  bool hit = false;                            // some ray of the last frame that cast rays hit a surface
+  bool hitsChanged = false;                    // since the last frame that was completed
+  bool complete = true;                        // the last frame had all the time it needed
+  bool imagesDropped = false;                  // in this frame, because their size is another
+  std::size_t imageBudget = 0;                 // bytes
+  std::map<std::string, std::size_t> lastUse;  // of each image in this frame: render::lastUses()
 
   // With what is automatic about derivatives where the picture reads them and nobody has filled it in.
   const scene::Scene& completed(const scene::Scene& scene, const FrameRequest& request);
@@ -172,12 +194,24 @@ struct Renderer::Parts {
   // Those of the plan that are not skipped are the frame's.
   void plan(const std::vector<PassDeclaration>& declared, const std::vector<PlannedPass>& planned);
   void run(Pass& pass, const std::vector<Pass*>& running);
+  void planMemory(const std::vector<PassDeclaration>& declared, const std::vector<PlannedPass>& planned);
+  // Of a frame that keeps no images: which parts of images are drawn in turn.
+  void planBands(const std::vector<PassDeclaration>& declared, const std::vector<PlannedPass>& planned);
+  // Frees images that no pass from `next` on reads, until what is held and what `next` writes fit the budget.
+  void makeRoom(const std::vector<PassDeclaration>& declared, std::size_t next);
+  bool freeLargest(const std::vector<PassDeclaration>& declared, std::size_t next);
+  // In a frame that keeps no images: frees those that no pass after this one reads.
+  void freeAfter(std::size_t index);
+  // Runs shade and resolve in turn, band by band.
+  void runInBands(std::size_t shade, std::size_t resolve, PassClock& clock);
   // In bricks: `pass` casts rays, `running` are the passes of this frame that run.
   void runInBricks(Pass& pass, const std::vector<Pass*>& running);
   void reportBricks();
   // A frame has ended before it was complete. Stopped: the passes that were complete are good for the next
   // one; otherwise nothing that was drawn is still there.
   void leave(bool stopped);
+  void noteHits();      // after a pass that found some
+  void forgetImages();  // after a frame that keeps none
   std::size_t bytesOf(const Pass& pass, const PassDeclaration& declared) const;
 };
 
@@ -227,6 +261,9 @@ void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& req
         "a picture of " + std::to_string(longest) + " rays on an axis is too large for one frame");
   frame.scene = &scene;
   frame.request = request;
+  frame.hitPart.reset();
+  frame.bandRows = frame.bandRow = 0;
+  frame.gradientInStrips = false;
   frame.surfaces = surfacesOf(scene);
   base::Progress unwatched;
   frame.hidden.clear();
@@ -263,6 +300,7 @@ void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& req
   const std::size_t budget = static_cast<std::size_t>(memory.gpuBudgetMb) << 20;
   const std::size_t taken = frame.volume ? frame.volume->bytes() : 0;
   frame.lighting->prepare(frame, std::max(budget / 4, budget - std::min(budget, taken)));
+  imageBudget = budgetOfImages(*frame.gl, budget, taken + frame.lighting->bytes(), frame.images.bytes());
   const volume::GridGeometry none = volume::GridGeometry::make(glm::ivec3(2), glm::dvec3(1.0));
   frame.view.emplace(scene.camera, static_cast<double>(request.size.x) / request.size.y,
                      volume ? volume->grid().geometry() : none);
@@ -291,17 +329,112 @@ void Renderer::Parts::plan(const std::vector<PassDeclaration>& declared,
                            const std::vector<PlannedPass>& planned) {
   frame.used.clear();
   held.clear();
-  frame.withGradient = frame.withHessian = frame.gradientShared = false;
+  frame.withHessian = frame.gradientShared = false;
   for (const PlannedPass& entry : planned) {
     if (entry.state == PassState::skipped) continue;
     frame.used.push_back(passes[entry.index].get());
     for (const std::string& image : declared[entry.index].writes) {
       held.emplace_back(frame.used.back(), image);
-      frame.withGradient = frame.withGradient || image == image::gradient;
       frame.withHessian = frame.withHessian || image == image::hessian;
       if (image == image::gradient) frame.gradientShared = frame.used.back()->name == pass::hessian;
     }
   }
+}
+
+void Renderer::Parts::planMemory(const std::vector<PassDeclaration>& declared,
+                                 const std::vector<PlannedPass>& planned) {
+  std::vector<std::string> atEnd = wantedImages(frame.request, *frame.scene);
+  if (frame.request.keepImages) atEnd.insert(atEnd.end(), {image::surface, image::color});  // to read back
+  lastUse = lastUses(declared, planned, atEnd);
+  if (!frame.request.keepImages) {  // nothing of earlier frames is left but what tiles share
+    for (const PassDeclaration& pass : declared)
+      for (const std::string& image : pass.writes) frame.images.drop(image);
+    frame.images.dropEnding(kEndOfLayers);
+    frame.images.dropFree();
+    frame.host.clear();
+  }
+  frame.images.beginPeak();
+  if (!frame.request.keepImages && shadesInBands(frame)) planBands(declared, planned);
+}
+
+void Renderer::Parts::planBands(const std::vector<PassDeclaration>& declared,
+                                const std::vector<PlannedPass>& planned) {
+  constexpr int pixels = 64;
+  frame.bandRows = pixels * frame.request.supersampling;
+  const auto indexOf = [&](const char* name) {
+    const auto same = [&](const PassDeclaration& pass) { return pass.name == name; };
+    return static_cast<std::size_t>(std::find_if(declared.begin(), declared.end(), same) - declared.begin());
+  };
+  for (auto& [image, last] : lastUse)
+    if (last == indexOf(pass::shade)) last = indexOf(pass::resolve);
+  const bool drawn = planned[indexOf(pass::gradient)].state == PassState::ran;
+  frame.gradientInStrips = frame.onProcessor.all && !frame.gradientShared && drawn;
+  for (const PlannedPass& one : planned) {
+    const PassDeclaration& pass = declared[one.index];
+    const bool reads = std::find(pass.reads.begin(), pass.reads.end(), image::gradient) != pass.reads.end();
+    const auto inStrips = {pass::openness, pass::shadow, pass::shade};
+    if (one.state != PassState::skipped && reads &&
+        std::find(inStrips.begin(), inStrips.end(), pass.name) == inStrips.end())
+      frame.gradientInStrips = false;
+  }
+}
+
+bool Renderer::Parts::freeLargest(const std::vector<PassDeclaration>& declared, std::size_t next) {
+  const std::string* largest = nullptr;
+  std::size_t writer = 0, most = 0;
+  for (std::size_t i = 0; i < declared.size(); ++i)
+    for (std::size_t k = 0; k < declared[i].writes.size(); ++k) {
+      const std::string& image = declared[i].writes[k];
+      const auto last = lastUse.find(image);
+      if (declared[i].bytes[k] <= 0 || (last != lastUse.end() && last->second >= next)) continue;
+      const std::size_t bytes = frame.images.bytesOf(image);
+      if (bytes <= most) continue;
+      most = bytes;
+      largest = &image;
+      writer = i;
+    }
+  if (!largest) return false;
+  frame.images.drop(*largest);
+  frame.images.dropFree();
+  graph.freed(declared[writer].name);
+  return true;
+}
+
+void Renderer::Parts::makeRoom(const std::vector<PassDeclaration>& declared, std::size_t next) {
+  // In bricks, what is freed could be made again only from bricks that may be gone.
+  if (!frame.request.keepImages || frame.bricks()) return;
+  std::size_t more = 0;
+  if (next < declared.size())
+    for (std::size_t k = 0; k < declared[next].writes.size(); ++k)
+      if (declared[next].bytes[k] > 0 && !frame.images.has(declared[next].writes[k]))
+        more += static_cast<std::size_t>(declared[next].bytes[k]) *
+                static_cast<std::size_t>(frame.raySize().x) * static_cast<std::size_t>(frame.raySize().y);
+  if (frame.images.bytes() + more <= imageBudget) return;
+  frame.images.dropEnding(kEndOfLayers);
+  frame.images.dropFree();
+  while (frame.images.bytes() + more > imageBudget && freeLargest(declared, next)) {
+  }
+}
+
+void Renderer::Parts::freeAfter(std::size_t index) {
+  if (frame.request.keepImages) return;
+  if (passes[index]->name == pass::layers) frame.images.dropEnding(kEndOfLayers);
+  for (const auto& [image, last] : lastUse) {
+    if (last != index) continue;
+    frame.images.drop(image);
+    releaseHostImages(frame, image);
+  }
+}
+
+void Renderer::Parts::runInBands(std::size_t shade, std::size_t resolve, PassClock& clock) {
+  for (frame.bandRow = 0; frame.bandRow < frame.raySize().y; frame.bandRow += frame.bandRows)
+    for (const std::size_t index : {shade, resolve}) {
+      throwIfStopped(frame.request);
+      clock.begin();
+      passes[index]->run(frame);
+      clock.end(index);
+    }
+  frame.bandRow = 0;
 }
 
 void Renderer::Parts::run(Pass& pass, const std::vector<Pass*>& running) {
@@ -382,6 +515,17 @@ std::size_t Renderer::Parts::bytesOf(const Pass& pass, const PassDeclaration& de
   return sum;
 }
 
+void Renderer::Parts::noteHits() {
+  hitsChanged = true;
+  if (frame.images.has(image::surface)) hit = anyHit(frame) || frame.seesCutFaces();
+}
+
+void Renderer::Parts::forgetImages() {
+  graph.invalidate();
+  if (frame.request.aovs.empty()) frame.host.clear();  // else Hessians may be read back
+  frame.hitPart.reset();
+}
+
 void Renderer::Parts::leave(bool stopped) {
   const bool inRounds = frame.bricks() != nullptr;  // of which bricks and rays know their own
   if (!stopped) {
@@ -389,6 +533,7 @@ void Renderer::Parts::leave(bool stopped) {
     drawn = {};
   }
   if (!stopped || inRounds) graph.invalidate();
+  if (!frame.request.keepImages) forgetImages();
   frame.scene = nullptr;
   frame.prepared = nullptr;
   frame.layer.clear();
@@ -413,8 +558,10 @@ const FrameReport& Renderer::render(const scene::Scene& asked, const FrameReques
     const auto declared =
         declarePasses(parts.passes, Asked(scene, request, parts.volumeState(), parts.brickState(),
                                           parts.frame.lighting->state(parts.frame), parts.frame.onProcessor));
+    if (!request.keepImages) parts.graph.invalidate();
     const auto plan = parts.graph.plan(declared, wantedImages(request, scene));
     parts.plan(declared, plan);
+    parts.planMemory(declared, plan);
     for (const PlannedPass& entry : plan)
       if (parts.imagesDropped && entry.state != PassState::cached)
         parts.graph.forget(declared[entry.index].name);
@@ -423,24 +570,32 @@ const FrameReport& Renderer::render(const scene::Scene& asked, const FrameReques
       if (entry.state == PassState::ran) running.push_back(parts.passes[entry.index].get());
     if (bricks) bricks->beginFrame();
     PassClock clock(parts.frame.gl);
+    std::size_t shade = 0;  // its place, if it is drawn in bands
     for (const PlannedPass& now : plan) {
       Pass& pass = *parts.passes[now.index];
       PassReport entry{
           std::string(pass.name), now.state, now.reason, 0.0, 0, pass.isOn(parts.frame.onProcessor)};
-      if (now.state == PassState::ran) {
+      const bool inBands = parts.frame.bandRows > 0;
+      if (now.state == PassState::ran && inBands && pass.name == pass::shade) {
+        shade = now.index;  // with resolve
+      } else if (now.state == PassState::ran && inBands && pass.name == pass::resolve) {
+        parts.runInBands(shade, now.index, clock);
+      } else if (now.state == PassState::ran) {
         throwIfStopped(request);
+        parts.makeRoom(declared, now.index);
         clock.begin();
-        parts.graph.forget(entry.name);  // from its beginning on, what it wrote is gone
-        if (pass.name == pass::cast || pass.name == pass::refine) parts.hitsChanged = true;
+        if (!now.remade) parts.graph.forget(entry.name);  // from its beginning on, what it wrote is gone
         parts.run(pass, running);
         throwIfStopped(request);
         clock.end(parts.report.passes.size());
         parts.graph.completed(declared[now.index]);
+        if (!now.remade && (pass.name == pass::cast || pass.name == pass::refine)) parts.noteHits();
       }
       if (now.state != PassState::skipped) entry.bytes = parts.bytesOf(pass, declared[now.index]);
       parts.report.passes.push_back(std::move(entry));
+      parts.freeAfter(now.index);
     }
-    if (parts.hitsChanged) parts.hit = anyHit(parts.frame) || parts.frame.seesCutFaces();
+    parts.makeRoom(declared, declared.size());
     gl.Finish();
     clock.write(parts.report.passes);
   } catch (const base::Error& error) {
@@ -468,7 +623,8 @@ const FrameReport& Renderer::render(const scene::Scene& asked, const FrameReques
   parts.report.surfaceChanged = std::exchange(parts.hitsChanged, false);
   parts.report.milliseconds = millisecondsSince(begin);
   parts.report.blocksTotal = parts.volume ? parts.volume->blocks->count() : 0;
-  parts.report.gpuBytes = parts.frame.images.bytes() + parts.frame.lighting->bytes();
+  parts.report.imageBytes = parts.frame.images.peakBytes();
+  parts.report.gpuBytes = parts.report.imageBytes + parts.frame.lighting->bytes();
   if (parts.frame.volume) {
     parts.report.blocksActive = parts.frame.volume->activeBlocks();
     if (!parts.frame.empty())
@@ -479,6 +635,8 @@ const FrameReport& Renderer::render(const scene::Scene& asked, const FrameReques
   }
   parts.frame.scene = nullptr;
   parts.frame.prepared = nullptr;
+  if (!request.keepImages) parts.forgetImages();
+  parts.frame.images.dropFree();
   const std::vector<std::string>& errors = glErrors();
   if (errors.size() > errorsBefore)
     parts.report.glErrors.assign(errors.begin() + static_cast<std::ptrdiff_t>(errorsBefore), errors.end());
@@ -491,6 +649,13 @@ const Texture& Renderer::color() const {
 
 ColorImage Renderer::readColor() {
   return render::readColor(parts_->frame, parts_->drawn);
+}
+
+std::size_t Renderer::imageBudget() const {
+  const Parts& parts = *parts_;
+  const std::size_t volume = parts.frame.volume ? parts.frame.volume->bytes() : 0;
+  return budgetOfImages(*parts.frame.gl, static_cast<std::size_t>(parts.memory.gpuBudgetMb) << 20,
+                        volume + parts.frame.lighting->bytes(), parts.frame.images.bytes());
 }
 
 LinearImage Renderer::readLinear() {

@@ -50,6 +50,10 @@ class Renderer {
   // Discards the results of earlier frames, so that the next render() runs every pass it needs (benchmarks).
   void invalidate();
 
+  // Returns the bytes that images of the passes may take: of memory.gpu_budget_mb, or of main memory with a
+  // software driver.
+  std::size_t imageBudget() const;
+
   ColorImage readColor();
   // Returns the shaded image where it is: RGBA8, bottom row first, valid until the next render().
   const Texture& color() const;

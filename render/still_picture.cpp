@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 
 #include "base/error.h"
+#include "render/graph/pass_declarations.h"
 #include "render/passes/effect_passes.h"
 #include "render/passes/line_passes.h"
 #include "scene/rules/needs.h"
@@ -15,7 +16,8 @@ namespace isolux::render {
 
 namespace {
 
-// Up to so many rays are one frame; more are drawn in tiles of kTileRays per axis, margins included.
+// Up to so many rays are one frame, if its images fit into their budget; more are drawn in tiles of kTileRays
+// per axis, margins included, or smaller ones.
 constexpr std::int64_t kMostRays = std::int64_t{4096} * 4096;
 constexpr int kLongestFrame = 8192;  // rays on an axis, within what every driver of GL 4.5 takes
 constexpr int kTileRays = 2048, kLargeTileRays = 4096;  // large: where margins would fill half of a tile
@@ -49,13 +51,25 @@ struct Tiling {
   int step = 0, margin = 0;  // pixels; step 0: one frame
 };
 
-Tiling tilingOf(const scene::Scene& scene, const FrameRequest& request) {
+// How many rays' images fit into the budget, if each is freed after its last reader.
+std::int64_t mostRays(const scene::Scene& scene, const FrameRequest& request, std::size_t imageBudget) {
+  const std::vector<PassDeclaration> passes = declarePasses(scene, request, 1);
+  const int bytes = std::max(peakBytesPerRay(passes, wantedImages(request, scene)), 1);
+  return static_cast<std::int64_t>(
+      std::min(imageBudget / static_cast<std::size_t>(bytes), static_cast<std::size_t>(kMostRays)));
+}
+
+// A tile has at least as much in the middle as in a margin: otherwise little of it would be new.
+Tiling tilingOf(const scene::Scene& scene, const FrameRequest& request, std::size_t imageBudget) {
   const glm::ivec2 rays = request.size * request.supersampling;
-  if (std::int64_t{rays.x} * rays.y <= kMostRays && std::max(rays.x, rays.y) <= kLongestFrame) return {};
+  const std::int64_t most = mostRays(scene, request, imageBudget);
+  if (std::int64_t{rays.x} * rays.y <= most && std::max(rays.x, rays.y) <= kLongestFrame) return {};
   const int margin = marginOf(scene, request);
-  const int tile =
-      (4 * margin * request.supersampling > kTileRays ? kLargeTileRays : kTileRays) / request.supersampling;
-  return {std::max(tile - 2 * margin, 64), margin};
+  const int wanted = 4 * margin * request.supersampling > kTileRays ? kLargeTileRays : kTileRays;
+  const int fitting = static_cast<int>(std::sqrt(static_cast<double>(most)));
+  const int tile = std::min(wanted, fitting) / request.supersampling;
+  const Tiling tiling{std::max({tile - 2 * margin, margin, 64}), margin};
+  return tiling.step < std::max(request.size.x, request.size.y) ? tiling : Tiling{};
 }
 
 Part partOf(const FrameRequest& tile, const Tiling& tiling, glm::ivec2 whole) {
@@ -125,6 +139,7 @@ class Collector {
     sum.bricks.uploaded += report.bricks.uploaded;
     sum.bricks.evicted += report.bricks.evicted;
     sum.light.uploaded += report.light.uploaded;
+    sum.imageBytes = std::max(sum.imageBytes, report.imageBytes);
     sum.gpuBytes = std::max(sum.gpuBytes, report.gpuBytes);
     sum.surfaceChanged = sum.surfaceChanged || report.surfaceChanged;
     sum.glErrors.insert(sum.glErrors.end(), report.glErrors.begin(), report.glErrors.end());
@@ -145,8 +160,9 @@ class Collector {
 
 }  // namespace
 
-std::vector<FrameRequest> tilesOf(const scene::Scene& resolved, const FrameRequest& request) {
-  const Tiling tiling = tilingOf(resolved, request);
+std::vector<FrameRequest> tilesOf(const scene::Scene& resolved, const FrameRequest& request,
+                                  std::size_t imageBudget) {
+  const Tiling tiling = tilingOf(resolved, request, imageBudget);
   if (tiling.step == 0) return {request};
   std::vector<FrameRequest> tiles;
   for (int y = 0; y < request.size.y; y += tiling.step)
@@ -161,8 +177,9 @@ std::vector<FrameRequest> tilesOf(const scene::Scene& resolved, const FrameReque
 
 StillPicture drawStill(Renderer& renderer, const scene::Scene& resolved, const FrameRequest& request,
                        base::Progress& progress) try {
-  const Tiling tiling = tilingOf(resolved, request);
-  const std::vector<FrameRequest> tiles = tilesOf(resolved, request);
+  const std::size_t imageBudget = renderer.imageBudget();
+  const Tiling tiling = tilingOf(resolved, request, imageBudget);
+  const std::vector<FrameRequest> tiles = tilesOf(resolved, request, imageBudget);
   Collector collector(request);
   if (tiles.size() > 1 && scene::showsOcclusion(resolved)) renderer.render(resolved, beforeTiles(request));
   for (std::size_t i = 0; i < tiles.size(); ++i) {

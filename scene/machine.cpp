@@ -13,7 +13,7 @@ namespace {
 std::vector<MachineSetting> makeMachineSettings() {
   std::vector<MachineSetting> list;
   list.push_back(entry<Machine>("memory.gpu_budget_mb", ISOLUX_MEMBER(memory.gpuBudgetMb), {16, 1048576},
-                                "MiB", "Graphics memory that voxels may use."));
+                                "MiB", "Graphics memory for voxels, baked light and images."));
   list.push_back(choiceEntry<Machine>("memory.layout", ISOLUX_MEMBER(memory.layout),
                                       "Layout of the volume on the GPU: one texture, or bricks of which only "
                                       "those needed are resident. auto uses one texture if it fits."));

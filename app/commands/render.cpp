@@ -219,6 +219,7 @@ class RenderRun {
     target_.reset();
     isChosen_ = false;
     request_ = requestOf(options_, path, asked, pictures.pictures.front().out);
+    request_.keepImages = pictures.pictures.size() > 1;
     images_ = options_.aov.empty() ? AskedImages{} : askedImages(options_.aov);
     findIndex(asked.source, pictures);
     const scene::Scene base = startingScene(path);

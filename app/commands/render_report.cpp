@@ -78,6 +78,7 @@ ordered_json renderJson(const scene::Scene& scene, const render::FrameRequest& r
   json["accuracy"] = accuracy ? accuracyJson(*accuracy) : ordered_json(nullptr);
   const render::ProgramCounts& programs = drawn.picture.report.programs;
   json["programs"] = {{"compiled", programs.compiled}, {"cached", programs.cached}};
+  json["image_bytes"] = drawn.picture.report.imageBytes;
   json["gpu_bytes"] = drawn.picture.report.gpuBytes;
   json["peak_bytes"] = peakBytes();
   json["parts"] = partsJson(prepared.grid());

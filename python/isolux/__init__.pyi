@@ -224,7 +224,7 @@ SettingsDict = TypedDict("SettingsDict", {
     "picture.caveats": bool,  # Writes a line on the final image for each omission or interpolation, such as hidden connected components or interpolated missing slices.
     "picture.transparent": bool,  # Leaves out the background of the final image; its alpha is the covered fraction of each pixel.
     "picture.pixel_ratio": float,  # Pixels of the final image per pixel in which line and streak sizes are stated. For the same look in an image twice as large, use 2.
-    "memory.gpu_budget_mb": int,  # Graphics memory that voxels may use.
+    "memory.gpu_budget_mb": int,  # Graphics memory for voxels, baked light and images.
     "memory.layout": Literal["auto", "whole", "bricks"],  # Layout of the volume on the GPU: one texture, or bricks of which only those needed are resident. auto uses one texture if it fits.
     "memory.voxels": Literal["auto", "memory", "file"],  # Location of the voxels while drawing: memory, or the file, which is read in parts when needed (out of core). auto uses the file if the volume does not fit in memory.
     "memory.ram_budget_mb": int,  # Memory for bricks of an out-of-core volume.

@@ -108,8 +108,7 @@ Texture Texture::make2D(const GlPtr& gl, GLenum internalFormat, glm::ivec2 size)
   texture.held_ = std::move(held);
   gl->TextureStorage2D(texture.id(), 1, internalFormat, size.x, size.y);
   checkMemory(*gl, "an image", bytes);
-  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    gl->TextureParameteri(texture.id(), filter, GL_NEAREST);
+  texture.setFilter(GL_NEAREST);
   for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
     gl->TextureParameteri(texture.id(), wrap, GL_CLAMP_TO_EDGE);
   return texture;
@@ -124,11 +123,15 @@ Texture Texture::make3D(const GlPtr& gl, GLenum internalFormat, glm::ivec3 size,
   texture.held_ = std::move(held);
   gl->TextureStorage3D(texture.id(), 1, internalFormat, size.x, size.y, size.z);
   checkMemory(*gl, "a volume", bytes);
-  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    gl->TextureParameteri(texture.id(), filter, linear ? GL_LINEAR : GL_NEAREST);
+  texture.setFilter(linear ? GL_LINEAR : GL_NEAREST);
   for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
     gl->TextureParameteri(texture.id(), wrap, GL_CLAMP_TO_EDGE);
   return texture;
+}
+
+void Texture::setFilter(GLenum filter) {
+  for (const GLenum which : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    gl().TextureParameteri(id(), which, static_cast<GLint>(filter));
 }
 
 std::vector<float> Texture::readFloats(int channels, const volume::Rectangle& part) const {

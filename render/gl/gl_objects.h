@@ -65,6 +65,7 @@ class Texture : public GlObject<deleteTexture> {
   static Texture make3D(const GlPtr& gl, GLenum internalFormat, glm::ivec3 size, bool linear);
   glm::ivec3 size() const { return size_; }
   std::size_t bytes() const { return bytes_; }
+  void setFilter(GLenum filter);  // GL_NEAREST, GL_LINEAR
   // Returns the whole image as floats, `channels` interleaved, bottom row first.
   std::vector<float> readFloats(int channels) const {
     return readFloats(channels, {glm::ivec2(0), glm::ivec2(size_)});

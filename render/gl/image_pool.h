@@ -1,5 +1,5 @@
 // Stores the images that passes draw into, by name (render/graph/pass.h): created when first requested, kept
-// between frames.
+// until they are freed. A new image takes the texture of a freed one of its format and size, if there is one.
 #pragma once
 
 #include <map>
@@ -31,10 +31,20 @@ class ImagePool {
   Target& at(const std::string& name);
   bool has(const std::string& name) const { return entries_.count(name) > 0; }
 
-  void drop(const std::string& name) { entries_.erase(name); }
-  void clear() { entries_.clear(); }
+  // Frees a target, if it exists. Its textures stay for the next make() until the next dropFree().
+  void drop(const std::string& name);
+  // Frees the targets whose names end so.
+  void dropEnding(const std::string& ending);
+  void dropFree() { free_.clear(); }
+  void clear() {
+    entries_.clear();
+    free_.clear();
+  }
   std::size_t bytesOf(const std::string& name) const;
-  std::size_t bytes() const;
+  std::size_t bytes() const;  // of all textures
+  // Returns the most bytes() since the last beginPeak().
+  std::size_t peakBytes() const { return peak_; }
+  void beginPeak() { peak_ = bytes(); }
 
  private:
   struct Entry {
@@ -42,7 +52,14 @@ class ImagePool {
     std::vector<GLenum> formats;
     Target target;
   };
+  struct FreeTexture {
+    GLenum format;
+    Texture texture;
+  };
+  std::vector<Texture> texturesOf(const GlPtr& gl, glm::ivec2 size, const std::vector<GLenum>& formats);
   std::map<std::string, Entry> entries_;
+  std::vector<FreeTexture> free_;
+  std::size_t peak_ = 0;
 };
 
 }  // namespace isolux::render

@@ -59,7 +59,10 @@ struct FrameRequest {
   std::optional<Tile> tile;   // draw only this part; images read back then have the tile's size
   // Draw a small version of the whole image before its tiles, which take ambient occlusion from it.
   bool beforeTiles = false;
-  bool linear = false;    // readLinearPicture() will be called
+  bool linear = false;  // readLinearPicture() will be called
+  // Keep images for the next frame, as far as memory.gpu_budget_mb allows. False: each image is freed after
+  // its last reader, and only the requested ones can be read back; the next frame runs all passes.
+  bool keepImages = true;
   bool color = true;      // the shaded image
   std::vector<Aov> aovs;  // AOVs; requires supersampling 1
   int supersampling = 1;  // rays per pixel and axis, 1..4
@@ -138,7 +141,8 @@ struct FrameReport {
   std::optional<CurvatureReport> curvature;
   // The surface points changed since the last completed frame: Renderer::hitVoxels() differs.
   bool surfaceChanged = false;
-  std::size_t gpuBytes = 0;           // textures and buffers held by the renderer
+  std::size_t imageBytes = 0;  // of the passes' images: the most held at the same time in this frame
+  std::size_t gpuBytes = 0;    // the same with the textures and buffers of the volume and of baked light
   std::optional<EmptyPicture> empty;  // no surface is visible, and why
   std::optional<Tile> legend;         // its place in the whole image, if it was drawn
   // Values of automatic settings that were derived from the surface, by the paths of scene/settings.h.

@@ -38,6 +38,50 @@ std::vector<bool> usedPasses(const std::vector<PassDeclaration>& passes,
   return used;
 }
 
+std::map<std::string, std::size_t> lastUses(const std::vector<PassDeclaration>& passes,
+                                            const std::vector<PlannedPass>& plan,
+                                            const std::vector<std::string>& wanted) {
+  std::map<std::string, std::size_t> last;
+  for (const PlannedPass& planned : plan) {
+    if (planned.state != PassState::ran) continue;
+    const PassDeclaration& pass = passes[planned.index];
+    for (const std::string& image : pass.reads) last[image] = planned.index;
+    for (const std::string& image : pass.writes) last[image] = planned.index;
+  }
+  for (const std::string& image : wanted) last[image] = passes.size();
+  // An image lasts as long as its other name.
+  for (const PlannedPass& planned : plan) {
+    const PassDeclaration& pass = passes[planned.index];
+    for (std::size_t i = 1; planned.state != PassState::skipped && i < pass.bytes.size(); ++i) {
+      const auto name = last.find(pass.writes[i]);
+      if (pass.bytes[i] != PassDeclaration::kSameImage || name == last.end()) continue;
+      std::size_t& own = last[pass.writes[i - 1]];
+      own = std::max(own, name->second);
+    }
+  }
+  return last;
+}
+
+int peakBytesPerRay(const std::vector<PassDeclaration>& passes, const std::vector<std::string>& wanted) {
+  const std::vector<bool> used = usedPasses(passes, wanted);
+  std::vector<PlannedPass> plan;
+  for (std::size_t i = 0; i < passes.size(); ++i)
+    plan.push_back({i, used[i] ? PassState::ran : PassState::skipped, ""});
+  const auto last = lastUses(passes, plan, wanted);
+  std::map<std::string, int> held;
+  int peak = 0;
+  for (std::size_t i = 0; i < passes.size(); ++i) {
+    if (!used[i]) continue;
+    for (std::size_t k = 0; k < passes[i].bytes.size(); ++k)
+      held[passes[i].writes[k]] = std::max(passes[i].bytes[k], 0);
+    int sum = 0;
+    for (const auto& [image, bytes] : held) sum += bytes;
+    peak = std::max(peak, sum);
+    std::erase_if(held, [&](const auto& image) { return last.at(image.first) <= i; });
+  }
+  return peak;
+}
+
 std::uint64_t FrameGraph::versionOf(const std::string& image) const {
   const auto writer = writers_.find(image);
   if (writer == writers_.end()) return 0;
@@ -89,10 +133,30 @@ std::vector<PlannedPass> FrameGraph::plan(const std::vector<PassDeclaration>& pa
       planned.push_back({i, PassState::ran, reasonOf(std::move(changed))});
     }
   }
+  remakeFreed(passes, wanted, planned);
   return planned;
 }
 
+// Backwards: what running passes need of freed images.
+void FrameGraph::remakeFreed(const std::vector<PassDeclaration>& passes,
+                             const std::vector<std::string>& wanted,
+                             std::vector<PlannedPass>& planned) const {
+  if (freed_.empty()) return;
+  std::set<std::string> needed(wanted.begin(), wanted.end());
+  for (std::size_t i = passes.size(); i-- > 0;) {
+    const PassDeclaration& pass = passes[i];
+    PlannedPass& now = planned[i];
+    const bool isNeeded = std::any_of(pass.writes.begin(), pass.writes.end(),
+                                      [&](const std::string& image) { return needed.count(image) > 0; });
+    if (now.state == PassState::cached && isNeeded && freed_.count(pass.name) > 0)
+      now = {i, PassState::ran, "its images were freed", true};
+    if (now.state == PassState::ran) needed.insert(pass.reads.begin(), pass.reads.end());
+  }
+}
+
 void FrameGraph::completed(const PassDeclaration& pass) {
+  // The same inputs make the same images: those that have read them stay cached.
+  if (freed_.erase(pass.name) > 0 && memory_.count(pass.name) > 0) return;
   LastRun run{pass.parameters, {}};
   for (const std::string& image : pass.reads) run.inputs.emplace_back(image, versionOf(image));
   memory_[pass.name] = std::move(run);

@@ -65,8 +65,9 @@ Declaring& Declaring::reads(const char* image) {
   return *this;
 }
 
-Declaring& Declaring::writes(const char* image) {
+Declaring& Declaring::writes(const char* image, int bytesPerRay) {
   declared.writes.emplace_back(image);
+  declared.bytes.push_back(bytesPerRay);
   return *this;
 }
 

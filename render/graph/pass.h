@@ -38,7 +38,9 @@ using PassList = std::vector<std::unique_ptr<Pass>>;
 // Names of passes used outside the pass's own file.
 namespace pass {
 inline constexpr const char *bricks = "bricks", *cast = "cast", *refine = "refine", *gradient = "gradient",
-                            *hessian = "hessian", *irradiance = "irradiance", *layers = "layers";
+                            *hessian = "hessian", *irradiance = "irradiance", *layers = "layers",
+                            *openness = "openness", *shadow = "shadow", *shade = "shade",
+                            *resolve = "resolve";
 }
 
 // Names of the images that passes write. Images that are drawn are stored under these names
@@ -46,8 +48,9 @@ inline constexpr const char *bricks = "bricks", *cast = "cast", *refine = "refin
 namespace image {
 inline constexpr const char *activeBlocks = "active blocks", *segments = "ray segments",
                             *bricks = "resident bricks", *bracket = "brackets", *surface = "surface points",
-                            *gradient = "gradients", *hessian = "Hessians", *curvature = "curvatures",
-                            *edge = "edges", *second = "values of the second volume", *piece = "pieces",
+                            *gradient = "gradients", *hessian = "Hessians", *tangents = "tangent planes",
+                            *curvature = "curvatures", *edge = "edges",
+                            *second = "values of the second volume", *piece = "pieces",
                             *ranges = "curvature ranges", *shadow = "shadows", *openness = "openness",
                             *occlusion = "occlusions", *flowField = "flow fields", *flow = "streaks",
                             *extrema = "curvature extrema", *lineField = "line fields", *lines = "lines",
@@ -131,7 +134,10 @@ class Declaring {
   PassDeclaration declared;
 
   Declaring& reads(const char* image);
-  Declaring& writes(const char* image);
+  // `bytesPerRay`: of images at the size of the rays.
+  Declaring& writes(const char* image, int bytesPerRay = 0);
+  // Gives the image that was declared last another name.
+  Declaring& writesAs(const char* otherName) { return writes(otherName, PassDeclaration::kSameImage); }
   // Declares that the result depends on these settings (patterns of scene::covers()), but not on those in
   // `except`.
   Declaring& settings(std::initializer_list<std::string_view> paths,

@@ -90,26 +90,25 @@ bool sharesGradient(const scene::Scene& scene) {
 std::vector<std::string> wantedImages(const FrameRequest& request, const scene::Scene& scene) {
   std::vector<std::string> wanted;
   if (request.color) wanted.emplace_back(image::picture);
+  if (!request.aovs.empty()) wanted.emplace_back(image::surface);  // where they are
   for (const Aov aov : request.aovs) {
     if (aov == Aov::irradiance)
       wanted.emplace_back(image::irradiance);
     else if (aov == Aov::normal)
       wanted.emplace_back(image::gradient);
     else if (aov == Aov::gradient)
-      wanted.emplace_back(sharesGradient(scene) ? image::gradient : image::hessian);
+      wanted.emplace_back(sharesGradient(scene) ? image::gradient : image::tangents);
     else if (aov == Aov::hessian)
       wanted.emplace_back(image::hessian);
     else if (readsHessian(aov)) {
       wanted.emplace_back(image::curvature);
-      if (aov == Aov::direction2) wanted.emplace_back(image::hessian);
+      if (aov == Aov::direction2) wanted.emplace_back(image::tangents);
     } else if (readsEdge(aov)) {
       wanted.emplace_back(image::edge);
     } else if (aov == Aov::color_value) {
       wanted.emplace_back(image::second);
     } else if (aov == Aov::piece) {
       wanted.emplace_back(image::piece);
-    } else {
-      wanted.emplace_back(image::surface);
     }
   }
   return wanted;

@@ -126,6 +126,7 @@ std::int64_t coveredPixels(FrameState& frame, const Target& picture, const volum
   p.setTexture("uColor", 0, frame.image(image::color));
   if (faces) p.setTexture("uCutFaces", 1, frame.images.at(image::cutFaces).images[0]);
   p.set("uSupersampling", frame.request.supersampling);
+  p.set("uColorLow", frame.raysLow());
   frame.begin(picture, frame.drawnSize());
   return frame.samplesOf([&] { frame.drawRectangles(p, {part}); });
 }

@@ -56,7 +56,7 @@ CutFaceImage::CutFaceImage(glm::ivec2 size)
       texels(ends.size()) {}
 
 void CutFacesPass::declare(Declaring& d) const {
-  d.writes(image::cutFaces);
+  d.writes(image::cutFaces, 8);
   if (!scene::showsCutFaces(d.asked.scene)) {
     d.notNeeded("no cut face is shown");
     return;

@@ -14,30 +14,30 @@ namespace isolux::render {
 
 namespace {
 
+bool readsDirection(const FrameRequest& request) {
+  return std::any_of(request.aovs.begin(), request.aovs.end(),
+                     [](Aov aov) { return aov == Aov::direction1 || aov == Aov::direction2; });
+}
+
 bool hessianIsRead(const Asked& asked) {
   FrameRequest request = asked.request;
   request.color = request.color && asked.volume.crossed;  // no colour of nothing
   return readsHessian(asked.scene, request);
 }
 
-void clearAll(FrameState& frame, Target& target) {
-  if (target.images.size() == 1)
-    frame.clear(target, {kZero});
-  else
-    frame.clear(target, {kZero, kZero, kZero});
-}
-
-// At that scale.
-void drawDerivatives(FrameState& frame, Target& target, const char* shader, double scaleMm) {
+// At that scale, by shaders. `hessian`: into the images of the Hessian, too, which the target's framebuffer
+// then has.
+void drawDerivatives(FrameState& frame, Target& target, const char* shader, double scaleMm, bool hessian) {
   const FieldAt field{frame.scene->derivatives.field, scaleMm};
-  if (frame.onProcessor.all) {
-    deriveOnProcessor(frame, target, field);
-    return;
-  }
   // In bricks, what was drawn in an earlier round of the frame stays.
-  if (frame.empty() || (frame.bricks() && !frame.keepHits)) clearAll(frame, target);
+  if (frame.empty() || (frame.bricks() && !frame.keepHits)) {
+    if (hessian)
+      frame.clear(target, {kZero, kZero, kZero});
+    else
+      frame.clear(target, {kZero});
+  }
   if (frame.empty()) return;
-  std::string defines = target.images.size() == 3 ? "#define HESSIAN\n" : "";
+  std::string defines = hessian ? "#define HESSIAN\n" : "";
   if (scaleMm > 0.0)
     defines += "#define SCALED\n";
   else if (field.field != scene::Field::trilinear)
@@ -62,33 +62,55 @@ void GradientPass::declare(Declaring& d) const {
   if (sharesGradient(d.asked.scene) && hessianIsRead(d.asked))
     d.writes("gradients alone").notNeeded("the hessian pass writes gradients too");
   else
-    d.writes(image::gradient);
+    d.writes(image::gradient, 16);
 }
 
 void GradientPass::run(FrameState& frame) {
-  drawDerivatives(frame, frame.target(image::gradient, {GL_RGBA32F}), shader,
-                  scene::normalScale(*frame.scene));
+  const double scaleMm = scene::normalScale(*frame.scene);
+  const FieldAt field{frame.scene->derivatives.field, scaleMm};
+  if (frame.gradientInStrips) return deriveOnProcessor(frame, nullptr, field, false);
+  Target& target = frame.target(image::gradient, {GL_RGBA32F});
+  if (frame.onProcessor.all)
+    deriveOnProcessor(frame, &target, field, false);
+  else
+    drawDerivatives(frame, target, shader, scaleMm, false);
 }
 
 void HessianPass::declare(Declaring& d) const {
-  d.reads(image::surface).writes(image::hessian);
+  // The processor's Hessians stay in memory (HostImages).
+  d.reads(image::surface).writes(image::hessian, d.asked.onProcessor.all ? 0 : 32);
+  d.writes(image::tangents, 16);
+  if (sharesGradient(d.asked.scene) && hessianIsRead(d.asked)) d.writesAs(image::gradient);
   d.volume().settings({"derivatives.field", "derivatives.scale"});
   if (scene::derivativesScale(d.asked.scene) == 0.0) d.settings({"derivatives.fetch"});
   d.input("executor at the hits", d.asked.onProcessor.all);
-  if (sharesGradient(d.asked.scene) && hessianIsRead(d.asked)) d.writes(image::gradient);
 }
 
 void HessianPass::run(FrameState& frame) {
-  drawDerivatives(frame, frame.target(image::hessian, {GL_RGBA32F, GL_RGBA32F, GL_RGBA32F}), shader,
-                  scene::derivativesScale(*frame.scene));
+  Target& target = frame.target(image::tangents, {GL_RGBA32F});
+  const double scaleMm = scene::derivativesScale(*frame.scene);
+  if (frame.onProcessor.all) {
+    frame.images.drop(image::hessian + frame.layer);
+    deriveOnProcessor(frame, &target, {frame.scene->derivatives.field, scaleMm}, true);
+    return;
+  }
+  Target& hessian = frame.target(image::hessian, {GL_RGBA32F, GL_RGBA32F});
+  target.framebuffer = Framebuffer(frame.gl, {&target.images[0], &hessian.images[0], &hessian.images[1]});
+  target.drawn.add(hessian.drawn);
+  drawDerivatives(frame, target, shader, scaleMm, true);
+  hessian.drawn = target.drawn;
+  // A framebuffer would hold the memory of freed images.
+  target.framebuffer = Framebuffer(frame.gl, {&target.images[0]});
 }
 
 std::optional<std::size_t> HessianPass::bytes(const FrameState& frame) const {
-  return frame.images.bytesOf(image::hessian);  // the gradients are its first image
+  return frame.images.bytesOf(image::tangents) + frame.images.bytesOf(image::hessian);
 }
 
 void CurvaturePass::declare(Declaring& d) const {
-  d.reads(image::surface).reads(image::hessian).writes(image::curvature);
+  const bool asImage = readsDirection(d.asked.request);
+  d.reads(image::surface).reads(image::tangents).reads(image::hessian);
+  d.writes(image::curvature, asImage ? 32 : 24).input("directions as an image", asImage);
   d.settings({"isosurface.inside", "derivatives.noise"});
 }
 
@@ -98,16 +120,16 @@ std::optional<LookInput> CurvaturePass::forLook(const scene::Scene& scene) const
 }
 
 void CurvaturePass::run(FrameState& frame) {
-  Target& target = frame.target(image::curvature, {GL_RGBA32F, GL_RGBA32F});
+  // For pictures, half floats are enough for directions.
+  const GLenum direction = readsDirection(frame.request) ? GL_RGBA32F : GL_RGBA16F;
+  Target& target = frame.target(image::curvature, {GL_RGBA32F, direction});
   if (frame.empty()) {
     frame.clear(target, {kZero, kZero});
     return;
   }
   const FieldAt field = frame.curvatureField();
   Program& p = frame.program(shader, field.scaleMm > 0.0 ? "#define SCALED\n" : "");
-  p.setTexture("uGradient", 0, frame.image(image::hessian, 0));
-  p.setTexture("uHessianDiagonal", 1, frame.image(image::hessian, 1));
-  p.setTexture("uHessianMixed", 2, frame.image(image::hessian, 2));
+  p.setTexture("uGradient", 0, frame.image(image::tangents));
   p.set("uOutward", static_cast<float>(frame.outward()));
   const volume::GridGeometry& geometry = frame.volume->grid().geometry();
   if (field.scaleMm > 0.0) {
@@ -120,11 +142,15 @@ void CurvaturePass::run(FrameState& frame) {
   p.set("uGradientNoise", static_cast<float>(scale.gradientNoise));
   p.set("uFlat", static_cast<float>(scale.flatCurvature));
   p.set("uHessianNoise", static_cast<float>(scale.hessianNoise));
+  p.set("uHessianRow", 0);
+  if (frame.onProcessor.all) return drawFromHostHessians(frame, target, p);
+  p.setTexture("uHessianDiagonal", 1, frame.image(image::hessian, 0));
+  p.setTexture("uHessianMixed", 2, frame.image(image::hessian, 1));
   frame.drawHits(target, p);
 }
 
 void EdgePass::declare(Declaring& d) const {
-  d.reads(image::surface).writes(image::edge).volume();
+  d.reads(image::surface).writes(image::edge, 8).volume();
   d.settings({"derivatives.field", "derivatives.scale", "derivatives.noise", "isosurface.inside", "edge."});
   d.input("executor at the hits", d.asked.onProcessor.all);
 }

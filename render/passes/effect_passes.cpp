@@ -23,11 +23,13 @@ constexpr int kPixelsOfCell = 2, kMostCells = 1024;
 // How far it is looked for in the picture, in parts of its height.
 constexpr double kOcclusionReach = 0.25;
 
-// What the area of an image covers of it in cells.
-volume::PictureArea inCells(const volume::PictureArea& area, int cell, glm::ivec2 cells) {
+// What the area of the hits covers of the image in cells.
+volume::PictureArea inCells(const FrameState& frame, glm::ivec2 cells) {
+  const int cell = occlusionCell(frame.request);
   volume::PictureArea scaled(cells);
-  for (const volume::Rectangle& part : area.rectangles()) {
-    const glm::ivec2 low = part.low / cell, high = (part.low + part.size + cell - 1) / cell;
+  for (const volume::Rectangle& part : frame.area().rectangles()) {
+    const glm::ivec2 from = part.low + frame.raysLow();
+    const glm::ivec2 low = from / cell, high = (from + part.size + cell - 1) / cell;
     for (int row = low.y; row < high.y; ++row) scaled.add(row, low.x, high.x);
   }
   return scaled;
@@ -42,7 +44,7 @@ double phaseOf(const scene::Flow& flow) {
 }  // namespace
 
 void ShadowPass::declare(Declaring& d) const {
-  d.reads(image::surface).reads(image::gradient).reads(image::activeBlocks).writes(image::shadow);
+  d.reads(image::surface).reads(image::gradient).reads(image::activeBlocks).writes(image::shadow, 1);
   d.settings({"camera.", "hit.method", "hit.field", "light.space", "light.direction"}).cuts();
   const scene::Scene& s = d.asked.scene;
   std::array<bool, scene::kExtraIsosurfaces> opaque{};
@@ -107,8 +109,19 @@ void OpennessPass::run(FrameState& frame) {
   p.set("uDepthRange", glm::vec2(frame.view->depthRangeMm));
   p.set("uCell", occlusionCell(frame.request));
   p.set("uRadius", static_cast<float>(frame.scene->look.occlusionRadius.value()));
-  p.set("uMostRays", static_cast<float>(kOcclusionReach * frame.raySize().y));
-  frame.drawHits(target, p, inCells(frame.area(), occlusionCell(frame.request), cells));
+  p.set("uMostRays",
+        static_cast<float>(kOcclusionReach * frame.request.size.y * frame.request.supersampling));
+  const volume::PictureArea area = inCells(frame, cells);
+  if (!frame.gradientInStrips) return frame.drawHits(target, p, area);
+  volume::PictureArea drawn = area;
+  drawn.add(target.drawn);
+  const int cell = occlusionCell(frame.request), rows = std::max(frame.bandRows / cell, 1);
+  frame.begin(target);
+  for (int row = 0; row < cells.y && !frame.request.stop.stop_requested(); row += rows) {
+    setGradientStrip(frame, p, 1, row * cell - frame.raysLow().y, rows * cell);
+    frame.drawRectangles(p, volume::partsOf(drawn, {{0, row}, {cells.x, rows}}));
+  }
+  target.drawn = area;
 }
 
 void OcclusionPass::declare(Declaring& d) const {
@@ -137,7 +150,7 @@ void OcclusionPass::run(FrameState& frame) {
     p.setTexture("uOpenness", 0, frame.image(image::openness));
     p.set("uDepthRange", glm::vec2(frame.view->depthRangeMm));
     p.set("uCell", occlusionCell(frame.request));
-    frame.drawHits(target, p, inCells(frame.area(), occlusionCell(frame.request), cells));
+    frame.drawHits(target, p, inCells(frame, cells));
   }
   if (frame.request.beforeTiles)
     frame.copy(target, frame.images.make(frame.gl, keptName(crossing_), cells, {GL_RG32F}));
@@ -159,10 +172,10 @@ void OcclusionPass::takeKept(FrameState& frame) {
 void FlowFieldPass::declare(Declaring& d) const {
   d.reads(image::surface)
       .reads(image::gradient)
-      .reads(image::hessian)
+      .reads(image::tangents)
       .reads(image::curvature)
       .reads(image::ranges)
-      .writes(image::flowField);
+      .writes(image::flowField, 24);
   d.settings({"camera.", "isosurface.inside", "flow.direction", "flow.grain"}).pictureSize();
   d.input("pixel ratio", d.asked.request.pixelRatio);
 }
@@ -180,14 +193,15 @@ void FlowFieldPass::run(FrameState& frame) {
   frame.setPoint(p, 0);
   p.setTexture("uKappa", 3, frame.image(image::curvature, 0));
   p.setTexture("uDirection", 4, frame.image(image::curvature, 1));
-  p.setTexture("uCurvatureGradient", 5, frame.image(image::hessian, 0));
+  p.setTexture("uCurvatureGradient", 5, frame.image(image::tangents));
+  p.set("uFlat", static_cast<float>(frame.flatCurvature()));
   p.set("uGrain", static_cast<float>(flow.grain * frame.raysPerWidth()));
   p.set("uCurvatureScale", static_cast<float>(curvatureScale(frame.statistics, frame.flatCurvature())));
   frame.drawHits(target, p);
 }
 
 void FlowPass::declare(Declaring& d) const {
-  d.reads(image::flowField).writes(image::flow).settings({"flow.length", "flow.grain"}).pictureSize();
+  d.reads(image::flowField).writes(image::flow, 2).settings({"flow.length", "flow.grain"}).pictureSize();
   d.input("pixel ratio", d.asked.request.pixelRatio);
   const bool moves = d.asked.acts("flow.time");  // flow.time and flow.speed act through the phase alone
   d.input("phase of the flow", moves ? phaseOf(d.asked.scene.flow) : 0.0);
@@ -205,9 +219,8 @@ void FlowPass::run(FrameState& frame) {
   // Steps of half a grain miss nothing; long streaks of fine grain take at most 128 a way.
   const double half = 0.5 * flow.length * raysPerPixel;
   const double step = std::max({1.0, 0.5 * grain, half / 128.0});
-  const Texture& noise = frame.image(image::flowField, 1);
-  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    frame.gl->TextureParameteri(noise.id(), filter, GL_LINEAR);
+  Texture& noise = frame.images.at(image::flowField + frame.layer).images[1];
+  noise.setFilter(GL_LINEAR);
   Program& p = frame.program(shader);
   p.setTexture("uField", 0, frame.image(image::flowField, 0));
   p.setTexture("uNoise", 1, noise);

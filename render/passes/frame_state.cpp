@@ -187,6 +187,7 @@ std::vector<volume::Rectangle> FrameState::surfacePixels() const {
   if (cutFaceColors) drawn.add(images.at(image::cutFaces).drawn);
   std::vector<volume::Rectangle> parts = drawn.rectangles();
   for (volume::Rectangle& part : parts) {
+    part.low += raysLow() + glm::ivec2(0, bandRow);
     const glm::ivec2 end = (part.low + part.size + (request.supersampling - 1)) / request.supersampling;
     part.low /= request.supersampling;
     part.size = end - part.low;
@@ -223,12 +224,16 @@ void FrameState::setView(Program& program) const {
   program.set("uOrthographic", view->orthographic ? 1 : 0);
   program.set("uPictureSize", request.size * request.supersampling);
   program.set("uStartDepth", static_cast<float>(view->startDepth));
-  program.set("uTileOrigin", tileOrigin() * request.supersampling);
+  program.set("uTileOrigin", rayOrigin());
+  program.set("uFirstRow", 0);
 }
 
 void FrameState::setPoint(Program& program, int unit) const {
   program.setTexture("uSurface", unit, image(image::surface, 0));
-  if (withGradient) program.setTexture("uGradient", unit + 1, gradientImage());
+  program.set("uGradientRow", 0);
+  // Not of a look without normals: it may be freed.
+  if (images.has((gradientShared ? image::tangents : image::gradient) + layer))
+    program.setTexture("uGradient", unit + 1, gradientImage());
   program.setTexture("uInfo", unit + 2, image(image::surface, 1));
   program.set("uRightWorld", glm::vec3(view->rightWorld));
   program.set("uUpWorld", glm::vec3(view->upWorld));

@@ -102,10 +102,23 @@ struct FrameState {
   // The drawn part: the image, or a tile of it.
   glm::ivec2 drawnSize() const { return request.tile ? request.tile->size : request.size; }
   glm::ivec2 tileOrigin() const { return request.tile ? request.tile->origin : glm::ivec2(0); }
-  glm::ivec2 raySize() const { return drawnSize() * request.supersampling; }
-  volume::PictureRays rays() const {
-    return view->rays(request.size * request.supersampling, tileOrigin() * request.supersampling);
+  glm::ivec2 raySize() const { return (hitPart ? hitPart->size : drawnSize()) * request.supersampling; }
+  // Returns the first ray of the images within what is drawn, and within the whole image.
+  glm::ivec2 raysLow() const { return hitPart ? hitPart->origin * request.supersampling : glm::ivec2(0); }
+  glm::ivec2 rayOrigin() const { return tileOrigin() * request.supersampling + raysLow(); }
+  volume::PictureRays rays() const { return view->rays(request.size * request.supersampling, rayOrigin()); }
+  // The pixels of what is drawn, from its lower left corner, that images at the size of the rays cover; rays
+  // elsewhere hit nothing. None: all. Set by the cast of a frame that keeps no images.
+  std::optional<Tile> hitPart;
+  bool cropsToHits() const {
+    return !request.keepImages && !request.beforeTiles && request.aovs.empty() && !cutFaceColors;
   }
+  // Colours are shaded and resolved in bands of so many rows of rays; 0: at once.
+  int bandRows = 0;
+  int bandRow = 0;  // the first of the current band, in images at the size of the rays
+  // The gradients for normals stay in HostImages; openness and shade read them in strips.
+  bool gradientInStrips = false;
+
   // Returns the rays per pixel in settings: widths and lengths in pixels are multiplied by it.
   double raysPerWidth() const { return request.supersampling * request.pixelRatio; }
   // Returns null if the rays of this frame traverse no bricks.
@@ -135,10 +148,10 @@ struct FrameState {
   std::vector<volume::Rectangle> surfacePixels() const;
   std::optional<Tile> legend;  // its place in the whole image; kept with image::picture
 
-  // Whether this frame draws gradients (for normals) and Hessians (with their own gradients), and whether the
-  // latter are also the gradients for normals.
-  bool withGradient = false, withHessian = false, gradientShared = false;
-  const Texture& gradientImage() const { return image(gradientShared ? image::hessian : image::gradient); }
+  // Whether this frame draws Hessians (with their own gradients), and whether these are also the gradients
+  // for normals.
+  bool withHessian = false, gradientShared = false;
+  const Texture& gradientImage() const { return image(gradientShared ? image::tangents : image::gradient); }
   // Returns the field of second derivatives.
   FieldAt curvatureField() const { return {scene->derivatives.field, scene::derivativesScale(*scene)}; }
   FieldAt edgeField() const { return edgeFieldOf(*scene); }

@@ -21,10 +21,13 @@ bool asksValueError(const FrameRequest& request) {
   return std::find(request.aovs.begin(), request.aovs.end(), Aov::value_error) != request.aovs.end();
 }
 
+// Of exact hits only the value error needs more than half floats.
+bool hasSmallInfos(const scene::Scene& scene, const FrameRequest& request) {
+  return scene.hit.method == scene::HitMethod::exact && !asksValueError(request);
+}
 // Exact hits are the surface points themselves; sampled ones are brackets yet.
 Target& castTarget(FrameState& frame) {
-  return isExact(frame) ? frame.target(image::surface, {GL_RGBA32F, GL_RG32F})
-                        : frame.target(image::bracket, {GL_RGBA32F});
+  return isExact(frame) ? surfaceTarget(frame) : frame.target(image::bracket, {GL_RGBA32F});
 }
 
 void clearHits(const FrameState& frame, Target& target) {
@@ -35,6 +38,11 @@ void clearHits(const FrameState& frame, Target& target) {
 }
 
 }  // namespace
+
+Target& surfaceTarget(FrameState& frame) {
+  const GLenum info = hasSmallInfos(*frame.scene, frame.request) ? GL_RG16F : GL_RG32F;
+  return frame.target(image::surface, {GL_RGBA32F, info});
+}
 
 void BlocksPass::declare(Declaring& d) const {
   d.volume().isovalues().settings({"hit.field"}).input("graphics copy of the volume", d.asked.volume.made);
@@ -100,14 +108,17 @@ std::optional<std::size_t> BricksPass::bytes(const FrameState& frame) const {
 
 void CastPass::declare(Declaring& d) const {
   const bool exact = d.asked.scene.hit.method == scene::HitMethod::exact;
-  d.reads(image::activeBlocks).writes(exact ? image::surface : image::bracket);
+  d.reads(image::activeBlocks);
+  d.writes(exact ? image::surface : image::bracket, hasSmallInfos(d.asked.scene, d.asked.request) ? 20
+                                                    : exact                                       ? 24
+                                                                                                  : 16);
   d.volume().isovalues().cuts().pictureSize().settings({"camera.", "hit."}, {"hit.refinements"});
   d.input("cut faces are shown", scene::showsCutFaces(d.asked.scene));
   if (scene::showsCutFaces(d.asked.scene)) d.reads(image::cutFaces);
   d.input("executor", d.asked.onProcessor.casts);
+  if (exact) d.input("value error", asksValueError(d.asked.request));
   if (d.asked.onProcessor.casts) return;
   d.reads(image::segments);
-  if (exact) d.input("value error", asksValueError(d.asked.request));
   d.input("volume in bricks", d.asked.bricks.inUse);
   if (d.asked.bricks.inUse) d.reads(image::bricks);
 }
@@ -175,12 +186,12 @@ void RefinePass::declare(Declaring& d) const {
     d.writes("refined points").notNeeded("exact hits are solved in their cells");
     return;
   }
-  d.reads(image::bracket).writes(image::surface);
+  d.reads(image::bracket).writes(image::surface, 24);
   d.volume().isovalues().pictureSize().settings({"camera.", "hit.field", "hit.refinements"});
 }
 
 void RefinePass::run(FrameState& frame) {
-  Target& target = frame.target(image::surface, {GL_RGBA32F, GL_RG32F});
+  Target& target = surfaceTarget(frame);
   // In bricks, what was refined in an earlier round of the frame stays.
   if (frame.empty() || (frame.bricks() && !frame.keepHits)) frame.clear(target, {kNoSurface, kZero});
   if (frame.empty()) return;

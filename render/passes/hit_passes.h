@@ -56,7 +56,8 @@ class RefinePass : public Pass {
   void run(FrameState& frame) override;
 };
 
-bool anyHit(FrameState& frame);  // returns whether there is any surface point
+Target& surfaceTarget(FrameState& frame);  // returns the images of image::surface, to draw into
+bool anyHit(FrameState& frame);            // returns whether there is any surface point
 
 // Return the defines for shaders that cast rays, and set the inputs of trace.glsl and trace_cubic.glsl: view,
 // volume, isovalues, block masks, hidden components. Texture units 0, 1, 3, 14.

@@ -251,7 +251,7 @@ std::optional<std::size_t> LightPass::bytes(const FrameState& frame) const {
 
 void IrradiancePass::declare(Declaring& d) const {
   const LightState& light = d.asked.light;
-  d.reads(image::surface).reads(image::gradient).writes(image::irradiance);
+  d.reads(image::surface).reads(image::gradient).writes(image::irradiance, 16);
   d.notNeeded("no look reads light of the surface points");
   d.settings({"camera."}).input("light", light.version);
   if (!light.stored) return;

@@ -67,7 +67,7 @@ constexpr double kDifferences = 0.75, kGap = 2.5;
 void setPoints(FrameState& frame, Program& p, int unit) {
   frame.setView(p);
   frame.setPoint(p, unit);
-  p.setTexture("uGradient", unit + 1, frame.image(image::hessian, 0));
+  p.setTexture("uGradient", unit + 1, frame.image(image::tangents));
 }
 
 void setNeighbours(FrameState& frame, Program& p, int unit) {
@@ -83,7 +83,7 @@ glm::dvec2 thresholdsOf(const FrameState& frame) {
 }
 
 void dependOnPoints(Declaring& d) {
-  d.reads(image::surface).reads(image::hessian).reads(image::curvature).volume().pictureSize();
+  d.reads(image::surface).reads(image::tangents).reads(image::curvature).volume().pictureSize();
   d.settings({"camera.", "isosurface.inside"});
 }
 
@@ -102,7 +102,7 @@ double reachOfLines(const scene::Scene& scene, int heightInRays) {
 
 void ExtremaPass::declare(Declaring& d) const {
   dependOnPoints(d);
-  d.writes(image::extrema);
+  d.writes(image::extrema, 8);
 }
 
 void ExtremaPass::run(FrameState& frame) {
@@ -119,7 +119,7 @@ void ExtremaPass::run(FrameState& frame) {
 void LineFieldPass::declare(Declaring& d) const {
   dependOnPoints(d);
   dependOnRanges(d);
-  d.writes(image::lineField);
+  d.writes(image::lineField, 8 * static_cast<int>(kindsOf(d.asked.scene).size()));
   const scene::Look& look = d.asked.scene.look;
   d.input("kinds of lines", look.ridges > 0.0, look.suggestiveContours > 0.0,
           scene::contoursOf(d.asked.scene) > 0.0);
@@ -149,7 +149,7 @@ void LineFieldPass::run(FrameState& frame) {
 void LinesPass::declare(Declaring& d) const {
   dependOnPoints(d);
   dependOnRanges(d);
-  d.reads(image::lineField).writes(image::lines);
+  d.reads(image::lineField).writes(image::lines, 4);
   d.settings({"look.contour_width", "look.ridge_width", "look.ridge_width_unit", "look.ridge_length"});
   d.input("pixel ratio", d.asked.request.pixelRatio);
 }
@@ -176,6 +176,8 @@ void LinesPass::run(FrameState& frame) {
   const double pixel = frame.raysPerWidth();
   const bool inMm = look.ridgeWidthUnit == scene::LengthUnit::mm;
   p.set("uPixel", static_cast<float>(pixel));
+  const glm::vec2 low(-frame.raysLow());
+  p.set("uDrawn", glm::vec4(low, low + glm::vec2(frame.drawnSize() * frame.request.supersampling)));
   p.set("uMostRays", static_cast<float>(mostRays(heightInRays(frame))));
   p.set("uDetail", detailOf(frame, kDifferences));
   p.set("uGap", detailOf(frame, kGap));

@@ -241,7 +241,7 @@ void ShadePass::setOverlays(FrameState& frame, Program& p) const {
 
 void ShadePass::declare(Declaring& d) const {
   const bool transparent = scene::isTransparent(d.asked.scene);
-  d.reads(image::surface).writes(transparent ? image::front : image::color);
+  d.reads(image::surface).writes(transparent ? image::front : image::color, 8);
   d.input("surfaces let light through", transparent);
   // Where no ray can hit anything, colours read nothing of the surface.
   if (d.asked.volume.crossed) {
@@ -300,11 +300,31 @@ void ShadePass::run(FrameState& frame) {
     return;
   }
   const bool transparent = scene::isTransparent(*frame.scene);
+  if (frame.bandRows > 0) return drawBand(frame);
   Target& target = frame.target(transparent ? image::front : image::color, {GL_RGBA16F});
   if (frame.empty())
     frame.clear(target, {kZero});
   else
     frame.drawHits(target, prepared(frame));
+}
+
+// The rows of frame.bandRow to `color`, whose first row that is.
+void ShadePass::drawBand(FrameState& frame) {
+  const glm::ivec2 size(frame.raySize().x, frame.bandRows);
+  Target& target = frame.images.make(frame.gl, image::color, size, {GL_RGBA16F});
+  frame.clear(target, {kZero});
+  if (frame.empty()) return;
+  Program& p = prepared(frame);
+  p.set("uFirstRow", frame.bandRow);
+  const glm::ivec2 low(0, frame.bandRow);
+  if (frame.gradientInStrips) setGradientStrip(frame, p, gradientUnit, frame.bandRow, frame.bandRows);
+  std::vector<volume::Rectangle> parts = volume::partsOf(frame.area(), {low, size});
+  for (volume::Rectangle& part : parts) part.low -= low;
+  frame.begin(target);
+  frame.drawRectangles(p, parts);
+  for (const volume::Rectangle& part : parts)
+    for (int y = 0; y < part.size.y; ++y)
+      target.drawn.add(part.low.y + y, part.low.x, part.low.x + part.size.x);
 }
 
 void LayersPass::declare(Declaring& d) const {
@@ -313,7 +333,7 @@ void LayersPass::declare(Declaring& d) const {
     d.writes("layers").notNeeded("every surface is opaque");
     return;
   }
-  d.reads(image::front).writes(image::color).settings({"isosurface.layers"});
+  d.reads(image::front).writes(image::color, 8).settings({"isosurface.layers"});
   // It draws the passes of a crossing again: it depends on what they do, and reads what they read of others.
   const std::vector<bool> used = usedPasses(d.earlier, {image::front});
   std::set<std::string> own;

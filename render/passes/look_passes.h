@@ -17,7 +17,7 @@ class RangesPass : public Pass {
 // Shades the first crossing in linear colour; a layer is blended behind the colour drawn so far.
 class ShadePass : public Pass {
  public:
-  ShadePass() : Pass("shade", "shade.frag.glsl", {.ofCrossing = true}) {}
+  ShadePass() : Pass(pass::shade, "shade.frag.glsl", {.ofCrossing = true}) {}
   void declare(Declaring& d) const override;
   void run(FrameState& frame) override;
   void forget() override {
@@ -26,6 +26,7 @@ class ShadePass : public Pass {
   }
 
  private:
+  void drawBand(FrameState& frame);
   Program& prepared(FrameState& frame);  // returns its program with all its inputs set
   void setSurfaces(FrameState& frame, Program& program) const;
   void setLight(FrameState& frame, Program& program) const;

@@ -44,7 +44,7 @@ std::vector<float> idsOf(const FrameState& frame, const PiecesOfSurfaces& pieces
 }  // namespace
 
 void PiecePass::declare(Declaring& d) const {
-  d.reads(image::surface).writes(image::piece).volume().isovalues().settings({"isosurface.inside"});
+  d.reads(image::surface).writes(image::piece, 4).volume().isovalues().settings({"isosurface.inside"});
 }
 
 void PiecePass::run(FrameState& frame) {

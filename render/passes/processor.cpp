@@ -4,8 +4,11 @@
 #include <span>
 #include <type_traits>
 
+#include <glm/common.hpp>
+
 #include "render/constants.h"
 #include "render/passes/frame_state.h"
+#include "render/passes/hit_passes.h"
 #include "scene/rules/needs.h"
 #include "volume/cast/surface_caster.h"
 #include "volume/cast/surface_derivatives.h"
@@ -14,9 +17,10 @@ namespace isolux::render {
 
 namespace {
 
-// `changed` of an image as large as the texture.
+// Parts of an image into a texture as wide, whose first row is that row of the image.
 template <class T>
-void upload(const Texture& texture, const volume::PictureArea& changed, const std::vector<T>& texels) {
+void upload(const Texture& texture, const std::vector<volume::Rectangle>& parts, const std::vector<T>& texels,
+            int firstRow = 0) {
   GLenum format = GL_RED, type = GL_UNSIGNED_BYTE;
   if constexpr (!std::is_same_v<T, std::uint8_t>) {
     format = std::is_same_v<T, glm::vec4> ? GL_RGBA : GL_RG;
@@ -26,12 +30,18 @@ void upload(const Texture& texture, const volume::PictureArea& changed, const st
   const int width = texture.size().x;
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl.PixelStorei(GL_UNPACK_ROW_LENGTH, width);
-  for (const volume::Rectangle& part : changed.rectangles()) {
+  for (const volume::Rectangle& part : parts) {
     const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(part.low.y) * width + part.low.x;
-    gl.TextureSubImage2D(texture.id(), 0, part.low.x, part.low.y, part.size.x, part.size.y, format, type,
-                         texels.data() + first);
+    gl.TextureSubImage2D(texture.id(), 0, part.low.x, part.low.y - firstRow, part.size.x, part.size.y, format,
+                         type, texels.data() + first);
   }
   gl.PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+}
+
+// `changed` of an image as large as the texture.
+template <class T>
+void upload(const Texture& texture, const volume::PictureArea& changed, const std::vector<T>& texels) {
+  upload(texture, changed.rectangles(), texels);
 }
 
 HostImages& hostImages(FrameState& frame) {
@@ -113,11 +123,67 @@ void findEdges(const FrameState& frame, const FieldAt& field, const volume::Edge
 
 }  // namespace
 
+namespace {
+
+constexpr const char* kStripOfGradients = "a strip of gradients";
+constexpr const char* kLess = "a smaller image or --executor gpu needs less";
+
+void resize(HostImages::Derivatives& image, std::size_t texels) {
+  if (image.texels.size() == texels) return;
+  image = {};
+  image.held = base::machineMemory().reserve(texels * sizeof(glm::vec4), "derivatives of the picture", kLess);
+  image.texels.resize(texels);
+}
+
+// The smallest rectangle of whole pixels with all hits and a margin of pixels without, as the passes that
+// read neighbours expect; at multiples of the strips of an area.
+Tile pixelsOfHits(const volume::PictureArea& hits, int supersampling, glm::ivec2 drawn) {
+  constexpr int margin = 2;
+  glm::ivec2 low = hits.size(), high(0);
+  for (const volume::Rectangle& part : hits.rectangles()) {
+    low = glm::min(low, part.low);
+    high = glm::max(high, part.low + part.size);
+  }
+  low = glm::min(low, high) / supersampling - margin;
+  high = (high + supersampling - 1) / supersampling + margin;
+  constexpr int step = volume::PictureArea::kRows;
+  low = glm::max(low, glm::ivec2(0)) / step * step;
+  return {low, glm::min(high, drawn) - low};
+}
+
+// The part of the crossings that starts at `low`.
+void copyPart(const volume::CrossingImage& from, glm::ivec2 low, volume::CrossingImage& to) {
+  const glm::ivec2 size = to.area.size();
+  for (int y = 0; y < size.y; ++y) {
+    const auto source = static_cast<std::ptrdiff_t>(low.y + y) * from.area.size().x + low.x;
+    const auto target = static_cast<std::ptrdiff_t>(y) * size.x;
+    std::copy_n(from.points.begin() + source, size.x, to.points.begin() + target);
+    std::copy_n(from.infos.begin() + source, size.x, to.infos.begin() + target);
+  }
+  for (const volume::Rectangle& part : from.area.rectangles())
+    for (int y = 0; y < part.size.y; ++y)
+      to.area.add(part.low.y - low.y + y, part.low.x - low.x, part.low.x - low.x + part.size.x);
+}
+
+// From here on images have the size of what can be seen of the surface.
+void cropToHits(FrameState& frame) {
+  const volume::CrossingImage& whole = frame.host.at("").crossings;
+  const int rays = frame.request.supersampling;
+  const Tile part = pixelsOfHits(whole.area, rays, frame.drawnSize());
+  if (part.size == frame.drawnSize()) return;
+  HostImages images(part.size * rays);
+  copyPart(whole, part.origin * rays, images.crossings);
+  frame.host.clear();
+  frame.host.emplace("", std::move(images));
+  frame.hitPart = part;
+}
+
+}  // namespace
+
 HostImages::HostImages(glm::ivec2 size)
     : held(base::machineMemory().reserve(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
-                                             (sizeof(glm::vec2) + 5 * sizeof(glm::vec4)),
-                                         "hits of the picture",
-                                         "a smaller image or --executor gpu needs less")),
+                                             (sizeof(glm::vec2) + sizeof(glm::vec4)),
+                                         "hits of the picture", kLess)),
       crossings(size) {}
 
 OnProcessor onProcessor(bool taken, const scene::Scene& scene) {
@@ -134,39 +200,88 @@ bool takesProcessor(scene::Executor executor, const Gl& gl) {
   return executor == scene::Executor::cpu || (executor == scene::Executor::automatic && gl.software);
 }
 
+namespace {
+void uploadCrossings(FrameState& frame) {
+  const volume::CrossingImage& crossings = frame.host.at(frame.layer).crossings;
+  Target& target = surfaceTarget(frame);
+  target.drawn.add(crossings.area);
+  upload(target.images[0], target.drawn, crossings.points);
+  upload(target.images[1], target.drawn, crossings.infos);
+  target.drawn = crossings.area;
+}
+}  // namespace
+
 void castOnProcessor(FrameState& frame) {
   volume::CrossingImage& crossings = hostImages(frame).crossings;
   if (!frame.empty())
     cast(frame, crossings);
   else if (!crossings.area.empty())
     crossings = volume::CrossingImage(frame.raySize());
-  Target& target = frame.target(image::surface, {GL_RGBA32F, GL_RG32F});
-  target.drawn.add(crossings.area);
-  upload(target.images[0], target.drawn, crossings.points);
-  upload(target.images[1], target.drawn, crossings.infos);
-  target.drawn = crossings.area;
+  if (frame.layer.empty() && frame.cropsToHits() && !frame.request.stop.stop_requested()) cropToHits(frame);
+  uploadCrossings(frame);
 }
 
-void deriveOnProcessor(FrameState& frame, Target& target, const FieldAt& field) {
+void deriveOnProcessor(FrameState& frame, Target* target, const FieldAt& field, bool hessian) {
   HostImages& images = frame.host.at(frame.layer);
   const volume::PictureArea& area = images.crossings.area;
-  const std::size_t count = target.images.size();
-  const std::span<HostImages::Derivatives> own(count == 3 ? images.hessian : &images.gradient, count);
+  const std::size_t count = hessian ? 3 : 1;
+  const std::span<HostImages::Derivatives> own(hessian ? images.hessian : &images.gradient, count);
   volume::PictureArea changed = area;
   for (HostImages::Derivatives& image : own) {
-    image.texels.resize(images.crossings.points.size());
+    resize(image, images.crossings.points.size());
     if (image.area.size() == area.size()) changed.add(image.area);
   }
   volume::DerivativeImages out{own[0].texels, {}, {}};
-  if (count == 3) out = {own[0].texels, own[1].texels, own[2].texels};
+  if (hessian) out = {own[0].texels, own[1].texels, own[2].texels};
   if (!changed.empty()) derive(*frame.volume, field, images.crossings, changed, out, frame.request.stop);
   const bool stopped = frame.request.stop.stop_requested();  // some of what was there may be left
-  target.drawn.add(area);
-  for (std::size_t i = 0; i < count; ++i) {
-    upload(target.images[i], target.drawn, own[i].texels);
-    own[i].area = stopped ? changed : area;
+  for (HostImages::Derivatives& image : own) image.area = stopped ? changed : area;
+  if (!target) return;
+  target->drawn.add(area);
+  upload(target->images[0], target->drawn, own[0].texels);
+  if (!stopped) target->drawn = area;
+}
+
+void setGradientStrip(FrameState& frame, Program& program, int unit, int firstRow, int rows) {
+  const int width = frame.raySize().x;
+  const Target& strip = frame.images.make(frame.gl, kStripOfGradients, {width, rows}, {GL_RGBA32F});
+  upload(strip.images[0], volume::partsOf(frame.area(), {{0, firstRow}, {width, rows}}),
+         frame.host.at(frame.layer).gradient.texels, firstRow);
+  program.setTexture("uGradient", unit, strip.images[0]);
+  program.set("uGradientRow", firstRow);
+}
+
+void drawFromHostHessians(FrameState& frame, Target& target, Program& program) {
+  constexpr int kRows = 64;
+  const char* const name = "a strip of Hessians";
+  const HostImages::Derivatives* const hessian = frame.host.at(frame.layer).hessian;
+  const glm::ivec2 size = frame.raySize();
+  volume::PictureArea drawn = frame.area();
+  drawn.add(target.drawn);
+  const Target& strip =
+      frame.images.make(frame.gl, name, {size.x, std::min(kRows, size.y)}, {GL_RGBA32F, GL_RGBA32F});
+  program.setTexture("uHessianDiagonal", 1, strip.images[0]);
+  program.setTexture("uHessianMixed", 2, strip.images[1]);
+  frame.begin(target);
+  for (int row = 0; row < size.y && !frame.request.stop.stop_requested(); row += kRows) {
+    const std::vector<volume::Rectangle> parts = volume::partsOf(drawn, {{0, row}, {size.x, kRows}});
+    for (std::size_t i : {std::size_t{0}, std::size_t{1}})
+      upload(strip.images[i], parts, hessian[i + 1].texels, row);
+    program.set("uHessianRow", row);
+    frame.drawRectangles(program, parts);
   }
-  if (!stopped) target.drawn = area;
+  frame.images.drop(name);
+  target.drawn = frame.request.stop.stop_requested() ? drawn : frame.area();
+}
+
+void releaseHostImages(FrameState& frame, const std::string& image) {
+  if (image == image::surface) frame.host.clear();
+  if (image == image::gradient) frame.images.drop(kStripOfGradients);
+  for (auto& [layer, images] : frame.host) {
+    if (image == image::gradient) images.gradient = {};
+    if (image == image::tangents) images.hessian[0] = {};
+    if (image == image::hessian) images.hessian[1] = images.hessian[2] = {};
+  }
 }
 
 void edgesOnProcessor(FrameState& frame, Target& target, const FieldAt& field,

@@ -37,6 +37,7 @@ struct HostImages {
   // Throws base::Error{memory}.
   explicit HostImages(glm::ivec2 size);
   struct Derivatives {
+    base::MemoryBudget::Held held;
     std::vector<glm::vec4> texels;
     volume::PictureArea area;  // all are 0 outside
   };
@@ -50,11 +51,19 @@ struct HostImages {
   volume::PictureArea edgesArea;
 };
 
-// Finds the crossings of frame.layer, or those behind frame.layerBefore, and uploads them.
+// Finds the crossings of frame.layer, or those behind frame.layerBefore, and uploads them. Sets
+// frame.hitPart if no later frame reads the images.
 void castOnProcessor(FrameState& frame);
-// Computes derivatives at the points of frame.layer and uploads them to the images of `target`. One image is
-// the gradient; three also hold the diagonal and mixed entries of the Hessian.
-void deriveOnProcessor(FrameState& frame, Target& target, const FieldAt& field);
+// Computes gradients at the points of frame.layer and uploads them to `target`, if there is one. `hessian`:
+// Hessians, too, which stay in HostImages.
+void deriveOnProcessor(FrameState& frame, Target* target, const FieldAt& field, bool hessian);
+// Uploads rows of the gradients for normals to uGradient, on that unit (FrameState::gradientInStrips).
+void setGradientStrip(FrameState& frame, Program& program, int unit, int firstRow, int rows);
+// Draws as FrameState::drawHits(), with strips of the Hessians of HostImages as uHessianDiagonal and
+// uHessianMixed on the units 1 and 2, and their first row as uHessianRow.
+void drawFromHostHessians(FrameState& frame, Target& target, Program& program);
+// Frees what HostImages hold of an image that no later pass reads.
+void releaseHostImages(FrameState& frame, const std::string& image);
 
 // Finds the object's edge at those points.
 void edgesOnProcessor(FrameState& frame, Target& target, const FieldAt& field,

@@ -30,7 +30,7 @@ void setBehind(const FrameState& frame, Program& p) {
   p.set("uBackgroundBottom", glm::vec3(frame.scene->look.backgroundBottom));
 }
 
-// Where it stands.
+// The legend's place.
 std::optional<Tile> drawLegendOf(FrameState& frame, const Target& picture) {
   const scene::Scene& scene = *frame.scene;
   if (scene::isMeasure(scene.look.mode))
@@ -49,7 +49,9 @@ void BackgroundPass::declare(Declaring& d) const {
 }
 
 void BackgroundPass::run(FrameState& frame) {
-  const Target& target = frame.images.make(frame.gl, image::background, frame.drawnSize(), {GL_RGBA8});
+  // Nobody else reads it in a frame that keeps no images: the picture is drawn over it.
+  const char* const name = frame.request.keepImages ? image::background : image::picture;
+  const Target& target = frame.images.make(frame.gl, name, frame.drawnSize(), {GL_RGBA8});
   frame.begin(target, frame.drawnSize());
   Program& p = frame.program(shader, "#define NOTHING_ELSE\n");
   setBehind(frame, p);
@@ -104,6 +106,7 @@ Program& ResolvePass::prepared(FrameState& frame, const std::string& defines) co
   if (faces) setCutFaces(frame, p, 2);
   if (environment) frame.lighting->setBackground(frame, p, 1);
   p.setTexture("uColor", 0, frame.image(image::color));
+  p.set("uColorLow", frame.raysLow() + glm::ivec2(0, frame.bandRow));
   setBehind(frame, p);
   return p;
 }
@@ -116,7 +119,7 @@ void ResolvePass::drawAll(FrameState& frame, const Target& target, const std::st
 
 // The background's own pixels, with the surface's over them.
 void ResolvePass::drawHits(FrameState& frame, Target& target) const {
-  frame.copy(frame.images.at(image::background), target);
+  if (frame.request.keepImages) frame.copy(frame.images.at(image::background), target);
   Program& p = prepared(frame, "");
   frame.begin(target, frame.drawnSize());
   frame.drawRectangles(p, frame.surfacePixels());

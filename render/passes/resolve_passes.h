@@ -16,7 +16,7 @@ class BackgroundPass : public Pass {
 // Adds the background, averages supersamples, encodes sRGB and adds the legend.
 class ResolvePass : public Pass {
  public:
-  ResolvePass() : Pass("resolve", "resolve.frag.glsl", {}) {}
+  ResolvePass() : Pass(pass::resolve, "resolve.frag.glsl", {}) {}
   void declare(Declaring& d) const override;
   void run(FrameState& frame) override;
 

@@ -71,7 +71,7 @@ std::vector<glm::vec4> texelsOf(const FrameState& frame, const SecondAtPoints& s
 }  // namespace
 
 void SecondVolumePass::declare(Declaring& d) const {
-  d.reads(image::surface).writes(image::second).second();
+  d.reads(image::surface).writes(image::second, 16).second();
   if (d.asked.volume.second != 0 && d.asked.scene.color.below > 0.0)
     d.reads(image::gradient).settings({"isosurface.inside"});
 }

@@ -10,6 +10,10 @@ uniform int uOrthographic;
 uniform ivec2 uPictureSize;  // rays, supersamples included
 uniform ivec2 uTileOrigin;   // of the images drawn into, within the picture: pictures may be drawn in parts
 
+uniform int uFirstRow;       // of the images read, that the image drawn into begins with: some are drawn in bands
+
+// Where the images are read.
+vec2 fragment() { return gl_FragCoord.xy + vec2(0.0, float(uFirstRow)); }
 vec2 inPicture(vec2 fragment) { return fragment + vec2(uTileOrigin); }
 vec2 imagePlane(vec2 fragment) { return (inPicture(fragment) / vec2(uPictureSize) * 2.0 - 1.0) * uHalfExtent; }
 

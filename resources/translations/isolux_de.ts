@@ -5699,8 +5699,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Reflexion, an der russisches Roulette beginnt: Pfade enden dann zufällig, mit der Wahrscheinlichkeit, dass Licht absorbiert wird.</translation>
     </message>
     <message>
-        <source>Graphics memory that voxels may use.</source>
-        <translation>Grafikspeicher, den die Voxel belegen dürfen.</translation>
+        <source>Graphics memory for voxels, baked light and images.</source>
+        <translation>Grafikspeicher für Voxel, gespeichertes Licht und Bilder.</translation>
     </message>
     <message>
         <source>Memory for bricks of an out-of-core volume.</source>

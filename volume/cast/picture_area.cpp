@@ -74,4 +74,11 @@ std::vector<Rectangle> PictureArea::rectangles() const {
   return list;
 }
 
+std::vector<Rectangle> partsOf(const PictureArea& area, const Rectangle& within) {
+  std::vector<Rectangle> parts;
+  for (const Rectangle& one : area.rectangles())
+    if (const Rectangle part = common(one, within); part.size.x > 0 && part.size.y > 0) parts.push_back(part);
+  return parts;
+}
+
 }  // namespace isolux::volume

@@ -44,4 +44,7 @@ class PictureArea {
   std::vector<Columns> strips_;
 };
 
+// Returns the rectangles of what is in both.
+std::vector<Rectangle> partsOf(const PictureArea& area, const Rectangle& within);
+
 }  // namespace isolux::volume

@@ -12,12 +12,13 @@ uniform vec3 uScale;  // standard deviation of the Gaussian along each axis, vox
 uniform ivec3 uDims;
 #endif
 uniform sampler2D uGradient, uHessianDiagonal, uHessianMixed;
+uniform int uHessianRow;       // where the first row of the Hessians lies in the picture
 uniform float uOutward;
 uniform float uGradientNoise;  // standard deviation of a gradient component, data units per mm
 uniform float uFlat;           // curvature below which a surface counts as flat, 1/mm
 uniform float uHessianNoise;   // standard deviation of a normal second derivative, data units per mm^2
 layout(location = 0) out vec4 oKappa;      // kappa1 >= kappa2 (1/mm), confidence, its part from the gradient alone
-layout(location = 1) out vec4 oDirection;  // of kappa1: unit, world; w: standard deviation of a curvature, 1/mm
+layout(location = 1) out vec4 oDirection;  // of kappa1: unit, world; w: standard deviation of a curvature over uFlat
 
 #ifdef SCALED
 // Samples go on beyond the border by point reflection, which leaves more noise there: of the smoothing across a border at
@@ -36,7 +37,8 @@ void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   oKappa = oDirection = vec4(0.0);
   vec4 gradient = texelFetch(uGradient, pixel, 0);
-  vec4 diagonal = texelFetch(uHessianDiagonal, pixel, 0);
+  ivec2 inHessians = pixel - ivec2(0, uHessianRow);
+  vec4 diagonal = texelFetch(uHessianDiagonal, inHessians, 0);
   float scale = max(max(abs(gradient.x), abs(gradient.y)), abs(gradient.z));
   if (gradient.w == 0.0 || diagonal.w == 0.0 || !(scale > 0.0)) return;
   vec3 g = gradient.xyz / scale;
@@ -48,7 +50,7 @@ void main() {
   float a = -1.0 / (s + n.z), c = n.x * n.y * a;
   vec3 u = vec3(1.0 + s * n.x * n.x * a, s * c, -s * n.x), v = vec3(c, s + n.y * n.y * a, -n.y);
 
-  vec4 mixed = texelFetch(uHessianMixed, pixel, 0);
+  vec4 mixed = texelFetch(uHessianMixed, inHessians, 0);
   vec3 d = diagonal.xyz / scale, m = mixed.xyz / scale;
   mat3 hessian = mat3(vec3(d.x, m.x, m.y), vec3(m.x, d.y, m.z), vec3(m.yz, d.z));
   vec3 hu = hessian * u, hv = hessian * v;
@@ -67,7 +69,7 @@ void main() {
   hessianNoise *= noiseAtBorder(pixel);
 #endif
   float curvatureNoise = min(hessianNoise / scale / relativeLength, 1e30);
-  oDirection = vec4(norm > 0.0 ? (e.x * u + e.y * v) / norm : u, curvatureNoise);
+  oDirection = vec4(norm > 0.0 ? (e.x * u + e.y * v) / norm : u, min(curvatureNoise / uFlat, 60000.0));
 
   float noisy = uGradientNoise > 0.0 ? smoothstep(3.0, 6.0, scale * relativeLength / uGradientNoise) : 1.0;
   noisy *= mixed.w;  // at the border curvature is that of repeated samples

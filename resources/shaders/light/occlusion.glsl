@@ -5,7 +5,7 @@ uniform float uOcclusion;
 uniform vec2 uCellsPerRay;
 
 float opennessAt(Point p) {
-  vec2 at = inPicture(gl_FragCoord.xy) * uCellsPerRay - 0.5;
+  vec2 at = inPicture(fragment()) * uCellsPerRay - 0.5;
   ivec2 low = ivec2(floor(at)), last = textureSize(uOpen, 0) - 1;
   vec2 part = at - vec2(low);
   float tolerance = 4.0 * p.footprint / max(uCellsPerRay.x, 1e-6);

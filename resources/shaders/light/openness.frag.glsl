@@ -38,8 +38,10 @@ float between(float horizonAngle, float normal) {
 
 void main() {
   ivec2 cell = ivec2(gl_FragCoord.xy);
-  ivec2 pixel = min(cell * uCell + uCell / 2, textureSize(uSurface, 0) - 1);
+  // Beyond the images there are no hits.
+  ivec2 pixel = min(cell * uCell + uCell / 2, uPictureSize - 1) - uTileOrigin;
   oOpenness = vec4(0.0);
+  if (any(lessThan(pixel, ivec2(0))) || any(greaterThanEqual(pixel, textureSize(uSurface, 0)))) return;
   vec4 surface = texelFetch(uSurface, pixel, 0);
   if (surface.w < 0.0) return;
   Point p = pointAt(pixel, surface);

@@ -11,6 +11,7 @@
 uniform sampler2D uKappa, uDirection, uCurvatureGradient;
 uniform float uGrain;           // rays
 uniform float uCurvatureScale;  // of the surface as a whole, 1/mm
+uniform float uFlat;            // curvature below which a surface counts as flat, 1/mm
 layout(location = 0) out vec4 oField;
 layout(location = 1) out vec4 oNoise;
 
@@ -51,7 +52,7 @@ void main() {
   float forward = dot(squares, vec3(greaterThan(direction, vec3(0.0))));
   vec4 kappa = texelFetch(uKappa, pixel, 0);
   // Where the surface bends nearly alike every way, a direction says nothing, however sure it is.
-  float alike = texelFetch(uDirection, pixel, 0).w + 0.1 * uCurvatureScale;
+  float alike = texelFetch(uDirection, pixel, 0).w * uFlat + 0.1 * uCurvatureScale;
   float confidence = kappa.z * smoothstep(0.05, 0.3, foreshortened) * smoothstep(0.5, 1.0, (kappa.x - kappa.y) / max(alike, 1e-30));
   oNoise = vec4(surfaceNoise(p), forward, confidence, 0.0);
 }

@@ -20,7 +20,7 @@ uniform float uExposure;  // 2^stops
 
 vec3 lighted(vec3 base, Point p, float lit) {
   const float pi = 3.14159265;
-  return base * texelFetch(uIrradiance, ivec2(gl_FragCoord.xy), 0).rgb * (uExposure / pi);
+  return base * texelFetch(uIrradiance, ivec2(fragment()), 0).rgb * (uExposure / pi);
 }
 #elif SHADING == SHADING_UNLIT
 vec3 lighted(vec3 base, Point p, float lit) { return base; }

@@ -8,6 +8,7 @@
 uniform float uMostRays;       // followed each way
 uniform float uDetail, uGap;   // mm: see neighbours.glsl; a gap that is closed
 uniform float uPixel;          // rays
+uniform vec4 uDrawn;           // what is drawn, from its lower left to its upper right, rays from the images' corner
 #ifdef RIDGES
 uniform sampler2D uRidgeField, uValleyField;
 uniform vec2 uRidgeLengths;   // of ridges and valleys, mm
@@ -61,11 +62,12 @@ Followed follow(sampler2D field, Point p, vec2 at, vec2 along, bool onLine, Want
   vec3 position = p.position;
   for (float walked = step_; walked <= rays; walked += step_) {
     at += step_ * along;
-    if (any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, size))) {  // it may go on beyond the picture
+    if (any(lessThan(at, uDrawn.xy)) || any(greaterThanEqual(at, uDrawn.zw))) {  // it may go on beyond the picture
       if (f.met.x >= 0.0) f.length += steady * (rays - walked) * p.footprint;
       return f;
     }
-    vec4 line = texelFetch(field, ivec2(at), 0);
+    bool within = all(greaterThanEqual(at, vec2(0.0))) && all(lessThan(at, size));
+    vec4 line = within ? texelFetch(field, ivec2(at), 0) : vec4(0.0);
     float turn = dot(line.xy, along);
     bool here = line.w >= wanted.weakest && abs(line.z) < max(step_ + 1.0, 0.5 * detail) && abs(turn) > 0.7;
     if (here) {

@@ -1,6 +1,6 @@
 // Curvature measures and the colours that stand for them.
 uniform sampler2D uKappa;          // kappa1 >= kappa2 (1/mm), confidence, its part from the gradient
-uniform sampler2D uDirection;      // of kappa1, world
+uniform sampler2D uDirection;      // of kappa1, world; w: standard deviation of a curvature over uFlat
 uniform sampler2D uColorMap;       // samples along a row, or kappa1 by kappa2
 uniform vec2 uRange;               // of the measure, low and high
 uniform float uFlat;               // curvature below which a surface counts as flat, 1/mm

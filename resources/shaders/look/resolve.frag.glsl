@@ -16,7 +16,8 @@ vec3 faceColor(float value) {
 }
 #endif
 #ifndef NOTHING_ELSE
-uniform sampler2D uColor;  // premultiplied
+uniform sampler2D uColor;  // premultiplied; elsewhere nothing is
+uniform ivec2 uColorLow;   // its first ray within what is drawn
 #endif
 uniform int uSupersampling;
 uniform ivec2 uTileOrigin;   // pixels
@@ -50,7 +51,9 @@ void main() {
 #ifdef NOTHING_ELSE
       vec4 color = vec4(0.0);
 #else
-      vec4 color = texelFetch(uColor, ray, 0);
+      ivec2 at = ray - uColorLow;
+      bool within = all(greaterThanEqual(at, ivec2(0))) && all(lessThan(at, textureSize(uColor, 0)));
+      vec4 color = within ? texelFetch(uColor, at, 0) : vec4(0.0);
 #endif
 #ifdef CUT_FACES
       vec2 face = texelFetch(uCutFaces, ray, 0).rg;

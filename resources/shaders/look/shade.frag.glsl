@@ -78,7 +78,7 @@ vec3 baseColor(Point p, vec3 albedo, vec4 kappa, ivec2 pixel) {
 #ifdef EDGE
   base = edgeColor(pixel);
 #elif defined(MEASURE) || defined(MEASURE_SQUARE)
-  base = measureColor(kappa, texelFetch(uDirection, pixel, 0).w);
+  base = measureColor(kappa, texelFetch(uDirection, pixel, 0).w * uFlat);
 #else
 #if LOOK == LOOK_ACCESSIBILITY
   base = mix(albedo, vec3(1.0), 0.55);
@@ -138,7 +138,7 @@ vec4 shaded(ivec2 pixel, Point p, vec3 albedo) {
 #endif
 #ifdef FOG
 #ifdef FOG_BACKGROUND
-  vec3 fogColor = backgroundAt(inPicture(gl_FragCoord.xy).y / float(uPictureSize.y));
+  vec3 fogColor = backgroundAt(inPicture(fragment()).y / float(uPictureSize.y));
 #else
   vec3 fogColor = uFogColor;
 #endif
@@ -150,7 +150,7 @@ vec4 shaded(ivec2 pixel, Point p, vec3 albedo) {
 
 // A pixel whose ray waits for a brick: hatched grey, like nothing that is a surface.
 vec4 waiting() {
-  vec2 at = inPicture(gl_FragCoord.xy);
+  vec2 at = inPicture(fragment());
   return vec4(vec3(mod(at.x + at.y, 12.0) < 6.0 ? 0.16 : 0.30), 1.0);
 }
 
@@ -165,7 +165,7 @@ float opacityOf(int which, Point p) {
 }
 
 void main() {
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  ivec2 pixel = ivec2(fragment());
   vec4 surface = texelFetch(uSurface, pixel, 0);
   oColor = vec4(0.0);
   int known = int(texelFetch(uInfo, pixel, 0).g);

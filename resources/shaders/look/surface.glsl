@@ -2,6 +2,7 @@
 uniform sampler2D uSurface, uInfo;
 #ifndef NO_GRADIENT
 uniform sampler2D uGradient;
+uniform int uGradientRow;      // of the other images, that its first row is
 #endif
 uniform vec3 uRightWorld, uUpWorld, uForwardWorld;  // the camera's unit axes
 uniform float uOutward;        // -1: inside is above the isovalue, +1: below
@@ -39,7 +40,7 @@ Point pointAt(ivec2 pixel, vec4 surface) {
   p.outward = -p.ray;
 #else
   // Where the gradient vanishes there is no normal; the point is taken as if it faced the viewer.
-  p.outward = safeNormalize(uOutward * texelFetch(uGradient, pixel, 0).xyz, -p.ray);
+  p.outward = safeNormalize(uOutward * texelFetch(uGradient, pixel - ivec2(0, uGradientRow), 0).xyz, -p.ray);
 #endif
   // Which side is seen is known from the values before and behind the hit. Near an outline the normal, smoother than
   // the surface hit, may already turn away from the viewer: then the surface is seen edge on.

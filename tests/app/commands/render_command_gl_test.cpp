@@ -137,7 +137,8 @@ TEST(RenderCommandGl, StatsHaveTheDocumentedKeys) {
           folder);
   const json stats = json::parse(contentOf(folder / "s.json"));
   for (const char* key : {"version", "context", "gl", "size", "supersampling", "isovalue", "passes",
-                          "frame_milliseconds", "repeat", "blocks", "programs", "gpu_bytes", "peak_bytes",
+                          "frame_milliseconds", "repeat", "blocks", "programs", "image_bytes", "gpu_bytes",
+                          "peak_bytes",
                           "parts", "data_hash", "read_seconds", "prepare_seconds"})
     EXPECT_TRUE(stats.contains(key)) << key;
   ASSERT_FALSE(stats["passes"].empty());

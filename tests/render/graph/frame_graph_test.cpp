@@ -558,5 +558,45 @@ TEST_F(FrameGraphTest, BricksRunWhereRaysAskForThem) {
     }
 }
 
+// An image may be freed behind its last reader; a wanted one, and one whose other name is read, lasts longer.
+TEST_F(FrameGraphTest, ImagesLastUntilTheirLastReader) {
+  const std::vector<PassDeclaration> passes = {
+      {"a", {}, {"one", "two", "second"}, {}, {}, {4, 8, PassDeclaration::kSameImage}},
+      {"b", {"one"}, {"three"}, {}, {}, {16}},
+      {"c", {"second", "three"}, {"four"}, {}, {}, {2}},
+      {"unused", {"one"}, {"five"}, {}, {}, {100}},
+      {"d", {"four"}, {"last"}, {}, {}, {1}}};
+  const auto plan = graph_.plan(passes, {"last"});
+  EXPECT_EQ(lastUses(passes, plan, {"last"}),
+            (std::map<std::string, std::size_t>{
+                {"one", 1}, {"two", 2}, {"second", 2}, {"three", 2}, {"four", 4}, {"last", 5}}));
+  EXPECT_EQ(peakBytesPerRay(passes, {"last"}), 4 + 8 + 16);
+  EXPECT_EQ(peakBytesPerRay(passes, {"last", "one"}), 4 + 8 + 16 + 2);
+}
+
+// What a pass wrote comes back only for passes that run, and is the same: others stay cached.
+TEST_F(FrameGraphTest, FreedImagesAreMadeAgainForThoseThatReadThem) {
+  const auto passes = [](std::uint64_t ofLast, std::uint64_t ofOther) {
+    return std::vector<PassDeclaration>{{"first", {}, {"a"}, {}},
+                                        {"second", {"a"}, {"b"}, {}},
+                                        {"other", {"a"}, {"c"}, {{"x", ofOther}}},
+                                        {"last", {"b", "c"}, {"d"}, {{"y", ofLast}}}};
+  };
+  const auto ran = [&](const std::vector<PassDeclaration>& declared) {
+    return namesOf(declared, frame(declared, {"d"}), PassState::ran);
+  };
+  ran(passes(0, 0));
+  graph_.freed("first");
+  graph_.freed("second");
+  EXPECT_THAT(ran(passes(0, 0)), ElementsAre());
+  EXPECT_THAT(ran(passes(0, 1)), ElementsAre("first", "second", "other", "last"));
+  EXPECT_THAT(ran(passes(0, 1)), ElementsAre());
+  graph_.freed("first");
+  EXPECT_THAT(ran(passes(1, 1)), ElementsAre("last"));  // what it reads is there
+  EXPECT_THAT(ran(passes(1, 2)), ElementsAre("first", "other", "last"));
+  graph_.freed("last");
+  EXPECT_THAT(ran(passes(1, 2)), ElementsAre("last"));  // wanted
+}
+
 }  // namespace
 }  // namespace isolux::render
