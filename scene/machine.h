@@ -36,11 +36,11 @@ struct Machine {
   Memory memory{};
   std::optional<int> threads{};  // for computing light; automatic: as many as the process may use
   bool adaptive = true;          // interactive frames are reduced until they are fast enough
-  Canvas canvas = Canvas::automatic;
   double motionTarget = 25.0;    // target time of an interactive frame, ms
   Executor executor = Executor::automatic;
   VoxelPlace voxels = VoxelPlace::automatic;
   int ramBudgetMb = 1024;  // for voxels that stay in a file
+  Canvas canvas = Canvas::automatic;
   bool operator==(const Machine&) const = default;
 };
 

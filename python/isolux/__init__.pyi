@@ -232,6 +232,7 @@ SettingsDict = TypedDict("SettingsDict", {
     "picture.adaptive": bool,  # Draws interactive frames at a lower resolution until they are fast enough; the full image follows when the view is idle.
     "picture.motion_target": float,  # Time limit of an interactive frame.
     "picture.executor": Literal["auto", "gpu", "cpu"],  # Device that computes hits and derivatives: the GPU, or the CPU (exact hits only). auto uses the CPU if OpenGL is software.
+    "window.canvas": Literal["auto", "textures", "pixels"],  # How the window shows images: as textures that stay on the graphics card, or as pixels copied to main memory. auto uses textures on a graphics card. A change to textures may need a restart.
 }, total=False)
 
 class IsoluxWarning(UserWarning): ...
