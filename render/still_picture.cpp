@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 
 #include "base/error.h"
+#include "base/memory_budget.h"
 #include "render/graph/pass_declarations.h"
 #include "render/passes/effect_passes.h"
 #include "render/passes/line_passes.h"
@@ -102,7 +103,9 @@ std::size_t pixelsOf(glm::ivec2 size) {
 
 class Collector {
  public:
-  explicit Collector(const FrameRequest& request) : request_(request) {
+  explicit Collector(const FrameRequest& request)
+      : request_(request),
+        held_(base::machineMemory().reserve(bytesOf(request), "the finished image", "a smaller image needs less")) {
     if (request.color)
       still_.color = {request.size, std::vector<std::uint8_t>(4 * pixelsOf(request.size)), false};
     if (request.linear) still_.linear = {request.size, std::vector<float>(4 * pixelsOf(request.size)), false};
@@ -154,7 +157,17 @@ class Collector {
     paste(from.rgba, tile, part, 4, whole.size, whole.rgba);
   }
 
+  static std::size_t bytesOf(const FrameRequest& request) {
+    std::size_t perPixel = request.color ? 4 : 0;
+    if (request.linear) perPixel += 4 * sizeof(float);
+    for (const AovInfo& info : aovs())
+      if (std::find(request.aovs.begin(), request.aovs.end(), info.aov) != request.aovs.end())
+        perPixel += info.channels.size() * sizeof(float);
+    return perPixel * pixelsOf(request.size);
+  }
+
   FrameRequest request_;
+  base::MemoryBudget::Held held_;  // of still_, while it is drawn
   StillPicture still_;
 };
 
@@ -177,10 +190,10 @@ std::vector<FrameRequest> tilesOf(const scene::Scene& resolved, const FrameReque
 
 StillPicture drawStill(Renderer& renderer, const scene::Scene& resolved, const FrameRequest& request,
                        base::Progress& progress) try {
+  Collector collector(request);
   const std::size_t imageBudget = renderer.imageBudget();
   const Tiling tiling = tilingOf(resolved, request, imageBudget);
   const std::vector<FrameRequest> tiles = tilesOf(resolved, request, imageBudget);
-  Collector collector(request);
   if (tiles.size() > 1 && scene::showsOcclusion(resolved)) renderer.render(resolved, beforeTiles(request));
   for (std::size_t i = 0; i < tiles.size(); ++i) {
     progress.throwIfStopped();

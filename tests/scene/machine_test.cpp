@@ -37,7 +37,7 @@ TEST(Machine, AssignmentsAreThoseOfTheCommandLine) {
 }
 
 TEST(Machine, NoPathIsOfTheSceneAndOfTheMachine) {
-  EXPECT_EQ(machineSettings().size(), 8u);
+  EXPECT_EQ(machineSettings().size(), 9u);
   for (const MachineSetting& s : machineSettings()) {
     EXPECT_TRUE(isOfMachine(s.path + "=1"));
     EXPECT_THROW(setting(s.path), base::Error) << s.path;

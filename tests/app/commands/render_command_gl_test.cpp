@@ -277,9 +277,9 @@ TEST(ReplayCommandGl, RefusesEndlessRecordings) {
   EXPECT_FALSE(fs::exists(folder / "d"));
 }
 
-TEST(RenderCommandGl, APictureThatDoesNotFitIsRefusedWithTheSettingThatLowersIt) {
+TEST(RenderCommandGl, APictureThatDoesNotFitIsRefusedWithWhatLowersIt) {
   const fs::path folder = test::temporaryFolder();
-  const RunResult result = runIsolux({"render", "phantom:ball:16", "--size", "4096x4096", "--memory-budget",
+  const RunResult result = runIsolux({"render", "phantom:ball:16", "--size", "8192x8192", "--memory-budget",
                                       "100M", "--context", "software", "--out", "a.png"},
                                      {.folder = folder});
   EXPECT_EQ(result.exitCode, 5) << result.err;
