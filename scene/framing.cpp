@@ -141,14 +141,17 @@ std::array<glm::dvec3, 8> cornersOf(glm::dvec3 boundsMinMm, glm::dvec3 boundsMax
   return corners;
 }
 
-Camera fittedTo(const Camera& camera, glm::dvec3 boundsMinMm, glm::dvec3 boundsMaxMm, const Rooms& rooms) {
-  if (!std::all_of(rooms.begin(), rooms.end(), isUsable) || !camera.eye || !camera.target) return camera;
+Camera fittedTo(const Camera& camera, glm::dvec3 boundsMinMm, glm::dvec3 boundsMaxMm,
+                const std::function<Rooms()>& roomsOf) {
+  if (!camera.eye || !camera.target) return camera;
   const Camera fit = fitted(camera, boundsMinMm, boundsMaxMm);
   const CameraFrame frame = frameOf(camera);
   const double roundings = 1e-9 * frame.distance;
   if (!(glm::distance(*camera.target, *fit.target) <= roundings &&
         glm::distance(*camera.eye, *fit.eye) <= roundings))
     return camera;
+  const Rooms rooms = roomsOf();
+  if (!std::all_of(rooms.begin(), rooms.end(), isUsable)) return camera;
   const std::array<glm::dvec3, 8> corners = cornersOf(boundsMinMm, boundsMaxMm);
   if (rooms.size() != 1 || !isCentral(rooms.front())) return framing(camera, rooms, corners);
   const glm::dvec2 tangents = halfOf(rooms.front()) * tangentOf(camera);

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -50,6 +51,8 @@ std::array<glm::dvec3, 8> cornersOf(glm::dvec3 boundsMinMm, glm::dvec3 boundsMax
 // Returns a camera that fitted() has made of this box, moved back until the box is in the free rectangle. If
 // the rectangle is not around the image's middle, or several are given, returns framing() of the box. Returns
 // any other camera unchanged, because the user has chosen its view.
-Camera fittedTo(const Camera& camera, glm::dvec3 boundsMinMm, glm::dvec3 boundsMaxMm, const Rooms& rooms);
+// Calls `rooms` for cameras that fitted() has made only.
+Camera fittedTo(const Camera& camera, glm::dvec3 boundsMinMm, glm::dvec3 boundsMaxMm,
+                const std::function<Rooms()>& rooms);
 
 }  // namespace isolux::scene

@@ -91,14 +91,14 @@ Camera framed(const Camera& camera, const VolumeFacts& facts) {
                                       : fitted(camera, facts.boundsMinMm, facts.boundsMaxMm);
 }
 
-Camera fittedTo(const Camera& camera, const VolumeFacts& facts, const Rooms& rooms) {
+Camera fittedTo(const Camera& camera, const VolumeFacts& facts, const std::function<Rooms()>& rooms) {
   if (!framesOutline(camera, facts)) return fittedTo(camera, facts.boundsMinMm, facts.boundsMaxMm, rooms);
   if (!camera.eye || !camera.target) return camera;
   const Camera square = framed(camera, facts);
   const double roundings = 1e-9 * glm::distance(*square.eye, *square.target);
   const bool chosen = !(glm::distance(*camera.eye, *square.eye) <= roundings &&
                         glm::distance(*camera.target, *square.target) <= roundings);
-  return chosen ? camera : framing(camera, rooms, facts.outlineMm);
+  return chosen ? camera : framing(camera, rooms(), facts.outlineMm);
 }
 
 Scene resolve(Scene scene, const VolumeFacts& facts) {

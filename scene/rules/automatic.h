@@ -1,6 +1,7 @@
 // Fills in the automatic settings of a Scene, such as isovalue and camera, from facts about the volume.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -49,7 +50,7 @@ Scene resolve(Scene scene, const VolumeFacts& facts);
 Camera framed(const Camera& camera, const VolumeFacts& facts);
 
 // Returns a resolved camera of framed(), adapted to these free rectangles. Returns any other camera
-// unchanged, because the user has chosen its view.
-Camera fittedTo(const Camera& camera, const VolumeFacts& facts, const Rooms& rooms);
+// unchanged, because the user has chosen its view; `rooms`, which take long to find, are not asked for then.
+Camera fittedTo(const Camera& camera, const VolumeFacts& facts, const std::function<Rooms()>& rooms);
 
 }  // namespace isolux::scene

@@ -167,11 +167,11 @@ TEST(Framing, AFittedCameraIsFittedToNarrowPicturesToo) {
   for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
     const Camera fit = fitted(obliqueCamera(projection), low, high);
     for (const double across : {1.0, 1.7, 0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
-      EXPECT_EQ(fittedTo(fit, low, high, wholePicture(across)), fit) << across;
-    const Extent between = extentIn(fittedTo(fit, low, high, roomOf({2.0, 0.8})), 1.0, corners);
+      EXPECT_EQ(fittedTo(fit, low, high, [&] { return Rooms{wholePicture(across)}; }), fit) << across;
+    const Extent between = extentIn(fittedTo(fit, low, high, [&] { return Rooms{roomOf({2.0, 0.8})}; }), 1.0, corners);
     EXPECT_LE(std::max(-between.low.y, between.high.y), 0.8 + 1e-9);
     for (const double aspect : {0.9, 0.5, 0.2}) {
-      const Camera narrow = fittedTo(fit, low, high, wholePicture(aspect));
+      const Camera narrow = fittedTo(fit, low, high, [&] { return Rooms{wholePicture(aspect)}; });
       const Extent e = extentIn(narrow, aspect, corners);
       EXPECT_GE(e.low.x, -1.0 - 1e-9);
       EXPECT_LE(e.high.x, 1.0 + 1e-9);
@@ -181,7 +181,7 @@ TEST(Framing, AFittedCameraIsFittedToNarrowPicturesToo) {
       EXPECT_NEAR(aspect < 0.5 ? reaches : 1.0, 1.0, 1e-9) << "no farther than needed";
     }
     for (const Camera& chosen : {orbited(fit, 0.1, 0.0), zoomed(fit, 1.1), panned(fit, {0.1, 0.0})})
-      EXPECT_EQ(fittedTo(chosen, low, high, roomOf({0.5, 0.5})), chosen);
+      EXPECT_EQ(fittedTo(chosen, low, high, [&] { return Rooms{roomOf({0.5, 0.5})}; }), chosen);
   }
 }
 

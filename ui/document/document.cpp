@@ -127,8 +127,8 @@ scene::Scene Document::resolved(const scene::Scene& scene) const {
   scene::Scene resolved = scene::resolve(scene, facts_);
   if (!volume_) return resolved;
   volume_->derivativeChoices->completeIfChosen(resolved);
-  resolved.camera =
-      scene::fittedTo(resolved.camera, facts_, app::freeRooms(resolved, *volume_, pixels_, letters_));
+  resolved.camera = scene::fittedTo(
+      resolved.camera, facts_, [&] { return app::freeRooms(resolved, *volume_, pixels_, letters_); });
   return resolved;
 }
 
@@ -142,7 +142,8 @@ void Document::setPicture(glm::ivec2 pixels, const app::Edges& letters) {
 scene::Camera Document::cameraOf(glm::ivec2 pixels, const app::Edges& letters) const {
   const scene::Scene resolved = scene::resolve(scene(), facts_);
   if (!volume_) return resolved.camera;
-  return scene::fittedTo(resolved.camera, facts_, app::freeRooms(resolved, *volume_, pixels, letters));
+  return scene::fittedTo(resolved.camera, facts_,
+                         [&] { return app::freeRooms(resolved, *volume_, pixels, letters); });
 }
 
 scene::Camera Document::camera() const {

@@ -54,6 +54,7 @@ Viewport::Viewport(QWidget* parent)
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(240, 180);
+  setAttribute(Qt::WA_OpaquePaintEvent);  // the canvas covers it
   setAccessibleName(tr("3-D view"));
   remedy_->setObjectName("remedy");
   remedy_->hide();

@@ -24,6 +24,7 @@
 
 #include "scene/machine.h"
 #include "scene/settings.h"
+#include "ui/document/preferences.h"
 #include "ui/viewport/canvas_choice.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/application.h"
@@ -118,9 +119,11 @@ void print(const char* what, std::vector<double> times) {
               times.back(), times.size());
 }
 
-int measure(Application& application, const QCommandLineParser& options) {
+// In a window of its own: one that has once shown textures goes on being composed by OpenGL.
+bool measure(Application& application, const QCommandLineParser& options, scene::Canvas canvas, Times& times) {
   const QStringList size = options.value("size").split('x');
   const QSize wanted(size.value(0).toInt(), size.value(1).toInt());
+  ui::keepMachine(ui::keptMachine(), {.canvas = canvas});
   ui::MainWindow window;
   window.show();
   app::WindowRequest request;
@@ -134,23 +137,24 @@ int measure(Application& application, const QCommandLineParser& options) {
   ui::Viewport* const viewport = window.viewport();
   window.resize(window.size() + wanted - viewport->size());
   const auto complete = [&] { return window.document()->volume() && viewport->complete(); };
-  if (!waitUntil(complete)) {
-    std::fprintf(stderr, "isolux_canvas_time: no picture\n");
-    return 1;
-  }
-  std::printf("%d x %d pixels\n", viewport->pixelSize().x, viewport->pixelSize().y);
-  std::map<ui::CanvasKind, Times> times;
+  if (!waitUntil(complete)) return false;
+  Times warmUp;
+  dragAbout(application, viewport, 40, warmUp);
+  dragAbout(application, viewport, options.value("moves").toInt(), times);
+  return waitUntil(complete);
+}
+
+int measure(Application& application, const QCommandLineParser& options) {
+  std::map<scene::Canvas, Times> times;
   for (int round = 0; round < options.value("rounds").toInt(); ++round)
-    for (const auto wish : {scene::Canvas::textures, scene::Canvas::pixels}) {
-      viewport->setCanvas(ui::chooseCanvas(wish));
-      waitUntil(complete);
-      Times warmUp;
-      dragAbout(application, viewport, 40, warmUp);
-      dragAbout(application, viewport, options.value("moves").toInt(), times[viewport->canvas().kind]);
-      waitUntil(complete);
-    }
-  for (const auto& [kind, of] : times) {
-    std::printf("%s\n", kind == ui::CanvasKind::textures ? "textures" : "pixels");
+    for (const auto canvas : {scene::Canvas::textures, scene::Canvas::pixels})
+      if (!measure(application, options, canvas, times[canvas])) {
+        std::fprintf(stderr, "isolux_canvas_time: no picture\n");
+        return 1;
+      }
+  std::printf("%s\n", qPrintable(options.value("size")));
+  for (const auto& [canvas, of] : times) {
+    std::printf("%s\n", canvas == scene::Canvas::textures ? "textures" : "pixels");
     print("finished to screen", of.toScreen);
     print("move to picture", of.answers);
     std::printf("  processor of the window's thread: %.1f ms a picture\n",
