@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include <QDate>
 #include <QDir>
 #include <QGuiApplication>
 #include <QOffscreenSurface>
@@ -24,7 +25,9 @@ namespace isolux::ui {
 
 namespace {
 
-constexpr auto measuredKey = "window/canvas_measured", measuredOnKey = "window/canvas_measured_on";
+constexpr auto measuredKey = "window/canvas_measured", measuredOnKey = "window/canvas_measured_on",
+               measuredAtKey = "window/canvas_measured_at";
+constexpr qint64 daysValid = 7;  // another driver may have been installed
 constexpr glm::ivec2 measuredSize(640, 450);
 
 // Whatever decides which driver answers, as far as it can be asked without a context.
@@ -41,8 +44,9 @@ QStringList placeOfDrivers() {
 // Why pixels are known to be the choice, or nothing.
 QString storedReason() {
   const QSettings kept;
-  return kept.value(measuredOnKey).toStringList() == placeOfDrivers() ? kept.value(measuredKey).toString()
-                                                                      : QString();
+  const qint64 days = kept.value(measuredAtKey).toDate().daysTo(QDate::currentDate());
+  const bool isValid = days >= 0 && days < daysValid && kept.value(measuredOnKey).toStringList() == placeOfDrivers();
+  return isValid ? kept.value(measuredKey).toString() : QString();
 }
 
 template <class Work>
@@ -126,6 +130,7 @@ CanvasChoice chooseWith(QOpenGLContext& window, scene::Canvas wish) {
   QSettings kept;
   kept.setValue(measuredKey, figures);
   kept.setValue(measuredOnKey, placeOfDrivers());
+  kept.setValue(measuredAtKey, QDate::currentDate());
   return pixelsBecause(figures);
 }
 

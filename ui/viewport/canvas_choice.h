@@ -2,8 +2,8 @@
 //
 // window.canvas decides. auto: textures if the window system offers OpenGL 4.5 of a graphics card; pixels if
 // it offers none; where it is software, whichever a measurement of a few milliseconds finds quicker. That
-// choice is stored, so that later starts create no OpenGL context for it, until the display, its devices or
-// the drivers' variables change.
+// choice is stored for a week, so that later starts create no OpenGL context for it, unless the display, its
+// devices or the drivers' variables change.
 #pragma once
 
 #include <functional>

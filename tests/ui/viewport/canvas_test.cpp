@@ -232,6 +232,15 @@ TEST_F(CanvasTest, AfterAResetOfTheDriverThePictureIsDrawnAgain) {
   }
 }
 
+TEST_F(CanvasTest, OfSoftwareDriversTheQuickerCanvasIsMeasuredAndStored) {
+  const auto stored = [] { return QSettings().value("window/canvas_measured").toString(); };
+  EXPECT_TRUE(stored().isEmpty());
+  const ui::CanvasChoice choice = ui::chooseCanvas(scene::Canvas::automatic);
+  EXPECT_TRUE(choice.why.contains("textures take")) << choice.why.toStdString();
+  EXPECT_EQ(stored(), choice.kind == CanvasKind::pixels ? choice.why : QString());
+  EXPECT_EQ(static_cast<bool>(choice.context), choice.kind == CanvasKind::textures);
+}
+
 // In a process of its own, without OpenGL of the window system (tests/ui/CMakeLists.txt).
 class NoWindowGl : public WindowTest {};
 
