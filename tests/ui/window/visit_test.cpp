@@ -170,6 +170,10 @@ TEST_F(WindowTest, AVisitOfRandomActionsEndsWithThePictureOfItsSession) {
     ASSERT_LE(render::PictureRing::textures(), 7u) << "seed " << seed << ", action " << i << ": " << name;
   }
   EXPECT_EQ(render::glErrorCount(), 0u) << render::glErrors().front();
+  // An automatic view leaves what lies over the picture free: in the window other letters than in a picture.
+  ui::Edit edit{visitor.window().document()->scene(), "View", {}, false};
+  edit.scene.camera = visitor.window().document()->resolvedScene().camera;
+  visitor.window().document()->edit(edit);
   visitor.settle();
 
   const QString session = folder + "/end.isolux", shown = folder + "/window.png",
