@@ -13,7 +13,8 @@ std::filesystem::path stateFolder();
 // ~/.config/isolux. As above.
 std::filesystem::path configFolder();
 
-// What can be computed again: $XDG_CACHE_HOME/isolux, by default ~/.cache/isolux. As above.
+// Returns the folder of what can be computed again: $XDG_CACHE_HOME/isolux, by default ~/.cache/isolux. Empty
+// as above.
 std::filesystem::path cacheFolder();
 
 // Makes the folder, for the user's eyes only, where it is missing: what is kept names patients' files. Throws

@@ -93,9 +93,8 @@ render::Renderer& PictureThread::Work::rendererFor(const PictureOrder& order) {
 void PictureThread::Work::failed(const std::exception_ptr& failure) {
   const Refusal how = refusalOf(failure);
   if (how == Refusal::lost || how == Refusal::unknown) renderer.reset();
-  if (how != Refusal::lost) return;
-  ring.reset();
-  made.reset();
+  // Textures are still on show: their owner has to show something else first, and then makes another thread.
+  if (how == Refusal::lost && !ring) made.reset();
 }
 
 void PictureThread::Work::draw(const Numbered& numbered) {

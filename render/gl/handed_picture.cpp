@@ -65,8 +65,7 @@ const std::shared_ptr<HandedPicture::Slot>& PictureRing::freeSlot(glm::ivec2 siz
   if (found != slots_.end()) return *found;
   auto slot = std::make_shared<HandedPicture::Slot>();
   slot->texture = Texture::make2D(gl_, GL_RGBA8, size);
-  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    gl_->TextureParameteri(slot->texture.id(), filter, GL_LINEAR);
+  slot->texture.setFilter(GL_LINEAR);
   ++livingTextures;
   return slots_.emplace_back(std::move(slot));
 }

@@ -148,7 +148,7 @@ struct FrameState {
   std::vector<volume::Rectangle> surfacePixels() const;
   std::optional<Tile> legend;  // its place in the whole image; kept with image::picture
 
-  // Whether this frame draws Hessians (with their own gradients), and whether these are also the gradients
+  // State whether this frame draws Hessians (with their own gradients), and whether these are also the gradients
   // for normals.
   bool withHessian = false, gradientShared = false;
   const Texture& gradientImage() const { return image(gradientShared ? image::tangents : image::gradient); }

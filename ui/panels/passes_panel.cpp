@@ -98,10 +98,6 @@ void PassesPanel::setReport(const render::FrameReport& report, const render::Fra
   if (isVisible() && !timer_.isActive()) timer_.start();
 }
 
-void PassesPanel::setDisplay(const QString& text) {
-  display_ = text;
-}
-
 void PassesPanel::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   refresh();
@@ -190,7 +186,7 @@ QString PassesPanel::summary() const {
                  .arg(report_.blocksTotal)
                  .arg(numberText(part, 2));
   }
-  if (!display_.isEmpty()) lines += tr("Display: %1").arg(display_);
+  if (!canvas_.why.isEmpty()) lines += tr("Display: %1").arg(describe(canvas_));
   if (shownAgain_ > 0) lines += repeats();
   return lines.join('\n');
 }

@@ -9,6 +9,7 @@
 #include <QTimer>
 
 #include "ui/panels/panel.h"
+#include "ui/viewport/canvas_choice.h"
 
 class QLabel;
 class QToolButton;
@@ -22,7 +23,7 @@ class PassesPanel : public Panel {
   explicit PassesPanel(QWidget* parent = nullptr);
 
   void setReport(const render::FrameReport& report, const render::FrameRequest& request) override;  // cheap
-  void setDisplay(const QString& text);  // how the window shows images
+  void setCanvas(const CanvasChoice& canvas) { canvas_ = canvas; }  // how the window shows images
   QString text() const;  // the table as tab-separated lines, for other programs
   QTreeWidget* table() const { return table_; }
 
@@ -45,7 +46,7 @@ class PassesPanel : public Panel {
   QTimer timer_;
   render::FrameReport report_;
   render::FrameRequest request_;
-  QString display_;
+  CanvasChoice canvas_;
   int shownAgain_ = 0;                       // since report_
   std::map<std::string, double> lastTimes_;  // milliseconds, of each pass when it last ran
 };

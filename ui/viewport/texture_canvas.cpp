@@ -37,8 +37,7 @@ GLuint TextureCanvas::overTexture(const QImage& over) {
   if (own.overKey == over.cacheKey()) return own.over.id();
   const QImage image = over.convertToFormat(QImage::Format_RGBX8888);
   own.over = render::Texture::make2D(own.gl, GL_RGBA8, {image.width(), image.height()});
-  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    own.gl->TextureParameteri(own.over.id(), filter, GL_LINEAR);
+  own.over.setFilter(GL_LINEAR);
   own.gl->TextureSubImage2D(own.over.id(), 0, 0, 0, image.width(), image.height(), GL_RGBA, GL_UNSIGNED_BYTE,
                             image.constBits());
   own.overKey = over.cacheKey();

@@ -26,7 +26,7 @@ class TextureCanvas : public QOpenGLWidget, public Canvas {
   void paintGL() override;
 
  private:
-  // What belongs to one context; the window system may replace the context.
+  // Holds the objects of one context; the window system may replace the context.
   struct Objects {
     explicit Objects(render::GlPtr pointer);
     render::GlPtr gl;

@@ -142,6 +142,7 @@ class Viewport : public QWidget {
   // The same on the handle of a cut.
   void cutMenuAsked(const QPoint& onScreen, const isolux::app::CutGrip& grip);
   void toolChanged();
+  void canvasChanged();
   void drawn(double milliseconds, bool complete);
   // A picture is on screen that shows a change of this long ago (the first, where it shows several). It was
   // finished `sinceFinished` ago.

@@ -92,6 +92,7 @@ void Viewport::setCanvas(CanvasChoice choice) {
       app::PictureThread::Options{.context = canvasChoice_.context,
                                   .handsTextures = canvasChoice_.kind == CanvasKind::textures,
                                   .news = posted(this, [this] { poll(); })});
+  Q_EMIT canvasChanged();
 }
 
 void Viewport::takeContext() {

@@ -240,8 +240,8 @@ void MainWindow::connectDocument() {
   };
   connect(isovalue_, &IsovaluePanel::dragStarted, this, begin);
   connect(isovalue_, &IsovaluePanel::dragEnded, this, end);
-  connect(viewport_, &Viewport::reported, this,
-          [this] { panel<PassesPanel>()->setDisplay(describe(viewport_->canvas())); });
+  connect(viewport_, &Viewport::canvasChanged, this,
+          [this] { panel<PassesPanel>()->setCanvas(viewport_->canvas()); });
   for (const Docked& docked : panels_) {
     connect(viewport_, &Viewport::reported, docked.panel, &Panel::setReport);
     connect(docked.panel, &Panel::failed, this, showError);

@@ -24,6 +24,7 @@
 
 #include "scene/machine.h"
 #include "scene/settings.h"
+#include "tests/ui/tools/tool.h"
 #include "ui/document/preferences.h"
 #include "ui/viewport/canvas_choice.h"
 #include "ui/viewport/viewport.h"
@@ -34,15 +35,7 @@ namespace {
 
 using namespace isolux;
 
-bool waitUntil(const std::function<bool()>& condition, int milliseconds = 120000) {
-  QElapsedTimer timer;
-  timer.start();
-  while (!condition()) {
-    if (timer.elapsed() > milliseconds) return false;
-    QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 5);
-  }
-  return true;
-}
+using test::waitUntil;
 
 // Tells when the window system has been given what a turn of painting has made.
 class Application : public QApplication {
@@ -128,11 +121,7 @@ bool measure(Application& application, const QCommandLineParser& options, scene:
   window.show();
   app::WindowRequest request;
   request.scene.source.path = options.positionalArguments().value(0, "phantom:head").toStdString();
-  for (const QString& assignment : options.values("set"))
-    if (const std::string text = assignment.toStdString(); scene::isOfMachine(text))
-      request.machine.push_back(text);
-    else
-      scene::applyAssignment(request.scene, text);
+  test::applySettings(options, request);
   window.open(request);
   ui::Viewport* const viewport = window.viewport();
   window.resize(window.size() + wanted - viewport->size());

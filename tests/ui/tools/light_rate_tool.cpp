@@ -20,6 +20,7 @@
 #include "scene/camera.h"
 #include "scene/machine.h"
 #include "scene/settings.h"
+#include "tests/ui/tools/tool.h"
 #include "ui/document/baked_light.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/application.h"
@@ -29,15 +30,7 @@ namespace {
 
 using namespace isolux;
 
-bool waitUntil(const std::function<bool()>& condition, int milliseconds = 120000) {
-  QElapsedTimer timer;
-  timer.start();
-  while (!condition()) {
-    if (timer.elapsed() > milliseconds) return false;
-    QCoreApplication::processEvents(QEventLoop::AllEvents, 5);
-  }
-  return true;
-}
+using test::waitUntil;
 
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
@@ -94,11 +87,7 @@ int measure(const QCommandLineParser& options) {
   request.machine = {"picture.adaptive=false"};  // every picture has the same rays
   request.scene.picture.supersampling = 1;
   request.scene.gi.samples = 1000000;  // never complete
-  for (const QString& assignment : options.values("set"))
-    if (const std::string text = assignment.toStdString(); scene::isOfMachine(text))
-      request.machine.push_back(text);
-    else
-      scene::applyAssignment(request.scene, text);
+  test::applySettings(options, request);
   window.open(request);
   if (!waitUntil([&] { return window.document()->volume() && window.viewport()->complete(); })) {
     std::fprintf(stderr, "isolux_light_rate: no picture\n");

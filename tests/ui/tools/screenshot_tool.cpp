@@ -32,6 +32,7 @@
 #include "app/presets/preset_list.h"
 #include "scene/machine.h"
 #include "scene/settings.h"
+#include "tests/ui/tools/tool.h"
 #include "ui/accuracy/accuracy_panel.h"
 #include "ui/accuracy/accuracy_text.h"
 #include "ui/accuracy/error_overlay_box.h"
@@ -121,11 +122,7 @@ int takePicture(const QCommandLineParser& options) {
   window.show();
   app::WindowRequest request;
   request.scene.source.path = path.toStdString();
-  for (const QString& assignment : options.values("set"))
-    if (const std::string text = assignment.toStdString(); scene::isOfMachine(text))
-      request.machine.push_back(text);
-    else
-      scene::applyAssignment(request.scene, text);
+  test::applySettings(options, request);
   window.open(request);
   const auto failed = [&] {
     return window.messageBar()->isVisible() && window.messageBar()->kind() == ui::MessageBar::Kind::error;
