@@ -7,7 +7,7 @@ namespace isolux::scene {
 
 // The kind of data in a volume: volume/statistics/data_kind.h. ct_hu: a CT in Hounsfield units.
 enum class DataKind { automatic, ct_hu, ct, mr, microscopy, simulation, distance, labels, other };
-enum class Csg { none, unite, intersection, difference };  // with the second volume
+enum class Csg { none, unite, intersection, difference, blend };  // with the second volume
 enum class Frames { surface, volume };                     // shown whole by an automatic camera
 enum class Suggestion { object, contrast };                // the border at an automatic isovalue
 enum class Inside { above, below };                        // inside is f >= isovalue, or f <= isovalue
@@ -74,6 +74,11 @@ enum class DirectionSequence { sobol_owen, r2, random };
 enum class GiInterpolation { closest_isovalue, nearest, trilinear, tricubic, weighted };
 enum class GiPrecision { r11g11b10, half };  // of irradiance on the GPU
 enum class Metering { surface, lights };     // what an automatic exposure measures
+// From linear radiance to the image. automatic: filmic under global illumination, else linear.
+enum class ToneCurve { automatic, linear, filmic };
+// What of the renderer's work is drawn over the surface: blocks of the min-max structure that rays enter,
+// resident bricks, lit texels (Hadwiger et al. 2005 fig. 2).
+enum class WorkOverlay { none, blocks, bricks, texels };
 enum class Projection { perspective, orthographic };
 enum class ClipCap { none, inside, whole };  // caps: open, values inside the surface, all values
 enum class SlabMode { mean, maximum, minimum };

@@ -28,7 +28,7 @@ struct Source {
   std::string raw;     // how to read a raw file: "WxHxD TYPE [little|big] [spacing x,y,z] [header BYTES]"
   std::string series;  // DICOM SeriesInstanceUID, empty: the series with most slices
   int component = 0;   // channel of a file with several per voxel; -1: their magnitude
-  int timeStep = 0;    // of a file with several time steps
+  double timeStep = 0.0;  // of a file with several; a fraction blends a step with the next
   DataKind kind = DataKind::automatic;
   int level = 0;                   // 0: full resolution; n: means of about 2^n voxels along each axis
   bool aroundDamage = false;       // unreadable chunks become missing voxels; else the file is rejected
@@ -36,6 +36,7 @@ struct Source {
   Csg csg = Csg::none;             // volume/mesh/csg.h
   std::string csgPath;             // the second volume, as `path`
   std::optional<double> csgValue;  // the second volume's isovalue, its data units
+  double csgWeight = 0.5;          // of the second volume; csg blend
   bool operator==(const Source&) const = default;
 };
 
@@ -45,6 +46,8 @@ struct Isosurface {
   Suggestion suggestion = Suggestion::object;
   Inside inside = Inside::above;
   glm::dvec3 albedo{0.70, 0.62, 0.50};
+  double specular = 0.0;    // reflectance at normal incidence under global illumination (gi/gloss); 0: matt
+  double roughness = 0.3;   // of the gloss: 0 is a mirror
   AlbedoSource albedoSource = AlbedoSource::color;  // of all isosurfaces
   ColorMap albedoMap = ColorMap::viridis;
   std::optional<double> albedoLow, albedoHigh;  // data units: the ends of the map
@@ -65,6 +68,8 @@ struct ExtraIsosurface {
   std::string name;
   std::optional<double> value;  // data units
   glm::dvec3 albedo{0.5};
+  double specular = 0.0;
+  double roughness = 0.3;
   double opacity = 0.5;
   double facingOpacity = 1.0;
   bool clipped = true;
@@ -172,6 +177,13 @@ struct ColorVolume {
   bool operator==(const ColorVolume&) const = default;
 };
 
+// A control point of a one-dimensional transfer function.
+struct ColorPoint {
+  double position = 0.0;  // 0 .. 1, as a fraction of the range
+  glm::dvec3 color{0.5};
+  bool operator==(const ColorPoint&) const = default;
+};
+
 // A control point of the (kappa1, kappa2) colour map, as fractions of the range: -1 .. 1.
 struct CurvaturePoint {
   double kappa1 = 0.0, kappa2 = 0.0;
@@ -197,12 +209,16 @@ struct Look {
   double fog = 0.0;
   std::optional<glm::dvec3> fogColor;  // automatic: the background
   ColorMap colormap = ColorMap::automatic;
+  std::optional<std::vector<ColorPoint>> colormapPoints;  // the user's transfer function instead of colormap
   std::optional<double> rangeLow, rangeHigh;  // of the colour map, in the unit of what it shows
   // Automatic: scene/curvature_map.h, where hue shows the shape index and chroma the curvedness.
   std::optional<std::vector<CurvaturePoint>> curvaturePoints;
   bool legend = true;  // drawn in the image if colours show numbers
   LegendCorner legendCorner = LegendCorner::automatic;
   double accessibility = 0.0;
+  // Factor on the surface's own colour over accessibility: 0 in the deepest hollow, 1 where nothing is hollow.
+  std::optional<std::vector<ColorPoint>> accessibilityPoints;
+  WorkOverlay overlay = WorkOverlay::none;
   double ridges = 0.0;                   // strength of ridge and valley lines
   std::optional<double> ridgeThreshold;  // 1/mm
   double ridgeWidth = 2.0;               // in ridgeWidthUnit
@@ -294,6 +310,7 @@ struct Gi {
   double shWindow = 0.0;  // 0 none, 1 full: against ringing
   int components = 24;    // of a compressed transfer vector, at most
   int componentBits = 4;  // on average
+  bool ground = false;    // a plane below the surface that catches its shadow
   bool operator==(const Gi&) const = default;
 };
 
@@ -312,6 +329,7 @@ struct Picture {
   StillField restHits = StillField::automatic;  // of hits at rest, where hit.field is trilinear
   std::optional<double> exposure;               // stops, of images lit by global illumination
   Metering metering = Metering::surface;        // of an automatic exposure: gi/trace/exposure_meter.h
+  ToneCurve curve = ToneCurve::automatic;       // from linear radiance to the image
   // Annotations on a finished image (app/annotation): orientation labels, a scale bar, the shown isovalues.
   // The legend is look.legend.
   bool letters = false, scaleBar = false, isovalue = false;

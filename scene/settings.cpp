@@ -26,7 +26,7 @@ std::vector<Setting> makeSettings() {
       "source.component", ISOLUX_MEMBER(source.component), {-1, 65535}, "",
       "Channel to read from a file with several values per voxel; -1 reads the magnitude of the vector."));
   add(entry<Scene>("source.time_step", ISOLUX_MEMBER(source.timeStep), {0, 1e6}, "",
-                   "Time step to read from a file with several, counted from 0."));
+                   "Time step to read from a file with several, counted from 0; a fraction blends a step with the next."));
   add(choiceEntry<Scene>("source.kind", ISOLUX_MEMBER(source.kind),
                          "Kind of data: CT in Hounsfield or other units, MR, distance field …; auto derives "
                          "it from the file and its values. Presets and the first isovalue depend on it."));
@@ -47,6 +47,10 @@ std::vector<Setting> makeSettings() {
   add(entry<Scene>("source.csg_value", ISOLUX_MEMBER(source.csgValue), {-1e38, 1e38}, "data units",
                    "Isovalue of the second volume, in its own units; auto uses the suggested one."));
 
+  add(entry<Scene>("source.csg_weight", ISOLUX_MEMBER(source.csgWeight), unitRange, "",
+                   "Weight of the second volume where source.csg is blend: 0 shows the first volume's "
+                   "surface, 1 the second's."));
+
   add(entry<Scene>("isosurface.name", ISOLUX_MEMBER(isosurface.name), noRange, "",
                    "Name of the surface in lists and on the histogram."));
   add(entry<Scene>("isosurface.value", ISOLUX_MEMBER(isosurface.value), {-1e38, 1e38}, "data units",
@@ -58,6 +62,11 @@ std::vector<Setting> makeSettings() {
                          "Side of the isovalue that is solid; the normal points away from it."));
   add(entry<Scene>("isosurface.albedo", ISOLUX_MEMBER(isosurface.albedo), unitRange, "linear RGB",
                    "Diffuse reflectance of the surface."));
+  add(entry<Scene>("isosurface.specular", ISOLUX_MEMBER(isosurface.specular), unitRange, "",
+                   "Gloss under global illumination: reflectance of the surface seen head on. Water and skin "
+                   "have 0.02 to 0.04, teeth 0.06, metal 0.5 to 0.9; 0 is matt."));
+  add(entry<Scene>("isosurface.roughness", ISOLUX_MEMBER(isosurface.roughness), {0.05, 1.0}, "",
+                   "Roughness of that gloss: small values reflect sharply, 1 spreads over half the sky."));
   add(choiceEntry<Scene>(
       "isosurface.albedo_source", ISOLUX_MEMBER(isosurface.albedoSource),
       "Source of the isosurfaces' reflectances: a colour per surface, or a colour map over the isovalue."));
@@ -94,6 +103,10 @@ std::vector<Setting> makeSettings() {
                      "surface, or inside if there is none."));
     add(entry<Scene>(group + "albedo", ISOLUX_ITEM(extraIsosurfaces, i, albedo), unitRange, "linear RGB",
                      "Diffuse reflectance of that surface."));
+    add(entry<Scene>(group + "specular", ISOLUX_ITEM(extraIsosurfaces, i, specular), unitRange, "",
+                     "Gloss of that surface under global illumination; 0 is matt."));
+    add(entry<Scene>(group + "roughness", ISOLUX_ITEM(extraIsosurfaces, i, roughness), {0.05, 1.0}, "",
+                     "Roughness of that gloss."));
     add(entry<Scene>(group + "opacity", ISOLUX_ITEM(extraIsosurfaces, i, opacity), unitRange, "",
                      "Opacity of that surface; 1 hides everything behind it."));
     add(entry<Scene>(group + "facing_opacity", ISOLUX_ITEM(extraIsosurfaces, i, facingOpacity), unitRange, "",
@@ -284,6 +297,9 @@ std::vector<Setting> makeSettings() {
   add(choiceEntry<Scene>(
       "look.colormap", ISOLUX_MEMBER(look.colormap),
       "Colour map of the quantity; auto is diverging for signed quantities, otherwise viridis."));
+  add(entry<Scene>("look.colormap_points", ISOLUX_MEMBER(look.colormapPoints), unitRange, "",
+                   "Transfer function of your own for the quantity: control points [position, r, g, b] in "
+                   "linear RGB, positions as fractions of the range; auto uses look.colormap."));
   add(entry<Scene>(
       "look.range_low", ISOLUX_MEMBER(look.rangeLow), {-1e38, 1e38}, "1/mm, 1/mm² or 1",
       "Quantity at the lower end of the colour map; auto derives it from the values on the surface."));
@@ -300,6 +316,13 @@ std::vector<Setting> makeSettings() {
                          "Corner of the legend; auto is the corner that covers least of the surface."));
   add(entry<Scene>("look.accessibility", ISOLUX_MEMBER(look.accessibility), unitRange, "",
                    "Crevice shading (accessibility, Miller 1994): darkens hollows by curvature, like dirt."));
+  add(entry<Scene>("look.accessibility_points", ISOLUX_MEMBER(look.accessibilityPoints), unitRange, "",
+                   "Transfer function of crevice shading: control points [position, r, g, b], from the "
+                   "deepest hollow at 0 to the open surface at 1; the colours multiply the surface's own. "
+                   "auto darkens hollows to brown."));
+  add(choiceEntry<Scene>("look.overlay", ISOLUX_MEMBER(look.overlay),
+                         "Work of the renderer drawn over the surface: blocks that rays enter, bricks in "
+                         "graphics memory, or lit texels."));
   add(entry<Scene>("look.ridges", ISOLUX_MEMBER(look.ridges), unitRange, "",
                    "Strength of ridge and valley lines: curvature maxima across the line."));
   add(entry<Scene>(
@@ -460,6 +483,9 @@ std::vector<Setting> makeSettings() {
       "Mean number of bits per principal component; components that vary more get more. The bits "
       "of a texel are rounded up to a multiple of 32."));
 
+  add(entry<Scene>("gi.ground", ISOLUX_MEMBER(gi.ground), noRange, "",
+                   "Draws the shadow that the surface casts on a plane below it, over the background."));
+
   add(entry<Scene>("camera.eye", ISOLUX_MEMBER(camera.eye), positionRange, "mm",
                    "Position of the viewer; auto follows camera.frames."));
   add(entry<Scene>(
@@ -489,6 +515,10 @@ std::vector<Setting> makeSettings() {
   add(choiceEntry<Scene>("picture.metering", ISOLUX_MEMBER(picture.metering),
                          "Basis of automatic exposure: the lit surface seen from the front, whatever the "
                          "view, or the lights. The lights make an unoccluded white surface nearly white."));
+  add(choiceEntry<Scene>("picture.curve", ISOLUX_MEMBER(picture.curve),
+                         "Tone curve of final images: linear clips at white; filmic rolls highlights off as "
+                         "film does. auto is filmic under global illumination, otherwise linear. Linear "
+                         "files (EXR) are not affected."));
   add(entry<Scene>(
       "picture.letters", ISOLUX_MEMBER(picture.letters), noRange, "",
       "Draws orientation labels at the edges of the final image: the ends of the patient's axes. If the "

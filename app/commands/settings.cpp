@@ -37,6 +37,7 @@ std::string typeName(const SettingInfo& setting) {
     case SettingType::toggle:
       return "true or false";
     case SettingType::points:
+    case SettingType::color_points:
       return "list of points";
     case SettingType::positions:
       return "list of x,y,z";
@@ -77,6 +78,8 @@ std::string allowedText(const SettingInfo& setting) {
     for (const std::string& choice : setting.choices) text += (text.empty() ? "" : ", ") + choice;
   } else if (setting.type == SettingType::points) {
     text = "[[kappa1,kappa2,r,g,b],...], kappas from -1 to 1, colours from 0 to 1";
+  } else if (setting.type == SettingType::color_points) {
+    text = "[[position,r,g,b],...] in ascending order, all from 0 to 1";
   } else if (setting.type == SettingType::marks) {
     text = "[{\"kind\": ..., \"name\": ..., \"points\": [[x,y,z],...]},...]";
   } else if (setting.type != SettingType::text && setting.type != SettingType::toggle) {

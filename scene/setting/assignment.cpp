@@ -59,8 +59,8 @@ json valueOfWords(const SettingInfo& target, std::string_view text) {
   if (target.type == SettingType::choice || (target.mayBeAutomatic && word == "auto"))
     return std::string(word);
   if (target.type == SettingType::planes && !word.starts_with('[')) return planesOf(word);
-  if (target.type == SettingType::points || target.type == SettingType::marks ||
-      target.type == SettingType::planes) {
+  if (target.type == SettingType::points || target.type == SettingType::color_points ||
+      target.type == SettingType::marks || target.type == SettingType::planes) {
     json list = json::parse(word, nullptr, false);
     return list.is_discarded() ? json(std::string(word)) : list;
   }

@@ -26,7 +26,8 @@ std::span<const Named<Csg>> choicesOf() {
   static constexpr Named<Csg> names[] = {{Csg::none, "none"},
                                          {Csg::unite, "union"},
                                          {Csg::intersection, "intersection"},
-                                         {Csg::difference, "difference"}};
+                                         {Csg::difference, "difference"},
+                                         {Csg::blend, "blend"}};
   return names;
 }
 
@@ -200,6 +201,21 @@ std::span<const Named<MarkKind>> choicesOf() {
 template <>
 std::span<const Named<Metering>> choicesOf() {
   static constexpr Named<Metering> names[] = {{Metering::surface, "surface"}, {Metering::lights, "lights"}};
+  return names;
+}
+
+template <>
+std::span<const Named<ToneCurve>> choicesOf() {
+  static constexpr Named<ToneCurve> names[] = {
+      {ToneCurve::automatic, "auto"}, {ToneCurve::linear, "linear"}, {ToneCurve::filmic, "filmic"}};
+  return names;
+}
+template <>
+std::span<const Named<WorkOverlay>> choicesOf() {
+  static constexpr Named<WorkOverlay> names[] = {{WorkOverlay::none, "none"},
+                                                 {WorkOverlay::blocks, "blocks"},
+                                                 {WorkOverlay::bricks, "bricks"},
+                                                 {WorkOverlay::texels, "texels"}};
   return names;
 }
 

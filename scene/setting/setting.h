@@ -12,6 +12,7 @@ namespace isolux::scene {
 // Types of settings.
 //   pair, vector, quaternion   two, three, four numbers
 //   points      a list of CurvaturePoint, each [kappa1, kappa2, r, g, b]
+//   color_points   a list of ColorPoint in ascending order, each [position, r, g, b]
 //   positions   a list of any length of world points [x, y, z]
 //   planes      a list of ClipPlane, each [px, py, pz, nx, ny, nz]
 //   marks       a list of Mark, each an object
@@ -25,6 +26,7 @@ enum class SettingType {
   quaternion,
   toggle,
   points,
+  color_points,
   positions,
   planes,
   marks

@@ -37,6 +37,11 @@ struct TypeOf<std::vector<CurvaturePoint>> {
   static constexpr bool automatic = false;
 };
 template <>
+struct TypeOf<std::vector<ColorPoint>> {
+  static constexpr SettingType type = SettingType::color_points;
+  static constexpr bool automatic = false;
+};
+template <>
 struct TypeOf<std::vector<glm::dvec3>> {
   static constexpr SettingType type = SettingType::positions;
   static constexpr bool automatic = false;

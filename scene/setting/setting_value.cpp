@@ -15,6 +15,7 @@ using nlohmann::json;
 
 namespace {
 
+constexpr std::size_t kMostPoints = 64;
 constexpr std::size_t kMostPositions = 4096;
 constexpr std::size_t kMostMarks = 1024;
 
@@ -63,6 +64,9 @@ std::string allowedText(const SettingInfo& setting) {
       break;
     case SettingType::points:
       text = "a list of 1 to 64 points [kappa1, kappa2, r, g, b], kappas from -1 to 1, colours from 0 to 1";
+      break;
+    case SettingType::color_points:
+      text = "a list of 2 to 64 points [position, r, g, b] in ascending order, all numbers from 0 to 1";
       break;
     case SettingType::positions:
       text = "a list of at most " + std::to_string(kMostPositions) +
@@ -130,8 +134,7 @@ void assignChecked(const SettingInfo& setting, bool& member, const json& value) 
 }
 
 void assignChecked(const SettingInfo& setting, std::vector<CurvaturePoint>& member, const json& value) {
-  constexpr std::size_t mostPoints = 64;
-  if (!value.is_array() || value.empty() || value.size() > mostPoints) refuseValue(setting, value);
+  if (!value.is_array() || value.empty() || value.size() > kMostPoints) refuseValue(setting, value);
   std::vector<CurvaturePoint> points;
   for (const json& entry : value) {
     if (!entry.is_array() || entry.size() != 5) refuseValue(setting, value);
@@ -150,6 +153,29 @@ nlohmann::json jsonOf(const std::vector<CurvaturePoint>& points) {
   json list = json::array();
   for (const CurvaturePoint& p : points)
     list.push_back({p.kappa1, p.kappa2, p.color.x, p.color.y, p.color.z});
+  return list;
+}
+
+void assignChecked(const SettingInfo& setting, std::vector<ColorPoint>& member, const json& value) {
+  if (!value.is_array() || value.size() < 2 || value.size() > kMostPoints) refuseValue(setting, value);
+  std::vector<ColorPoint> points;
+  for (const json& entry : value) {
+    if (!entry.is_array() || entry.size() != 4) refuseValue(setting, value);
+    double numbers[4];
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (!entry[i].is_number()) refuseValue(setting, value);
+      numbers[i] = entry[i].get<double>();
+      if (!(numbers[i] >= 0.0 && numbers[i] <= 1.0)) refuseValue(setting, value);
+    }
+    if (!points.empty() && numbers[0] < points.back().position) refuseValue(setting, value);
+    points.push_back({numbers[0], {numbers[1], numbers[2], numbers[3]}});
+  }
+  member = std::move(points);
+}
+
+nlohmann::json jsonOf(const std::vector<ColorPoint>& points) {
+  json list = json::array();
+  for (const ColorPoint& p : points) list.push_back({p.position, p.color.x, p.color.y, p.color.z});
   return list;
 }
 

@@ -30,6 +30,7 @@ void assignChecked(const SettingInfo& setting, bool& member, const nlohmann::jso
 void assignChecked(const SettingInfo& setting, std::string& member, const nlohmann::json& value);
 void assignChecked(const SettingInfo& setting, std::vector<CurvaturePoint>& member,
                    const nlohmann::json& value);
+void assignChecked(const SettingInfo& setting, std::vector<ColorPoint>& member, const nlohmann::json& value);
 void assignChecked(const SettingInfo& setting, std::vector<glm::dvec3>& member, const nlohmann::json& value);
 void assignChecked(const SettingInfo& setting, std::vector<ClipPlane>& member, const nlohmann::json& value);
 void assignChecked(const SettingInfo& setting, std::vector<Mark>& member, const nlohmann::json& value);
@@ -66,6 +67,7 @@ inline nlohmann::json jsonOf(const std::string& value) {
   return value;
 }
 nlohmann::json jsonOf(const std::vector<CurvaturePoint>& points);
+nlohmann::json jsonOf(const std::vector<ColorPoint>& points);
 nlohmann::json jsonOf(const std::vector<glm::dvec3>& positions);
 nlohmann::json jsonOf(const std::vector<ClipPlane>& planes);
 nlohmann::json jsonOf(const std::vector<Mark>& marks);

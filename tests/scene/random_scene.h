@@ -60,6 +60,9 @@ inline scene::Scene randomScene(std::mt19937_64& random) {
                                             {"color", {0.25, 0.5, 1.0}},
                                             {"shown", true}}}));
         break;
+      case SettingType::color_points:
+        s.set(made, nlohmann::json::array({{0, 0.25, 0.5, 1.0}, {1, 0, 0, std::abs(number())}}));
+        break;
       case SettingType::points:
         s.set(made, nlohmann::json::array(
                         {{number(), number(), 0.25, 0.5, 1.0}, {-1, 1, 0, 0, std::abs(number())}}));

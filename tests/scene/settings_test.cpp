@@ -65,6 +65,8 @@ json otherValue(const Setting& s) {
                            {"shown", false}}});
     case SettingType::points:
       return json::array({{0.5, -0.5, 0.25, 0.5, 1.0}});
+    case SettingType::color_points:
+      return json::array({{0.0, 0.25, 0.5, 1.0}, {1.0, 1.0, 0.5, 0.25}});
   }
   return {};
 }
@@ -75,11 +77,11 @@ TEST(Settings, CoversEveryMemberOfScene) {
   const auto& [source, isosurface, extraIsosurfaces, pieces, clip, slice, marks, hit, derivatives, edge,
                colorVolume, look, flow, light, lamps, gi, camera, picture] = scene;
   [[maybe_unused]] const auto& [path, raw, series, component, timeStep, kindOfData, volumeLevel, aroundDamage,
-                                meshVoxels, csg, csgPath, csgValue] = source;
-  [[maybe_unused]] const auto& [name, value, suggestion, inside, albedo, albedoSource, albedoMap, albedoLow,
+                                meshVoxels, csg, csgPath, csgValue, csgWeight] = source;
+  [[maybe_unused]] const auto& [name, value, suggestion, inside, albedo, specularity, roughness, albedoSource, albedoMap, albedoLow,
                                 albedoHigh, opacity, facing, layers, clipped, ghost, ghostOpacity] =
       isosurface;
-  [[maybe_unused]] const auto& [shown, name2, value2, albedo2, opacity2, facing2, clipped2] =
+  [[maybe_unused]] const auto& [shown, name2, value2, albedo2, specular2, roughness2, opacity2, facing2, clipped2] =
       extraIsosurfaces[0];
   [[maybe_unused]] const auto& [method, hitField, rate, nearFactor, nearThreshold, refinements] = hit;
   [[maybe_unused]] const auto& [field, fetch, noise, scale, normalScale] = derivatives;
@@ -93,7 +95,7 @@ TEST(Settings, CoversEveryMemberOfScene) {
       colorVolume;
   [[maybe_unused]] const auto& [mode, shading, ambient, ambientVariation, specular, shininess, innerTint,
                                 cool, warm, texture, textureScale, shadow, occlusion, occlusionRadius, fog,
-                                fogColor, colormap, low, high, points, legend, legendCorner, accessibility,
+                                fogColor, colormap, mapPoints, low, high, points, legend, legendCorner, accessibility, accessibilityPoints, overlay,
                                 ridges, ridgeThreshold, ridgeWidth, ridgeWidthUnit, ridgeLength, ridgeColor,
                                 valleyColor, contours, suggestive, contourWidth, contourColor, top, bottom] =
       look;
@@ -106,12 +108,12 @@ TEST(Settings, CoversEveryMemberOfScene) {
       lamps[0];
   [[maybe_unused]] const auto& [giMode, extent, band, texels, samples, sequence, bounces, rouletteDepth,
                                 environmentShare, latticeScale, interpolation, precision, shOrder, shWindow,
-                                components, componentBits] = gi;
+                                components, componentBits, ground] = gi;
   [[maybe_unused]] const auto& [eye, target, up, frames, fov, projection] = camera;
-  [[maybe_unused]] const auto& [supersampling, restHits, pictureExposure, metering, letters, scaleBar,
+  [[maybe_unused]] const auto& [supersampling, restHits, pictureExposure, metering, curve, letters, scaleBar,
                                 isovalue, caveats, transparent, pixelRatio] = picture;
   EXPECT_EQ(settings().size(),
-            12u + 15 + 3 * 7 + 6 + 5 + 10 + 1 + 6 + 5 + 2 + 13 + 36 + 7 + 8 + 9 + 3 * 8 + 16 + 6 + 10);
+            13u + 17 + 3 * 9 + 6 + 5 + 10 + 1 + 6 + 5 + 2 + 13 + 39 + 7 + 8 + 9 + 3 * 8 + 17 + 6 + 11);
 }
 
 TEST(Settings, PatternsCoverPathsGroupsAndItemsOfLists) {

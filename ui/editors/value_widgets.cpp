@@ -342,6 +342,7 @@ ValueWidget* makeValueWidget(const SettingInfo& setting, QWidget* parent) {
       return new PlanesWidget(setting, parent);
     case SettingType::marks:
       return new MarksWidget(parent);
+    case SettingType::color_points:
     case SettingType::points:
       return new CurvatureMapEditor(parent);
     case SettingType::quaternion:

@@ -305,9 +305,9 @@ void VolumePanel::showChoices() {
   if (severalSteps) {
     timeStep_->setRange(0, volume_->volume.timeSteps - 1);
     timeStep_->setSuffix(tr(" of 0 … %1").arg(volume_->volume.timeSteps - 1));
-    timeStep_->setValue(scene_.source.timeStep);
+    timeStep_->setValue(static_cast<int>(scene_.source.timeStep));
     timeSlider_->setRange(0, volume_->volume.timeSteps - 1);
-    timeSlider_->setValue(scene_.source.timeStep);
+    timeSlider_->setValue(static_cast<int>(scene_.source.timeStep));
   }
   level_->setRange(0, volume_ ? volume_->volume.coarsestLevel : 0);
   level_->setValue(scene_.source.level);

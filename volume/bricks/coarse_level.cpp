@@ -136,7 +136,7 @@ Volume readLevel(const scene::Source& source, base::Progress& progress) {
   const GridGeometry geometry = levelGeometry(facts, source.level);
   ImageHeader header = chunkedHeader(facts, geometry, facts.storedType);
   checkBudget(header, source.path, options);
-  const VolumePart part{source.timeStep, source.component};
+  const VolumePart part{static_cast<int>(source.timeStep), source.component};
   const LevelOrigin origin = originOf(facts, source.level);
   LevelVoxels read = readLevelVoxels(*file, part, origin, geometry.dims, source.aroundDamage, progress);
   const std::string damage = read.damaged.empty() ? "" : damageText(read.damaged);

@@ -152,7 +152,7 @@ std::optional<Glimpse> readGlimpse(const scene::Source& source, base::Progress& 
     return glimpse;
   }
   const GridGeometry geometry = geometryOf(facts, *samples);
-  const VolumePart part{source.timeStep, source.component};
+  const VolumePart part{static_cast<int>(source.timeStep), source.component};
   FileVoxels voxels = withStoredType(facts.storedType, [&](auto zero) -> FileVoxels {
     using T = decltype(zero);
     return samples->level == 0 ? readSamples<T>(*file, part, *samples, progress)

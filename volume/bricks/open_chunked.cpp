@@ -20,7 +20,7 @@ void checkPart(const ChunkedFacts& facts, const scene::Source& source) {
   if (source.component >= facts.channels)
     refuse("source.component", "channel", source.component, facts.channels);
   if (source.timeStep < 0 || source.timeStep >= facts.times)
-    refuse("source.time_step", "time step", source.timeStep, facts.times);
+    refuse("source.time_step", "time step", static_cast<int>(source.timeStep), facts.times);
 }
 
 }  // namespace

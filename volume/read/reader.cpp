@@ -85,7 +85,7 @@ ReadOptions readOptions(const scene::Source& source) {
   options.raw = source.raw;
   options.series = source.series;
   options.component = source.component;
-  options.timeStep = source.timeStep;
+  options.timeStep = static_cast<int>(source.timeStep);
   options.meshVoxels = source.meshVoxels;
   return options;
 }

@@ -62,6 +62,8 @@ json changedValue(const scene::Setting& s, const scene::Scene& scene) {
       return !now.get<bool>();
     case scene::SettingType::points:
       return json::array({{0.5, -0.5, 0.25, 0.5, 1.0}, {-0.5, -0.5, 1.0, 0.5, 0.0}});
+    case scene::SettingType::color_points:
+      return json::array({{0.0, 0.25, 0.5, 1.0}, {1.0, 1.0, 0.5, 0.25}});
     case scene::SettingType::planes:
       return json::array({{1.0, -2.5, 3.0, 0.0, 0.6, -0.8}});
     case scene::SettingType::marks:
