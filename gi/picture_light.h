@@ -19,6 +19,8 @@
 
 namespace isolux::gi {
 
+struct GlossLight;  // gi/gloss/reflections.h
+
 // Statistics of albedo * E / pi over points of the surface (gi/trace/exposure_meter.h), before the image's
 // exposure.
 struct SurfaceBrightness {
@@ -47,6 +49,8 @@ struct PictureLight : StoredSide {  // the base: of the front faces
   std::array<glm::vec3, 9> irradianceSh{};
   std::vector<LampLight> lampLights;
   float lampsIrradiance = 0.0f;  // of a surface at the volume's centre that faces them all
+
+  std::shared_ptr<const GlossLight> gloss;  // null: no surface is glossy
 
   // The environment shown as the background.
   std::shared_ptr<const Environment> background;  // null: not shown

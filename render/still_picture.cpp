@@ -10,6 +10,7 @@
 #include "base/memory_budget.h"
 #include "render/graph/pass_declarations.h"
 #include "render/passes/effect_passes.h"
+#include "render/passes/gloss_passes.h"
 #include "render/passes/line_passes.h"
 #include "scene/rules/needs.h"
 
@@ -30,6 +31,7 @@ int marginOf(const scene::Scene& scene, const FrameRequest& request) {
   margin += reachOfLines(scene, request.size.y * request.supersampling) / request.supersampling;
   if (scene::showsFlow(scene))
     margin += std::max(0.5 * scene.flow.length, scene.flow.grain) * request.pixelRatio + 2.0;
+  if (scene::showsGloss(scene)) margin += reachOfGloss();
   return static_cast<int>(std::ceil(margin));
 }
 

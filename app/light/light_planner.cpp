@@ -303,6 +303,7 @@ void LightPlanner::publish() {
   };
   store(*light, outer_);
   store(light->inner, inner_);
+  light->gloss = gloss_ = gi::makeGlossLight(scene_, lightScene_, gloss_.get());
   light->basis = basis_;
   light->version = ++version_;
   plan_.light = std::move(light);

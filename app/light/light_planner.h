@@ -19,6 +19,7 @@
 
 #include "base/progress.h"
 #include "gi/bake/light_bake.h"
+#include "gi/gloss/reflections.h"
 #include "gi/lattice/lattice_part.h"
 #include "gi/light_scene.h"
 #include "gi/picture_light.h"
@@ -157,6 +158,7 @@ class LightPlanner {
   std::uint64_t tracerCut_ = 0;     // volume::SurfaceCut::key()
 
   std::shared_ptr<const gi::LightScene> lightScene_;
+  std::shared_ptr<const gi::GlossLight> gloss_;  // null: no surface is glossy
   std::optional<gi::SurfaceBrightness> brightness_;
   scene::Scene brightnessOf_;  // as far as it depends on it, in this volume and environment:
   const volume::PreparedVolume* brightnessOfVolume_ = nullptr;

@@ -61,6 +61,7 @@ class PathTracer {
   glm::vec3 normalOf(glm::vec3 gradient) const;
 
   const LightScene& light() const;
+  const PathSetup& setup() const { return *setup_; }
   // Returns the number of paths so far that were ended by kMostBounces: their remaining light is missing.
   std::uint64_t cappedPaths() const { return capped_->load(std::memory_order_relaxed); }
 

@@ -42,12 +42,14 @@ PrimaryHits::PrimaryHits(std::shared_ptr<const volume::PreparedVolume> volume, c
       field_(resolved.hit.field) {
   const bool mapped = resolved.isosurface.albedoSource == scene::AlbedoSource::map;
   const scene::AlbedoOfIsovalue map(resolved);
-  const auto add = [&](double isovalue, const glm::dvec3& albedo) {
-    surfaces_.push_back({isovalue, mapped ? map.at(isovalue) : glm::vec3(albedo)});
+  const auto add = [&](const auto& surface) {
+    const double isovalue = surface.value.value();
+    surfaces_.push_back({isovalue, mapped ? map.at(isovalue) : glm::vec3(surface.albedo), surface.specular,
+                         surface.roughness});
   };
-  add(resolved.isosurface.value.value(), resolved.isosurface.albedo);
+  add(resolved.isosurface);
   for (const scene::ExtraIsosurface& extra : resolved.extraIsosurfaces)
-    if (extra.shown) add(extra.value.value(), extra.albedo);
+    if (extra.shown) add(extra);
 
   hidden_ = volume::hiddenOf(resolved, *volume_->pieces, progress);
   cubic_ = volume_->cubicFields->make(field_, progress);

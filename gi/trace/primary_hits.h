@@ -35,6 +35,7 @@ class PrimaryHits {
   struct Surface {
     double isovalue;  // data units
     glm::vec3 albedo;
+    double specular = 0.0, roughness = 1.0;  // gi/gloss/gloss_lobe.h
   };
 
   // Throws Error{interrupted}.

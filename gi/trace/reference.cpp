@@ -10,9 +10,11 @@
 
 #include "base/color.h"
 #include "base/error.h"
+#include "gi/gloss/gloss_lobe.h"
 #include "gi/trace/exposure_meter.h"
 #include "gi/trace/parallel_tasks.h"
 #include "scene/opacity.h"
+#include "scene/rules/needs.h"
 #include "volume/field/reconstruct.h"
 
 namespace isolux::gi {
@@ -133,6 +135,7 @@ void Reference::findHits(const Options& options, base::Progress& progress) {
     const std::size_t points = points_.size() - first, parts = 8 * static_cast<std::size_t>(threads_);
     addTasks(first, std::clamp(points / parts, kFewestPointsOfTask, kMostPointsOfTask));
   }
+  findGloss(rows);
   sky_.resize(points_.size());
   lamps_.resize(points_.size());
 }
@@ -168,8 +171,50 @@ bool Reference::findHitsOfRow(std::size_t row, std::span<const std::uint32_t> wa
     point.isovalue = static_cast<float>(grid.storedOfValue(value));
     const std::size_t side = hit.outer ? 0 : 1;
     found.points[side].push_back(point);
+    if (side == 0) found.rays.push_back(hits_.direction({static_cast<int>(columns[i]), static_cast<int>(row)}));
     found.pixels[side].push_back(static_cast<std::uint32_t>(pixel));
   }
+  return true;
+}
+
+void Reference::findGloss(const std::vector<RowPoints>& rows) {
+  if (!scene::showsGloss(scene_)) return;
+  glossPoints_.reserve(outerPoints_);
+  glossShares_.reserve(outerPoints_);
+  for (const RowPoints& row : rows)
+    for (std::size_t i = 0; i < row.rays.size(); ++i) {
+      const LightPoint& point = row.points[0][i];
+      const std::uint32_t pixel = row.pixels[0][i];
+      const PrimaryHits::Surface& surface = hits_.surfaces()[static_cast<std::size_t>(surfaces_[pixel])];
+      const auto specular = static_cast<float>(surface.specular), roughness = static_cast<float>(surface.roughness);
+      // As the renderer takes normals that turn away from the viewer.
+      glm::vec3 normal = point.normal;
+      const glm::vec3 ray = row.rays[i];
+      if (const float away = glm::dot(normal, ray); away > 0.0f) {
+        normal -= away * ray;
+        normal = glm::length(normal) > 0.0f ? glm::normalize(normal) : -ray;
+      }
+      const float cosine = std::clamp(-glm::dot(normal, ray), 0.0f, 1.0f);
+      glossShares_.push_back(specular > 0.0f ? fresnel(specular, roughness, cosine) : 0.0f);
+      glossPoints_.push_back({point.voxel, point.isovalue, normal, ray + 2.0f * cosine * normal,
+                              glossExponent(roughness), 2 * pixel});
+    }
+  gloss_.resize(glossPoints_.size());
+}
+
+bool Reference::refineGloss(const Task& task, SampleRange range, std::uint64_t& rays,
+                            const std::stop_token& stop) {
+  std::vector<GlossPoint> points;
+  std::vector<std::size_t> of;
+  for (std::size_t i = task.first; i < task.first + task.count; ++i) {
+    if (!(glossShares_[i] > 0.0f)) continue;
+    points.push_back(glossPoints_[i]);
+    of.push_back(i);
+  }
+  std::vector<RadianceSum> sums(points.size());
+  const double skyScale = std::exp2(scene_.light.environment.exposure);
+  if (!reflectedRadiance(*tracer_, points, range, skyScale, sums, rays, stop)) return false;
+  for (std::size_t k = 0; k < of.size(); ++k) gloss_[of[k]] += sums[k];
   return true;
 }
 
@@ -208,6 +253,7 @@ bool Reference::refineTask(Task& task, std::uint32_t samples, std::uint64_t& ray
   // Both before either is kept: a pixel has as many samples of the one light as of the other.
   if (hasSky_ && !estimate(LightPart::sky, skyMeans, skyVariances)) return false;
   if (hasLamps_ && !estimate(LightPart::lamps, lampMeans, lampVariances)) return false;
+  if (first < glossPoints_.size() && !refineGloss(task, range, rays, stop)) return false;
   for (std::size_t i = 0; i < count; ++i) {
     sky_[first + i].merge(skyMeans[i], skyVariances[i], range.count);
     lamps_[first + i].merge(lampMeans[i], lampVariances[i], range.count);
@@ -246,6 +292,10 @@ ReferenceImage Reference::image() const {
   const double skyScale = std::exp2(scene_.light.environment.exposure);
   const double stops = scene_.picture.exposure.value_or(static_cast<double>(light_.automaticExposure));
   const auto exposure = static_cast<float>(std::exp2(stops));
+  if (!gloss_.empty()) {
+    image.gloss.assign(pixels, glm::vec3(nan));
+    image.glossVariance.assign(pixels, nan);
+  }
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const std::uint32_t pixel = pixelOf_[i];
     const double n = sky_[i].count;
@@ -258,6 +308,13 @@ ReferenceImage Reference::image() const {
     const glm::vec3 albedo = hits_.surfaces()[static_cast<std::size_t>(surfaces_[pixel])].albedo * tint;
     image.hit[pixel] = 1;
     image.color[pixel] = albedo * image.irradiance[pixel] * (exposure * std::numbers::inv_pi_v<float>);
+    if (i >= gloss_.size() || !(glossShares_[i] > 0.0f) || !(n > 0.0)) continue;
+    const RadianceSum& sum = gloss_[i];
+    image.gloss[pixel] = glm::vec3((skyScale * sum.sky + sum.lamps) / n);
+    if (n > 1.0)
+      image.glossVariance[pixel] =
+          static_cast<float>((sum.squares - sum.luminance * sum.luminance / n) / (n - 1.0) / n);
+    image.color[pixel] = glm::mix(image.color[pixel], exposure * image.gloss[pixel], glossShares_[i]);
   }
   if (!background_) return image;
   for (std::size_t pixel = 0; pixel < pixels; ++pixel) {

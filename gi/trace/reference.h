@@ -5,7 +5,8 @@
 // itself, on the visible side (back faces: innerSideOf()). The sky and the light sources each have their own
 // pattern of samples. Paths are traced against the surface's isovalue; if hits are on a cubic field, against
 // the trilinear isosurface through the hit. The colour is albedo * E / pi * 2^picture.exposure (or the
-// automatic exposure), times look.inner_tint on back faces. Solid textures, lines and fog are not drawn.
+// automatic exposure), times look.inner_tint on back faces. Front faces have their gloss over it
+// (gi/gloss/gloss_lobe.h). Solid textures, lines and fog are not drawn.
 // gi.mode has no effect, except that `vicinity` uses the sky's mean without bounces, and `shadow` no bounces.
 //
 // One owner thread. It shares the work among its own threads; the result does not depend on their number.
@@ -23,6 +24,7 @@
 
 #include "base/memory_budget.h"
 #include "base/progress.h"
+#include "gi/gloss/reflections.h"
 #include "gi/picture_light.h"
 #include "gi/sampling/environment.h"
 #include "gi/trace/path_tracer.h"
@@ -37,6 +39,9 @@ struct ReferenceImage {
   std::vector<glm::vec3> color;        // linear
   std::vector<glm::vec3> irradiance;   // E, with the environment's exposure
   std::vector<float> variance;         // of the mean's luminance of E, estimated from the samples
+  // R of glossy front faces and the variance of its mean's luminance; empty if there are none.
+  std::vector<glm::vec3> gloss;
+  std::vector<float> glossVariance;
   std::vector<std::uint32_t> samples;  // paths of each kind of light
   std::vector<std::uint8_t> hit;
   std::uint64_t rays = 0;         // of the paths
@@ -80,12 +85,15 @@ class Reference {
   struct RowPoints {  // outer, inner
     std::array<std::vector<LightPoint>, 2> points;
     std::array<std::vector<std::uint32_t>, 2> pixels;
+    std::vector<glm::vec3> rays;  // of outer points: unit, world, from the eye
   };
   // `wanted`: columns.
   bool findHitsOfRow(std::size_t row, std::span<const std::uint32_t> wanted, const base::Progress& progress,
                      RowPoints& found);
   std::vector<glm::vec3> gradientsAt(const std::vector<glm::vec3>& voxels) const;
   void addTasks(std::size_t first, std::size_t pointsOfTask);  // of all points from `first` on
+  void findGloss(const std::vector<RowPoints>& rows);
+  bool refineGloss(const Task& task, SampleRange range, std::uint64_t& rays, const std::stop_token& stop);
   bool refineTask(Task& task, std::uint32_t samples, std::uint64_t& rays, const std::stop_token& stop);
 
   static std::size_t bytesOf(glm::ivec2 size);  // of all data per pixel, with an image()
@@ -106,6 +114,10 @@ class Reference {
   std::vector<LightPoint> points_;      // those of front faces first
   std::size_t outerPoints_ = 0;
   std::vector<Estimate> sky_, lamps_;  // of points
+  // Of front faces; empty if no surface is glossy. A matt point has the share 0.
+  std::vector<GlossPoint> glossPoints_;
+  std::vector<float> glossShares_;  // F
+  std::vector<RadianceSum> gloss_;
   std::vector<Task> tasks_;
   std::uint64_t rays_ = 0;
 };

@@ -55,6 +55,7 @@ inline constexpr const char *activeBlocks = "active blocks", *segments = "ray se
                             *occlusion = "occlusions", *flowField = "flow fields", *flow = "streaks",
                             *extrema = "curvature extrema", *lineField = "line fields", *lines = "lines",
                             *light = "stored light", *cutFaces = "cut faces", *irradiance = "irradiances",
+                            *reflections = "reflections", *gloss = "gloss",
                             *front = "front colour", *color = "colour", *background = "background",
                             *picture = "picture",
                             *linear = "linear picture";  // the image before it is encoded
@@ -92,6 +93,7 @@ struct LightState {
   std::uint64_t version = 0;       // of all but the lattices; 0: the light is unknown
   float automaticExposure = 0.0f;  // stops
   bool background = false;         // the environment is shown as the background
+  bool gloss = false;              // it knows what glossy surfaces reflect
 };
 
 // All inputs that determine which passes a frame needs and their dependencies.

@@ -40,6 +40,7 @@ struct Surface {
   double opacity;
   double facingOpacity = 1.0;  // scene/opacity.h
   bool clipped = true;         // by scene::Clip
+  double specular = 0.0, roughness = 1.0;  // gi/gloss/gloss_lobe.h
   bool opaque() const { return scene::isOpaque(*this); }
 };
 // Returns the first isosurface and the shown further ones, without those of opacity 0: none to four.

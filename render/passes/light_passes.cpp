@@ -46,7 +46,7 @@ LocalLamp localLamp(const gi::LampLight& lamp, const glm::dvec3& originMm) {
     case scene::LampKind::directional: {
       const double sineSquared = 1.0 - lamp.cosHalfAngle * lamp.cosHalfAngle;
       const double of = lamp.cosHalfAngle >= 1.0 ? 1.0 : kPi * sineSquared;
-      return {glm::dvec4(lamp.toward, 0.0), glm::dvec4(of * lamp.power, 0.0)};
+      return {glm::dvec4(lamp.toward, 0.0), glm::dvec4(of * lamp.power, std::sqrt(std::max(sineSquared, 0.0)))};
     }
   }
   return {at, glm::dvec4(lamp.power, 0.0)};
@@ -118,6 +118,7 @@ LightState FrameLight::state(const FrameState& frame) const {
   state.unfinished = unfinished_;
   state.automaticExposure = light ? light->automaticExposure : 0.0f;
   state.background = light && light->background;
+  state.gloss = light && light->gloss;
   return state;
 }
 
@@ -139,12 +140,16 @@ void FrameLight::report(LightReport& out) const {
   out.pending = atlas_.pending();
 }
 
+std::string FrameLight::lampDefines(const FrameState& frame) const {
+  return "#define LAMP_COUNT " + std::to_string(lampCount(frame.light.get())) + "\n";
+}
+
 std::string FrameLight::defines(const FrameState& frame) const {
   const LightTexelLayout& layout = atlas_.layout();
   const auto number = [](const char* name, auto value) {
     return "#define " + std::string(name) + " " + std::to_string(static_cast<int>(value)) + "\n";
   };
-  std::string lamps = number("LAMP_COUNT", lampCount(frame.light.get()));
+  const std::string lamps = lampDefines(frame);
   if (!layout.stores()) return lamps;
   return lamps + "#define STORED\n" + number("SKY", layout.sky) + number("LAMPS", layout.lamps) +
          number("WORDS", layout.words()) + codeDefines(layout) +

@@ -23,9 +23,12 @@ class FrameLight {
   LightState state(const FrameState& frame) const;
 
   void upload(std::size_t limitBytes);
+  std::string lampDefines(const FrameState& frame) const;  // of local_light.glsl
   // Return the defines and set the inputs of irradiance.frag.glsl.
   std::string defines(const FrameState& frame) const;
   void bind(FrameState& frame, Program& program);
+  // Sets the light sources and the sky without anything in their way (local_light.glsl, LAMP_COUNT).
+  void setLocalLight(const FrameState& frame, Program& program) const;
   // Sets the environment as a background texture; creates it if it is new.
   void setBackground(FrameState& frame, Program& program, int unit);
 
@@ -34,7 +37,6 @@ class FrameLight {
   void report(LightReport& out) const;
 
  private:
-  void setLocalLight(const FrameState& frame, Program& program) const;
   void setLattice(const FrameState& frame, Program& program);
 
   LightAtlas atlas_;

@@ -252,6 +252,7 @@ void ShadePass::declare(Declaring& d) const {
   d.settings({"camera.", "isosurface.", "isosurface#."},
              {"isosurface.value", "isosurface.inside", "isosurface.layers", "isosurface.ghost",
               "isosurface.ghost_opacity", "isosurface#.value", "isosurface.clipped", "isosurface#.clipped",
+              "isosurface.specular", "isosurface#.specular", "isosurface.roughness", "isosurface#.roughness",
               "isosurface.name", "isosurface#.name"});
   d.settings({"look."}, {"look.legend", "look.legend_corner", "look.background_top", "look.background_bottom",
                          "look.contour_width", "look.ridge_threshold", "look.ridge_width",

@@ -3,6 +3,7 @@
 #include "render/passes/cut_faces_pass.h"
 #include "render/passes/derivative_passes.h"
 #include "render/passes/effect_passes.h"
+#include "render/passes/gloss_passes.h"
 #include "render/passes/hit_passes.h"
 #include "render/passes/light_passes.h"
 #include "render/passes/line_passes.h"
@@ -50,6 +51,8 @@ PassList makePasses() {
       LinesPass,       // what is drawn of them
       LightPass,       // uploads of stored light
       IrradiancePass,  // light at the surface points
+      ReflectionsPass,  // what glossy surfaces reflect, at some points
+      GlossPass,       // and everywhere
       ShadePass,       // the look, linear colour, of the first crossing
       LayersPass,      // the crossings behind transparent surfaces
       BackgroundPass,  // the picture of nothing

@@ -1,5 +1,7 @@
 #include "scene/rules/needs.h"
 
+#include <limits>
+
 #include <algorithm>
 
 #include "scene/looks.h"
@@ -53,6 +55,24 @@ bool showsOcclusion(const Scene& scene) {
   const Shading shading = shadingOf(scene);
   return scene.look.occlusion > 0.0 && scene.light.setup == LightSetup::three_point &&
          (shading == Shading::lambert || shading == Shading::blinn_phong);
+}
+
+std::vector<GlossySurface> glossySurfaces(const Scene& scene) {
+  std::vector<GlossySurface> list;
+  if (!usesGi(scene) || isMeasure(scene.look.mode)) return list;
+  const auto add = [&](const auto& surface) {
+    if (surface.specular > 0.0 && surface.opacity > 0.0)
+      list.push_back({surface.value.value_or(std::numeric_limits<double>::quiet_NaN()), surface.specular,
+                      surface.roughness});
+  };
+  add(scene.isosurface);
+  for (const ExtraIsosurface& extra : scene.extraIsosurfaces)
+    if (extra.shown) add(extra);
+  return list;
+}
+
+bool showsGloss(const Scene& scene) {
+  return !glossySurfaces(scene).empty();
 }
 
 bool showsFlow(const Scene& scene) {

@@ -4,6 +4,8 @@
 // call them, so that they agree.
 #pragma once
 
+#include <vector>
+
 #include "scene/scene.h"
 
 namespace isolux::scene {
@@ -27,6 +29,14 @@ bool keyLightActs(const Scene& scene);
 bool showsShadow(const Scene& scene);
 // Returns whether nearby geometry occludes light; it does for shadings that approximate large soft lights.
 bool showsOcclusion(const Scene& scene);
+// Returns the visible surfaces with gloss, in the order of their settings. There are none in looks without
+// global illumination, and where colours show numbers.
+struct GlossySurface {
+  double isovalue = 0.0;  // data units; NaN: not resolved
+  double specular = 0.0, roughness = 0.0;
+};
+std::vector<GlossySurface> glossySurfaces(const Scene& scene);
+bool showsGloss(const Scene& scene);
 // Returns whether streaks along the curvature are drawn.
 bool showsFlow(const Scene& scene);
 // Returns whether a second volume colours the surface.

@@ -124,6 +124,14 @@ constexpr Rule rules[] = {
     {"isosurface.albedo isosurface#.albedo",
      [](const Scene& s) { return s.isosurface.albedoSource == AlbedoSource::color; },
      "the albedo comes from a colour map"},
+    {"isosurface.specular isosurface.roughness isosurface#.specular isosurface#.roughness", usesGi,
+     "the shading is not global illumination"},
+    {"isosurface.specular isosurface.roughness isosurface#.specular isosurface#.roughness",
+     [](const Scene& s) { return !colorsMeanNumbers(s); }, "colours show numbers"},
+    {"isosurface.specular isosurface.roughness", [](const Scene& s) { return s.isosurface.opacity > 0.0; },
+     "the opacity of the surface is 0"},
+    {"isosurface.roughness", [](const Scene& s) { return s.isosurface.specular > 0.0; },
+     "the surface is matt"},
     {"isosurface.layers", [](const Scene& s) { return isTransparent(s) || s.isosurface.ghost > 0.0; },
      "every isosurface is opaque"},
     {"isosurface.facing_opacity", [](const Scene& s) { return s.isosurface.opacity > 0.0; },
@@ -254,13 +262,17 @@ constexpr Rule rules[] = {
 };
 
 constexpr ItemRule itemRules[] = {
-    {"isosurface#.name isosurface#.value isosurface#.albedo isosurface#.opacity isosurface#.facing_opacity "
+    {"isosurface#.name isosurface#.value isosurface#.albedo isosurface#.specular isosurface#.roughness "
+     "isosurface#.opacity isosurface#.facing_opacity "
      "isosurface#.clipped",
      [](const Scene& s, std::size_t item) { return s.extraIsosurfaces[item].shown; },
      "that isosurface is not shown"},
-    {"isosurface#.facing_opacity",
+    {"isosurface#.facing_opacity isosurface#.specular isosurface#.roughness",
      [](const Scene& s, std::size_t item) { return s.extraIsosurfaces[item].opacity > 0.0; },
      "the opacity of that surface is 0"},
+    {"isosurface#.roughness",
+     [](const Scene& s, std::size_t item) { return s.extraIsosurfaces[item].specular > 0.0; },
+     "that surface is matt"},
     {"lamp#.kind lamp#.position lamp#.direction lamp#.radius lamp#.angle lamp#.color lamp#.intensity",
      [](const Scene& s, std::size_t item) { return s.lamps[item].shown; }, "that light source is off"},
     {"lamp#.position",

@@ -4,7 +4,7 @@ uniform vec3 uLocalSky[9];  // of the irradiance: factors of 1, y, z, x, xy, yz,
 // A lamp: E = power * cosine, for a lamp at a place over the square of the distance (mm), at least its own radius.
 struct Lamp {
   vec4 place;  // mm from voxel 0, 1; or unit, toward the lamp, 0
-  vec4 power;  // rgb; radius, mm
+  vec4 power;  // rgb; radius, mm; of a distant one the sine of half its angle
 };
 #if LAMP_COUNT > 0
 uniform Lamp uLamps[LAMP_COUNT];

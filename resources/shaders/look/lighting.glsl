@@ -17,10 +17,19 @@ vec3 lighted(vec3 base, Point p, float lit) {
 #elif SHADING == SHADING_GI
 uniform sampler2D uIrradiance;
 uniform float uExposure;  // 2^stops
+#ifdef GLOSS
+uniform sampler2D uGloss;  // gloss.frag.glsl
+#endif
 
 vec3 lighted(vec3 base, Point p, float lit) {
   const float pi = 3.14159265;
-  return base * texelFetch(uIrradiance, ivec2(fragment()), 0).rgb * (uExposure / pi);
+  vec3 diffuse = base * texelFetch(uIrradiance, ivec2(fragment()), 0).rgb * (uExposure / pi);
+#ifdef GLOSS
+  vec4 gloss = texelFetch(uGloss, ivec2(fragment()), 0);
+  return mix(diffuse, gloss.rgb * uExposure, gloss.a);
+#else
+  return diffuse;
+#endif
 }
 #elif SHADING == SHADING_UNLIT
 vec3 lighted(vec3 base, Point p, float lit) { return base; }

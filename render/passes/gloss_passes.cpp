@@ -1,0 +1,266 @@
+#include "render/passes/gloss_passes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <glm/common.hpp>
+
+#include "render/passes/frame_state.h"
+#include "render/passes/light_passes.h"
+#include "scene/rules/needs.h"
+#include "volume/field/reconstruct.h"
+
+namespace isolux::render {
+
+namespace {
+
+constexpr int kPixelsOfGlossCell = 2;  // per axis
+constexpr int kAround = 4;        // cells per axis that a result is the mean of
+constexpr glm::ivec2 kFilteredSize{256, 128};
+constexpr float kNotTraced = -1.0f;
+constexpr float kMostVisible = 16.0f;  // times the filtered environment; light from below comes from above, too
+
+int cellOf(const FrameRequest& request) {
+  return kPixelsOfGlossCell * request.supersampling;
+}
+
+struct Cells {
+  glm::ivec2 first, size;  // in the whole image
+};
+
+Cells cellsOf(const FrameState& frame) {
+  const int cell = cellOf(frame.request);
+  const glm::ivec2 low = frame.rayOrigin() / cell;
+  return {low, (frame.rayOrigin() + frame.raySize() + cell - 1) / cell - low};
+}
+
+// A number for each square of kAround cells: what its cells trace together is one pattern.
+std::uint32_t seedOf(glm::ivec2 cell) {
+  const glm::ivec2 square = cell / kAround;
+  std::uint32_t h = static_cast<std::uint32_t>(square.x) * 0x9e3779b1u ^ static_cast<std::uint32_t>(square.y) * 0x85ebca77u;
+  h = (h ^ (h >> 15)) * 0x2c1b3c6du;
+  return h ^ (h >> 13);
+}
+
+// The place of a cell within its square, so that neighbours are far apart in the pattern.
+std::uint32_t placeOf(glm::ivec2 cell) {
+  static constexpr std::uint32_t places[kAround][kAround] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
+  return places[cell.y % kAround][cell.x % kAround];
+}
+
+std::string imageOf(const char* name, const FrameState& frame) {
+  return name + frame.layer;
+}
+
+// One point of a cell that is traced.
+struct CellPoint {
+  int surface = -1;
+  float depth = kNotTraced;
+};
+
+// The mean of the cells around each that show the same piece of surface.
+std::vector<gi::Reflection> smoothed(const std::vector<gi::Reflection>& of, const std::vector<CellPoint>& cells,
+                                     glm::ivec2 size, const std::vector<float>& tolerances) {
+  std::vector<gi::Reflection> result(of.size());
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      const auto own = static_cast<std::size_t>(y * size.x + x);
+      if (cells[own].surface < 0) continue;
+      gi::Reflection sum{.lamps = glm::vec3(0.0f)};
+      float count = 0.0f;
+      for (int v = std::max(y - kAround / 2, 0); v < std::min(y + kAround / 2, size.y); ++v)
+        for (int u = std::max(x - kAround / 2, 0); u < std::min(x + kAround / 2, size.x); ++u) {
+          const auto other = static_cast<std::size_t>(v * size.x + u);
+          if (cells[other].surface != cells[own].surface) continue;
+          if (std::abs(cells[other].depth - cells[own].depth) > tolerances[own]) continue;
+          sum.met += of[other].met;
+          sum.light += of[other].light;
+          sum.baked += of[other].baked;
+          sum.unoccluded += of[other].unoccluded;
+          sum.open += of[other].open;
+          sum.visible += of[other].visible;
+          sum.lamps += of[other].lamps;
+          count += 1.0f;
+        }
+      sum.met /= count;
+      sum.unoccluded /= count;
+      sum.lamps /= count;
+      result[own] = sum;
+    }
+  return result;
+}
+
+// Bilinear, from middle to middle of pixels.
+glm::vec3 between(const gi::Environment& map, double column, double row) {
+  const int width = map.width(), height = map.height();
+  column -= 0.5;
+  row -= 0.5;
+  const int left = static_cast<int>(std::floor(column)), top = static_cast<int>(std::floor(row));
+  const auto x = static_cast<float>(column - left), y = static_cast<float>(row - top);
+  const auto at = [&](int c, int r) {
+    return map.pixels()[static_cast<std::size_t>(std::clamp(r, 0, height - 1) * width + (c + width) % width)];
+  };
+  return glm::mix(glm::mix(at(left, top), at(left + 1, top), x), glm::mix(at(left, top + 1), at(left + 1, top + 1), x), y);
+}
+
+}  // namespace
+
+int reachOfGloss() {
+  return kPixelsOfGlossCell * (kAround / 2 + 2);
+}
+
+void ReflectionsPass::declare(Declaring& d) const {
+  const LightState& light = d.asked.light;
+  d.reads(image::surface).reads(image::gradient).reads(image::light).writes(image::reflections);
+  d.notNeeded("no surface is glossy");
+  d.settings({"camera.", "isosurface.roughness", "isosurface#.roughness", "isosurface.specular", "isosurface#.specular"});
+  d.settings({"isosurface.inside"}).pictureSize();
+  d.input("light", light.version).input("stored light", light.skyRevision, light.lampsRevision);
+  d.input("light knows reflections", light.gloss);
+}
+
+void ReflectionsPass::run(FrameState& frame) {
+  const Cells cells = cellsOf(frame);
+  Target& target = frame.images.make(frame.gl, imageOf(image::reflections, frame), cells.size, {GL_RGBA16F, GL_RGBA8, GL_R32F});
+  static constexpr float open[4] = {0.0f, 0.0f, 0.0f, 1.0f}, white[4] = {1.0f, 1.0f, 1.0f, 1.0f}, none[4] = {kNotTraced};
+  frame.clear(target, {open, white, none});
+  if (frame.empty() || !frame.light || !frame.light->gloss) return;
+  const std::string name = "points of reflections";
+  Target& points = frame.images.make(frame.gl, name, cells.size, {GL_RGBA32F, GL_RGBA32F, GL_RGBA32F});
+  Program& p = frame.program(shader);
+  frame.setView(p);
+  frame.setPoint(p, 0);
+  p.set("uCell", cellOf(frame.request));
+  p.set("uFirstCell", cells.first);
+  frame.begin(points);
+  frame.drawFullscreen(p);
+  trace(frame, target, points, cells.first);
+  frame.images.drop(name);
+}
+
+void ReflectionsPass::trace(FrameState& frame, const Target& target, const Target& found, glm::ivec2 first) {
+  const glm::ivec2 size(found.images[0].size());
+  const std::vector<float> places = found.images[0].readFloats(4), normals = found.images[1].readFloats(4),
+                           rays = found.images[2].readFloats(4);
+  const gi::PictureLight& light = *frame.light;
+  const volume::Grid& grid = frame.volume->grid();
+  const bool trilinear = frame.scene->hit.field == scene::Field::trilinear;
+  const auto samples = static_cast<std::uint32_t>(frame.request.supersampling * frame.request.supersampling);
+  // How far apart in depth cells of one piece of surface are: some times their width.
+  const auto perDepth = static_cast<float>(8.0 * 2.0 * frame.view->halfExtent.y * kPixelsOfGlossCell / frame.request.size.y);
+  const auto vectorAt = [](const std::vector<float>& of, std::size_t i) { return glm::vec3(of[4 * i], of[4 * i + 1], of[4 * i + 2]); };
+  std::vector<CellPoint> cells(places.size() / 4);
+  std::vector<float> tolerances(cells.size(), 0.0f);
+  std::vector<gi::GlossPoint> points;
+  std::vector<std::size_t> of;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const int which = static_cast<int>(places[4 * i + 3]);
+    if (which < 0) continue;
+    const Surface& surface = frame.surfaces[static_cast<std::size_t>(which)];
+    const auto roughness = static_cast<float>(surface.roughness);
+    const gi::FilteredEnvironment* const environment = surface.specular > 0.0 ? light.gloss->of(roughness) : nullptr;
+    if (!environment) continue;
+    const glm::ivec2 cell = first + glm::ivec2(static_cast<int>(i) % size.x, static_cast<int>(i) / size.x);
+    const glm::vec3 voxel = vectorAt(places, i), normal = vectorAt(normals, i), ray = vectorAt(rays, i);
+    const double value = trilinear ? surface.value : volume::sampleTrilinear(grid, glm::dvec3(voxel)).value;
+    cells[i] = {which, normals[4 * i + 3]};
+    tolerances[i] = perDepth * (frame.view->orthographic ? 1.0f : cells[i].depth);
+    points.push_back({voxel, static_cast<float>(grid.storedOfValue(value)), normal,
+                      ray - 2.0f * std::min(glm::dot(ray, normal), 0.0f) * normal, gi::glossExponent(roughness),
+                      seedOf(cell), placeOf(cell) * samples, environment});
+    of.push_back(i);
+  }
+  std::vector<gi::Reflection> traced(points.size()), all(cells.size());
+  if (!gi::reflectionsOf(light, points, samples, traced, frame.request.stop)) return;
+  for (std::size_t k = 0; k < of.size(); ++k) all[of[k]] = traced[k];
+  all = smoothed(all, cells, size, tolerances);
+  std::vector<glm::vec4> reflected;
+  std::vector<glm::u8vec4> lamps;
+  std::vector<float> depths;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const float part = all[i].open > 0.0f ? std::min(all[i].visible / all[i].open, kMostVisible) : 1.0f;
+    const glm::vec3 surface = all[i].baked > 0.01f ? all[i].light / all[i].baked : all[i].unoccluded;
+    reflected.emplace_back(all[i].met * surface, part);
+    lamps.emplace_back(glm::round(255.0f * all[i].lamps), 255);
+    depths.push_back(cells[i].depth);
+  }
+  const Gl& gl = *frame.gl;
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl.TextureSubImage2D(target.images[0].id(), 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, reflected.data());
+  gl.TextureSubImage2D(target.images[1].id(), 0, 0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, lamps.data());
+  gl.TextureSubImage2D(target.images[2].id(), 0, 0, 0, size.x, size.y, GL_RED, GL_FLOAT, depths.data());
+}
+
+void GlossPass::declare(Declaring& d) const {
+  d.reads(image::surface).reads(image::gradient).reads(image::reflections).writes(image::gloss, 8);
+  d.notNeeded("no surface is glossy");
+  d.settings({"camera.", "isosurface.roughness", "isosurface#.roughness", "isosurface.specular", "isosurface#.specular"});
+  d.settings({"isosurface.inside"}).input("light", d.asked.light.version);
+}
+
+std::optional<LookInput> GlossPass::forLook(const scene::Scene& scene) const {
+  if (!scene::showsGloss(scene)) return std::nullopt;
+  return LookInput{image::gloss, "GLOSS", {"uGloss"}};
+}
+
+void GlossPass::forget() {
+  environments_ = Texture();
+  of_.clear();
+}
+
+void GlossPass::setEnvironments(FrameState& frame, Program& p, int unit) {
+  const gi::GlossLight& gloss = *frame.light->gloss;
+  const glm::ivec3 size(kFilteredSize, static_cast<int>(gloss.environments.size()));
+  if (of_ != gloss.environments) {
+    std::vector<glm::vec3> texels;
+    for (const auto& environment : gloss.environments) {
+      const gi::Environment& map = environment->filtered();
+      for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x)
+          texels.push_back(between(map, (x + 0.5) * map.width() / size.x, (y + 0.5) * map.height() / size.y));
+    }
+    environments_ = Texture();
+    environments_ = Texture::make3D(frame.gl, GL_RGBA16F, size, true);
+    frame.gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    frame.gl->TextureSubImage3D(environments_.id(), 0, 0, 0, 0, size.x, size.y, size.z, GL_RGB, GL_FLOAT, texels.data());
+    frame.gl->TextureParameteri(environments_.id(), GL_TEXTURE_WRAP_S, GL_REPEAT);
+    of_ = gloss.environments;
+  }
+  p.setTexture("uFiltered", unit, environments_);
+  p.set("uEnvironmentFromWorld", frame.light->environmentFromWorld);
+  p.set("uEnvironmentScale", frame.light->backgroundScale);
+  glm::vec4 specular(0.0f), roughness(1.0f), layers(0.0f);
+  for (std::size_t i = 0; i < frame.surfaces.size(); ++i) {
+    const auto at = static_cast<int>(i);
+    const auto of = static_cast<float>(frame.surfaces[i].roughness);
+    const auto same = [&](const auto& environment) { return environment->roughness() == of; };
+    const auto found = std::find_if(of_.begin(), of_.end(), same);
+    if (found == of_.end()) continue;  // matt
+    specular[at] = static_cast<float>(frame.surfaces[i].specular);
+    roughness[at] = of;
+    layers[at] = (static_cast<float>(found - of_.begin()) + 0.5f) / static_cast<float>(size.z);
+  }
+  p.set("uSpecular", specular);
+  p.set("uRoughness", roughness);
+  p.set("uLayer", layers);
+}
+
+void GlossPass::run(FrameState& frame) {
+  Target& target = frame.target(image::gloss, {GL_RGBA16F});
+  if (frame.empty() || !frame.light || !frame.light->gloss) return frame.clear(target, {kZero});
+  Program& p = frame.program(shader, frame.lighting->lampDefines(frame));
+  frame.setView(p);
+  frame.setPoint(p, 0);
+  frame.lighting->setLocalLight(frame, p);
+  const Target& reflections = frame.images.at(imageOf(image::reflections, frame));
+  p.setTexture("uReflected", 3, reflections.images[0]);
+  p.setTexture("uLampsSeen", 4, reflections.images[1]);
+  p.setTexture("uDepth", 5, reflections.images[2]);
+  p.set("uFirstCell", cellsOf(frame).first);
+  p.set("uCellSize", static_cast<float>(cellOf(frame.request)));
+  setEnvironments(frame, p, 6);
+  frame.drawHits(target, p);
+}
+
+}  // namespace isolux::render

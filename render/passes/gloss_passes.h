@@ -1,0 +1,48 @@
+// Draws what glossy surfaces reflect under global illumination: the passes reflections and gloss.
+//
+// Rays are traced on the CPU whatever the executor (gi/gloss/reflections.h), one or more for each cell of 2 x 2
+// pixels. A cell's result is the mean over the cells around it that show the same surface. Cells are those of the
+// whole image, so tiles agree with it.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "gi/gloss/reflections.h"
+#include "render/gl/image_pool.h"
+#include "render/graph/pass.h"
+
+namespace isolux::render {
+
+// Traces reflections at one point of each cell.
+class ReflectionsPass : public Pass {
+ public:
+  ReflectionsPass() : Pass("reflections", "reflections.frag.glsl", {.ofCrossing = true}) {}
+  void declare(Declaring& d) const override;
+  void run(FrameState& frame) override;
+
+ private:
+  // `first`: the cell in the whole image that the images begin with.
+  static void trace(FrameState& frame, const Target& target, const Target& points, glm::ivec2 first);
+};
+
+// Computes the reflected radiance and its share at every ray.
+class GlossPass : public Pass {
+ public:
+  GlossPass() : Pass("gloss", "gloss.frag.glsl", {.ofCrossing = true}) {}
+  void declare(Declaring& d) const override;
+  std::optional<LookInput> forLook(const scene::Scene& scene) const override;
+  void run(FrameState& frame) override;
+  void forget() override;
+
+ private:
+  void setEnvironments(FrameState& frame, Program& program, int unit);
+
+  Texture environments_;  // layers in the order of GlossLight::environments
+  std::vector<std::shared_ptr<const gi::FilteredEnvironment>> of_;
+};
+
+// Returns how many pixels beside its own a pixel's gloss depends on.
+int reachOfGloss();
+
+}  // namespace isolux::render
