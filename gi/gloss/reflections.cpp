@@ -261,7 +261,7 @@ bool reflectedRadiance(const PathTracer& paths, std::span<const GlossPoint> poin
     std::vector<glm::vec3> sky(of.size(), glm::vec3(0.0f)), lamps(of.size(), glm::vec3(0.0f));
     for (std::size_t i = 0; i < of.size(); ++i)
       if (!(lobe.t[i] < kNever) && scene.environment)
-        sky[i] = setup.sky.environment->radiance(abovePlane(lobe.directions[i], of[i].normal) *
+        sky[i] = scene.environment->radiance(abovePlane(lobe.directions[i], of[i].normal) *
                                                  scene.worldFromEnvironment);
     std::vector<LightPoint> met;
     std::vector<glm::vec3> skyMet(lobe.hits.size()), lampsMet(lobe.hits.size(), glm::vec3(0.0f));

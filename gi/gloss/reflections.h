@@ -59,6 +59,16 @@ struct Reflection {
   // Luminance of the environment in the directions of the lobe: all of it, and what reaches the point.
   float open = 0.0f, visible = 0.0f;
   glm::vec3 lamps{1.0f};  // visible fraction of each light source
+
+  void add(const Reflection& other, float weight) {
+    met += weight * other.met;
+    light += weight * other.light;
+    baked += weight * other.baked;
+    unoccluded += weight * other.unoccluded;
+    open += weight * other.open;
+    visible += weight * other.visible;
+    lamps += weight * other.lamps;
+  }
 };
 
 // Computes the means over `samples` rays of each point. Returns false when stopped.

@@ -1,10 +1,13 @@
 #include "render/passes/gloss_passes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "render/passes/frame_state.h"
 #include "render/passes/light_passes.h"
@@ -15,14 +18,16 @@ namespace isolux::render {
 
 namespace {
 
-constexpr int kPixelsOfGlossCell = 2;  // per axis
+constexpr int kPixelsOfGlossCell = 2, kPixelsInMotion = 4;  // per axis, of a cell; in frames of one ray a pixel
 constexpr int kAround = 4;        // cells per axis that a result is the mean of
-constexpr glm::ivec2 kFilteredSize{256, 128};
+constexpr int kFilteredSize = 192;  // texels per axis of an octahedron's square
+// Mirror directions turn twice as far as normals.
+constexpr float kSharpnessOfExponent = 1.0f, kMostSharp = 256.0f;
 constexpr float kNotTraced = -1.0f;
 constexpr float kMostVisible = 16.0f;  // times the filtered environment; light from below comes from above, too
 
 int cellOf(const FrameRequest& request) {
-  return kPixelsOfGlossCell * request.supersampling;
+  return request.supersampling == 1 ? kPixelsInMotion : kPixelsOfGlossCell * request.supersampling;
 }
 
 struct Cells {
@@ -49,6 +54,17 @@ std::uint32_t placeOf(glm::ivec2 cell) {
   return places[cell.y % kAround][cell.x % kAround];
 }
 
+// Without light that knows reflections, there are none.
+void declareGloss(Declaring& d) {
+  d.input("light knows reflections", d.asked.light.gloss);
+  if (!d.asked.light.gloss) return;
+  d.settings({"camera.", "isosurface.inside", "isosurface.roughness", "isosurface#.roughness"});
+  const scene::Scene& s = d.asked.scene;
+  std::array<bool, scene::kExtraIsosurfaces> glossy{};
+  for (std::size_t i = 0; i < glossy.size(); ++i) glossy[i] = s.extraIsosurfaces[i].specular > 0.0;
+  d.input("glossy surfaces", s.isosurface.specular > 0.0, glossy).input("light", d.asked.light.version);
+}
+
 std::string imageOf(const char* name, const FrameState& frame) {
   return name + frame.layer;
 }
@@ -57,36 +73,37 @@ std::string imageOf(const char* name, const FrameState& frame) {
 struct CellPoint {
   int surface = -1;
   float depth = kNotTraced;
+  float tolerance = 0.0f;  // of the depth of cells that show the same piece of surface
+  glm::vec3 normal{0.0f};
+  float sharpness = 0.0f;  // 1 / (1 - cosine) of normals at which a cell around it counts no more
 };
 
-// The mean of the cells around each that show the same piece of surface.
+// The mean of the cells around each that show the same piece of surface and reflect much the same.
 std::vector<gi::Reflection> smoothed(const std::vector<gi::Reflection>& of, const std::vector<CellPoint>& cells,
-                                     glm::ivec2 size, const std::vector<float>& tolerances) {
+                                     glm::ivec2 size) {
   std::vector<gi::Reflection> result(of.size());
   for (int y = 0; y < size.y; ++y)
     for (int x = 0; x < size.x; ++x) {
-      const auto own = static_cast<std::size_t>(y * size.x + x);
-      if (cells[own].surface < 0) continue;
+      const auto at = static_cast<std::size_t>(y * size.x + x);
+      const CellPoint& own = cells[at];
+      if (own.surface < 0) continue;
       gi::Reflection sum{.lamps = glm::vec3(0.0f)};
-      float count = 0.0f;
+      float weights = 0.0f;
       for (int v = std::max(y - kAround / 2, 0); v < std::min(y + kAround / 2, size.y); ++v)
         for (int u = std::max(x - kAround / 2, 0); u < std::min(x + kAround / 2, size.x); ++u) {
-          const auto other = static_cast<std::size_t>(v * size.x + u);
-          if (cells[other].surface != cells[own].surface) continue;
-          if (std::abs(cells[other].depth - cells[own].depth) > tolerances[own]) continue;
-          sum.met += of[other].met;
-          sum.light += of[other].light;
-          sum.baked += of[other].baked;
-          sum.unoccluded += of[other].unoccluded;
-          sum.open += of[other].open;
-          sum.visible += of[other].visible;
-          sum.lamps += of[other].lamps;
-          count += 1.0f;
+          const auto i = static_cast<std::size_t>(v * size.x + u);
+          const CellPoint& other = cells[i];
+          if (other.surface != own.surface || std::abs(other.depth - own.depth) > own.tolerance) continue;
+          const float fits = std::max(1.0f - own.sharpness * (1.0f - glm::dot(other.normal, own.normal)), 0.0f);
+          const float weight = i == at ? 1.0f : fits * fits;
+          if (!(weight > 0.0f)) continue;
+          sum.add(of[i], weight);
+          weights += weight;
         }
-      sum.met /= count;
-      sum.unoccluded /= count;
-      sum.lamps /= count;
-      result[own] = sum;
+      sum.met /= weights;
+      sum.unoccluded /= weights;
+      sum.lamps /= weights;
+      result[at] = sum;
     }
   return result;
 }
@@ -94,30 +111,38 @@ std::vector<gi::Reflection> smoothed(const std::vector<gi::Reflection>& of, cons
 // Bilinear, from middle to middle of pixels.
 glm::vec3 between(const gi::Environment& map, double column, double row) {
   const int width = map.width(), height = map.height();
-  column -= 0.5;
-  row -= 0.5;
-  const int left = static_cast<int>(std::floor(column)), top = static_cast<int>(std::floor(row));
-  const auto x = static_cast<float>(column - left), y = static_cast<float>(row - top);
+  const int left = static_cast<int>(std::floor(column - 0.5)), top = static_cast<int>(std::floor(row - 0.5));
+  const auto x = static_cast<float>(column - 0.5 - left), y = static_cast<float>(row - 0.5 - top);
   const auto at = [&](int c, int r) {
     return map.pixels()[static_cast<std::size_t>(std::clamp(r, 0, height - 1) * width + (c + width) % width)];
   };
-  return glm::mix(glm::mix(at(left, top), at(left + 1, top), x), glm::mix(at(left, top + 1), at(left + 1, top + 1), x), y);
+  return glm::mix(glm::mix(at(left, top), at(left + 1, top), x),
+                  glm::mix(at(left, top + 1), at(left + 1, top + 1), x), y);
+}
+
+// The direction of a point of the square [-1, 1]^2 that an octahedron is unfolded to (gloss.frag.glsl).
+glm::dvec3 ofOctahedron(glm::dvec2 at) {
+  glm::dvec3 direction(at, 1.0 - std::abs(at.x) - std::abs(at.y));
+  if (direction.z < 0.0) {
+    direction.x = (1.0 - std::abs(at.y)) * (at.x >= 0.0 ? 1.0 : -1.0);
+    direction.y = (1.0 - std::abs(at.x)) * (at.y >= 0.0 ? 1.0 : -1.0);
+  }
+  return glm::normalize(direction);
 }
 
 }  // namespace
 
 int reachOfGloss() {
-  return kPixelsOfGlossCell * (kAround / 2 + 2);
+  return kPixelsInMotion * (kAround / 2 + 2);
 }
 
 void ReflectionsPass::declare(Declaring& d) const {
   const LightState& light = d.asked.light;
   d.reads(image::surface).reads(image::gradient).reads(image::light).writes(image::reflections);
   d.notNeeded("no surface is glossy");
-  d.settings({"camera.", "isosurface.roughness", "isosurface#.roughness", "isosurface.specular", "isosurface#.specular"});
-  d.settings({"isosurface.inside"}).pictureSize();
-  d.input("light", light.version).input("stored light", light.skyRevision, light.lampsRevision);
-  d.input("light knows reflections", light.gloss);
+  declareGloss(d);
+  if (!light.gloss) return;
+  d.pictureSize().input("stored light", light.skyRevision, light.lampsRevision);
 }
 
 void ReflectionsPass::run(FrameState& frame) {
@@ -146,12 +171,11 @@ void ReflectionsPass::trace(FrameState& frame, const Target& target, const Targe
   const gi::PictureLight& light = *frame.light;
   const volume::Grid& grid = frame.volume->grid();
   const bool trilinear = frame.scene->hit.field == scene::Field::trilinear;
-  const auto samples = static_cast<std::uint32_t>(frame.request.supersampling * frame.request.supersampling);
   // How far apart in depth cells of one piece of surface are: some times their width.
-  const auto perDepth = static_cast<float>(8.0 * 2.0 * frame.view->halfExtent.y * kPixelsOfGlossCell / frame.request.size.y);
+  const auto perDepth = static_cast<float>(16.0 * frame.view->halfExtent.y * cellOf(frame.request) /
+                                           (frame.request.size.y * frame.request.supersampling));
   const auto vectorAt = [](const std::vector<float>& of, std::size_t i) { return glm::vec3(of[4 * i], of[4 * i + 1], of[4 * i + 2]); };
   std::vector<CellPoint> cells(places.size() / 4);
-  std::vector<float> tolerances(cells.size(), 0.0f);
   std::vector<gi::GlossPoint> points;
   std::vector<std::size_t> of;
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -164,17 +188,18 @@ void ReflectionsPass::trace(FrameState& frame, const Target& target, const Targe
     const glm::ivec2 cell = first + glm::ivec2(static_cast<int>(i) % size.x, static_cast<int>(i) / size.x);
     const glm::vec3 voxel = vectorAt(places, i), normal = vectorAt(normals, i), ray = vectorAt(rays, i);
     const double value = trilinear ? surface.value : volume::sampleTrilinear(grid, glm::dvec3(voxel)).value;
-    cells[i] = {which, normals[4 * i + 3]};
-    tolerances[i] = perDepth * (frame.view->orthographic ? 1.0f : cells[i].depth);
+    const float depth = normals[4 * i + 3];
+    cells[i] = {which, depth, perDepth * (frame.view->orthographic ? 1.0f : depth), normal,
+                std::min(kSharpnessOfExponent * gi::glossExponent(roughness), kMostSharp)};
     points.push_back({voxel, static_cast<float>(grid.storedOfValue(value)), normal,
                       ray - 2.0f * std::min(glm::dot(ray, normal), 0.0f) * normal, gi::glossExponent(roughness),
-                      seedOf(cell), placeOf(cell) * samples, environment});
+                      seedOf(cell), placeOf(cell), environment});
     of.push_back(i);
   }
   std::vector<gi::Reflection> traced(points.size()), all(cells.size());
-  if (!gi::reflectionsOf(light, points, samples, traced, frame.request.stop)) return;
+  if (!gi::reflectionsOf(light, points, 1, traced, frame.request.stop)) return;
   for (std::size_t k = 0; k < of.size(); ++k) all[of[k]] = traced[k];
-  all = smoothed(all, cells, size, tolerances);
+  all = smoothed(all, cells, size);
   std::vector<glm::vec4> reflected;
   std::vector<glm::u8vec4> lamps;
   std::vector<float> depths;
@@ -195,8 +220,8 @@ void ReflectionsPass::trace(FrameState& frame, const Target& target, const Targe
 void GlossPass::declare(Declaring& d) const {
   d.reads(image::surface).reads(image::gradient).reads(image::reflections).writes(image::gloss, 8);
   d.notNeeded("no surface is glossy");
-  d.settings({"camera.", "isosurface.roughness", "isosurface#.roughness", "isosurface.specular", "isosurface#.specular"});
-  d.settings({"isosurface.inside"}).input("light", d.asked.light.version);
+  declareGloss(d);
+  if (d.asked.light.gloss) d.settings({"isosurface.specular", "isosurface#.specular"});
 }
 
 std::optional<LookInput> GlossPass::forLook(const scene::Scene& scene) const {
@@ -211,20 +236,22 @@ void GlossPass::forget() {
 
 void GlossPass::setEnvironments(FrameState& frame, Program& p, int unit) {
   const gi::GlossLight& gloss = *frame.light->gloss;
-  const glm::ivec3 size(kFilteredSize, static_cast<int>(gloss.environments.size()));
+  const glm::ivec3 size(kFilteredSize, kFilteredSize, static_cast<int>(gloss.environments.size()));
   if (of_ != gloss.environments) {
     std::vector<glm::vec3> texels;
     for (const auto& environment : gloss.environments) {
       const gi::Environment& map = environment->filtered();
       for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x)
-          texels.push_back(between(map, (x + 0.5) * map.width() / size.x, (y + 0.5) * map.height() / size.y));
+        for (int x = 0; x < size.x; ++x) {
+          const glm::dvec3 d = ofOctahedron((2.0 * glm::dvec2(x, y) + 1.0) / static_cast<double>(kFilteredSize) - 1.0);
+          texels.push_back(between(map, (0.5 + std::atan2(d.x, d.y) / (2.0 * std::numbers::pi)) * map.width(),
+                                   std::acos(std::clamp(d.z, -1.0, 1.0)) / std::numbers::pi * map.height()));
+        }
     }
     environments_ = Texture();
     environments_ = Texture::make3D(frame.gl, GL_RGBA16F, size, true);
     frame.gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
     frame.gl->TextureSubImage3D(environments_.id(), 0, 0, 0, 0, size.x, size.y, size.z, GL_RGB, GL_FLOAT, texels.data());
-    frame.gl->TextureParameteri(environments_.id(), GL_TEXTURE_WRAP_S, GL_REPEAT);
     of_ = gloss.environments;
   }
   p.setTexture("uFiltered", unit, environments_);

@@ -18,11 +18,12 @@ layout(location = 0) out vec4 oGloss;  // R; F
 
 const float kPi = 3.14159265;
 
+// An octahedron unfolded to a square: no angles, and texels of about one size.
 vec3 environment(vec3 world, float layer) {
   vec3 d = uEnvironmentFromWorld * world;
-  float around = abs(d.x) + abs(d.y) > 0.0 ? atan(d.x, d.y) : 0.0;
-  vec2 at = vec2(0.5 + around / (2.0 * kPi), acos(clamp(d.z, -1.0, 1.0)) / kPi);
-  return uEnvironmentScale * textureLod(uFiltered, vec3(at, layer), 0.0).rgb;
+  d /= abs(d.x) + abs(d.y) + abs(d.z);
+  vec2 at = d.z >= 0.0 ? d.xy : (1.0 - abs(d.yx)) * vec2(d.x >= 0.0 ? 1.0 : -1.0, d.y >= 0.0 ? 1.0 : -1.0);
+  return uEnvironmentScale * textureLod(uFiltered, vec3(0.5 * at + 0.5, layer), 0.0).rgb;
 }
 
 float lobe(float exponent, float cosine) {
@@ -71,7 +72,11 @@ void reflectedAt(Point p, out vec4 reflected, out vec3 seen) {
     float depth = texelFetch(uDepth, cell, 0).r;
     if (depth < 0.0) continue;
     vec4 here = texelFetch(uReflected, cell, 0);
+#if LAMP_COUNT > 0
     vec3 lamps = texelFetch(uLampsSeen, cell, 0).rgb;
+#else
+    vec3 lamps = vec3(1.0);
+#endif
     float away = abs(depth - p.depth);
     if (away < nearest) {
       nearest = away;

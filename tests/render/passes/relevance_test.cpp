@@ -127,7 +127,7 @@ TEST(RelevanceOfPasses, WhatActsOnALookChangesAPass) {
       if (setting.path == "flow.animate") continue;     // the window's: it moves flow.time
       if (setting.path == "isosurface.name") continue;  // what lists say
       // These reach the renderer as another gi::PictureLight (render::LightState).
-      if (setting.path.starts_with("light.environment.")) continue;
+      if (setting.path.starts_with("light.environment.") || setting.path == "isosurface.specular") continue;
       // Local light is the same on either side; light that is stored is not, nor what the histogram shows.
       const bool seesSides = scene::needsCurvature(scene) || scene.look.mode == scene::LookMode::normal;
       if (setting.path == "isosurface.inside" && !seesSides) continue;
