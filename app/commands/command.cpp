@@ -23,6 +23,7 @@
 #include "scene/named_camera.h"
 #include "scene/rules/automatic.h"
 #include "scene/rules/needs.h"
+#include "scene/rules/quality.h"
 #include "scene/setting/assignment.h"
 #include "scene/settings.h"
 
@@ -94,6 +95,13 @@ std::shared_ptr<SceneOptions> addSceneOptions(CLI::App& parser, Draws draws) {
       "--camera", [options](const std::string& value) { addCamera(value, options->assignments); },
       "\"EYE TARGET UP FOV\"",
       "\"ex,ey,ez tx,ty,tz ux,uy,uz fov\": world mm (x left, y back, z up), vertical degrees");
+  addOfSurface(
+      "--quality",
+      [options](const std::string& name) {
+        for (const std::string& assignment : scene::quality(name).assignments)
+          options->assignments.push_back(assignment);
+      },
+      "draft|screen|print", "Rays per pixel, light paths and hits of a still; a later --set overrides parts of it");
   addOfSurface("--executor", assign("picture.executor"), "NAME",
                "Device for hits and derivatives: auto, gpu, cpu; short for --set picture.executor=NAME");
   add("--raw", assign("source.raw"), "TEXT",

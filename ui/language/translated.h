@@ -22,6 +22,7 @@ inline constexpr auto looks = "looks";        // meanings of looks
 inline constexpr auto phantoms = "phantoms";  // meanings of phantoms
 inline constexpr auto presets = "presets";    // titles and meanings of presets, and why they do not apply
 inline constexpr auto marks = "marks";        // kinds of marks, and what they measure
+inline constexpr auto qualities = "qualities";  // of stills
 inline constexpr auto views = "views";        // sides to look from
 inline constexpr auto passes = "passes";      // states of passes
 inline constexpr auto files = "files";        // kinds of files

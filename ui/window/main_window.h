@@ -132,6 +132,7 @@ class MainWindow : public QMainWindow {
   void makeFileMenu();
   void makeEditMenu();
   void makeViewMenu();
+  void makeQualityMenu(QMenu* menu);
   void makeMeasureMenu();
   void makeCutMenu();
   void makePresetsMenu();

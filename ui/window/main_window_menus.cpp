@@ -12,6 +12,7 @@
 #include <QWidgetAction>
 
 #include "scene/looks.h"
+#include "scene/rules/quality.h"
 #include "scene/settings.h"
 #include "ui/accuracy/level_marks.h"
 #include "ui/accuracy/level_zero.h"
@@ -138,6 +139,7 @@ void MainWindow::makeViewMenu() {
   connect(next, &QAction::triggered, this, [this] { stepLook(1); });
   QAction* previous = newAction(menu, tr("Pre&vious look"), "", QKeySequence("Shift+L"), tr("Previous look"));
   connect(previous, &QAction::triggered, this, [this] { stepLook(-1); });
+  makeQualityMenu(menu->addMenu(tr("Image &quality")));
   animate_ = newAction(menu, tr("&Animate flow"), "animate", QKeySequence("Space"),
                        tr("Start or stop the flow animation"));
   animate_->setCheckable(true);
@@ -182,6 +184,20 @@ void MainWindow::makeViewMenu() {
   leaveFullScreen_ = new QShortcut(QKeySequence(Qt::Key_Escape), this);
   leaveFullScreen_->setEnabled(false);
   connect(leaveFullScreen_, &QShortcut::activated, this, [this] { fullScreen_->setChecked(false); });
+}
+
+void MainWindow::makeQualityMenu(QMenu* menu) {
+  for (const scene::Quality& quality : scene::qualities()) {
+    QAction* action = menu->addAction(translated(texts::qualities, quality.title));
+    action->setStatusTip(translated(texts::qualities, quality.meaning));
+    action->setCheckable(true);
+    connect(action, &QAction::triggered, this, [this, &quality] {
+      document_->edit({scene::withQuality(document_->scene(), quality), tr("Change image quality"), {}, false});
+    });
+    connect(menu, &QMenu::aboutToShow, action, [this, action, &quality] {
+      action->setChecked(scene::withQuality(document_->scene(), quality) == document_->scene());
+    });
+  }
 }
 
 // By the volume's axes: "Anterior", or "−Y" where nobody says where the patient lies.

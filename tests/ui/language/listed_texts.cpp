@@ -14,6 +14,7 @@
 #include "scene/camera.h"
 #include "scene/looks.h"
 #include "scene/machine.h"
+#include "scene/rules/quality.h"
 #include "scene/rules/relevance.h"
 #include "scene/settings.h"
 #include "tests/support/paths.h"
@@ -75,6 +76,10 @@ void addSettings(Collector& all) {
 }
 
 void addWhatIsShown(Collector& all) {
+  for (const scene::Quality& quality : scene::qualities()) {
+    all.add(ui::texts::qualities, quality.title);
+    all.add(ui::texts::qualities, quality.meaning);
+  }
   for (const scene::LookInfo& look : scene::looks()) {
     all.addWords(look.name);
     all.add(ui::texts::looks, look.meaning);
