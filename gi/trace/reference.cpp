@@ -98,9 +98,13 @@ Reference::Reference(std::shared_ptr<const volume::PreparedVolume> volume,
   const auto light = makeLightScene(scene_, volume_, tracer, environment);
   light_ = makePictureLight(scene_, *light, projectEnvironment(*light->environment, 1));
   // As a picture of this scene is exposed (app/light/light_planner.cpp).
-  if (!scene_.picture.exposure && scene_.picture.metering == scene::Metering::surface && light->choice.wanted)
-    if (const auto seen = measureBrightness(scene_, volume_, tracer, environment, progress))
+  if (!scene_.picture.exposure && scene_.picture.metering == scene::Metering::surface &&
+      light->choice.wanted) {
+    scene::Scene metered = scene_;
+    if (!options.meterView) metered.camera = {};
+    if (const auto seen = measureBrightness(metered, volume_, tracer, environment, progress))
       light_.automaticExposure = static_cast<float>(exposureOf(*seen));
+  }
   background_ = light_.background;
   const auto own = ownSky(*light);
   hasSky_ = !own->environment->isBlack();
@@ -232,6 +236,10 @@ bool Reference::refineTo(std::uint32_t samples, base::Progress& progress, double
   return finished;
 }
 
+double Reference::exposure() const {
+  return scene_.picture.exposure.value_or(static_cast<double>(light_.automaticExposure));
+}
+
 ReferenceImage Reference::image() const {
   ReferenceImage image;
   image.size = size_;
@@ -244,8 +252,7 @@ ReferenceImage Reference::image() const {
   image.rays = rays_;
   image.cappedPaths = tracer_->cappedPaths() + (innerTracer_ ? innerTracer_->cappedPaths() : 0);
   const double skyScale = std::exp2(scene_.light.environment.exposure);
-  const double stops = scene_.picture.exposure.value_or(static_cast<double>(light_.automaticExposure));
-  const auto exposure = static_cast<float>(std::exp2(stops));
+  const auto exposure = static_cast<float>(std::exp2(this->exposure()));
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const std::uint32_t pixel = pixelOf_[i];
     const double n = sky_[i].count;
