@@ -303,8 +303,8 @@ class RenderRun {
       }
       if (request_.color && !request_.linear)
         annotate(scene, *prepared_, drawn.picture.report, drawn.picture.color);
-      writePicture(drawn.picture, request_, picture.out, carriedScene(given, scene, exposureToCarry(light_, scene)),
-                   images_.drawn,
+      writePicture(drawn.picture, request_, picture.out,
+                   carriedScene(given, scene, exposureToCarry(light_, scene)), images_.drawn,
                    errors.value_or(PictureErrors{}), accuracy, otherChannels(structure));
     }
     report(given.derivatives, scene, drawn, picture, accuracy, structure);

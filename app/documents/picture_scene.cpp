@@ -2,8 +2,7 @@
 
 namespace isolux::app {
 
-scene::Scene carriedScene(scene::Scene given, const scene::Scene& resolved,
-                          std::optional<double> exposure) {
+scene::Scene carriedScene(scene::Scene given, const scene::Scene& resolved, std::optional<double> exposure) {
   given.camera = resolved.camera;
   given.isosurface.value = resolved.isosurface.value;
   for (std::size_t i = 0; i < given.extraIsosurfaces.size(); ++i)

@@ -19,8 +19,8 @@ void lightPicture(LightController& controller, render::Renderer& renderer, const
                   const render::FrameRequest& request,
                   const std::shared_ptr<const volume::PreparedVolume>& volume, base::Progress& progress);
 
-// Returns the exposure for app::carriedScene() of a picture of `resolved`: LightController::viewExposure(), if
-// the picture is exposed automatically.
+// Returns the exposure for app::carriedScene() of a picture of `resolved`: LightController::viewExposure(),
+// if the picture is exposed automatically.
 std::optional<double> exposureToCarry(const LightController& controller, const scene::Scene& resolved);
 
 }  // namespace isolux::app

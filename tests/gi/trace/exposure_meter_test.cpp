@@ -21,8 +21,7 @@ class ExposureMeter : public ::testing::Test {
                                                                          scene_.isosurface.inside, progress);
     scene::Scene metered = resolved();
     metered.camera = scene_.camera.eye ? metered.camera : scene::Camera{};
-    return measureBrightness(metered, volume_, tracer, loadEnvironment(scene_.light.environment),
-                             progress);
+    return measureBrightness(metered, volume_, tracer, loadEnvironment(scene_.light.environment), progress);
   }
 
   std::shared_ptr<const volume::PreparedVolume> volume_ = test::phantom("ball", 24);
