@@ -263,6 +263,7 @@ std::shared_ptr<Picture> Core::draw(const PictureWish& wish, base::Progress& pro
   const scene::Derivatives& asked = given.derivatives;
   scene = scene::resolve(std::move(scene), prepared_->facts);
 
+  std::optional<double> exposure;
   const auto drawOne = [&](render::FrameRequest request, bool ofImages) {
     request.size = picture->size;
     request.pixelRatio = scene.picture.pixelRatio;
@@ -273,7 +274,9 @@ std::shared_ptr<Picture> Core::draw(const PictureWish& wish, base::Progress& pro
     else
       Graphics::load(light, wish.light, app::litScene(scene, request), prepared_, progress);
     app::completeFields(scene, *prepared_, !request.aovs.empty(), progress);
+    light.controller->meterView(!app::startsFromSession(path_, wish.scene));
     app::lightPicture(*light.controller, *own.renderer, scene, request, prepared_, progress);
+    exposure = app::exposureToCarry(*light.controller, scene);
     const scene::Scene shown = request.aovs.empty() ? app::atRest(scene, *prepared_, progress) : scene;
     progress.report(0.0, "drawing");
     app::Drawn drawn;
@@ -325,7 +328,7 @@ std::shared_ptr<Picture> Core::draw(const PictureWish& wish, base::Progress& pro
       picture->color = std::move(drawn.color);
     }
   }
-  picture->scene = app::carriedScene(given, scene);
+  picture->scene = app::carriedScene(given, scene, exposure);
   picture->opened = path_;
   return picture;
 }

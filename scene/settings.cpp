@@ -25,8 +25,9 @@ std::vector<Setting> makeSettings() {
   add(entry<Scene>(
       "source.component", ISOLUX_MEMBER(source.component), {-1, 65535}, "",
       "Channel to read from a file with several values per voxel; -1 reads the magnitude of the vector."));
-  add(entry<Scene>("source.time_step", ISOLUX_MEMBER(source.timeStep), {0, 1e6}, "",
-                   "Time step to read from a file with several, counted from 0; a fraction blends a step with the next."));
+  add(entry<Scene>(
+      "source.time_step", ISOLUX_MEMBER(source.timeStep), {0, 1e6}, "",
+      "Time step to read from a file with several, counted from 0; a fraction blends a step with the next."));
   add(choiceEntry<Scene>("source.kind", ISOLUX_MEMBER(source.kind),
                          "Kind of data: CT in Hounsfield or other units, MR, distance field …; auto derives "
                          "it from the file and its values. Presets and the first isovalue depend on it."));
@@ -513,8 +514,10 @@ std::vector<Setting> makeSettings() {
   add(entry<Scene>("picture.exposure", ISOLUX_MEMBER(picture.exposure), {-40, 40}, "stops",
                    "Exposure of images lit by global illumination; auto follows picture.metering."));
   add(choiceEntry<Scene>("picture.metering", ISOLUX_MEMBER(picture.metering),
-                         "Basis of automatic exposure: the lit surface seen from the front, whatever the "
-                         "view, or the lights. The lights make an unoccluded white surface nearly white."));
+                         "Basis of automatic exposure: the light that the surface receives, whatever its "
+                         "colour, or the lights. The surface is that of the image when a volume is drawn, "
+                         "and that of the front in sessions and the window. The lights make an unoccluded "
+                         "white surface nearly white."));
   add(choiceEntry<Scene>("picture.curve", ISOLUX_MEMBER(picture.curve),
                          "Tone curve of final images: linear clips at white; filmic rolls highlights off as "
                          "film does. auto is filmic under global illumination, otherwise linear. Linear "

@@ -253,6 +253,10 @@ std::shared_ptr<render::ContextChoice> addContextOption(CLI::App& parser) {
   return choice;
 }
 
+bool startsFromSession(const std::string& path, const SceneOptions& options) {
+  return !options.session.empty() || (!path.empty() && isSession(path));
+}
+
 void requireSource(const std::string& path, const SceneOptions& options) {
   if (path.empty() && options.session.empty())
     throw Error(ErrorKind::usage, "", "PATH", "is required, or --session FILE");

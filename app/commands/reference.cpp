@@ -73,7 +73,7 @@ ordered_json statsJson(const ReferenceOptions& options, const gi::ReferenceImage
 void writePicture(const gi::ReferenceImage& image, const scene::Scene& scene, const fs::path& out,
                   const std::string& session) {
   if (out.extension() == ".png")
-    writePng(screenImage(image, scene.look), out, session);
+    writePng(screenImage(image, scene), out, session);
   else
     writeReferenceExr(image, out, session);
 }
@@ -86,6 +86,7 @@ void runReference(const ReferenceOptions& options, base::Progress& progress) {
   scene::Scene scene = sceneOf(options.path, *options.scene);
   gi::Reference::Options reference{pictureSize(options.size, options.path, *options.scene),
                                    machineOf(*options.scene).threads.value_or(threadsInForce())};
+  reference.meterView = !startsFromSession(options.path, *options.scene);  // as `isolux render` does
   OutputGuard guard = outputGuard(options.path, *options.scene, scene);  // before anything slow starts
   checkOutput(guard, options.out, "--out");
   checkOutput(guard, options.stats, "--stats");
@@ -93,7 +94,6 @@ void runReference(const ReferenceOptions& options, base::Progress& progress) {
   const auto prepared = loadWithProgressBar(scene.source, progress);
   const scene::Scene given = sceneOf(options.path, *options.scene, *prepared);
   scene = resolvedSceneOf(options.path, *options.scene, *prepared, reference.size, progress);
-  const std::string session = sessionText(carriedScene(given, scene), out.parent_path());
   const Clock::time_point start = Clock::now();
   double seconds = 0.0;
   gi::ReferenceImage image;
@@ -105,6 +105,9 @@ void runReference(const ReferenceOptions& options, base::Progress& progress) {
     const auto tracer = gi::lightTracerOf(scene, prepared, progress);
     gi::Reference picture(prepared, tracer, environment, scene, reference, progress);
     litPixels = picture.litPixels();
+    scene::Scene carried = carriedScene(given, scene);
+    if (reference.meterView) carried.picture.exposure = picture.exposure();
+    const std::string session = sessionText(carried, out.parent_path());
     std::optional<Clock::time_point> written;
     double done = 0.0;
     for (const std::uint32_t round : gi::referenceRounds(options.samples)) {

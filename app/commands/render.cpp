@@ -223,6 +223,8 @@ class RenderRun {
     images_ = options_.aov.empty() ? AskedImages{} : askedImages(options_.aov);
     findIndex(asked.source, pictures);
     const scene::Scene base = startingScene(path);
+    // The pictures of a series keep the exposure of the front, so that a film does not flicker.
+    light_.meterView(!startsFromSession(path, *options_.scene) && !plan_.sweep && options_.turntable == 0);
     for (const PlannedPicture& picture : pictures.pictures) {
       progress_.throwIfStopped();
       drawPicture(sceneOfPicture(base, picture), picture);
@@ -301,7 +303,8 @@ class RenderRun {
       }
       if (request_.color && !request_.linear)
         annotate(scene, *prepared_, drawn.picture.report, drawn.picture.color);
-      writePicture(drawn.picture, request_, picture.out, carriedScene(given, scene), images_.drawn,
+      writePicture(drawn.picture, request_, picture.out,
+                   carriedScene(given, scene, exposureToCarry(light_, scene)), images_.drawn,
                    errors.value_or(PictureErrors{}), accuracy, otherChannels(structure));
     }
     report(given.derivatives, scene, drawn, picture, accuracy, structure);

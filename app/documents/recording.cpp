@@ -22,8 +22,8 @@ using nlohmann::json;
 
 namespace {
 
-constexpr int recordingVersion = 5;
-constexpr int withoutSetup = 4, withoutFrames = 3, withoutScales = 2,
+constexpr int recordingVersion = 6;
+constexpr int withoutCurve = 5, withoutSetup = 4, withoutFrames = 3, withoutScales = 2,
               withoutBuiltInLights = 1;  // the last version
 constexpr double longestSeconds = 1e6;
 constexpr std::size_t longestFile = std::size_t{1} << 30;  // bytes
@@ -38,12 +38,13 @@ scene::Scene startOf(const json& header, const std::string& file, const StoredFo
   const auto found = header.find("isolux_recording");
   if (found == header.end()) throwInput(file, place, "is not a recording: \"isolux_recording\" is missing");
   if (!found->is_number_integer() || *found < 1 || *found > recordingVersion)
-    throwInput(file, place, "this Isolux reads recordings of versions 1 to 5 only");
+    throwInput(file, place, "this Isolux reads recordings of versions 1 to 6 only");
   json scene = header.value("scene", json::object());
   if (*found <= withoutBuiltInLights) scene = lightAsBefore(std::move(scene));
   if (*found <= withoutScales) scene = derivativesAsBefore(std::move(scene));
   if (*found <= withoutFrames) scene = firstPictureAsBefore(std::move(scene));
   if (*found <= withoutSetup) scene = looksAsBefore(std::move(scene));
+  if (*found <= withoutCurve) scene = curveAsBefore(std::move(scene));
   return sceneFromStored(scene, file, place + ", scene", folders);
 }
 

@@ -1,6 +1,6 @@
 // Recordings: JSON Lines of Scene diffs with times.
 //
-// Line 1: {"isolux_recording": 5, "program": "...", "scene": {...}} - the scene at time 0. Each further line:
+// Line 1: {"isolux_recording": 6, "program": "...", "scene": {...}} - the scene at time 0. Each further line:
 // {"time": seconds, "name": "Rotate", "set": {"camera.eye": [...], ...}}, times not decreasing. Paths
 // are stored as in sessions (app/documents/stored_scene.h).
 #pragma once

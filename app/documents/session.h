@@ -1,6 +1,6 @@
 // Reads and writes sessions: a Scene as versioned JSON, in a .isolux file or inside a PNG or EXR image.
 //
-// {"isolux_session": 8, "program": "0.2.0", "scene": {...}}. An unknown key fails with its path, an older
+// {"isolux_session": 9, "program": "0.2.0", "scene": {...}}. An unknown key fails with its path, an older
 // version is upgraded, a missing key takes its default. Paths of volumes and environment maps are stored
 // relative to the session file if they are below the same folder, and are absolute in memory.
 #pragma once
@@ -13,7 +13,7 @@
 
 namespace isolux::app {
 
-constexpr int sessionVersion = 8;
+constexpr int sessionVersion = 9;
 
 std::string sessionText(const scene::Scene& scene, const std::filesystem::path& folder);
 // Returns the session for an image in `folder` that may be shared: it names no other folder

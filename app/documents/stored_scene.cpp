@@ -188,6 +188,11 @@ json looksAsBefore(json stored) {
   return stored;
 }
 
+json curveAsBefore(json stored) {
+  addMissing(stored, {{"picture", {{"curve", "linear"}}}});
+  return stored;
+}
+
 void checkKeys(const json& stored, std::initializer_list<std::string_view> known, const std::string& file,
                const std::string& place) {
   if (!stored.is_object()) base::throwInput(file, place, "a JSON object was expected");

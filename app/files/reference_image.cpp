@@ -11,6 +11,7 @@
 
 #include "app/files/image_io.h"
 #include "base/color.h"
+#include "base/tone_curve.h"
 
 namespace isolux::app {
 
@@ -37,15 +38,17 @@ void writeReferenceExr(const gi::ReferenceImage& image, const std::filesystem::p
   writeExr(image.size, channels, file, session);
 }
 
-render::ColorImage screenImage(const gi::ReferenceImage& image, const scene::Look& look) {
+render::ColorImage screenImage(const gi::ReferenceImage& image, const scene::Scene& scene) {
+  const bool isFilmic = scene.picture.curve != scene::ToneCurve::linear;  // it is lit by global illumination
   render::ColorImage screen{image.size, std::vector<std::uint8_t>(4 * image.hit.size(), 255)};
   for (int y = 0; y < image.size.y; ++y) {
     const glm::dvec3 background =
-        glm::mix(look.backgroundTop, look.backgroundBottom, (y + 0.5) / image.size.y);
+        glm::mix(scene.look.backgroundTop, scene.look.backgroundBottom, (y + 0.5) / image.size.y);
     for (int x = 0; x < image.size.x; ++x) {
       const std::size_t i =
           static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size.x) + static_cast<std::size_t>(x);
-      const glm::dvec3 color = std::isnan(image.color[i].x) ? background : glm::dvec3(image.color[i]);
+      const glm::dvec3 traced(image.color[i]);
+      const glm::dvec3 color = std::isnan(traced.x) ? background : isFilmic ? base::filmic(traced) : traced;
       for (int c = 0; c < 3; ++c)
         screen.rgba[4 * i + static_cast<std::size_t>(c)] = base::screenByte(color[c]);
     }

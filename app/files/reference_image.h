@@ -14,7 +14,7 @@ namespace isolux::app {
 void writeReferenceExr(const gi::ReferenceImage& image, const std::filesystem::path& file,
                        const std::string& session);
 
-// As a screen shows it: sRGB, before the look's background where nothing else is.
-render::ColorImage screenImage(const gi::ReferenceImage& image, const scene::Look& look);
+// As a screen shows it: sRGB, through the tone curve, before the look's background where nothing else is.
+render::ColorImage screenImage(const gi::ReferenceImage& image, const scene::Scene& scene);
 
 }  // namespace isolux::app

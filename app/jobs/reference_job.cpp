@@ -46,9 +46,9 @@ std::size_t byteAt(const render::ColorImage& image, int x, int y) {
          (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size.x) + static_cast<std::size_t>(x));
 }
 
-RoundPointer roundOf(gi::ReferenceImage image, const scene::Look& look) {
+RoundPointer roundOf(gi::ReferenceImage image, const scene::Scene& scene) {
   auto round = std::make_shared<ReferenceRound>();
-  round->picture = reduced(app::screenImage(image, look), previewPixels);
+  round->picture = reduced(app::screenImage(image, scene), previewPixels);
   round->noise = reduced(noiseImage(image), previewPixels);
   round->noisePart = noiseOf(image);
   round->image = std::move(image);
@@ -92,7 +92,7 @@ void ReferenceJob::trace(Work& work) {
   for (const std::uint32_t round : gi::referenceRounds(work.samples)) {
     const double to = static_cast<double>(round) / work.samples;
     const bool whole = picture.refineTo(round, work.progress, done, to);
-    RoundPointer made = roundOf(picture.image(), work.resolved.look);
+    RoundPointer made = roundOf(picture.image(), work.resolved);
     const std::lock_guard guard(work.mutex);
     work.round = std::move(made);
     if (!whole) return;

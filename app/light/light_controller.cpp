@@ -43,9 +43,9 @@ void add(gi::BakeCounters& sum, const gi::BakeCounters& one) {
 }
 
 // Without what the light does not depend on and a viewer changes from picture to picture: turning the view
-// plans nothing anew.
-scene::Scene lightOf(scene::Scene scene) {
-  scene.camera = {};
+// plans nothing anew, unless the exposure is that of the view.
+scene::Scene lightOf(scene::Scene scene, bool metersView) {
+  if (!metersView) scene.camera = {};
   scene.flow = {};
   const scene::Metering metering = scene.picture.metering;
   scene.picture = {};
@@ -89,6 +89,7 @@ struct LightController::Parts {
   mutable std::condition_variable_any changed;
   scene::Scene scene;
   VolumePointer volume;
+  bool metersView = false;
   std::optional<int> threads;
   std::optional<scene::GiTexels> texelsOfFile;  // for the next plan
   gi::SeenPoints hits;
@@ -203,8 +204,8 @@ LightController::~LightController() {
 
 void LightController::setScene(const scene::Scene& resolved,
                                std::shared_ptr<const volume::PreparedVolume> volume) {
-  const scene::Scene lit = lightOf(resolved);
   const std::lock_guard guard(parts_->mutex);
+  const scene::Scene lit = lightOf(resolved, parts_->metersView);
   if (parts_->planned + (parts_->sceneTold || parts_->busy ? 1 : 0) > 0 && lit == parts_->scene &&
       volume == parts_->volume)
     return;
@@ -216,6 +217,18 @@ void LightController::setScene(const scene::Scene& resolved,
   parts_->volume = std::move(volume);
   parts_->sceneTold = true;
   parts_->changed.notify_all();
+}
+
+void LightController::meterView(bool view) {
+  const std::lock_guard guard(parts_->mutex);
+  parts_->metersView = view;
+}
+
+std::optional<double> LightController::viewExposure() const {
+  const std::lock_guard guard(parts_->mutex);
+  const auto& light = parts_->plan.light;
+  if (!parts_->metersView || !light || !light->seen) return std::nullopt;
+  return static_cast<double>(light->automaticExposure);
 }
 
 void LightController::setThreads(std::optional<int> threads) {

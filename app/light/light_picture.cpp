@@ -5,6 +5,7 @@
 
 #include <glm/common.hpp>
 
+#include "scene/rules/needs.h"
 #include "scene/rules/relevance.h"
 
 namespace isolux::app {
@@ -34,6 +35,11 @@ void lightPicture(LightController& controller, render::Renderer& renderer, const
   }
   if (!controller.finish(progress)) progress.throwIfStopped();
   renderer.setLight(controller.light());
+}
+
+std::optional<double> exposureToCarry(const LightController& controller, const scene::Scene& resolved) {
+  const bool isAutomatic = scene::usesGi(resolved) && !resolved.picture.exposure;
+  return isAutomatic ? controller.viewExposure() : std::nullopt;
 }
 
 }  // namespace isolux::app

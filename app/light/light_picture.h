@@ -2,6 +2,8 @@
 // light to the renderer.
 #pragma once
 
+#include <optional>
+
 #include "app/light/light_controller.h"
 #include "render/renderer.h"
 
@@ -16,5 +18,9 @@ scene::Scene litScene(scene::Scene resolved, const render::FrameRequest& request
 void lightPicture(LightController& controller, render::Renderer& renderer, const scene::Scene& resolved,
                   const render::FrameRequest& request,
                   const std::shared_ptr<const volume::PreparedVolume>& volume, base::Progress& progress);
+
+// Returns the exposure for app::carriedScene() of a picture of `resolved`: LightController::viewExposure(),
+// if the picture is exposed automatically.
+std::optional<double> exposureToCarry(const LightController& controller, const scene::Scene& resolved);
 
 }  // namespace isolux::app

@@ -15,7 +15,7 @@ namespace isolux::gi {
 
 // Incremented when a built-in environment changes; light baked with older ones is then rejected
 // (gi/light_key.h).
-inline constexpr int kBuiltInLightVersion = 1;
+inline constexpr int kBuiltInLightVersion = 2;
 
 glm::dvec3 builtInRadiance(scene::BuiltInLight light, const glm::dvec3& direction);  // requires a unit vector
 Environment builtInEnvironment(scene::BuiltInLight light);

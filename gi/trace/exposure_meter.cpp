@@ -21,21 +21,17 @@ constexpr int kRaysPerAxis = 40;
 constexpr std::uint32_t kPaths = 16;         // of each point
 constexpr int kMostBouncesMetered = 3;       // more change little
 constexpr double kHighlightPart = 0.98;      // of the points are darker
-constexpr double kUnknownReflectance = 0.8;  // of colours that stand for numbers
+constexpr double kReflectance = 0.6;         // of the surface that appears as kMiddle
+constexpr double kMeasureReflectance = 0.8;  // of colours that stand for numbers, whose map must stay legible
 
 // Luminance of the picture, linear: sRGB 157, 105 and 230 of 255.
 constexpr double kMiddle = 0.339, kDarkestMiddle = 0.141, kBrightest = 0.791;
 constexpr double kMostOver = 4.0;    // times kBrightest: of a few highlights over a dark surface
 constexpr double kMostStops = 40.0;  // the range of picture.exposure
 
-struct Points {
-  std::vector<LightPoint> light;
-  std::vector<glm::vec3> albedo;
-};
-
-Points pointsSeen(const PathTracer& paths, const PrimaryHits& hits, const volume::Grid& grid,
-                  const base::Progress& progress) {
-  Points points;
+std::vector<LightPoint> pointsSeen(const PathTracer& paths, const PrimaryHits& hits, const volume::Grid& grid,
+                                   const base::Progress& progress) {
+  std::vector<LightPoint> points;
   std::vector<glm::vec3> voxels;
   for (int y = 0; y < kRaysPerAxis; ++y) {
     progress.throwIfStopped();
@@ -43,17 +39,16 @@ Points pointsSeen(const PathTracer& paths, const PrimaryHits& hits, const volume
       const std::optional<PrimaryHit> hit = hits.at({x, y});
       if (!hit || !hit->outer) continue;
       const PrimaryHits::Surface& surface = hits.surfaces()[static_cast<std::size_t>(hit->surface)];
-      LightPoint& point = points.light.emplace_back();
+      LightPoint& point = points.emplace_back();
       point.voxel = glm::vec3(hit->voxel);
       point.isovalue = static_cast<float>(grid.storedOfValue(surface.isovalue));
       point.seed = static_cast<std::uint32_t>(2 * (y * kRaysPerAxis + x));
-      points.albedo.push_back(surface.albedo);
       voxels.push_back(point.voxel);
     }
   }
   std::vector<glm::vec3> gradients(voxels.size());
   paths.light().tracer->gradients(voxels, gradients);
-  for (std::size_t i = 0; i < gradients.size(); ++i) points.light[i].normal = paths.normalOf(gradients[i]);
+  for (std::size_t i = 0; i < gradients.size(); ++i) points[i].normal = paths.normalOf(gradients[i]);
   return points;
 }
 
@@ -89,7 +84,10 @@ scene::Scene meteredScene(const scene::Scene& resolved) {
     scene.gi.mode = scene::GiMode::irradiance;
   scene.gi.bounces = std::min(resolved.gi.bounces, kMostBouncesMetered);
   scene.gi.rouletteDepth = resolved.gi.rouletteDepth;
-  scene.camera.frames = scene::Frames::volume;  // from the front, whatever is framed
+  if (resolved.camera.eye)
+    scene.camera = resolved.camera;
+  else
+    scene.camera.frames = scene::Frames::volume;  // from the front, whatever is framed
   return scene;
 }
 
@@ -98,22 +96,26 @@ std::optional<SurfaceBrightness> measureBrightness(
     std::shared_ptr<const volume::IsosurfaceTracer> tracer, std::shared_ptr<const Environment> environment,
     base::Progress& progress) {
   const scene::Scene scene = scene::resolve(meteredScene(resolved), volume->facts);
-  const auto light = makeLightScene(scene, volume, std::move(tracer), std::move(environment));
+  const auto light = makeLightScene(scene, volume, tracer, environment);
   const PathTracer paths(light);
   const PrimaryHits hits(volume, scene, glm::ivec2(kRaysPerAxis), progress);
-  const Points points = pointsSeen(paths, hits, volume->grid(), progress);
-  if (points.light.empty()) return std::nullopt;
-  const std::vector<glm::vec3> sky = irradianceOf(paths, LightPart::sky, points.light, progress);
+  const std::vector<LightPoint> points = pointsSeen(paths, hits, volume->grid(), progress);
+  if (points.empty()) {
+    if (!resolved.camera.eye) return std::nullopt;
+    scene::Scene front = resolved;
+    front.camera = {};
+    return measureBrightness(front, volume, std::move(tracer), std::move(environment), progress);
+  }
+  const std::vector<glm::vec3> sky = irradianceOf(paths, LightPart::sky, points, progress);
   std::vector<glm::vec3> lamps(sky.size(), glm::vec3(0.0f));
-  if (!light->lamps.empty()) lamps = irradianceOf(paths, LightPart::lamps, points.light, progress);
+  if (!light->lamps.empty()) lamps = irradianceOf(paths, LightPart::lamps, points, progress);
   const glm::dvec3 skyScale = std::exp2(scene.light.environment.exposure) *
                               (light->choice.unitSky ? light->environment->mean() : glm::dvec3(1.0));
+  const double reflectance = showsReflectance(scene) ? kReflectance : kMeasureReflectance;
   std::vector<double> luminances;
   for (std::size_t i = 0; i < sky.size(); ++i) {
-    const glm::dvec3 albedo =
-        showsReflectance(scene) ? glm::dvec3(points.albedo[i]) : glm::dvec3(kUnknownReflectance);
     const glm::dvec3 irradiance = skyScale * glm::dvec3(sky[i]) + glm::dvec3(lamps[i]);
-    luminances.push_back(base::luminance(albedo * irradiance) / std::numbers::pi);
+    luminances.push_back(reflectance * base::luminance(irradiance) / std::numbers::pi);
   }
   const double highlight = base::quantile(luminances, kHighlightPart);
   return SurfaceBrightness{base::median(std::move(luminances)), highlight};

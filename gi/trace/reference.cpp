@@ -100,9 +100,13 @@ Reference::Reference(std::shared_ptr<const volume::PreparedVolume> volume,
   const auto light = makeLightScene(scene_, volume_, tracer, environment);
   light_ = makePictureLight(scene_, *light, projectEnvironment(*light->environment, 1));
   // As a picture of this scene is exposed (app/light/light_planner.cpp).
-  if (!scene_.picture.exposure && scene_.picture.metering == scene::Metering::surface && light->choice.wanted)
-    if (const auto seen = measureBrightness(scene_, volume_, tracer, environment, progress))
+  if (!scene_.picture.exposure && scene_.picture.metering == scene::Metering::surface &&
+      light->choice.wanted) {
+    scene::Scene metered = scene_;
+    if (!options.meterView) metered.camera = {};
+    if (const auto seen = measureBrightness(metered, volume_, tracer, environment, progress))
       light_.automaticExposure = static_cast<float>(exposureOf(*seen));
+  }
   background_ = light_.background;
   const auto own = ownSky(*light);
   hasSky_ = !own->environment->isBlack();
@@ -278,6 +282,10 @@ bool Reference::refineTo(std::uint32_t samples, base::Progress& progress, double
   return finished;
 }
 
+double Reference::exposure() const {
+  return scene_.picture.exposure.value_or(static_cast<double>(light_.automaticExposure));
+}
+
 ReferenceImage Reference::image() const {
   ReferenceImage image;
   image.size = size_;
@@ -290,8 +298,7 @@ ReferenceImage Reference::image() const {
   image.rays = rays_;
   image.cappedPaths = tracer_->cappedPaths() + (innerTracer_ ? innerTracer_->cappedPaths() : 0);
   const double skyScale = std::exp2(scene_.light.environment.exposure);
-  const double stops = scene_.picture.exposure.value_or(static_cast<double>(light_.automaticExposure));
-  const auto exposure = static_cast<float>(std::exp2(stops));
+  const auto exposure = static_cast<float>(std::exp2(this->exposure()));
   if (!gloss_.empty()) {
     image.gloss.assign(pixels, glm::vec3(nan));
     image.glossVariance.assign(pixels, nan);

@@ -54,6 +54,7 @@ class Reference {
     glm::ivec2 size{512, 512};
     int threads = 1;
     std::vector<std::uint32_t> pixels = {};  // only these, ascending, x fastest; empty: all
+    bool meterView = false;                  // automatic exposure: of the view, not of the front
   };
   // Finds the visible points. `environment`: that of light.environment; `tracer`: of the volume and
   // isosurface.inside. Throws Error: usage if a surface is transparent; memory before anything is allocated;
@@ -67,6 +68,7 @@ class Reference {
   // stopped (within 100 ms): finished samples stay, and pixels then differ in their number of samples.
   bool refineTo(std::uint32_t samples, base::Progress& progress, double from = 0.0, double to = 1.0);
   ReferenceImage image() const;
+  double exposure() const;  // stops: picture.exposure or the automatic one
 
   std::size_t litPixels() const { return points_.size(); }  // pixels from which paths start
 

@@ -6,6 +6,7 @@
 #include "render/passes/light_passes.h"
 #include "render/passes/second_volume_pass.h"
 #include "scene/rules/needs.h"
+#include "scene/rules/tone_curve.h"
 
 namespace isolux::render {
 
@@ -28,6 +29,10 @@ void setBehind(const FrameState& frame, Program& p) {
   p.set("uPictureSize", frame.request.size);
   p.set("uBackgroundTop", glm::vec3(frame.scene->look.backgroundTop));
   p.set("uBackgroundBottom", glm::vec3(frame.scene->look.backgroundBottom));
+}
+
+std::string curveOf(const FrameState& frame) {
+  return scene::isFilmic(*frame.scene) ? "#define FILMIC\n" : "";
 }
 
 // The legend's place.
@@ -62,6 +67,7 @@ void ResolvePass::declare(Declaring& d) const {
   const scene::Scene& scene = d.asked.scene;
   d.reads(image::color).writes(image::picture).pictureSize().settings({"look.legend", "look.legend_corner"});
   d.input("linear picture", d.asked.request.linear).settings({"picture.transparent"});
+  d.input("tone curve", scene::isFilmic(scene));
   d.input("cut faces are shown", scene::showsCutFaces(scene));
   if (scene::showsCutFaces(scene)) {
     d.reads(image::cutFaces).settings({"slice.level", "slice.width", "slice.map"});
@@ -85,7 +91,7 @@ void ResolvePass::declare(Declaring& d) const {
 void ResolvePass::run(FrameState& frame) {
   Target& target = frame.images.make(frame.gl, image::picture, frame.drawnSize(), {GL_RGBA8});
   if (environmentIsSeen(frame) || frame.scene->picture.transparent)
-    drawAll(frame, target, "");
+    drawAll(frame, target, curveOf(frame));
   else
     drawHits(frame, target);
   frame.legend.reset();
@@ -120,7 +126,7 @@ void ResolvePass::drawAll(FrameState& frame, const Target& target, const std::st
 // The background's own pixels, with the surface's over them.
 void ResolvePass::drawHits(FrameState& frame, Target& target) const {
   if (frame.request.keepImages) frame.copy(frame.images.at(image::background), target);
-  Program& p = prepared(frame, "");
+  Program& p = prepared(frame, curveOf(frame));
   frame.begin(target, frame.drawnSize());
   frame.drawRectangles(p, frame.surfacePixels());
 }

@@ -234,7 +234,7 @@ TEST_F(LightKey, NamesABuiltInLightAndTakesTheRotationAsAWhole) {
   EXPECT_EQ(
       nlohmann::json::parse(key(scene_, LightPart::sky)).at("environment"),
       nlohmann::json(
-          {{"built_in", "studio"}, {"version", 1}, {"rotation", {1.0, 0.0, 0.0, 0.0}}, {"share", 0.75}}));
+          {{"built_in", "studio"}, {"version", 2}, {"rotation", {1.0, 0.0, 0.0, 0.0}}, {"share", 0.75}}));
   EXPECT_EQ(changed([](scene::Scene& s) { s.light.environment.builtIn = scene::BuiltInLight::window; }),
             "sky");
   EXPECT_EQ(changed([](scene::Scene& s) { s.light.environment.elevation = 5.0; }), "sky");

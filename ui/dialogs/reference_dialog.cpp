@@ -42,7 +42,7 @@ void write(const gi::ReferenceImage& image, const scene::Scene& carried, const v
   const std::string session = app::pictureSessionText(carried, file.parent_path(), patient);
   const QString name = QString::fromStdString(file.filename().string());
   if (name.endsWith(".png", Qt::CaseInsensitive)) {
-    app::writePng(app::screenImage(image, carried.look), file, session);
+    app::writePng(app::screenImage(image, carried), file, session);
   } else if (name.endsWith(".exr", Qt::CaseInsensitive)) {
     app::writeReferenceExr(image, file, session);
   } else {

@@ -1,9 +1,12 @@
-// The background behind what is shaded; supersamples averaged in linear light. LINEAR: as that is; otherwise each at
-// most 1, encoded as sRGB, with a dither of one step against banding. NOTHING_ELSE: the background alone. CUT_FACES:
+// The background behind what is shaded; supersamples averaged in linear light. LINEAR: as that is; otherwise each
+// through the tone curve (FILMIC: of what is shaded and of a visible environment) and at most 1, encoded as sRGB, with a dither of one step against banding. NOTHING_ELSE: the background alone. CUT_FACES:
 // faces that cuts lay open are before it. TRANSPARENT: nothing is behind; straight alpha, with LINEAR premultiplied.
 #include "background.glsl"
 #ifdef ENVIRONMENT
 #include "environment.glsl"
+#endif
+#ifdef FILMIC
+#include "tone_curve.glsl"
 #endif
 #ifdef CUT_FACES
 #include "color_row.glsl"
@@ -54,6 +57,9 @@ void main() {
       ivec2 at = ray - uColorLow;
       bool within = all(greaterThanEqual(at, ivec2(0))) && all(lessThan(at, textureSize(uColor, 0)));
       vec4 color = within ? texelFetch(uColor, at, 0) : vec4(0.0);
+#ifdef FILMIC
+      if (color.a > 0.0) color.rgb = filmic(color.rgb / color.a) * color.a;
+#endif
 #endif
 #ifdef CUT_FACES
       vec2 face = texelFetch(uCutFaces, ray, 0).rg;
@@ -78,6 +84,9 @@ void main() {
 #else
 #ifdef ENVIRONMENT
       vec3 behind = environmentAt((vec2(ray) + 0.5) / vec2(rays));
+#ifdef FILMIC
+      behind = filmic(behind);
+#endif
 #else
       vec3 behind = backgroundAt((float(ray.y) + 0.5) / float(rays.y));
 #endif

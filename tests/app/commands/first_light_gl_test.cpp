@@ -100,14 +100,46 @@ nlohmann::json exposureOf(std::vector<std::string> arguments) {
   return nlohmann::json::parse(test::contentOf(folder / "s.json")).at("exposure");
 }
 
-TEST(ExposureGl, DependsOnNeitherViewNorSizeNorPathsPerTexel) {
+TEST(ExposureGl, IsThatOfTheViewButNotOfThePicturesSizeOrThePathsPerTexel) {
+  const std::string view = "300,200,-10 0,0,0 0,0,1 20";
   const nlohmann::json first = exposureOf({"--size", "64x48"});
   EXPECT_EQ(first.at("from"), "surface");
-  EXPECT_EQ(exposureOf({"--size", "37x90", "--set", "gi.samples=9"}), first);
-  EXPECT_EQ(exposureOf({"--size", "64x48", "--camera", "300,200,-10 0,0,0 0,0,1 20"}), first);
+  const nlohmann::json seen = exposureOf({"--size", "64x48", "--camera", view});
+  EXPECT_NE(seen, first);
+  EXPECT_EQ(exposureOf({"--size", "37x90", "--set", "gi.samples=9", "--camera", view}), seen);
   EXPECT_NE(exposureOf({"--size", "64x48", "--environment", "window"}).at("stops"), first.at("stops"));
   EXPECT_EQ(exposureOf({"--size", "64x48", "--set", "picture.metering=lights"}).at("from"), "lights");
   EXPECT_EQ(exposureOf({"--size", "64x48", "--set", "picture.exposure=1.5"}).at("stops"), 1.5);
+}
+
+// As in the window, where turning the view does not change it.
+TEST(ExposureGl, OfASessionIsThatOfTheFront) {
+  const fs::path folder = test::temporaryFolder();
+  scene::Scene scene;
+  scene.source.path = "phantom:head:32";
+  scene.look.mode = scene::LookMode::gi;
+  scene.gi.samples = 4;
+  saveSession(scene, folder / "s.isolux");
+  const auto exposure = [&](const std::vector<std::string>& arguments) {
+    std::vector<std::string> all = {"s.isolux", "--size", "64x48", "--out", "a.png", "--stats", "s.json"};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    render(all, folder);
+    return nlohmann::json::parse(test::contentOf(folder / "s.json")).at("exposure");
+  };
+  EXPECT_EQ(exposure({"--view", "inferior"}), exposure({}));
+  EXPECT_FALSE(loadSession(folder / "a.png").picture.exposure) << "it is still automatic";
+}
+
+// A film of one exposure: no picture carries another than the first.
+TEST(ExposureGl, OfATurntableIsThatOfTheFront) {
+  const fs::path folder = test::temporaryFolder();
+  render({"phantom:head:32", "--look", "gi", "--set", "gi.samples=1", "--size", "16x16", "--turntable", "2",
+          "--out", "turn", "--stats", "{i}.json"},
+         folder);
+  const auto exposure = [&](const char* file) {
+    return nlohmann::json::parse(test::contentOf(folder / file)).at("exposure");
+  };
+  EXPECT_EQ(exposure("0.json"), exposure("1.json"));
 }
 
 TEST(ExposureGl, APictureIsTheSameAgainFromItsSession) {

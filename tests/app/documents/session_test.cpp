@@ -29,6 +29,7 @@ Scene shadedAsBefore() {
   scene.light.setup = scene::LightSetup::key;
   scene.light.direction = {-0.5, 0.7, 0.9};
   scene.look.ambientVariation = 0.0;
+  scene.picture.curve = scene::ToneCurve::linear;
   return scene;
 }
 
@@ -84,6 +85,12 @@ std::string sessionRefusal(const std::string& text) {
   return {};
 }
 
+TEST(Session, OfBeforeToneCurvesStaysLinear) {
+  const auto read = [](const std::string& text) { return parseSession(text, "a.isolux", {"/data"}); };
+  EXPECT_EQ(read(R"({"isolux_session": 8})").picture.curve, scene::ToneCurve::linear);
+  EXPECT_EQ(read(R"({"isolux_session": 9})").picture.curve, scene::ToneCurve::automatic);
+}
+
 TEST(Session, OfBeforeBuiltInLightsKeepsItsSkyAndItsExposure) {
   const auto read = [](const std::string& text) { return parseSession(text, "a.isolux", {"/data"}); };
   const Scene bare = read(R"({"isolux_session": 3, "scene": {"look": {"mode": "gi"}}})");
@@ -116,7 +123,7 @@ TEST(Session, RoundTripsThroughAFile) {
 
 TEST(Session, IsVersionedJson) {
   const json stored = json::parse(sessionText(someScene(), "/data"));
-  EXPECT_EQ(stored["isolux_session"], 8);
+  EXPECT_EQ(stored["isolux_session"], 9);
   EXPECT_TRUE(stored["program"].is_string());
   EXPECT_EQ(stored["scene"]["look"]["mode"], "normal");
 }
@@ -222,8 +229,8 @@ TEST(Session, RefusesBadVersion1WithThePath) {
 }
 
 TEST(Session, MissingKeysTakeDefaults) {
-  EXPECT_TRUE(parseSession(R"({"isolux_session": 8})", "", {"/"}) == Scene{});
-  EXPECT_TRUE(parseSession(R"({"isolux_session": 8, "scene": {}})", "", {"/"}) == Scene{});
+  EXPECT_TRUE(parseSession(R"({"isolux_session": 9})", "", {"/"}) == Scene{});
+  EXPECT_TRUE(parseSession(R"({"isolux_session": 9, "scene": {}})", "", {"/"}) == Scene{});
   EXPECT_TRUE(parseSession(R"({"isolux_session": 7})", "", {"/"}) == shadedAsBefore());
   EXPECT_TRUE(parseSession(R"({"isolux_session": 6})", "", {"/"}) == firstSeenAsBefore());
   EXPECT_TRUE(parseSession(R"({"isolux_session": 5, "accuracy": {"pixels": 7}})", "", {"/"}) ==
@@ -258,8 +265,8 @@ TEST(Session, EqualKeysAreRefused) {
 }
 
 TEST(Session, FutureVersionsSaySo) {
-  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 9, "scene": {"new": 1}})"),
-              AllOf(HasSubstr("version 8"), HasSubstr("newer Isolux")));
+  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 10, "scene": {"new": 1}})"),
+              AllOf(HasSubstr("version 9"), HasSubstr("newer Isolux")));
   EXPECT_THAT(sessionRefusal(R"({"isolux_session": 18446744073709551615})"), HasSubstr("newer Isolux"));
 }
 

@@ -48,11 +48,11 @@ INSTANTIATE_TEST_SUITE_P(All, BuiltInLight,
 
 // Stored light is known by the light's name and this version: who changes a light must raise it.
 TEST(BuiltInLights, AVersionStandsForTheseRadiances) {
-  ASSERT_EQ(kBuiltInLightVersion, 1);
+  ASSERT_EQ(kBuiltInLightVersion, 2);
   const auto mean = [](scene::BuiltInLight light) {
     return base::luminance(builtInEnvironment(light).mean());
   };
-  EXPECT_NEAR(mean(scene::BuiltInLight::studio), 0.476366, 1e-5);
+  EXPECT_NEAR(mean(scene::BuiltInLight::studio), 0.518465, 1e-5);
   EXPECT_NEAR(mean(scene::BuiltInLight::window), 0.428678, 1e-5);
   EXPECT_NEAR(mean(scene::BuiltInLight::overcast), 0.480051, 1e-5);
   EXPECT_NEAR(mean(scene::BuiltInLight::sunset), 0.401350, 1e-5);

@@ -1,5 +1,7 @@
 // Shaders of looks on points that have no normal, no curvature, no size on screen, or no width of what they
 // are shown over.
+#include "base/color.h"
+#include "base/tone_curve.h"
 #include "tests/render/shaders/shader_fixture.h"
 
 namespace isolux::test {
@@ -192,6 +194,24 @@ TEST_F(LookShaderGlTest, APictureOfNothingIsNothing) {
   const ShaderRow picture = outputs(2)[0];
   EXPECT_EQ(picture[0], vec4(0));
   EXPECT_NEAR(picture[1].x, 1.0, 0.01);
+}
+
+// As base/tone_curve.h has it, where the surface covers a part of the pixel; the background stays as it is.
+TEST_F(LookShaderGlTest, TheToneCurveIsOfWhatIsShaded) {
+  const auto pictureOf = [&](const char* defines) {
+    useShader("resolve.frag.glsl", defines);
+    set("uSupersampling", 1);
+    set("uPictureSize", glm::ivec2(3, 1));
+    set("uBackgroundTop", vec3(0.8f));
+    set("uBackgroundBottom", vec3(0.8f));
+    setRow("uColor", {{0, 0, 0, 0}, {0.9f, 0.3f, 0.1f, 0.5f}, {0.4f, 0.2f, 0.1f, 1}});
+    return outputs(3)[0];
+  };
+  const ShaderRow plain = pictureOf("\n"), filmic = pictureOf("#define FILMIC\n");
+  EXPECT_EQ(filmic[0], plain[0]);
+  EXPECT_EQ(filmic[2], plain[2]) << "below the knee";
+  const glm::dvec3 seen = 0.5 * base::filmic(glm::dvec3(1.8, 0.6, 0.2)) + 0.5 * 0.8;
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(filmic[1][c], base::encodeSrgb(seen[c]), 0.6 / 255.0);
 }
 
 class FlowShaderGlTest : public LookShaderGlTest {};
