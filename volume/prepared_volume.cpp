@@ -173,7 +173,7 @@ CsgResult readSource(const scene::Source& source, base::Progress& progress) {
   const bool combines = source.csg != scene::Csg::none && !source.csgPath.empty();
   ReadOptions second;  // series, component and time step are the first one's
   second.meshVoxels = source.meshVoxels;
-  if (combines && source.csg == scene::Csg::unite)
+  if (combines && showsBoth(source.csg))
     options.alsoHold = meshBounds(source.csgPath, second, progress);
   CsgResult result;
   result.volume = readAsked(source, options, progress);
@@ -181,8 +181,8 @@ CsgResult readSource(const scene::Source& source, base::Progress& progress) {
     result.volume.warnings.emplace_back("source.csg_path is empty; give a second volume");
   if (!combines) return result;
   second.grid = result.volume.grid->geometry();
-  return combined(result.volume, readVolume(source.csgPath, second, progress), source.csg, source.csgValue,
-                  progress);
+  return combined(result.volume, readVolume(source.csgPath, second, progress),
+                  {source.csg, source.csgValue, source.csgWeight}, progress);
 }
 
 std::vector<double> valuesOfRow(const Grid& grid, int y, int z) {

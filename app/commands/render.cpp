@@ -212,26 +212,39 @@ class RenderRun {
     if (pictures.pictures.empty()) return noteMovie(pictures);  // all of them are there
     const std::string& path = pictures.path;
     const scene::Scene asked = sceneOf(path, *options_.scene);
-    prepared_ = loadWithProgressBar(asked.source, machine_, progress_);
-    if (!context_) makeRenderer();
-    renderer_->setVolume(prepared_);
+    images_ = options_.aov.empty() ? AskedImages{} : askedImages(options_.aov);
+    load(sweptSource(asked, 0), pictures);
     readsLight_ = !options_.light.empty();
     target_.reset();
     isChosen_ = false;
     request_ = requestOf(options_, path, asked, pictures.pictures.front().out);
     request_.keepImages = pictures.pictures.size() > 1;
-    images_ = options_.aov.empty() ? AskedImages{} : askedImages(options_.aov);
-    findIndex(asked.source, pictures);
     const scene::Scene base = startingScene(path);
     for (const PlannedPicture& picture : pictures.pictures) {
       progress_.throwIfStopped();
-      drawPicture(sceneOfPicture(base, picture), picture);
+      const scene::Scene scene = sceneOfPicture(base, picture);
+      load(scene.source, pictures);
+      drawPicture(scene, picture);
     }
     printWarnings(prepared_->volume);
     noteMovie(pictures);
   }
 
  private:
+  void load(const scene::Source& source, const VolumePictures& pictures) {
+    if (prepared_ && source == source_) return;
+    prepared_ = loadWithProgressBar(source, machine_, progress_);
+    source_ = source;
+    if (!context_) makeRenderer();
+    renderer_->setVolume(prepared_);
+    findIndex(source, pictures);
+  }
+
+  scene::Source sweptSource(scene::Scene scene, int index) const {
+    if (plan_.sweep) plan_.sweep->apply(scene, index);
+    return scene.source;
+  }
+
   void makeRenderer() {
     context_ = render::OffscreenContext::create(*options_.context);
     context_->makeCurrent();
@@ -239,7 +252,7 @@ class RenderRun {
     renderer_->setMachine(machine_);
   }
 
-  // Not resolved, but for the camera of a series: one for all of it, that of its first picture.
+  // Not resolved, but for the camera of a series and the isovalues of time steps: those of its first picture.
   scene::Scene startingScene(const std::string& path) {
     scene::Scene scene = sceneOf(path, *options_.scene, *prepared_);
     if (plan_.sweep) plan_.sweep->apply(scene, 0);
@@ -253,6 +266,12 @@ class RenderRun {
     else
       scene.camera = wishedCamera(wish, framed, *prepared_, request_.size, progress_,
                                   overlayReserve(overlay_, request_.size));
+    if (plan_.sweep && plan_.sweep->path == "source.time_step") {
+      const scene::Scene resolved = scene::resolve(scene, prepared_->facts);
+      scene.isosurface.value = resolved.isosurface.value;
+      for (std::size_t i = 0; i < scene.extraIsosurfaces.size(); ++i)
+        scene.extraIsosurfaces[i].value = resolved.extraIsosurfaces[i].value;
+    }
     return scene;
   }
 
@@ -425,6 +444,7 @@ class RenderRun {
   std::optional<render::Renderer> renderer_;
   LightController light_;
   std::shared_ptr<const volume::PreparedVolume> prepared_;
+  scene::Source source_;  // of prepared_
   render::FrameRequest request_;
   AskedImages images_;                          // of --aov
   std::optional<volume::IndexedVolume> whole_;  // of a volume read at a coarser level

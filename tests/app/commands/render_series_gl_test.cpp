@@ -82,6 +82,23 @@ TEST(RenderSeriesGl, ASweepDrawsEachValueFromOneCamera) {
   EXPECT_EQ(contentOf(folder / "again.png"), contentOf(folder / "b_0.png"));
 }
 
+TEST(RenderSeriesGl, ASweepOfTheSourceReadsAVolumeForEachPicture) {
+  const fs::path folder = test::temporaryFolder();
+  const std::vector<std::string> blend{"phantom:ball:24", "--set", "source.csg=blend", "--set", "source.csg_path=phantom:torus"};
+  const auto render = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), blend.begin(), blend.end());
+    return renderIn(folder, more);
+  };
+  const RunResult result = render({"--sweep", "source.csg_weight=0:1:3", "--out", "b_{value}.png"});
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_THAT(filesIn(folder), ElementsAre("b_0.png", "b_0.5.png", "b_1.png"));
+  EXPECT_NE(contentOf(folder / "b_0.png"), contentOf(folder / "b_1.png"));
+  for (const char* picture : {"b_0.png", "b_0.5.png", "b_1.png"}) {
+    EXPECT_EQ(renderIn(folder, {picture, "--out", "alone.png"}).exitCode, 0);
+    EXPECT_EQ(contentOf(folder / "alone.png"), contentOf(folder / picture)) << picture;
+  }
+}
+
 // A film as a job array: each run draws some of the pictures.
 TEST(RenderSeriesGl, FramesInPartsAreThoseOfOneRun) {
   const fs::path whole = test::temporaryFolder(), parts = test::temporaryFolder();
