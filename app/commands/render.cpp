@@ -429,9 +429,10 @@ class RenderRun {
   }
 
   void noteMovie(const VolumePictures& pictures) {
-    if (options_.turntable < 2 || pictures.movie.empty()) return;
-    const std::string note = makeMovie(pictures.folder, pictures.moviePrefix, options_.turntable,
-                                       options_.fps, pictures.movie, progress_);
+    if (pictures.movie.empty()) return;
+    const int count = plan_.sweep ? plan_.sweep->count : options_.turntable;
+    const std::string note =
+        makeMovie(pictures.folder, pictures.moviePrefix, count, options_.fps, pictures.movie, progress_);
     if (!note.empty()) printNote(note);
   }
 
@@ -516,7 +517,8 @@ Command makeRender(CLI::App& program) {
   CLI::Option* const sweep =
       parser
           ->add_option("--sweep", options->sweep,
-                       "Draw an image for each of COUNT evenly spaced values of a numeric setting")
+                       "Draw an image for each of COUNT evenly spaced values of a numeric setting; of "
+                       "source.time_step also a movie if ffmpeg is installed")
           ->type_name("PATH=LOW:HIGH:COUNT");
   parser
       ->add_option("--turntable", options->turntable,
@@ -524,7 +526,7 @@ Command makeRender(CLI::App& program) {
       ->type_name("N")
       ->check(CLI::Range(1, 100000).description(""))
       ->excludes(sweep);
-  parser->add_option("--fps", options->fps, "Frames per second of the turntable's movie; default 24")
+  parser->add_option("--fps", options->fps, "Frames per second of the movie; default 24")
       ->type_name("N")
       ->check(CLI::Range(0.01, 240.0).description(""));
   parser->add_flag("--explain", options->explain,
@@ -548,6 +550,7 @@ Command makeRender(CLI::App& program) {
       "  isolux render a.nii.gz b.nii.gz --preset ct_bone --view left --fit surface --out '{name}.png'\n"
       "  isolux render ct.nii.gz --sweep isosurface.value=100:300:9 --out 'skull_{value}.png'\n"
       "  isolux render ct.nii.gz --isovalue 300 --turntable 72 --out turn\n"
+      "  isolux render 'flow_*.vti' --sweep source.time_step=0:9:73 --out flow\n"
       "  isolux render ct.nii.gz --isovalue 300 --error depth=0.01mm,missed=0.1% --explain --out skull.png\n"
       "  isolux render ct.nii.gz --look gi --error light=5% --out lit.png\n"
       "  isolux render ct.nii.gz --time 100ms --out quick.png");

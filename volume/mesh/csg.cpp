@@ -15,6 +15,7 @@
 #include "volume/field/reconstruct.h"
 #include "volume/parallel_steps.h"
 #include "volume/read/patient.h"
+#include "volume/same_geometry.h"
 #include "volume/statistics/histogram.h"
 
 namespace isolux::volume {
@@ -91,17 +92,6 @@ double steepness(const Grid& grid, double isovalue, base::Progress& progress) {
     return bits >> 16 == high ? bits & 0xffffu : 1u << 16;
   });
   return static_cast<double>(std::bit_cast<float>(high << 16 | keyOfRank(lower, rank)));
-}
-
-bool sameGeometry(const GridGeometry& a, const GridGeometry& b) {
-  if (a.dims != b.dims) return false;
-  const double tolerance = 1e-6 * std::min({a.spacingMm().x, a.spacingMm().y, a.spacingMm().z});
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec4 voxel((corner & 1) ? a.dims.x - 1 : 0, (corner & 2) ? a.dims.y - 1 : 0,
-                           (corner & 4) ? a.dims.z - 1 : 0, 1.0);
-    if (glm::length(a.worldFromVoxel * voxel - b.worldFromVoxel * voxel) > tolerance) return false;
-  }
-  return true;
 }
 
 // A grid's values at the voxels of another one; NaN where it is missing or does not reach.
