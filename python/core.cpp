@@ -33,6 +33,7 @@
 #include "scene/setting/assignment.h"
 #include "volume/read/input/convert.h"
 #include "volume/read/input/payload.h"
+#include "volume/read/step_files.h"
 
 namespace isolux::python {
 
@@ -100,7 +101,8 @@ std::shared_ptr<Core> Core::open(const std::string& path, const app::SceneOption
                                  const py::object& told) {
   const std::shared_ptr<Core> core(new Core);
   std::error_code ignored;  // a later change of folder changes nothing
-  core->path_ = fs::exists(path, ignored) ? fs::absolute(path).string() : path;
+  const bool isThere = fs::exists(path, ignored) || !volume::stepFiles(path).empty();
+  core->path_ = isThere ? fs::absolute(path).string() : path;
   core->desk_.run(
       [core, options](base::Progress& progress) {
         core->source_ = app::sceneOf(core->path_, options).source;

@@ -18,9 +18,9 @@
 #include "volume/bricks/coarse_level.h"
 #include "volume/bricks/index_file.h"
 #include "volume/bricks/open_chunked.h"
-#include "volume/mesh/csg.h"
 #include "volume/parallel_steps.h"
 #include "volume/read/input/payload.h"
+#include "volume/read_source.h"
 #include "volume/statistics/first_view.h"
 #include "volume/statistics/label_map.h"
 #include "volume/statistics/surface_outline.h"
@@ -127,62 +127,6 @@ void setFirstView(PreparedVolume& prepared, base::Progress& progress) {
   prepared.facts.toEye = toEye;
   prepared.facts.up = up;
   prepared.facts.outlineMm = std::move(outline.pointsMm);
-}
-
-// What reads the rest of a file that cannot be read to its end.
-std::string remedyOfDamage(const scene::Source& source, base::Progress& progress) {
-  const bool helps = !source.aroundDamage && isReadInParts(source, progress);
-  return helps ? "; source.around_damage=true reads the rest" : "";
-}
-
-// What reads less of a volume that is too large for memory.
-std::string remedyOfSize(const scene::Source& source, base::Progress& progress) {
-  const int level = levelThatFits(source, progress, source.level + 1);
-  if (level <= source.level) return "";
-  return "; source.level=" + std::to_string(level) + " reads a coarser level that fits";
-}
-
-// Whole files are read around damage only where there is some: it takes longer.
-Volume readLevelOrVolume(const scene::Source& source, const ReadOptions& options, base::Progress& progress) {
-  if (source.level > 0) return readLevel(source, progress);
-  try {
-    return readVolume(source.path, options, progress);
-  } catch (const base::Error& error) {
-    const bool tryAround = error.kind() == base::ErrorKind::input && source.aroundDamage;
-    if (!tryAround || !isReadInParts(source, progress)) throw;
-  }
-  return readLevel(source, progress);
-}
-
-// Whoever hears that a volume cannot be read hears what can.
-Volume readAsked(const scene::Source& source, const ReadOptions& options, base::Progress& progress) {
-  try {
-    return readLevelOrVolume(source, options, progress);
-  } catch (const base::Error& error) {
-    std::string remedy;
-    if (error.kind() == base::ErrorKind::memory) remedy = remedyOfSize(source, progress);
-    if (error.kind() == base::ErrorKind::input) remedy = remedyOfDamage(source, progress);
-    if (remedy.empty()) throw;
-    throw base::Error(error.kind(), error.file(), error.place(), error.reason() + remedy);
-  }
-}
-
-// The volume of a source, and the second one's isovalue where there is one.
-CsgResult readSource(const scene::Source& source, base::Progress& progress) {
-  ReadOptions options = readOptions(source);
-  const bool combines = source.csg != scene::Csg::none && !source.csgPath.empty();
-  ReadOptions second;  // series, component and time step are the first one's
-  second.meshVoxels = source.meshVoxels;
-  if (combines && source.csg == scene::Csg::unite)
-    options.alsoHold = meshBounds(source.csgPath, second, progress);
-  CsgResult result;
-  result.volume = readAsked(source, options, progress);
-  if (source.csg != scene::Csg::none && !combines)
-    result.volume.warnings.emplace_back("source.csg_path is empty; give a second volume");
-  if (!combines) return result;
-  second.grid = result.volume.grid->geometry();
-  return combined(result.volume, readVolume(source.csgPath, second, progress), source.csg, source.csgValue,
-                  progress);
 }
 
 std::vector<double> valuesOfRow(const Grid& grid, int y, int z) {
@@ -347,6 +291,7 @@ std::shared_ptr<PreparedVolume> prepareFile(const std::shared_ptr<const ChunkedV
   volume.timeSteps = facts.times;
   volume.warnings = facts.warnings;
   noteChoices(volume, readOptions(source));
+  noteStep(volume, source.timeStep);
   const VolumeIndex index = indexOf(*file, source, volume.warnings, progress);
   const double readSeconds = secondsSince(start);
   auto bricks = std::make_shared<BrickSource>(file, VolumePart{static_cast<int>(source.timeStep), source.component},

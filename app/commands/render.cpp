@@ -212,28 +212,41 @@ class RenderRun {
     if (pictures.pictures.empty()) return noteMovie(pictures);  // all of them are there
     const std::string& path = pictures.path;
     const scene::Scene asked = sceneOf(path, *options_.scene);
-    prepared_ = loadWithProgressBar(asked.source, machine_, progress_);
-    if (!context_) makeRenderer();
-    renderer_->setVolume(prepared_);
+    images_ = options_.aov.empty() ? AskedImages{} : askedImages(options_.aov);
+    load(sweptSource(asked, 0), pictures);
     readsLight_ = !options_.light.empty();
     target_.reset();
     isChosen_ = false;
     request_ = requestOf(options_, path, asked, pictures.pictures.front().out);
     request_.keepImages = pictures.pictures.size() > 1;
-    images_ = options_.aov.empty() ? AskedImages{} : askedImages(options_.aov);
-    findIndex(asked.source, pictures);
     const scene::Scene base = startingScene(path);
     // The pictures of a series keep the exposure of the front, so that a film does not flicker.
     light_.meterView(!startsFromSession(path, *options_.scene) && !plan_.sweep && options_.turntable == 0);
     for (const PlannedPicture& picture : pictures.pictures) {
       progress_.throwIfStopped();
-      drawPicture(sceneOfPicture(base, picture), picture);
+      const scene::Scene scene = sceneOfPicture(base, picture);
+      load(scene.source, pictures);
+      drawPicture(scene, picture);
     }
     printWarnings(prepared_->volume);
     noteMovie(pictures);
   }
 
  private:
+  void load(const scene::Source& source, const VolumePictures& pictures) {
+    if (prepared_ && source == source_) return;
+    prepared_ = loadWithProgressBar(source, machine_, progress_);
+    source_ = source;
+    if (!context_) makeRenderer();
+    renderer_->setVolume(prepared_);
+    findIndex(source, pictures);
+  }
+
+  scene::Source sweptSource(scene::Scene scene, int index) const {
+    if (plan_.sweep) plan_.sweep->apply(scene, index);
+    return scene.source;
+  }
+
   void makeRenderer() {
     context_ = render::OffscreenContext::create(*options_.context);
     context_->makeCurrent();
@@ -241,7 +254,7 @@ class RenderRun {
     renderer_->setMachine(machine_);
   }
 
-  // Not resolved, but for the camera of a series: one for all of it, that of its first picture.
+  // Not resolved, but for the camera of a series and the isovalues of time steps: those of its first picture.
   scene::Scene startingScene(const std::string& path) {
     scene::Scene scene = sceneOf(path, *options_.scene, *prepared_);
     if (plan_.sweep) plan_.sweep->apply(scene, 0);
@@ -255,6 +268,12 @@ class RenderRun {
     else
       scene.camera = wishedCamera(wish, framed, *prepared_, request_.size, progress_,
                                   overlayReserve(overlay_, request_.size));
+    if (plan_.sweep && plan_.sweep->path == "source.time_step") {
+      const scene::Scene resolved = scene::resolve(scene, prepared_->facts);
+      scene.isosurface.value = resolved.isosurface.value;
+      for (std::size_t i = 0; i < scene.extraIsosurfaces.size(); ++i)
+        scene.extraIsosurfaces[i].value = resolved.extraIsosurfaces[i].value;
+    }
     return scene;
   }
 
@@ -413,9 +432,10 @@ class RenderRun {
   }
 
   void noteMovie(const VolumePictures& pictures) {
-    if (options_.turntable < 2 || pictures.movie.empty()) return;
-    const std::string note = makeMovie(pictures.folder, pictures.moviePrefix, options_.turntable,
-                                       options_.fps, pictures.movie, progress_);
+    if (pictures.movie.empty()) return;
+    const int count = plan_.sweep ? plan_.sweep->count : options_.turntable;
+    const std::string note =
+        makeMovie(pictures.folder, pictures.moviePrefix, count, options_.fps, pictures.movie, progress_);
     if (!note.empty()) printNote(note);
   }
 
@@ -428,6 +448,7 @@ class RenderRun {
   std::optional<render::Renderer> renderer_;
   LightController light_;
   std::shared_ptr<const volume::PreparedVolume> prepared_;
+  scene::Source source_;  // of prepared_
   render::FrameRequest request_;
   AskedImages images_;                          // of --aov
   std::optional<volume::IndexedVolume> whole_;  // of a volume read at a coarser level
@@ -499,7 +520,8 @@ Command makeRender(CLI::App& program) {
   CLI::Option* const sweep =
       parser
           ->add_option("--sweep", options->sweep,
-                       "Draw an image for each of COUNT evenly spaced values of a numeric setting")
+                       "Draw an image for each of COUNT evenly spaced values of a numeric setting; of "
+                       "source.time_step also a movie if ffmpeg is installed")
           ->type_name("PATH=LOW:HIGH:COUNT");
   parser
       ->add_option("--turntable", options->turntable,
@@ -507,7 +529,7 @@ Command makeRender(CLI::App& program) {
       ->type_name("N")
       ->check(CLI::Range(1, 100000).description(""))
       ->excludes(sweep);
-  parser->add_option("--fps", options->fps, "Frames per second of the turntable's movie; default 24")
+  parser->add_option("--fps", options->fps, "Frames per second of the movie; default 24")
       ->type_name("N")
       ->check(CLI::Range(0.01, 240.0).description(""));
   parser->add_flag("--explain", options->explain,
@@ -531,6 +553,7 @@ Command makeRender(CLI::App& program) {
       "  isolux render a.nii.gz b.nii.gz --preset ct_bone --view left --fit surface --out '{name}.png'\n"
       "  isolux render ct.nii.gz --sweep isosurface.value=100:300:9 --out 'skull_{value}.png'\n"
       "  isolux render ct.nii.gz --isovalue 300 --turntable 72 --out turn\n"
+      "  isolux render 'flow_*.vti' --sweep source.time_step=0:9:73 --out flow\n"
       "  isolux render ct.nii.gz --isovalue 300 --error depth=0.01mm,missed=0.1% --explain --out skull.png\n"
       "  isolux render ct.nii.gz --look gi --error light=5% --out lit.png\n"
       "  isolux render ct.nii.gz --time 100ms --out quick.png");

@@ -69,6 +69,7 @@ RenderPlan makeRenderPlan(const RenderPlanRequest& request) {
   if (out != request.out && out.starts_with(request.out)) plan.folder = request.out;
   if (out == kStandardOutput) checkPipe(paths.size() * static_cast<std::size_t>(count));
 
+  const bool isFilm = count > 1 && (!plan.sweep || plan.sweep->path == "source.time_step");
   std::vector<std::string> outs, stats;
   for (std::size_t v = 0; v < paths.size(); ++v) {
     VolumePictures pictures{paths[v], {}, {}, {}, {}};
@@ -81,7 +82,7 @@ RenderPlan makeRenderPlan(const RenderPlanRequest& request) {
     }
     pictures.folder = fs::path(pictures.pictures.front().out).parent_path();
     of.i = 0;
-    if (request.turntable > 1) planMovie(out, of, pictures);
+    if (isFilm) planMovie(out, of, pictures);
     plan.volumes.push_back(std::move(pictures));
   }
   checkNamesDiffer(outs, "--out");

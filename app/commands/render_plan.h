@@ -20,7 +20,7 @@ struct PlannedPicture {
 struct VolumePictures {
   std::string path;  // "": that of the session
   std::vector<PlannedPicture> pictures;
-  std::string movie, moviePrefix;  // of a turntable's pictures, in their folder; empty: none
+  std::string movie, moviePrefix;  // of a turntable or of time steps, in the pictures' folder; empty: none
   std::filesystem::path folder{};  // of the pictures
 };
 struct RenderPlan {

@@ -29,6 +29,7 @@ class History {
   // no seal() between, it replaces that step's result instead of adding a step. Returns the diff (empty:
   // nothing changed).
   scene::SceneDiff edit(const scene::Scene& next, const std::string& name, const std::string& mergeKey = "");
+  const std::string& mergeKey() const { return mergeKey_; }  // of the gesture that goes on; "": none
   void seal() { mergeKey_.clear(); }  // end of a gesture
   void reset(scene::Scene scene);     // a new document: history empty
 

@@ -17,6 +17,7 @@
 #include "app/files/files.h"
 #include "app/files/state_folder.h"
 #include "base/error.h"
+#include "volume/read/step_files.h"
 
 namespace isolux::app {
 
@@ -93,7 +94,7 @@ fs::path placeOf(const std::string& token) {
   for (const auto& [known, text] : readPlaces(list)) {
     std::error_code ignored;
     const fs::path path = pathOfText(text);
-    if (known == token && fs::exists(path, ignored)) return path;
+    if (known == token && (fs::exists(path, ignored) || !volume::stepFiles(path.string()).empty())) return path;
   }
   return {};
 }

@@ -10,6 +10,7 @@
 #include "app/documents/places.h"
 #include "base/error.h"
 #include "volume/bricks/hdf5/hdf5.h"
+#include "volume/read/step_files.h"
 
 namespace isolux::app {
 
@@ -101,7 +102,8 @@ std::string pathFromStored(const std::string& text, const StoredFolders& folders
     candidates.push_back((absoluteFolder(folder) / stored).lexically_normal());
   std::error_code ignored;
   const auto found = std::find_if(candidates.begin(), candidates.end(), [&](const fs::path& candidate) {
-    return fs::exists(candidate, ignored) || volume::hdf5PathOf(candidate.string());
+    return fs::exists(candidate, ignored) || volume::hdf5PathOf(candidate.string()) ||
+           !volume::stepFiles(candidate.string()).empty();
   });
   return (found == candidates.end() ? candidates.front() : *found).string();
 }

@@ -15,6 +15,10 @@ std::size_t bytesOf(const volume::PreparedVolume& volume) {
 
 }  // namespace
 
+bool hasRoomForStep(const volume::PreparedVolume& step) {
+  return base::machineMemory().left() >= 2 * bytesOf(step);
+}
+
 void StepAhead::moved(const scene::Source& from, const scene::Source& to,
                       const volume::PreparedVolume& shown) {
   job_.reset();  // which stops it and does not wait
@@ -22,8 +26,8 @@ void StepAhead::moved(const scene::Source& from, const scene::Source& to,
   next.timeStep = from.timeStep;
   if (next != from || to.timeStep == from.timeStep) return;
   next.timeStep = to.timeStep + (to.timeStep > from.timeStep ? 1 : -1);
-  if (next.timeStep < 0 || next.timeStep >= shown.volume.timeSteps) return;
-  if (base::machineMemory().left() < 2 * bytesOf(shown)) return;
+  if (next.timeStep < 0 || next.timeStep > shown.volume.timeSteps - 1) return;
+  if (!hasRoomForStep(shown)) return;
   job_ = std::make_unique<LoadJob>(std::move(next), LoadJob::Instead{.aroundDamage = true});
 }
 

@@ -66,8 +66,6 @@ Sweep parseSweep(const std::string& text) {
   const scene::Setting& setting = scene::setting(sweep.path);
   if (setting.type != scene::SettingType::number && setting.type != scene::SettingType::integer)
     refuseSweep(sweep.path, "is not a number and cannot be swept");
-  if (sweep.path.starts_with("source."))
-    refuseSweep(sweep.path, "cannot be swept: all images share one volume");
   if (setting.type == scene::SettingType::integer)
     for (int i = 0; i < sweep.count; ++i)
       if (sweep.value(i) != std::floor(sweep.value(i)))

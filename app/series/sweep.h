@@ -16,7 +16,7 @@ struct Sweep {
   void apply(scene::Scene& scene, int index) const;
 };
 // Throws base::Error{usage} for anything but PATH=LOW:HIGH:COUNT of a number of the scene, COUNT 1 to 100000,
-// whose values all lie in its range; source. cannot be swept, because one volume is loaded for all pictures.
+// whose values all lie in its range.
 Sweep parseSweep(const std::string& text);
 
 }  // namespace isolux::app

@@ -109,7 +109,10 @@ constexpr auto isCombined = [](const Scene& s) { return s.source.csg != Csg::non
 // All rules that cover a path must hold; the first that fails says why.
 constexpr Rule rules[] = {
     {"source.mesh_voxels", isMesh, "the source is not a triangle mesh"},
-    {"source.csg_path source.csg_value", isCombined, "no second volume is combined with the first"},
+    {"source.csg_path source.csg_value source.csg_weight", isCombined,
+     "no second volume is combined with the first"},
+    {"source.csg_weight", [](const Scene& s) { return s.source.csg == Csg::blend; },
+     "source.csg is not blend"},
 
     {"isosurface.suggestion", [](const Scene& s) { return !s.isosurface.value; }, "the isovalue is set"},
     {"camera.frames", [](const Scene& s) { return !s.camera.eye; }, "camera.eye is set"},

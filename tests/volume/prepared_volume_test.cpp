@@ -143,7 +143,7 @@ TEST(PreparedVolume, AStopLeavesMostOfTheRestOfEveryStepUndone) {
     Volume first, second;
     first.grid = second.grid = grid;
     first.unit = "HU";
-    combined(first, second, scene::Csg::unite, std::nullopt, progress);
+    combined(first, second, {scene::Csg::unite}, progress);
   });
 }
 

@@ -15,11 +15,13 @@
 #include "scene/rules/automatic.h"
 #include "scene/scene_diff.h"
 #include "ui/document/privacy.h"
+#include "volume/read/step_files.h"
 #include "volume/statistics/surface_outline.h"
 
 namespace isolux::ui {
 
 namespace {
+constexpr int playMilliseconds = 15;
 constexpr int flowMilliseconds = 33;  // 30 pictures a second, as far as the machine can draw them
 
 std::filesystem::path pathOf(const QString& file) {
@@ -113,6 +115,8 @@ Document::Document(QObject* parent)
   flowTimer_.setTimerType(Qt::PreciseTimer);
   flowTimer_.setInterval(flowMilliseconds);
   connect(&flowTimer_, &QTimer::timeout, this, &Document::moveFlow);
+  playTimer_.setInterval(playMilliseconds);
+  connect(&playTimer_, &QTimer::timeout, this, &Document::movePlay);
 }
 
 Document::~Document() = default;
@@ -223,7 +227,8 @@ void Document::resetSettings() {
 
 void Document::openScene(const scene::Scene& scene, const QString& sessionFile, CompleteScene completed) {
   const QString source = QString::fromStdString(scene.source.path);
-  if (!sessionFile.isEmpty() && !source.startsWith("phantom:") && !QFileInfo::exists(source)) {
+  if (!sessionFile.isEmpty() && !source.startsWith("phantom:") && !QFileInfo::exists(source) &&
+      volume::stepFiles(scene.source.path).empty()) {
     Q_EMIT volumeMissing(scene, sessionFile);
     return;
   }
@@ -245,6 +250,7 @@ void Document::restore(const app::OpenDocument& kept) {
 }
 
 void Document::startLoading(const scene::Scene& scene, After after) {
+  pause();
   cancelLoading();
   after_ = after;
   pendingKept_.reset();
@@ -362,18 +368,24 @@ void Document::restoreDocument() {
   pendingKept_.reset();
 }
 
+// Steps are there to be compared: as it is on screen, but for the step.
+scene::Scene Document::atLoadedStep() const {
+  scene::Scene next = scene();
+  const scene::Scene resolved = resolvedScene();
+  next.isosurface.value = resolved.isosurface.value;
+  next.camera = resolved.camera;
+  next.source = loadedSource_;
+  return next;
+}
+
 void Document::changeSource(const volume::PreparedVolume& volume) {
   scene::Scene next = scene();  // edits made while it loaded stay
   const bool otherSeries = next.source.series != loadedSource_.series;
   scene::Source otherStep = next.source;
   otherStep.timeStep = loadedSource_.timeStep;
   otherStep.aroundDamage = loadedSource_.aroundDamage;
-  if (otherStep == loadedSource_) {  // steps are there to be compared: as it is on screen
-    const scene::Scene resolved = resolvedScene();
-    next.isosurface.value = resolved.isosurface.value;
-    next.camera = resolved.camera;
-    next.source = loadedSource_;
-    history_.edit(next, pendingName_.toStdString());
+  if (otherStep == loadedSource_) {
+    history_.edit(atLoadedStep(), pendingName_.toStdString());
     return;
   }
   next.source = loadedSource_;
@@ -487,6 +499,45 @@ void Document::moveFlow() {
   flow_.advance(static_cast<double>(sinceFlowMoved_.nsecsElapsed()) * 1e-9);
   sinceFlowMoved_.start();
   Q_EMIT flowMoved(flow_.seconds());
+}
+
+void Document::play(double stepsPerSecond) {
+  pause();
+  if (!volume_ || job_ || volume_->volume.timeSteps < 2) return;
+  player_ = std::make_unique<app::StepPlayer>(app::StepPlayer::Step{loadedSource_, volume_}, stepsPerSecond);
+  sincePlay_.start();
+  playTimer_.start();
+  Q_EMIT playingChanged(true);
+}
+
+void Document::pause() {
+  if (!player_) return;
+  playTimer_.stop();
+  player_.reset();
+  history_.seal();
+  Q_EMIT playingChanged(false);
+}
+
+void Document::movePlay() {
+  const auto step = player_->at(static_cast<double>(sincePlay_.nsecsElapsed()) * 1e-9);
+  if (step) showStep(*step);
+  if (player_ && player_->error()) {
+    const QString why = textOf(*player_->error());
+    pause();
+    Q_EMIT failed(why);
+  }
+}
+
+void Document::showStep(const app::StepPlayer::Step& step) {
+  const scene::Scene before = scene();
+  loadedSource_ = step.source;
+  const bool ofGesture = !history_.mergeKey().empty();
+  const std::string name = ofGesture ? history_.undoName() : tr("Play time steps").toStdString();
+  history_.edit(atLoadedStep(), name, ofGesture ? history_.mergeKey() : "play");
+  volume_ = step.volume;
+  facts_ = volume_->facts;
+  Q_EMIT volumeChanged(volume_);
+  commit(before, QString::fromStdString(name), true);
 }
 
 void Document::reloadIfSourceChanged() {

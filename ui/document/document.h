@@ -22,6 +22,7 @@
 #include "app/documents/unsaved_work.h"
 #include "app/jobs/load_job.h"
 #include "app/jobs/step_ahead.h"
+#include "app/jobs/step_player.h"
 #include "scene/flow_clock.h"
 #include "scene/rules/automatic.h"
 #include "ui/document/edit.h"
@@ -93,6 +94,11 @@ class Document : public QObject {
   void undo();
   void redo();
   void toggleFlow();  // lets the flow move, or stand where it is seen
+  // Shows one time step after the other, at this many steps per second. What is played is one undo step, and
+  // part of the gesture that goes on meanwhile. Nothing for a volume of one step; another source ends it.
+  void play(double stepsPerSecond);
+  void pause();
+  bool playing() const { return player_ != nullptr; }
 
   // Throws base::Error when `file` holds what the picture is made of: nothing is written over that.
   void checkOutput(const QString& file) const;
@@ -103,6 +109,7 @@ class Document : public QObject {
  Q_SIGNALS:
   void volumeChanged(isolux::ui::VolumePointer volume);
   void sceneChanged(const isolux::scene::Scene& scene, const isolux::scene::Scene& resolved);
+  void playingChanged(bool playing);
   void flowMoved(double seconds);  // to this flow.time; not an edit
   void stateChanged();             // history, modified mark, name, recording
   void loadStarted(const QString& name);
@@ -130,11 +137,14 @@ class Document : public QObject {
   void completePending(const volume::PreparedVolume& volume);
   void replaceDocument();
   void restoreDocument();
+  scene::Scene atLoadedStep() const;
   void changeSource(const volume::PreparedVolume& volume);
   // dragged: one edit of many.
   void commit(const scene::Scene& before, const QString& name, bool dragged = false);
   void reloadIfSourceChanged();
   void moveFlow();
+  void movePlay();
+  void showStep(const app::StepPlayer::Step& step);
 
   app::History history_;
   VolumePointer volume_;
@@ -161,6 +171,9 @@ class Document : public QObject {
   app::Edges letters_;
   scene::FlowClock flow_;
   QElapsedTimer sinceFlowMoved_;
+  std::unique_ptr<app::StepPlayer> player_;
+  QTimer playTimer_;
+  QElapsedTimer sincePlay_;
 };
 
 }  // namespace isolux::ui

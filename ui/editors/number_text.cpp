@@ -60,6 +60,7 @@ QString plainWordsOf(const QString& identifier) {
                                                   {"csg", "Boolean operation"},
                                                   {"csg_path", "Second volume"},
                                                   {"csg_value", "Second isovalue"},
+                                                  {"csg_weight", "Second weight"},
                                                   {"smallest", "Minimum volume"},
                                                   {"frames", "Framing"},
                                                   {"fetch", "Voxel access"},

@@ -21,6 +21,7 @@ SourcePanel::SourcePanel(QWidget* parent) : QWidget(parent), form_(new QFormLayo
   choose_ = choose;
   form_->addRow(QString(), choose_);
   addEditor("source.csg_value", tr("Second isovalue"));
+  addEditor("source.csg_weight", tr("Second weight"));
   connect(choose, &QPushButton::clicked, this, &SourcePanel::chooseSecond);
 }
 
@@ -50,6 +51,7 @@ void SourcePanel::show(const scene::Scene& scene, const VolumePointer& volume) {
   form_->setRowVisible(editor("source.csg_path"), second);
   form_->setRowVisible(choose_, second);
   form_->setRowVisible(editor("source.csg_value"), second);
+  form_->setRowVisible(editor("source.csg_weight"), scene.source.csg == scene::Csg::blend);
 }
 
 void SourcePanel::chooseSecond() {

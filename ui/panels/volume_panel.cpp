@@ -10,9 +10,11 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
+#include <QSettings>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QSpinBox>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "scene/setting/choice_names.h"
@@ -27,6 +29,8 @@
 namespace isolux::ui {
 
 namespace {
+
+constexpr auto speedKey = "volume/stepsPerSecond";
 
 QString triple(glm::dvec3 v, int significant, const char* between = " × ") {
   return numberText(v.x, significant) + between + numberText(v.y, significant) + between +
@@ -82,21 +86,31 @@ VolumePanel::VolumePanel(QWidget* parent)
   kind_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   component_ = new QComboBox(choiceBox_);
   timeRow_ = new QWidget(choiceBox_);
-  const auto numberBox = [this](QWidget* parent) {
-    auto* box = new IntegerSpinBox(parent);
-    connect(box, &IntegerSpinBox::refused, this, &VolumePanel::failed);
-    return box;
-  };
+  play_ = new QToolButton(timeRow_);
   timeSlider_ = new QSlider(Qt::Horizontal, timeRow_);
   timeSlider_->setTracking(false);
   timeSlider_->setPageStep(1);
   timeSlider_->setAccessibleName(tr("Time step"));
+  const auto numberBox = [this](QWidget* parent) {
+    auto* box = new NumberSpinBox(parent);
+    connect(box, &NumberSpinBox::refused, this, &VolumePanel::failed);
+    return box;
+  };
   timeStep_ = numberBox(timeRow_);
+  timeStep_->setToolTip(tr("A fraction blends a step with the next"));
+  speed_ = numberBox(choiceBox_);
+  speed_->setRange(0.05, 60.0);
+  speed_->setSuffix(tr(" steps per second"));
+  speed_->setOwnUndo();
+  speed_->showValue(QSettings().value(speedKey, 2.0).toDouble());
   auto* timeLayout = new QHBoxLayout(timeRow_);
   timeLayout->setContentsMargins(0, 0, 0, 0);
+  timeLayout->addWidget(play_);
   timeLayout->addWidget(timeSlider_, 1);
   timeLayout->addWidget(timeStep_);
-  level_ = numberBox(choiceBox_);
+  auto* const level = new IntegerSpinBox(choiceBox_);
+  connect(level, &IntegerSpinBox::refused, this, &VolumePanel::failed);
+  level_ = level;
   level_->setToolTip(
       tr("Level 0 is full resolution; each further level halves it along each axis, by averaging voxels"));
   choices_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
@@ -105,6 +119,7 @@ VolumePanel::VolumePanel(QWidget* parent)
   choices_->addRow(tr("Series"), series_);
   choices_->addRow(tr("Channel"), component_);
   choices_->addRow(tr("Time step"), timeRow_);
+  choices_->addRow(tr("Speed"), speed_);
   choices_->addRow(tr("Level"), level_);
   choiceBox_->setLayout(choices_);
 
@@ -134,6 +149,7 @@ VolumePanel::VolumePanel(QWidget* parent)
   scroll->setWidget(content);
   showFacts();
   showChoices();
+  setPlaying(false);
 
   connect(kind_, &QComboBox::activated, this, [this](int index) {
     Edit edit{scene_, tr("Choose kind of data"), {}, false};
@@ -151,12 +167,17 @@ VolumePanel::VolumePanel(QWidget* parent)
     edit.scene.source.component = component_->currentData().toInt();
     Q_EMIT edited(edit);
   });
-  connect(timeStep_, &QSpinBox::valueChanged, this, [this](int step) {
+  connect(timeStep_, &NumberSpinBox::valueChanged, this, [this](double step) {
     Edit edit{scene_, tr("Choose time step"), {}, false};
     edit.scene.source.timeStep = step;
     Q_EMIT edited(edit);
   });
-  connect(timeSlider_, &QSlider::valueChanged, timeStep_, &QSpinBox::setValue);
+  connect(timeSlider_, &QSlider::valueChanged, timeStep_, &NumberSpinBox::setValue);
+  connect(play_, &QToolButton::clicked, this, &VolumePanel::playClicked);
+  connect(speed_, &NumberSpinBox::valueChanged, this, [this](double speed) {
+    QSettings().setValue(speedKey, speed);
+    Q_EMIT speedChanged(speed);
+  });
   connect(level_, &QSpinBox::valueChanged, this, [this](int level) {
     Edit edit{scene_, tr("Choose level"), {}, false};
     edit.scene.source.level = level;
@@ -186,6 +207,17 @@ void VolumePanel::setScene(const scene::Scene& scene, const scene::Scene&) {
   scene_ = scene;
   if (changed) showChoices();
   source_->show(scene_, volume_);
+}
+
+double VolumePanel::speed() const {
+  return speed_->value();
+}
+
+void VolumePanel::setPlaying(bool playing) {
+  play_->setIcon(icon(playing ? "pause" : "play"));
+  const QString says = playing ? tr("Pause") : tr("Play time steps");
+  play_->setToolTip(says);
+  play_->setAccessibleName(says);
 }
 
 void VolumePanel::setFirstPicture(double seconds) {
@@ -267,8 +299,8 @@ void VolumePanel::showFacts() {
 }
 
 void VolumePanel::showChoices() {
-  const QSignalBlocker blockSeries(series_), blockComponent(component_), blockTime(timeStep_),
-      blockSlider(timeSlider_), blockLevel(level_), blockKind(kind_);
+  const QSignalBlocker blockSeries(series_), blockComponent(component_), blockSlider(timeSlider_),
+      blockLevel(level_), blockKind(kind_);
   kind_->clear();
   if (volume_) {
     const auto wordsFor = [](scene::DataKind kind) {
@@ -303,17 +335,20 @@ void VolumePanel::showChoices() {
     component_->setCurrentIndex(component_->findData(scene_.source.component));
   }
   if (severalSteps) {
-    timeStep_->setRange(0, volume_->volume.timeSteps - 1);
-    timeStep_->setSuffix(tr(" of 0 … %1").arg(volume_->volume.timeSteps - 1));
-    timeStep_->setValue(static_cast<int>(scene_.source.timeStep));
-    timeSlider_->setRange(0, volume_->volume.timeSteps - 1);
-    timeSlider_->setValue(static_cast<int>(scene_.source.timeStep));
+    const int last = volume_->volume.timeSteps - 1;
+    const QSignalBlocker blockTime(timeStep_);
+    timeStep_->setRange(0, last);
+    timeStep_->setSuffix(tr(" of 0 … %1").arg(last));
+    timeStep_->showValue(scene_.source.timeStep);
+    timeSlider_->setRange(0, last);
+    timeSlider_->setValue(static_cast<int>(std::lround(scene_.source.timeStep)));
   }
   level_->setRange(0, volume_ ? volume_->volume.coarsestLevel : 0);
   level_->setValue(scene_.source.level);
   choices_->setRowVisible(series_, severalSeries);
   choices_->setRowVisible(component_, severalComponents);
   choices_->setRowVisible(timeRow_, severalSteps);
+  choices_->setRowVisible(speed_, severalSteps);
   choices_->setRowVisible(level_, coarse);
   choiceBox_->setVisible(volume_ != nullptr);
 }

@@ -8,9 +8,11 @@ class QFormLayout;
 class QLabel;
 class QSlider;
 class QSpinBox;
+class QToolButton;
 
 namespace isolux::ui {
 
+class NumberSpinBox;
 class SourcePanel;
 class WrappedText;
 
@@ -25,11 +27,19 @@ class VolumePanel : public Panel {
   QComboBox* kindChoice() const { return kind_; }
   QComboBox* seriesChoice() const { return series_; }
   QComboBox* componentChoice() const { return component_; }
-  QSpinBox* timeStepChoice() const { return timeStep_; }
+  NumberSpinBox* timeStepChoice() const { return timeStep_; }
   QSpinBox* levelChoice() const { return level_; }
   QSlider* timeSlider() const { return timeSlider_; }
+  QToolButton* playButton() const { return play_; }
+  NumberSpinBox* speedChoice() const { return speed_; }
+  double speed() const;  // of playing, time steps per second
+  void setPlaying(bool playing);
   SourcePanel* sourcePanel() const { return source_; }
   QString warnings() const;
+
+ Q_SIGNALS:
+  void playClicked();
+  void speedChanged(double stepsPerSecond);
 
  private:
   WrappedText* addRow(const QString& name);
@@ -44,7 +54,8 @@ class VolumePanel : public Panel {
   QLabel* warningTitle_;
   QWidget* choiceBox_;
   QComboBox *kind_, *series_, *component_;
-  QSpinBox* timeStep_;
+  QToolButton* play_;
+  NumberSpinBox *timeStep_, *speed_;
   QSpinBox* level_;
   QSlider* timeSlider_;  // the same, where it is let go
   QWidget* timeRow_;

@@ -37,6 +37,7 @@
 #include "ui/panels/light_status.h"
 #include "ui/panels/panel.h"
 #include "ui/panels/passes_panel.h"
+#include "ui/panels/volume_panel.h"
 #include "ui/slices/slice_board.h"
 #include "ui/viewport/pointed_piece.h"
 #include "ui/viewport/viewport.h"
@@ -172,18 +173,26 @@ void MainWindow::connectDocument() {
     light_->setVolume(volume);
     marks_->setVolume(volume);
     viewport_->setVolume(volume);
+    play_->setEnabled(volume->volume.timeSteps > 1);
     slices_->setVolume(volume);
     for (const Docked& docked : panels_) docked.panel->setVolume(volume);
     nameViews();
-    awaitsFirstPicture_ = true;
+    if (!document_->playing()) awaitsFirstPicture_ = true;
     levelMarks_->forget();
     const glm::ivec3 dims = volume->grid().dims();
     if (std::min({dims.x, dims.y, dims.z}) == 1 && !slices_->slicesShown())  // which has no surface
       slices_->setFourUp(true);
-    tellImport(volume->volume.warnings);
+    if (!document_->playing()) tellImport(volume->volume.warnings);
   });
   connect(document_, &Document::sceneChanged, this, &MainWindow::showScene);
   connect(document_, &Document::flowMoved, viewport_, &Viewport::setFlowTime);
+  auto* const volumePanel = panel<VolumePanel>();
+  connect(document_, &Document::playingChanged, volumePanel, &VolumePanel::setPlaying);
+  connect(document_, &Document::playingChanged, play_, &QAction::setChecked);
+  connect(volumePanel, &VolumePanel::playClicked, this, &MainWindow::togglePlay);
+  connect(volumePanel, &VolumePanel::speedChanged, this, [this](double speed) {
+    if (document_->playing()) document_->play(speed);
+  });
   connect(viewport_, &Viewport::derivativesChosen, document_, &Document::announce);
   connect(document_, &Document::stateChanged, this, &MainWindow::showState);
   connect(document_, &Document::loadStarted, this, [this](const QString& name) {
@@ -252,6 +261,14 @@ void MainWindow::connectDocument() {
 }
 
 // The gravest, and how many there are. What tells of missing data stays.
+void MainWindow::togglePlay() {
+  if (document_->playing())
+    document_->pause();
+  else
+    document_->play(panel<VolumePanel>()->speed());
+  play_->setChecked(document_->playing());  // nothing plays while another volume is loaded
+}
+
 void MainWindow::tellImport(const std::vector<std::string>& warnings) {
   message_->withdraw(MessageBar::Kind::warning);
   if (warnings.empty()) return;

@@ -60,6 +60,7 @@ class MainWindow : public QMainWindow {
   void open(const app::WindowRequest& request);
   // File, folder, session, picture with a session, or "phantom:NAME"; asks first for a raw file.
   void openPath(const QString& path);
+  void openFiles(const QStringList& paths);
   // From now on the document is autosaved in `folder`; offers to continue what a killed window has left
   // there.
   void keepDocument(const std::filesystem::path& folder);
@@ -142,6 +143,7 @@ class MainWindow : public QMainWindow {
   void makePanels();
   void connectDocument();
   void connectLight();
+  void togglePlay();
   void tellImport(const std::vector<std::string>& warnings);
   void connectMarks();
   void connectSlices();
@@ -234,7 +236,7 @@ class MainWindow : public QMainWindow {
   std::vector<Docked> panels_;
   QMenu *recentMenu_ = nullptr, *presetsMenu_ = nullptr, *viewMenu_ = nullptr;
   QAction *open_, *openFolder_, *save_, *saveAs_, *picture_, *trace_, *record_;
-  QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_, *animate_, *copyCommand_, *copyPicture_,
+  QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_, *animate_, *play_, *copyCommand_, *copyPicture_,
       *mesh_, *hidePatient_, *markLevel_, *drawLevelZero_, *link_ = nullptr;
   QAction *exportMarks_, *importMarks_;
   QActionGroup* markTools_;

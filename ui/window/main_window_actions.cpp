@@ -114,6 +114,7 @@ const char* MainWindow::helpText() {
     <tr><td><b>R</b>, <b>F</b>, <b>O</b></td><td>reset view, zoom to fit, orthographic</td></tr>
     <tr><td><b>L</b>, <b>Shift+L</b></td><td>next, previous look</td></tr>
     <tr><td><b>Space</b></td><td>animate the flow, stop it</td></tr>
+    <tr><td><b>T</b></td><td>play the time steps, pause</td></tr>
     <tr><td><b>Right click</b>, <b>Menu key</b></td><td>hide or keep the piece under the pointer</td></tr>
     <tr><td><b>P</b>, <b>M</b>, <b>Shift+M</b></td><td>pin, distance, geodesic distance</td></tr>
     <tr><td><b>Click</b>, <b>Shift+click</b></td><td>set a point, add more points (measuring)</td></tr>

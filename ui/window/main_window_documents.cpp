@@ -33,6 +33,7 @@
 #include "ui/window/message_bar.h"
 #include "ui/window/window_layout.h"
 #include "volume/bricks/zarr/zarr.h"
+#include "volume/read/step_files.h"
 
 namespace isolux::ui {
 
@@ -59,6 +60,14 @@ void MainWindow::openPath(const QString& path) {
   }
 }
 
+// As time steps, or else the first.
+void MainWindow::openFiles(const QStringList& paths) {
+  std::vector<std::string> files;
+  for (const QString& path : paths) files.push_back(path.toStdString());
+  const QString steps = QString::fromStdString(volume::pathOfSteps(files));
+  openPath(steps.isEmpty() ? paths.front() : steps);
+}
+
 void MainWindow::chooseFile() {
   QStringList filters, patterns;
   for (const std::string& filter : volume::fileFilters()) {
@@ -70,10 +79,10 @@ void MainWindow::chooseFile() {
   filters.prepend(tr("Volumes, sessions and images (%1)").arg(patterns.join(' ') + " *.isolux *.png"));
   filters += {QObject::tr(sessionFilter), tr("Raw voxels (*.raw *.bin *.img *.dat)"), tr("All files (*)")};
   filters.removeDuplicates();
-  const QString path = QFileDialog::getOpenFileName(this, tr("Open"), lastFolder(), filters.join(";;"));
-  if (path.isEmpty()) return;
-  rememberFolder(path);
-  openPath(path);
+  const QStringList paths = QFileDialog::getOpenFileNames(this, tr("Open"), lastFolder(), filters.join(";;"));
+  if (paths.isEmpty()) return;
+  rememberFolder(paths.front());
+  openFiles(paths);
 }
 
 void MainWindow::chooseFolder() {
@@ -102,27 +111,29 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-  for (const QUrl& url : event->mimeData()->urls()) {
-    if (!url.isLocalFile()) continue;
-    event->acceptProposedAction();
-    const QString path = url.toLocalFile();
-    // After the drop is answered: a dialog must not hold up the program that the file comes from.
-    QMetaObject::invokeMethod(
-        this,
-        [this, path] {
-          if (path.endsWith(".mrk.json", Qt::CaseInsensitive) && document_->volume()) {
-            importMarks(path);
-          } else if (path.endsWith(app::kPresetExtension, Qt::CaseInsensitive) && document_->volume()) {
-            applyPreset(app::findPreset(path.toStdString()));
-          } else if (isLightProbe(path)) {
-            document_->edit(lightProbeChosen(document_->scene(), path));
-          } else {
-            openPath(path);
-          }
-        },
-        Qt::QueuedConnection);
-    return;
-  }
+  QStringList paths;
+  for (const QUrl& url : event->mimeData()->urls())
+    if (url.isLocalFile()) paths += url.toLocalFile();
+  if (paths.isEmpty()) return;
+  event->acceptProposedAction();
+  // After the drop is answered: a dialog must not hold up the program that the file comes from.
+  QMetaObject::invokeMethod(
+      this,
+      [this, paths] {
+        const QString& path = paths.front();
+        if (paths.size() > 1) {
+          openFiles(paths);
+        } else if (path.endsWith(".mrk.json", Qt::CaseInsensitive) && document_->volume()) {
+          importMarks(path);
+        } else if (path.endsWith(app::kPresetExtension, Qt::CaseInsensitive) && document_->volume()) {
+          applyPreset(app::findPreset(path.toStdString()));
+        } else if (isLightProbe(path)) {
+          document_->edit(lightProbeChosen(document_->scene(), path));
+        } else {
+          openPath(path);
+        }
+      },
+      Qt::QueuedConnection);
 }
 
 // ---- Saving

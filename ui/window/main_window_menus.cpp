@@ -147,6 +147,10 @@ void MainWindow::makeViewMenu() {
   animate_->setShortcutContext(Qt::WidgetShortcut);
   viewport_->addAction(animate_);
   connect(animate_, &QAction::triggered, document_, &Document::toggleFlow);
+  play_ = newAction(menu, tr("&Play time steps"), "play", QKeySequence("T"), tr("Play or pause the time steps"));
+  play_->setCheckable(true);
+  play_->setEnabled(false);
+  connect(play_, &QAction::triggered, this, &MainWindow::togglePlay);
   markLevel_ = newAction(menu, tr("&Mark structure lost in the overview"), "", {},
                          tr("Hatch where the coarser level shown may hide structure of the volume"));
   markLevel_->setCheckable(true);

@@ -16,6 +16,7 @@
 #include "ui/window/message_bar.h"
 #include "volume/bricks/hdf5/hdf5.h"
 #include "volume/bricks/zarr/zarr.h"
+#include "volume/read/step_files.h"
 
 namespace isolux::ui {
 
@@ -81,7 +82,7 @@ void MainWindow::browseFolders() {
 
 void MainWindow::openRecent(const RecentFile& file) {
   if (!file.path.startsWith("phantom:") && !QFileInfo::exists(file.path) &&
-      !volume::hdf5PathOf(file.path.toStdString()))
+      !volume::hdf5PathOf(file.path.toStdString()) && volume::stepFiles(file.path.toStdString()).empty())
     removeRecentFile(file.path);
   if (file.series.isEmpty())
     openPath(file.path);

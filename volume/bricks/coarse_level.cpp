@@ -17,6 +17,7 @@
 #include "volume/bricks/level_voxels.h"
 #include "volume/bricks/open_chunked.h"
 #include "volume/read/input/payload.h"
+#include "volume/read/step_files.h"
 
 namespace isolux::volume {
 
@@ -100,8 +101,9 @@ std::string levelNote(const ChunkedFacts& facts, int level) {
          base::shortText(std::max({thin.x, thin.y, thin.z}), 3) + " mm may be missing";
 }
 
-int levelThatFits(const scene::Source& source, base::Progress& progress, int finest, double share) {
-  if (source.path.starts_with("phantom:")) return 0;
+int levelThatFits(const scene::Source& asked, base::Progress& progress, int finest, double share) {
+  if (asked.path.starts_with("phantom:")) return 0;
+  const scene::Source source = sourceOfStep(asked, static_cast<int>(asked.timeStep));
   const std::size_t left = base::machineMemory().left();
   // To open an HDF5 file takes a process: small ones are not opened twice.
   constexpr std::size_t packedAtMost = 20;

@@ -1,11 +1,13 @@
 #include "volume/bricks/open_chunked.h"
 
+#include <cmath>
 #include <filesystem>
 
 #include "base/error.h"
 #include "volume/bricks/open_arrays.h"
 #include "volume/bricks/plain_file.h"
 #include "volume/read/reader.h"
+#include "volume/read/step_files.h"
 
 namespace isolux::volume {
 
@@ -34,6 +36,14 @@ std::shared_ptr<const ChunkedVolume> openChunked(const scene::Source& source, st
   }
   if (source.csg != scene::Csg::none) {
     reason = "a second volume is combined with it (source.csg)";
+    return nullptr;
+  }
+  if (source.timeStep != std::floor(source.timeStep)) {
+    reason = "two time steps are blended (source.time_step)";
+    return nullptr;
+  }
+  if (!stepFiles(source.path).empty()) {
+    reason = "its time steps are files of their own";
     return nullptr;
   }
   if (source.component < 0) {

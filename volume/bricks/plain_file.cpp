@@ -192,6 +192,12 @@ class PlainFile final : public ChunkedVolume {
 
 }  // namespace
 
+std::optional<ImageHeader> headerOfPlainFile(const fs::path& path, const ReadOptions& options) {
+  std::string reason;
+  std::optional<PlainHeader> plain = plainHeaderOf(path, options, reason);
+  return plain ? std::optional(std::move(plain->header)) : std::nullopt;
+}
+
 std::shared_ptr<const ChunkedVolume> openPlainFile(const fs::path& path, const ReadOptions& options,
                                                    std::string& reason) {
   std::optional<PlainHeader> found = plainHeaderOf(path, options, reason);

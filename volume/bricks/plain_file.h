@@ -4,12 +4,18 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "volume/bricks/chunked_volume.h"
+#include "volume/read/input/image_header.h"
 #include "volume/read/reader.h"
 
 namespace isolux::volume {
+
+// The header of a raw, NRRD, MetaImage, NIfTI or plain .vti file, however its voxels are written; nullopt of
+// other formats. Throws as openPlainFile().
+std::optional<ImageHeader> headerOfPlainFile(const std::filesystem::path& path, const ReadOptions& options);
 
 // Null, with one line why, where its voxels cannot be read in parts: packed, written as text, of a type that
 // is stored as another one. Throws base::Error{input} where the file is damaged as its reader would.

@@ -15,6 +15,7 @@
 #include "volume/field/reconstruct.h"
 #include "volume/parallel_steps.h"
 #include "volume/read/patient.h"
+#include "volume/same_geometry.h"
 #include "volume/statistics/histogram.h"
 
 namespace isolux::volume {
@@ -93,17 +94,6 @@ double steepness(const Grid& grid, double isovalue, base::Progress& progress) {
   return static_cast<double>(std::bit_cast<float>(high << 16 | keyOfRank(lower, rank)));
 }
 
-bool sameGeometry(const GridGeometry& a, const GridGeometry& b) {
-  if (a.dims != b.dims) return false;
-  const double tolerance = 1e-6 * std::min({a.spacingMm().x, a.spacingMm().y, a.spacingMm().z});
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec4 voxel((corner & 1) ? a.dims.x - 1 : 0, (corner & 2) ? a.dims.y - 1 : 0,
-                           (corner & 4) ? a.dims.z - 1 : 0, 1.0);
-    if (glm::length(a.worldFromVoxel * voxel - b.worldFromVoxel * voxel) > tolerance) return false;
-  }
-  return true;
-}
-
 // A grid's values at the voxels of another one; NaN where it is missing or does not reach.
 class Resampled {
  public:
@@ -132,12 +122,13 @@ class Resampled {
 // f1 and f2 -> the combined value, csg.h.
 struct Combination {
   scene::Csg op;
-  double v1, v2, scale;
+  double v1, v2, scale, weight;
   double least2;  // of the second: stands where there is none of it
 
   double operator()(double f1, double f2) const {
     if (std::isnan(f2)) f2 = least2;
     const double h = v1 + scale * (f2 - v2);
+    if (op == scene::Csg::blend) return (1.0 - weight) * f1 + weight * h;
     if (op == scene::Csg::unite) return std::max(f1, h);
     return std::min(f1, op == scene::Csg::intersection ? h : 2.0 * v1 - h);
   }
@@ -162,7 +153,19 @@ Grid combine(const Grid& first, const Resampled& second, const Combination& comb
 }
 
 const char* signOf(scene::Csg op) {
-  return op == scene::Csg::unite ? " ∪ " : op == scene::Csg::intersection ? " ∩ " : " − ";
+  switch (op) {
+    case scene::Csg::unite:
+      return " ∪ ";
+    case scene::Csg::intersection:
+      return " ∩ ";
+    case scene::Csg::difference:
+      return " − ";
+    case scene::Csg::blend:
+      return " → ";
+    case scene::Csg::none:
+      break;
+  }
+  return "";
 }
 
 bool reachesOut(const GridGeometry& second, const GridGeometry& first) {
@@ -175,21 +178,26 @@ bool reachesOut(const GridGeometry& second, const GridGeometry& first) {
 
 }  // namespace
 
-CsgResult combined(const Volume& first, const Volume& second, scene::Csg op,
-                   std::optional<double> secondIsovalue, base::Progress& progress) {
+bool showsBoth(scene::Csg op) {
+  return op == scene::Csg::unite || op == scene::Csg::blend;
+}
+
+CsgResult combined(const Volume& first, const Volume& second, const CsgRequest& request,
+                   base::Progress& progress) {
+  const scene::Csg op = request.op;
   assert(op != scene::Csg::none);
   const Grid &f1 = *first.grid, &f2 = *second.grid;
   base::machineMemory().check(f1.geometry().voxelCount() * sizeof(float), "the combined volume",
                               "a volume of fewer voxels needs less");
   const double v1 = isovalueOf(first, progress),
-               v2 = secondIsovalue ? *secondIsovalue : isovalueOf(second, progress);
+               v2 = request.secondIsovalue ? *request.secondIsovalue : isovalueOf(second, progress);
   double scale = 1.0;
   if (first.unit.empty() || first.unit != second.unit) {
     const double steep1 = steepness(f1, v1, progress), steep2 = steepness(f2, v2, progress);
     if (steep1 > 0.0 && steep2 > 0.0) scale = steep1 / steep2;
   }
   const Resampled sampled(f2, f1.geometry());
-  const Combination combination{op, v1, v2, scale, std::min(f2.minimum(), v2)};
+  const Combination combination{op, v1, v2, scale, request.weight, std::min(f2.minimum(), v2)};
 
   CsgResult result;
   result.secondIsovalue = v2;
@@ -205,7 +213,7 @@ CsgResult combined(const Volume& first, const Volume& second, scene::Csg op,
   if (!sampled.direct())
     volume.warnings.emplace_back(
         "the second volume has another grid; interpolated at the voxels of the first");
-  if (op == scene::Csg::unite && reachesOut(f2.geometry(), f1.geometry()))
+  if (showsBoth(op) && reachesOut(f2.geometry(), f1.geometry()))
     volume.warnings.emplace_back("the second volume is cut off where the first one's grid ends");
   if (!(volume.grid->minimum() < v1 && v1 <= volume.grid->maximum()))
     volume.warnings.emplace_back("the combined solid is empty or fills the whole grid");

@@ -11,6 +11,7 @@
 #include "volume/read/input/text.h"
 #include "volume/read/meta_image.h"
 #include "volume/read/nrrd.h"
+#include "volume/read/step_files.h"
 
 namespace isolux::volume {
 
@@ -85,6 +86,11 @@ void addCounterparts(const fs::path& file, std::vector<fs::path>& files) {
 
 std::vector<fs::path> filesOfVolume(const std::string& path) {
   std::vector<fs::path> files;
+  for (const std::string& step : stepFiles(path)) {
+    const std::vector<fs::path> own = filesOfVolume(step);
+    files.insert(files.end(), own.begin(), own.end());
+  }
+  if (!files.empty()) return files;
   fs::path file(path);
   if (!file.has_filename()) file = file.parent_path();  // "folder/"
   std::error_code ignored;

@@ -1,6 +1,8 @@
 // Runs `isolux render` for several pictures, with cameras by name and presets.
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -80,6 +82,71 @@ TEST(RenderSeriesGl, ASweepDrawsEachValueFromOneCamera) {
   // The same as drawn alone from its session.
   EXPECT_EQ(renderIn(folder, {"b_0.png", "--out", "again.png"}).exitCode, 0);
   EXPECT_EQ(contentOf(folder / "again.png"), contentOf(folder / "b_0.png"));
+}
+
+TEST(RenderSeriesGl, ASweepOfTheSourceReadsAVolumeForEachPicture) {
+  const fs::path folder = test::temporaryFolder();
+  const std::vector<std::string> blend{"phantom:ball:24", "--set", "source.csg=blend", "--set", "source.csg_path=phantom:torus"};
+  const auto render = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), blend.begin(), blend.end());
+    return renderIn(folder, more);
+  };
+  const RunResult result = render({"--sweep", "source.csg_weight=0:1:3", "--out", "b_{value}.png"});
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_THAT(filesIn(folder), ElementsAre("b_0.5.png", "b_0.png", "b_1.png"));
+  EXPECT_NE(contentOf(folder / "b_0.png"), contentOf(folder / "b_1.png"));
+  for (const char* picture : {"b_0.png", "b_0.5.png", "b_1.png"}) {
+    EXPECT_EQ(renderIn(folder, {picture, "--out", "alone.png"}).exitCode, 0);
+    EXPECT_EQ(contentOf(folder / "alone.png"), contentOf(folder / picture)) << picture;
+  }
+}
+
+// Balls that grow, one file for each of three steps.
+void writeSteps(const fs::path& folder) {
+  for (int step = 0; step < 3; ++step) {
+    std::ofstream file(folder / ("ball_" + std::to_string(step) + ".nrrd"), std::ios::binary);
+    file << "NRRD0004\ntype: uint8\nencoding: raw\ndimension: 3\nsizes: 16 16 16\n\n";
+    for (int i = 0; i < 16 * 16 * 16; ++i) {
+      const glm::dvec3 at(i % 16, i / 16 % 16, i / 256);
+      file.put(static_cast<char>(std::max(0.0, 90.0 - 10.0 * glm::length(at - 7.5) + 15.0 * step)));
+    }
+  }
+}
+
+TEST(RenderSeriesGl, AFilmOfTimeStepsHasThePictureOfEachStep) {
+  const fs::path folder = test::temporaryFolder();
+  writeSteps(folder);
+  const auto render = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"ball_*.nrrd", "--set", "look.shading=gi", "--set", "gi.samples=4"});
+    return renderIn(folder, more);
+  };
+  const RunResult result = render({"--sweep", "source.time_step=0:2:5", "--out", "f_{value}.png"});
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  const scene::Scene first = loadSession(folder / "f_0.png");
+  std::set<std::string> different;
+  for (const char* step : {"0", "0.5", "1", "1.5", "2"}) {
+    const fs::path picture = folder / ("f_" + std::string(step) + ".png");
+    const scene::Scene scene = loadSession(picture);
+    EXPECT_EQ(scene.camera, first.camera);
+    EXPECT_EQ(scene.isosurface.value, first.isosurface.value) << "that of the first step";
+    EXPECT_EQ(scene.source.path, first.source.path);
+    EXPECT_EQ(renderIn(folder, {picture.string(), "--out", "alone.png"}).exitCode, 0);
+    EXPECT_EQ(contentOf(folder / "alone.png"), contentOf(picture)) << step;
+    different.insert(contentOf(picture));
+  }
+  EXPECT_EQ(different.size(), 5u);
+  const RunResult beyond = render({"--sweep", "source.time_step=0:3:4", "--out", "g_{value}.png"});
+  EXPECT_EQ(beyond.exitCode, 2);
+  EXPECT_THAT(beyond.err, HasSubstr("time step 3 does not exist; the file has 3"));
+}
+
+TEST(RenderSeriesGl, TheFilesOfAFilmAreNotOverwritten) {
+  const fs::path folder = test::temporaryFolder();
+  writeSteps(folder);
+  fs::rename(folder / "ball_1.nrrd", folder / "ball_1.png");
+  const RunResult result = renderIn(folder, {"ball_0.nrrd;ball_1.png;ball_2.nrrd", "--out", "ball_1.png"});
+  EXPECT_EQ(result.exitCode, 2);
+  EXPECT_THAT(result.err, HasSubstr("would be written over the volume"));
 }
 
 // A film as a job array: each run draws some of the pictures.

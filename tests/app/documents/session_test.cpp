@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/documents/stored_scene.h"
+#include "app/files/files.h"
 #include "app/files/image_io.h"
 #include "app/files/state_folder.h"
 #include "base/error.h"
@@ -164,6 +166,17 @@ TEST(Session, AMovedFolderStillFindsItsVolume) {
   fs::rename(folder / "old", folder / "new");
   EXPECT_EQ(loadSession(folder / "new" / "s.isolux").source.path, (folder / "new" / "ct.nii").string());
   EXPECT_EQ(loadSession(folder / "new" / "s.isolux").source.csgPath, (folder / "new" / "cut.stl").string());
+}
+
+TEST(Session, FilesThatAreTimeStepsAreFoundWhereTheyAre) {
+  const fs::path folder = test::temporaryFolder();
+  for (const char* name : {"linked", "real"}) fs::create_directories(folder / name);
+  for (const char* name : {"t_1.nrrd", "t_2.nrrd"}) writeTextFile(folder / "real" / name, "NRRD0004");
+  for (const char* steps : {"t_*.nrrd", "t_2.nrrd;t_1.nrrd"}) {
+    const std::string path = (folder / "real" / steps).string();
+    EXPECT_EQ(storedPath(path, folder), std::string("real/") + steps);
+    EXPECT_EQ(pathFromStored(steps, {folder / "linked", folder / "real"}), path);
+  }
 }
 
 TEST(Session, ALightProbeIsFoundInAMovedFolderFromAnywhere) {

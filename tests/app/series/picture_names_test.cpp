@@ -58,7 +58,7 @@ TEST(Sweep, WhatCannotBeSweptIsRefusedInOneLine) {
         "isosurface.value=1:2:2.5", "isosurface.value=1:2:3:4",
         "isosurface.value=1:2:3:", "isosurface.value=a:2:3", "isosurface.value=1:2:1000000",
         "isosurface.value=1:inf:3", "look.mode=1:2:3", "camera.eye=1:2:3", "no.such=1:2:3", "look.fog=0:7:3",
-        "gi.bounces=1:2:3", "source.component=0:1:2", "memory.gpu_budget_mb=100:200:3"}) {
+        "gi.bounces=1:2:3", "memory.gpu_budget_mb=100:200:3"}) {
     try {
       parseSweep(text);
       ADD_FAILURE() << text;

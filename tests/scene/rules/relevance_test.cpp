@@ -155,7 +155,10 @@ TEST(Relevance, HitsIsosurfacesAndSources) {
   EXPECT_FALSE(acts("source.mesh_voxels", scene));
   scene.hit.method = scene::HitMethod::sampled;
   scene.extraIsosurfaces[1].shown = true;
+  scene.source.csg = scene::Csg::blend;
+  EXPECT_TRUE(acts("source.csg_weight", scene));
   scene.source.csg = scene::Csg::unite;
+  EXPECT_FALSE(acts("source.csg_weight", scene));
   scene.source.path = "/scans/Skull.STL";
   EXPECT_TRUE(acts("hit.rate", scene));
   EXPECT_TRUE(acts("isosurface3.value", scene));

@@ -46,7 +46,7 @@ TEST(Csg, OfDistancesIsMinimumAndMaximum) {
   const Volume a = volumeOf(cube, "mm", 0.0, ball), b = volumeOf(cube, "mm", 0.0, otherBall);
   for (const Csg op : kOperations) {
     base::Progress progress;
-    const auto result = volume::combined(a, b, op, std::nullopt, progress);
+    const auto result = volume::combined(a, b, {op}, progress);
     EXPECT_EQ(result.volume.isovalue, 0.0);
     EXPECT_EQ(result.secondIsovalue, 0.0);
     const auto f1 = test::valuesOf(a), f2 = test::valuesOf(b), f = test::valuesOf(result.volume);
@@ -66,7 +66,7 @@ TEST(Csg, AtItsIsovalueIsTheCombinedSolidWhateverTheUnits) {
   for (const Csg op : kOperations)
     for (const double value : {0.5, 0.47}) {
       base::Progress progress;
-      const auto result = volume::combined(scan, cut, op, value, progress);
+      const auto result = volume::combined(scan, cut, {op, value}, progress);
       const auto f1 = test::valuesOf(scan), f2 = test::valuesOf(cut), f = test::valuesOf(result.volume);
       for (std::size_t i = 0; i < f.size(); ++i)
         ASSERT_EQ(f[i] >= 300.0,
@@ -74,11 +74,40 @@ TEST(Csg, AtItsIsovalueIsTheCombinedSolidWhateverTheUnits) {
     }
 }
 
+TEST(Csg, ABlendGoesFromTheFirstToTheSecondVoxelByVoxel) {
+  const Volume a = volumeOf(cube, "mm", 0.0, ball), b = volumeOf(cube, "mm", 1.0, otherBall);
+  const auto f1 = test::valuesOf(a), f2 = test::valuesOf(b);
+  for (const double weight : {0.0, 0.25, 1.0}) {
+    base::Progress progress;
+    const auto result = volume::combined(a, b, {Csg::blend, std::nullopt, weight}, progress);
+    EXPECT_EQ(result.volume.isovalue, 0.0);
+    const auto f = test::valuesOf(result.volume);
+    for (std::size_t i = 0; i < f.size(); ++i)
+      ASSERT_EQ(f[i], static_cast<float>((1.0 - weight) * f1[i] + weight * (f2[i] - 1.0)));
+  }
+}
+
+TEST(Csg, WhereTheSecondEndsABlendTakesItsMinimum) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  Volume a, b;
+  a.grid = std::make_shared<Grid>(GridGeometry::make({3, 1, 1}, glm::dvec3(1.0)),
+                                  std::vector<float>{nan, 2.0F, 4.0F});
+  b.grid = std::make_shared<Grid>(GridGeometry::make({2, 1, 1}, glm::dvec3(1.0)),
+                                  std::vector<float>{3.0F, -6.0F});
+  a.unit = b.unit = "mm";
+  a.isovalue = b.isovalue = 0.0;
+  base::Progress progress;
+  const auto f = test::valuesOf(volume::combined(a, b, {Csg::blend, std::nullopt, 0.5}, progress).volume);
+  EXPECT_TRUE(std::isnan(f[0]));
+  EXPECT_EQ(f[1], -2.0);
+  EXPECT_EQ(f[2], -1.0);
+}
+
 TEST(Csg, AStepOfTheIsovalueMovesBothSurfacesAlike) {
   const Volume scan = volumeOf(cube, "HU", 300.0, [](const glm::dvec3& p) { return 300.0 + 80.0 * ball(p); });
   const Volume cut = volumeOf(cube, "", 0.5, [](const glm::dvec3& p) { return 0.5 + 0.01 * otherBall(p); });
   base::Progress progress;
-  const auto result = volume::combined(scan, cut, Csg::unite, std::nullopt, progress);
+  const auto result = volume::combined(scan, cut, {Csg::unite}, progress);
   // 80 HU less is 1 mm outward, for both balls (the steepness is measured along the axes: to 5 %).
   const auto f = test::valuesOf(result.volume);
   std::size_t i = 0, wrong = 0;
@@ -99,7 +128,7 @@ TEST(Csg, OnAnotherGridTheSecondIsInterpolated) {
   const Volume a = volumeOf(cube, "mm", 0.0, [](const glm::dvec3&) { return 100.0; });
   const Volume b = volumeOf(other, "mm", 0.0, plane);
   base::Progress progress;
-  const auto result = volume::combined(a, b, Csg::intersection, std::nullopt, progress);
+  const auto result = volume::combined(a, b, {Csg::intersection}, progress);
   EXPECT_TRUE(test::warns(result.volume, "another grid"));
   const glm::dmat4 voxelFromWorld = other.voxelFromWorld();
   int inside = 0, outside = 0;
@@ -121,7 +150,7 @@ TEST(Csg, OnAnotherGridTheSecondIsInterpolated) {
   EXPECT_GT(inside, 1000);
   EXPECT_GT(outside, 1000);
   EXPECT_FALSE(test::warns(result.volume, "cut off"));
-  EXPECT_TRUE(test::warns(volume::combined(a, b, Csg::unite, std::nullopt, progress).volume, "cut off"));
+  EXPECT_TRUE(test::warns(volume::combined(a, b, {Csg::unite}, progress).volume, "cut off"));
 }
 
 TEST(Csg, MissingVoxels) {
@@ -134,7 +163,7 @@ TEST(Csg, MissingVoxels) {
   a.unit = b.unit = "mm";
   base::Progress progress;
   for (const Csg op : kOperations) {
-    const auto f = test::valuesOf(volume::combined(a, b, op, std::nullopt, progress).volume);
+    const auto f = test::valuesOf(volume::combined(a, b, {op}, progress).volume);
     EXPECT_TRUE(std::isnan(f[0]));
     EXPECT_EQ(f[1] >= 0.0, op != Csg::intersection);  // nothing of the second there
     EXPECT_EQ(f[2] >= 0.0, op != Csg::intersection);

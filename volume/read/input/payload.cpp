@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "base/number_text.h"
 #include "volume/read/input/streams.h"
 #include "volume/read/input/text.h"
 
@@ -358,10 +359,16 @@ void noteChoices(Volume& volume, const ReadOptions& options) {
     volume.warnings.push_back(std::to_string(volume.components) + " components per voxel, " + shown +
                               " is shown; source.component chooses another, -1 the magnitude");
   }
-  if (volume.timeSteps > 1)
-    volume.warnings.push_back(std::to_string(volume.timeSteps) + " time steps, step " +
-                              std::to_string(options.timeStep) +
-                              " is shown; source.time_step chooses another");
+}
+
+void noteStep(Volume& volume, double step) {
+  if (volume.timeSteps < 2) return;
+  const int whole = static_cast<int>(step);
+  const std::string blend = step > whole ? ", a blend of " + std::to_string(whole) + " and " +
+                                               std::to_string(whole + 1) + ","
+                                         : "";
+  volume.warnings.push_back(std::to_string(volume.timeSteps) + " time steps, step " + base::shortestText(step) +
+                            blend + " is shown; source.time_step chooses another");
 }
 
 void noteMissing(Volume& volume, const Grid& grid) {

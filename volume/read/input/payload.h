@@ -37,6 +37,7 @@ inline constexpr std::string_view kScalingLeftOut = "slope and intercept are too
 
 // What a user should know: that the file has more than is shown, that voxels are missing.
 void noteChoices(Volume& volume, const ReadOptions& options);
+void noteStep(Volume& volume, double step);
 void noteMissing(Volume& volume, const Grid& grid);
 
 // Everything after the header: checks, decodes, converts and fills the Volume (all but `name`).
