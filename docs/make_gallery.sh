@@ -299,7 +299,11 @@ isolux render $torus --look gaussian_curvature --out paper_gaussian.png
 isolux render $arm --look tone --out paper_tone.png
 isolux render $arm --look tone --set look.accessibility=1 --out paper_accessibility.png
 isolux render $bunny --look flow --out paper_flow.png
-isolux render $skull --look tone --set look.contours=1 --set look.ridges=1 --out paper_lines.png
+isolux render $data/volumes/ct_cranium.mhd --isovalue 300 --view anterior --fit surface $paper --look tone \
+  --set pieces.keep=1 --set picture.caveats=false --set look.contours=1 --set look.ridges=1 --out paper_lines.png
+isolux render $skull --set look.overlay=blocks --out paper_blocks.png
+isolux render $skull --set memory.layout=bricks --set look.overlay=bricks --executor gpu --out paper_bricks.png
+isolux render $skull --set camera.fov=4 --look gi --set gi.lattice_scale=0.5 --set look.overlay=texels --out paper_texels.png
 
 lit="$skull $grace"
 heptane="$data/volumes/heptane.nii.gz --isovalue 60 $paper"
@@ -318,6 +322,11 @@ isolux render $heptane $grace --out paper_heptane_light.png
 isolux render $heptane --look gi --set gi.mode=vicinity --out paper_heptane_vicinity.png
 isolux render $heptane --look lambert --set look.fog=0.7 --out paper_heptane_fog.png
 isolux render $heptane --look lambert --out paper_heptane_lambert.png
+for value in 0.51 0.60 0.69; do
+  isolux render $skull --isovalue $value --look gi --set gi.texels=own --set light.environment.constant=0.1,0.12,0.2 \
+    --set lamp1.shown=true --set lamp1.kind=sphere --set lamp1.color=1,0.8,0.35 --set lamp1.position=330,-80,150 \
+    --set lamp1.radius=12 --set picture.exposure=0 --out paper_fade_$value.png
+done
 for scale in 0.5 1 2; do
   isolux render $lit --set gi.lattice_scale=$scale --set gi.interpolation=trilinear --out paper_lattice_$scale.png
 done

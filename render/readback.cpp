@@ -65,6 +65,9 @@ Source sourceOf(const FrameState& frame, Aov aov) {
     case Aov::curvature_confidence:
       source.first = frame.image(image::curvature, 0).readFloats(4);
       break;
+    case Aov::flowline_curvature:
+      source.info = frame.image(image::curvature, 2).readFloats(1);
+      break;
     case Aov::direction1:
       source.second = frame.image(image::curvature, 1).readFloats(4);
       break;
@@ -203,6 +206,9 @@ AovImage readAov(const FrameState& frame, const DrawnFrame& drawn, Aov aov) {
         break;
       case Aov::curvature_confidence:
         out[0] = source.first[4 * i + 2];
+        break;
+      case Aov::flowline_curvature:
+        out[0] = source.info[i];
         break;
       case Aov::scale:
         out[0] = static_cast<float>(drawn.scaleMm);

@@ -32,12 +32,14 @@ enum class LookMode {
   gaussian_curvature,
   shape_index,
   curvedness,
+  flowline_curvature,
   curvature_2d,
   accessibility,
   edge_offset,
   flow,
   gi,
   normal,
+  curvature_direction,
   depth
 };
 enum class Shading { unlit, lambert, blinn_phong, tone, gi };  // gi: baked global illumination

@@ -143,4 +143,35 @@ std::vector<glm::vec3> colorMapSamples(ColorMap map, int size, LookColors automa
   return samples;
 }
 
+glm::dvec3 colorOfPoints(std::span<const ColorPoint> points, double t) {
+  const auto above = std::upper_bound(points.begin(), points.end(), t,
+                                      [](double at, const ColorPoint& point) { return at < point.position; });
+  if (above == points.begin()) return above->color;
+  const ColorPoint& below = *(above - 1);
+  if (above == points.end()) return below.color;
+  return glm::mix(below.color, above->color, (t - below.position) / (above->position - below.position));
+}
+
+std::vector<glm::vec3> pointSamples(std::span<const ColorPoint> points, int size) {
+  assert(size >= 2);
+  std::vector<glm::vec3> samples;
+  for (int i = 0; i < size; ++i)
+    samples.emplace_back(colorOfPoints(points, static_cast<double>(i) / (size - 1)));
+  return samples;
+}
+
+std::vector<ColorPoint> automaticColorPoints(const Look& look) {
+  constexpr int count = 9;
+  const std::vector<glm::vec3> samples = colorMapSamples(look.colormap, count, lookInfo(look.mode).colors);
+  std::vector<ColorPoint> points;
+  for (std::size_t i = 0; i < samples.size(); ++i)  // to a thousandth: they are read and edited by people
+    points.push_back(
+        {static_cast<double>(i) / (count - 1), glm::round(glm::dvec3(samples[i]) * 1000.0) / 1000.0});
+  return points;
+}
+
+std::vector<ColorPoint> automaticAccessibilityPoints() {
+  return {{0.0, {0.10, 0.075, 0.06}}, {1.0, glm::dvec3(1.0)}};
+}
+
 }  // namespace isolux::scene

@@ -37,6 +37,7 @@ struct LookInfo {
   LookKind kind;
   bool readsGradient = true;
   bool readsCurvature = false;
+  bool readsFlowline = false;        // the curvature of the gradient's flowlines (volume/field/curvature.h)
   bool readsEdge = false;            // the position of the object's edge (volume/edge)
   Shading shading = Shading::unlit;  // of kind shading
 

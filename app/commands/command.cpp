@@ -9,6 +9,7 @@
 #include <map>
 #include <sstream>
 
+#include <nlohmann/json.hpp>
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 
@@ -16,6 +17,7 @@
 #include "app/documents/session.h"
 #include "app/files/files.h"
 #include "app/files/image_io.h"
+#include "app/files/number_rows.h"
 #include "app/presets/preset_list.h"
 #include "base/error.h"
 #include "base/memory_budget.h"
@@ -59,6 +61,26 @@ void addEnvironment(const std::string& value, std::vector<std::string>& assignme
 
 }  // namespace
 
+namespace {
+
+// "look.colormap_points=@FILE": the rows of the file as the list that stands for them. Others stay.
+std::string withPointsOfFile(const std::string& assignment) {
+  const std::size_t at = assignment.find("=@");
+  if (at == std::string::npos) return assignment;
+  const std::string_view path = scene::pathOf(assignment);
+  for (const scene::Setting& setting : scene::settings()) {
+    const bool points = setting.type == scene::SettingType::points;
+    if (setting.path != path || (!points && setting.type != scene::SettingType::color_points)) continue;
+    nlohmann::json list = nlohmann::json::array();
+    for (const NumberRow& row : readNumberRows(assignment.substr(at + 2), points ? 5 : 4))
+      list.push_back(row.numbers);
+    return assignment.substr(0, at + 1) + list.dump();
+  }
+  return assignment;
+}
+
+}  // namespace
+
 std::shared_ptr<SceneOptions> addSceneOptions(CLI::App& parser, Draws draws) {
   auto options = std::make_shared<SceneOptions>();
   // trigger_on_parse: each occurrence is handled as it is met, so that their order is that of the line.
@@ -79,8 +101,10 @@ std::shared_ptr<SceneOptions> addSceneOptions(CLI::App& parser, Draws draws) {
         [options, path](const std::string& value) { options->assignments.push_back(path + ("=" + value)); };
   };
   add(
-      "--set", [options](const std::string& value) { options->assignments.push_back(value); }, "PATH=VALUE",
-      "Change one setting; may be repeated; `isolux settings` lists all");
+      "--set", [options](const std::string& value) { options->assignments.push_back(withPointsOfFile(value)); },
+      "PATH=VALUE",
+      "Change one setting; may be repeated; `isolux settings` lists all; PATH=@FILE reads control points from "
+      "rows of numbers");
   parser
       .add_option("--session", options->session,
                   "Start from this session (.isolux, or a .png that carries one)")

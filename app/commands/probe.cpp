@@ -45,6 +45,7 @@ void addPoint(ordered_json& json, const Probes& probes, glm::dvec3 world,
   json["normal"] = shaped ? vectorOf(point->curvature.normal) : ordered_json();
   json["kappa"] =
       shaped ? ordered_json::array({point->curvature.kappa1, point->curvature.kappa2}) : ordered_json();
+  json["flowline_curvature"] = shaped ? ordered_json(point->curvature.flowline) : ordered_json();
   json["confidence"] = point ? ordered_json(point->confidence) : ordered_json();
   json["scale_mm"] = point ? ordered_json(point->scaleMm) : ordered_json();
   const volume::Edge edge = shaped ? probes.edges.at(point->voxel) : volume::Edge{};

@@ -35,6 +35,7 @@ const std::vector<AovInfo>& aovs() {
       {Aov::kappa, "kappa", "1/mm", {"1", "2"}},
       {Aov::direction1, "direction1", "unit vector, world", {"x", "y", "z"}},
       {Aov::direction2, "direction2", "unit vector, world", {"x", "y", "z"}},
+      {Aov::flowline_curvature, "flowline_curvature", "1/mm", {""}},
       {Aov::curvature_confidence, "curvature_confidence", "0 to 1", {""}},
       {Aov::scale, "scale", "mm, of the curvature", {""}},
       {Aov::edge_offset, "edge_offset", "mm along the outward normal", {""}},

@@ -28,6 +28,7 @@ enum class Aov {
   kappa,
   direction1,
   direction2,
+  flowline_curvature,
   curvature_confidence,
   scale,
   edge_offset,

@@ -56,7 +56,7 @@ bool readsDerivatives(Aov aov) {
 
 bool readsHessian(Aov aov) {
   return aov == Aov::hessian || aov == Aov::kappa || aov == Aov::direction1 || aov == Aov::direction2 ||
-         aov == Aov::curvature_confidence;
+         aov == Aov::flowline_curvature || aov == Aov::curvature_confidence;
 }
 
 bool readsEdge(Aov aov) {

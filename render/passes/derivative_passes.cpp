@@ -19,6 +19,11 @@ bool readsDirection(const FrameRequest& request) {
                      [](Aov aov) { return aov == Aov::direction1 || aov == Aov::direction2; });
 }
 
+bool readsFlowline(const scene::Scene& scene, const FrameRequest& request) {
+  return scene::needsFlowline(scene) ||
+         std::find(request.aovs.begin(), request.aovs.end(), Aov::flowline_curvature) != request.aovs.end();
+}
+
 bool hessianIsRead(const Asked& asked) {
   FrameRequest request = asked.request;
   request.color = request.color && asked.volume.crossed;  // no colour of nothing
@@ -110,25 +115,36 @@ std::optional<std::size_t> HessianPass::bytes(const FrameState& frame) const {
 void CurvaturePass::declare(Declaring& d) const {
   const bool asImage = readsDirection(d.asked.request);
   d.reads(image::surface).reads(image::tangents).reads(image::hessian);
-  d.writes(image::curvature, asImage ? 32 : 24).input("directions as an image", asImage);
+  const bool flowline = readsFlowline(d.asked.scene, d.asked.request);
+  d.writes(image::curvature, (asImage ? 32 : 24) + (flowline ? 4 : 0));
+  d.input("directions as an image", asImage).input("flowlines", flowline);
   d.settings({"isosurface.inside", "derivatives.noise"});
 }
 
 std::optional<LookInput> CurvaturePass::forLook(const scene::Scene& scene) const {
   if (!scene::needsCurvature(scene)) return std::nullopt;
+  if (scene::needsFlowline(scene))
+    return LookInput{image::curvature, "CURVATURE", {"uKappa", "uDirection", "uFlowline"}};
   return LookInput{image::curvature, "CURVATURE", {"uKappa", "uDirection"}};
 }
 
 void CurvaturePass::run(FrameState& frame) {
   // For pictures, half floats are enough for directions.
   const GLenum direction = readsDirection(frame.request) ? GL_RGBA32F : GL_RGBA16F;
-  Target& target = frame.target(image::curvature, {GL_RGBA32F, direction});
+  const bool flowline = readsFlowline(*frame.scene, frame.request);
+  Target& target = flowline ? frame.target(image::curvature, {GL_RGBA32F, direction, GL_R32F})
+                            : frame.target(image::curvature, {GL_RGBA32F, direction});
   if (frame.empty()) {
-    frame.clear(target, {kZero, kZero});
+    if (flowline)
+      frame.clear(target, {kZero, kZero, kZero});
+    else
+      frame.clear(target, {kZero, kZero});
     return;
   }
   const FieldAt field = frame.curvatureField();
-  Program& p = frame.program(shader, field.scaleMm > 0.0 ? "#define SCALED\n" : "");
+  std::string defines = field.scaleMm > 0.0 ? "#define SCALED\n" : "";
+  if (flowline) defines += "#define FLOWLINE\n";
+  Program& p = frame.program(shader, defines);
   p.setTexture("uGradient", 0, frame.image(image::tangents));
   p.set("uOutward", static_cast<float>(frame.outward()));
   const volume::GridGeometry& geometry = frame.volume->grid().geometry();

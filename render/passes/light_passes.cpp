@@ -171,17 +171,22 @@ void FrameLight::setLocalLight(const FrameState& frame, Program& p) const {
   }
 }
 
+glm::vec3 FrameLight::texelsPerVoxel() const {
+  const gi::LatticeGeometry& geometry = atlas_.geometry();
+  glm::vec3 texels(0.0f);
+  for (int axis = 0; axis < 3; ++axis)
+    if (geometry.volumeDims[axis] > 1)
+      texels[axis] =
+          static_cast<float>(geometry.dims[axis] - 1) / static_cast<float>(geometry.volumeDims[axis] - 1);
+  return texels;
+}
+
 void FrameLight::setLattice(const FrameState& frame, Program& p) {
   atlas_.bind(p, 3);
   const gi::LatticeGeometry& geometry = atlas_.geometry();
   p.set("uLatticeDims", geometry.dims);
   p.set("uLatticeBlocks", geometry.blockDims());
-  glm::vec3 texelsPerVoxel(0.0f);
-  for (int axis = 0; axis < 3; ++axis)
-    if (geometry.volumeDims[axis] > 1)
-      texelsPerVoxel[axis] =
-          static_cast<float>(geometry.dims[axis] - 1) / static_cast<float>(geometry.volumeDims[axis] - 1);
-  p.set("uTexelsPerVoxel", texelsPerVoxel);
+  p.set("uTexelsPerVoxel", texelsPerVoxel());
   p.set("uSkyScale", frame.light->skyScale * atlas_.layout().skyUnit);
   p.set("uLampsUnit", atlas_.layout().lampsUnit);
   if (atlas_.holdsPartsOfOpenSky()) p.set("uPerMeanSky", atlas_.openSky().perMean());

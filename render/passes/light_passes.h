@@ -35,6 +35,8 @@ class FrameLight {
   std::size_t bytes() const;  // on the GPU
   std::size_t atlasBytes() const { return atlas_.bytes(); }
   void report(LightReport& out) const;
+  // Returns the texels per voxel of the stored light, 0 on an axis of one texel.
+  glm::vec3 texelsPerVoxel() const;
 
  private:
   void setLattice(const FrameState& frame, Program& program);

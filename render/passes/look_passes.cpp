@@ -14,6 +14,7 @@
 #include "render/passes/light_passes.h"
 #include "render/passes/second_volume_pass.h"
 #include "render/readback.h"
+#include "scene/color_maps.h"
 #include "scene/looks.h"
 #include "scene/opacity.h"
 #include "scene/rules/needs.h"
@@ -56,8 +57,16 @@ std::string constantsOf(const std::string& prefix) {
   return defines;
 }
 
+// What there is of look.overlay: no bricks in one texture, and no texels without baked light.
+scene::WorkOverlay overlayOf(const scene::Scene& scene, bool bricks) {
+  const scene::WorkOverlay overlay = scene.look.overlay;
+  const bool none = scene::isPlain(scene) || (overlay == scene::WorkOverlay::bricks && !bricks) ||
+                    (overlay == scene::WorkOverlay::texels && !scene::usesGi(scene));
+  return none ? scene::WorkOverlay::none : overlay;
+}
+
 // The parts of shade.frag.glsl that this scene needs.
-std::string definesOf(const scene::Scene& scene, const std::vector<LookInput>& inputs) {
+std::string definesOf(const scene::Scene& scene, bool bricks, const std::vector<LookInput>& inputs) {
   const scene::Look& look = scene.look;
   const auto number = [](const char* name, auto value) {
     return "#define " + std::string(name) + " " + std::to_string(static_cast<int>(value)) + "\n";
@@ -68,14 +77,17 @@ std::string definesOf(const scene::Scene& scene, const std::vector<LookInput>& i
   const scene::LookKind kind = scene::lookInfo(look.mode).kind;
   static const std::string constants = constantsOf<scene::LookMode>("LOOK_") +
                                        constantsOf<scene::Shading>("SHADING_") +
-                                       constantsOf<scene::SolidTexture>("TEXTURE_");
+                                       constantsOf<scene::SolidTexture>("TEXTURE_") +
+                                       constantsOf<scene::WorkOverlay>("OVERLAY_");
   std::string defines =
       constants + flag("MEASURE", kind == scene::LookKind::measure) +
       flag("MEASURE_SQUARE", kind == scene::LookKind::square) + number("LOOK", look.mode) +
       number("SHADING", scene::shadingOf(scene)) + number("TEXTURE", look.texture) +
       flag("FOG", look.fog > 0.0) + flag("FOG_BACKGROUND", !look.fogColor) +
       flag("FACING", scene::variesByAngle(scene)) +
-      flag("ACCESSIBILITY", look.accessibility > 0.0 || look.mode == scene::LookMode::accessibility);
+      flag("ACCESSIBILITY", look.accessibility > 0.0 || look.mode == scene::LookMode::accessibility) +
+      number("OVERLAY", overlayOf(scene, bricks)) +
+      flag("CREVICES", look.accessibilityPoints.has_value());
   for (const LookInput& input : inputs) defines += flag(input.define, *input.define != '\0');
   return defines;
 }
@@ -106,6 +118,13 @@ void setLook(const scene::Scene& scene, Program& p) {
     if (value.is_array())
       p.set(name.c_str(), glm::vec3(value[0].get<float>(), value[1].get<float>(), value[2].get<float>()));
   }
+}
+
+Texture colorTexture(const FrameState& frame, glm::ivec2 size, const std::vector<glm::vec3>& texels) {
+  Texture colors = Texture::make2D(frame.gl, GL_RGB32F, size);
+  frame.gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  frame.gl->TextureSubImage2D(colors.id(), 0, 0, 0, size.x, size.y, GL_RGB, GL_FLOAT, texels.data());
+  return colors;
 }
 
 // Toward the lights that stand around the viewer, as photographers place them: unit, world.
@@ -197,13 +216,11 @@ void ShadePass::setMeasure(FrameState& frame, Program& p) {
   p.set("uFlat", static_cast<float>(frame.flatCurvature()));
   if (!scene::isMeasure(look.mode)) return;
   const bool same = colors_ && colorsOf_.mode == look.mode && colorsOf_.colormap == look.colormap &&
+                    colorsOf_.colormapPoints == look.colormapPoints &&
                     colorsOf_.curvaturePoints == look.curvaturePoints;
   if (!same) {
     const MeasureColors colors = measureColors(look);
-    colors_ = Texture::make2D(frame.gl, GL_RGB32F, colors.size);
-    frame.gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    frame.gl->TextureSubImage2D(colors_.id(), 0, 0, 0, colors.size.x, colors.size.y, GL_RGB, GL_FLOAT,
-                                colors.texels.data());
+    colors_ = colorTexture(frame, colors.size, colors.texels);
     colorsOf_ = look;
   }
   p.setTexture("uColorMap", colorMapUnit, colors_);
@@ -213,10 +230,7 @@ void ShadePass::setMeasure(FrameState& frame, Program& p) {
 void ShadePass::setSecond(FrameState& frame, Program& p, int unit) {
   const scene::ColorVolume& color = frame.scene->color;
   if (!secondColors_ || secondColorsOf_ != color.map) {
-    secondColors_ = Texture::make2D(frame.gl, GL_RGB32F, {kSecondColors, 1});
-    frame.gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    frame.gl->TextureSubImage2D(secondColors_.id(), 0, 0, 0, kSecondColors, 1, GL_RGB, GL_FLOAT,
-                                secondColors(*frame.scene).data());
+    secondColors_ = colorTexture(frame, {kSecondColors, 1}, secondColors(*frame.scene));
     secondColorsOf_ = color.map;
   }
   p.setTexture("uSecondColors", unit, secondColors_);
@@ -225,6 +239,16 @@ void ShadePass::setSecond(FrameState& frame, Program& p, int unit) {
   p.set("uSecondFades", color.fade ? 1 : 0);
   p.set("uIsolines", static_cast<float>(color.isolines));
   p.set("uIsolineWidth", static_cast<float>(color.isolineWidth * frame.raysPerWidth()));
+}
+
+void ShadePass::setCrevices(const FrameState& frame, Program& p, int unit) {
+  const auto& points = frame.scene->look.accessibilityPoints;
+  if (!crevices_ || crevicesOf_ != points) {
+    constexpr int samples = 256;
+    crevices_ = colorTexture(frame, {samples, 1}, scene::pointSamples(*points, samples));
+    crevicesOf_ = points;
+  }
+  p.setTexture("uCrevices", unit, crevices_);
 }
 
 void ShadePass::setOverlays(FrameState& frame, Program& p) const {
@@ -236,6 +260,12 @@ void ShadePass::setOverlays(FrameState& frame, Program& p) const {
   p.set("uFlowStrength", static_cast<float>(look.mode == scene::LookMode::flow ? 1.0 : scene.flow.strength));
   p.set("uTextureScale", static_cast<float>(look.textureScale.value_or(1.0)));
   p.set("uDepthRange", glm::vec2(frame.view->depthRangeMm));
+  if (look.overlay != scene::WorkOverlay::none) {
+    const int cells = look.overlay == scene::WorkOverlay::bricks ? brickCells : frame.volume->blocks().blockCells();
+    p.set("uCellsPerVoxel", look.overlay == scene::WorkOverlay::texels
+                                ? frame.lighting->texelsPerVoxel()
+                                : glm::vec3(1.0f / static_cast<float>(cells)));
+  }
   p.set("uFogColor", glm::vec3(look.fogColor.value_or(glm::dvec3(0.0))));
 }
 
@@ -273,14 +303,15 @@ void ShadePass::declare(Declaring& d) const {
 
 Program& ShadePass::prepared(FrameState& frame) {
   const std::vector<LookInput> inputs = inputsOf(frame);
-  Program& p = frame.program(shader, definesOf(*frame.scene, inputs));
+  Program& p = frame.program(shader, definesOf(*frame.scene, frame.bricks() != nullptr, inputs));
   frame.setView(p);
   frame.setPoint(p, surfaceUnit);
   int unit = firstInputUnit;
   for (const LookInput& input : inputs)
     for (std::size_t i = 0; i < input.samplers.size(); ++i)
       p.setTexture(input.samplers[i], unit++, frame.image(input.image, i));
-  if (scene::showsSecondVolume(*frame.scene)) setSecond(frame, p, unit);
+  if (scene::showsSecondVolume(*frame.scene)) setSecond(frame, p, unit++);
+  if (p.uses("uCrevices")) setCrevices(frame, p, unit);
   setSurfaces(frame, p);
   setLook(*frame.scene, p);
   setLight(frame, p);

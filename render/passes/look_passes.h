@@ -23,6 +23,7 @@ class ShadePass : public Pass {
   void forget() override {
     colors_ = Texture();
     secondColors_ = Texture();
+    crevices_ = Texture();
   }
 
  private:
@@ -32,6 +33,7 @@ class ShadePass : public Pass {
   void setLight(FrameState& frame, Program& program) const;
   void setMeasure(FrameState& frame, Program& program);
   void setSecond(FrameState& frame, Program& program, int unit);
+  void setCrevices(const FrameState& frame, Program& program, int unit);
   void setOverlays(FrameState& frame, Program& program) const;
 
   // The colour map's samples, and the look they were made from.
@@ -39,6 +41,8 @@ class ShadePass : public Pass {
   scene::Look colorsOf_;
   Texture secondColors_;  // of the second volume
   scene::ColorMap secondColorsOf_ = scene::ColorMap::automatic;
+  Texture crevices_;  // of look.accessibility_points
+  std::optional<std::vector<scene::ColorPoint>> crevicesOf_;
 };
 
 // Draws crossings behind transparent surfaces, one after another until none is visible. For each crossing,

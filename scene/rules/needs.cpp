@@ -110,9 +110,13 @@ bool needsGradient(const Scene& scene) {
 
 bool needsCurvature(const Scene& scene) {
   const Look& look = scene.look;
-  if (isPlain(scene)) return false;
+  if (isPlain(scene)) return lookInfo(look.mode).readsCurvature;
   return lookInfo(look.mode).readsCurvature || look.accessibility > 0.0 || drawsLines(scene) ||
          showsFlow(scene);
+}
+
+bool needsFlowline(const Scene& scene) {
+  return lookInfo(scene.look.mode).readsFlowline;
 }
 
 bool needsEdge(const Scene& scene) {

@@ -198,13 +198,16 @@ constexpr Rule rules[] = {
     {"look.texture_scale", [](const Scene& s) { return s.look.texture != SolidTexture::none; },
      "there is no texture"},
     {"look.shadow", keyLightActs, "the key light has no effect"},
-    {"look.fog look.fog_color look.accessibility look.ridges look.contours look.suggestive_contours "
+    {"look.fog look.fog_color look.accessibility look.accessibility_points look.overlay look.ridges look.contours look.suggestive_contours "
      "flow.strength",
      [](const Scene& s) { return !isPlain(s); }, "this look shows a raw quantity without overlays"},
     {"look.fog_color", [](const Scene& s) { return s.look.fog > 0.0; }, "there is no fog"},
 
-    {"look.colormap", [](const Scene& s) { return lookInfo(s.look.mode).kind == LookKind::measure; },
+    {"look.colormap look.colormap_points",
+     [](const Scene& s) { return lookInfo(s.look.mode).kind == LookKind::measure; },
      "this look does not show a single quantity in colour"},
+    {"look.colormap", [](const Scene& s) { return !s.look.colormapPoints; },
+     "control points are set (look.colormap_points)"},
     {"look.range_low look.range_high", colorsMeanNumbers, "this look shows no quantity in colour"},
     {"look.legend look.legend_corner",
      [](const Scene& s) { return colorsMeanNumbers(s) || showsSecondVolume(s); },
@@ -223,6 +226,9 @@ constexpr Rule rules[] = {
 
     {"look.accessibility", [](const Scene& s) { return s.look.mode != LookMode::accessibility; },
      "the look shows crevice shading at full strength"},
+    {"look.accessibility_points",
+     [](const Scene& s) { return s.look.mode == LookMode::accessibility || s.look.accessibility > 0.0; },
+     "crevice shading is off"},
     {"look.ridge_threshold look.ridge_width look.ridge_width_unit look.ridge_length look.ridge_color "
      "look.valley_color",
      drawsRidges, "the strength of ridge and valley lines is 0"},

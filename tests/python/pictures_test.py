@@ -40,7 +40,7 @@ SCENES = {
          "picture.scale_bar=true", "--set", "picture.isovalue=true"]),
 }
 IMAGES = ["position", "voxel", "depth", "value_error", "normal", "gradient", "hessian", "kappa", "direction1", "direction2",
-          "curvature_confidence", "scale", "piece", "hit"]
+          "flowline_curvature", "curvature_confidence", "scale", "piece", "hit"]
 
 
 class TheSamePictures(unittest.TestCase):

@@ -90,5 +90,25 @@ TEST(ColorMapsTest, AutomaticFitsTheMeasure) {
   EXPECT_GT(lightness(shape[4]), 90.0);         // saddle: white
 }
 
+TEST(ColorMapsTest, PointsAreJoinedLinearlyAndHeldBeyondTheEnds) {
+  const std::vector<ColorPoint> points = {
+      {0.2, {0.0, 0.0, 1.0}}, {0.6, {1.0, 0.5, 0.0}}, {0.6, {0.0, 1.0, 0.0}}, {0.8, {1.0, 1.0, 1.0}}};
+  EXPECT_EQ(colorOfPoints(points, 0.0), glm::dvec3(0.0, 0.0, 1.0));
+  EXPECT_EQ(colorOfPoints(points, 1.0), glm::dvec3(1.0));
+  EXPECT_LT(glm::distance(colorOfPoints(points, 0.3), glm::dvec3(0.25, 0.125, 0.75)), 1e-12);
+  EXPECT_LT(glm::distance(colorOfPoints(points, 0.7), glm::dvec3(0.5, 1.0, 0.5)), 1e-12);
+  EXPECT_EQ(colorOfPoints(points, 0.6), glm::dvec3(0.0, 1.0, 0.0));  // a step
+  const auto sampled = pointSamples(points, 11);
+  EXPECT_LT(glm::distance(sampled[3], glm::vec3(0.25f, 0.125f, 0.75f)), 1e-6f);
+}
+
+TEST(ColorMapsTest, TheStartOfAnOwnFunctionIsTheAutomaticMap) {
+  Look look;
+  look.mode = LookMode::gaussian_curvature;
+  const auto map = colorMapSamples(ColorMap::coolwarm, 256);
+  const auto points = pointSamples(automaticColorPoints(look), 256);
+  for (std::size_t i = 0; i < map.size(); ++i) EXPECT_LT(glm::distance(map[i], points[i]), 0.03f) << i;
+}
+
 }  // namespace
 }  // namespace isolux::scene

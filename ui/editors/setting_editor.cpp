@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "scene/color_maps.h"
 #include "scene/rules/relevance.h"
 #include "ui/editors/number_text.h"
 #include "ui/language/translated.h"
@@ -17,6 +18,10 @@
 namespace isolux::ui {
 
 namespace {
+bool isPoints(const scene::Setting& setting) {
+  return setting.type == scene::SettingType::points || setting.type == scene::SettingType::color_points;
+}
+
 QString describe(const scene::Setting& setting) {
   QString text = translated(texts::settings, setting.meaning) + "\n\n" + QString::fromStdString(setting.path);
   if (setting.type == scene::SettingType::number || setting.type == scene::SettingType::integer) {
@@ -24,7 +29,7 @@ QString describe(const scene::Setting& setting) {
             translated(texts::units, setting.unit);
   }
   const nlohmann::json value = setting.defaultValue();
-  if (setting.type == scene::SettingType::points) return text;
+  if (isPoints(setting)) return text;
   return text.trimmed() + '\n' +
          QObject::tr("Default: %1")
              .arg(QString::fromStdString(value.is_string() ? value.get<std::string>() : value.dump()));
@@ -100,7 +105,7 @@ void SettingEditor::setScene(const scene::Scene& scene, const scene::Scene& reso
   }
   // Some automatic values are found while the picture is drawn: there is no number to show.
   // An automatic colour map is shown by points that it could be made of.
-  const bool unknown = automatic && seen == "auto" && setting_.type != scene::SettingType::points;
+  const bool unknown = automatic && seen == "auto" && !isPoints(setting_);
   value_->setVisible(!unknown);
   if (seen == shown_ || unknown) return;
   shown_ = seen;
@@ -115,6 +120,12 @@ void SettingEditor::setFound(const nlohmann::json& value) {
 
 nlohmann::json SettingEditor::seenValue() const {
   const nlohmann::json resolved = setting_.get(resolved_);
+  if (resolved == "auto" && setting_.type == scene::SettingType::color_points) {
+    scene::Scene automatic;
+    automatic.look.colormapPoints = scene::automaticColorPoints(resolved_.look);
+    automatic.look.accessibilityPoints = scene::automaticAccessibilityPoints();
+    return setting_.get(automatic);
+  }
   return resolved == "auto" && !found_.is_null() ? found_ : resolved;
 }
 
@@ -131,7 +142,7 @@ bool SettingEditor::isWide() const {
   const bool numbers = setting_.type == scene::SettingType::pair ||
                        (setting_.type == scene::SettingType::vector && !isColour(setting_));
   const bool slider = value_->findChild<QSlider*>() != nullptr;
-  return setting_.type == scene::SettingType::points || setting_.type == scene::SettingType::planes ||
+  return isPoints(setting_) || setting_.type == scene::SettingType::planes ||
          setting_.type == scene::SettingType::quaternion || ((numbers || slider) && setting_.mayBeAutomatic);
 }
 

@@ -17,6 +17,7 @@
 #include "base/numbers.h"
 #include "scene/setting/assignment.h"
 #include "ui/editors/color_button.h"
+#include "ui/editors/color_points_editor.h"
 #include "ui/editors/curvature_map_editor.h"
 #include "ui/editors/file_widget.h"
 #include "ui/editors/number_spin_box.h"
@@ -343,6 +344,7 @@ ValueWidget* makeValueWidget(const SettingInfo& setting, QWidget* parent) {
     case SettingType::marks:
       return new MarksWidget(parent);
     case SettingType::color_points:
+      return new ColorPointsEditor(setting, parent);
     case SettingType::points:
       return new CurvatureMapEditor(parent);
     case SettingType::quaternion:

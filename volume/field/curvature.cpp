@@ -47,6 +47,8 @@ PrincipalCurvature principalCurvature(glm::dvec3 worldGradient, const glm::dmat3
   const double mean = 0.5 * (a11 + a22), difference = 0.5 * (a11 - a22), r = std::hypot(difference, a12);
   const double kappa1 = (mean + r) * (h / g), kappa2 = (mean - r) * (h / g);
   if (!std::isfinite(kappa1) || !std::isfinite(kappa2)) return out;
+  const glm::dvec3 hn = hessian * n;
+  out.flowline = std::hypot(glm::dot(u, hn), glm::dot(v, hn)) / length * (h / g);
   out.kappa1 = kappa1;
   out.kappa2 = kappa2;
 

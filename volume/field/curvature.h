@@ -8,6 +8,10 @@
 //   m = (a11 + a22) / 2, d = (a11 - a22) / 2, r = hypot(d, a12); kappa1, kappa2 = m + r, m - r;
 //   e1 = cos(w) u + sin(w) v with (cos 2w, sin 2w) = (d, a12) / r, by half-angle formulas without
 //   cancellation; e2 = n x e1.
+// The flowlines of the gradient have the curvature |P H n| / |g|, P = I - n n^T, 1/mm: how fast the normal
+// turns along itself (Kindlmann et al. 2003, "Curvature-based transfer functions for direct volume
+// rendering": the third column of their G). Where it is large, another isovalue moves the surface sideways.
+//
 // kappa1 >= kappa2, in 1/mm, positive where the surface bends away from n: a bright ball of radius R has both
 // +1/R. No square root of a negative number can occur. Eq. (5) of the paper is not used: it is an eigenvector
 // only of special matrices. Where r = 0 (umbilics) every tangent is principal; u is given, with confidence 0.
@@ -39,6 +43,7 @@ inline constexpr double kRoundCurvature = 0.02, kClearCurvature = 0.1;        //
 
 struct PrincipalCurvature {
   double kappa1 = 0.0, kappa2 = 0.0;                         // 1/mm
+  double flowline = 0.0;                                     // of the gradient's flowline, 1/mm
   glm::dvec3 normal{0.0}, direction1{0.0}, direction2{0.0};  // unit, right-handed (e1, e2, n)
 };
 

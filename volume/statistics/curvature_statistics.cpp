@@ -22,11 +22,14 @@ CurvatureStatistics statisticsOf(const Grid& grid, const MinMaxBlocks& blocks, d
                                  const HiddenPieces& hidden) {
   CurvatureStatistics result;
   std::vector<glm::dvec2> kappas;
+  std::vector<double> flowlines;
   for (const VisiblePoint& point : visiblePoints(grid, blocks, isovalue, wanted, hidden)) {
     const FieldSample field = sampleAt(point.voxel);
     const PrincipalCurvature k = principalCurvature(worldGradient(grid.geometry(), field.gradient),
                                                     worldHessian(grid.geometry(), field.hessian), outward);
-    if (k.normal != glm::dvec3(0.0)) kappas.emplace_back(k.kappa1, k.kappa2);
+    if (k.normal == glm::dvec3(0.0)) continue;
+    kappas.emplace_back(k.kappa1, k.kappa2);
+    flowlines.push_back(k.flowline);
   }
   result.samples = kappas.size();
   if (kappas.empty()) return result;
@@ -37,6 +40,7 @@ CurvatureStatistics statisticsOf(const Grid& grid, const MinMaxBlocks& blocks, d
                    [&](const glm::dvec2& kappa) { return look.measure(kappa.x, kappa.y); });
     result.measures[look.mode] = quantilesOf(values);
   }
+  result.measures[scene::LookMode::flowline_curvature] = quantilesOf(flowlines);
   return result;
 }
 

@@ -19,6 +19,9 @@ uniform float uFlat;           // curvature below which a surface counts as flat
 uniform float uHessianNoise;   // standard deviation of a normal second derivative, data units per mm^2
 layout(location = 0) out vec4 oKappa;      // kappa1 >= kappa2 (1/mm), confidence, its part from the gradient alone
 layout(location = 1) out vec4 oDirection;  // of kappa1: unit, world; w: standard deviation of a curvature over uFlat
+#ifdef FLOWLINE
+layout(location = 2) out float oFlowline;  // curvature of the gradient's flowline, 1/mm
+#endif
 
 #ifdef SCALED
 // Samples go on beyond the border by point reflection, which leaves more noise there: of the smoothing across a border at
@@ -36,6 +39,9 @@ float noiseAtBorder(ivec2 pixel) {
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   oKappa = oDirection = vec4(0.0);
+#ifdef FLOWLINE
+  oFlowline = 0.0;
+#endif
   vec4 gradient = texelFetch(uGradient, pixel, 0);
   ivec2 inHessians = pixel - ivec2(0, uHessianRow);
   vec4 diagonal = texelFetch(uHessianDiagonal, inHessians, 0);
@@ -58,6 +64,11 @@ void main() {
   float a11 = factor * dot(u, hu), a12 = factor * dot(u, hv), a22 = factor * dot(v, hv);
   float mean = 0.5 * (a11 + a22), half_ = 0.5 * (a11 - a22), radius = length(vec2(half_, a12));
   float kappa1 = mean + radius, kappa2 = mean - radius;
+
+#ifdef FLOWLINE
+  vec3 hn = hessian * n;
+  oFlowline = min(length(vec2(dot(u, hn), dot(v, hn))) / relativeLength, 1e30);
+#endif
 
   // Eigenvector of the larger eigenvalue: of the two forms the one without cancellation.
   vec2 e = half_ >= 0.0 ? vec2(half_ + radius, a12) : vec2(a12, radius - half_);

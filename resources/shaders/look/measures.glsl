@@ -38,11 +38,15 @@ vec3 edgeColor(ivec2 pixel) {
   return offset < noEdge ? mapped(inRange(offset)) : unknownColor;
 }
 #elif defined(MEASURE_SQUARE)
-vec3 measureColor(vec4 kappa, float noise) {
+vec3 measureColor(vec4 kappa, float noise, ivec2 pixel) {
   return mix(unknownColor, mapped2d(vec2(inRange(kappa.x), inRange(kappa.y))), kappa.w);
 }
 #elif defined(MEASURE)
-float measureOf(vec2 kappa) {
+#if LOOK == LOOK_FLOWLINE_CURVATURE
+uniform sampler2D uFlowline;  // curvature of the gradient's flowline, 1/mm
+#endif
+
+float measureOf(vec2 kappa, ivec2 pixel) {
 #if LOOK == LOOK_KAPPA1
   return kappa.x;
 #elif LOOK == LOOK_KAPPA2
@@ -56,15 +60,17 @@ float measureOf(vec2 kappa) {
   return curvednessOf(kappa) > 0.0 ? atan(kappa.x + kappa.y, kappa.x - kappa.y) / 1.57079633 : 0.0;
 #elif LOOK == LOOK_CURVEDNESS
   return curvednessOf(kappa);
+#elif LOOK == LOOK_FLOWLINE_CURVATURE
+  return texelFetch(uFlowline, pixel, 0).r;
 #endif
 }
 
 // `noise`: the standard deviation of a curvature, 1/mm.
-vec3 measureColor(vec4 kappa, float noise) {
+vec3 measureColor(vec4 kappa, float noise, ivec2 pixel) {
   float known = kappa.w;
 #if LOOK == LOOK_SHAPE_INDEX  // what is flat but for noise has no shape
   known *= smoothstep(0.3, 1.0, curvednessOf(kappa.xy) / (uFlat + 3.0 * noise));
 #endif
-  return mix(unknownColor, mapped(inRange(measureOf(kappa.xy))), known);
+  return mix(unknownColor, mapped(inRange(measureOf(kappa.xy, pixel))), known);
 }
 #endif

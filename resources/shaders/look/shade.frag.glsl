@@ -20,6 +20,9 @@
 #include "measures.glsl"
 #endif
 #include "lighting.glsl"
+#if OVERLAY != OVERLAY_NONE
+#include "overlay.glsl"
+#endif
 #if TEXTURE != TEXTURE_NONE
 #include "noise.glsl"
 #include "solid_texture.glsl"
@@ -46,6 +49,9 @@ uniform float uFlowStrength;
 #ifdef ACCESSIBILITY
 uniform float uAccessibility;
 uniform float uHollow;  // curvature of the surface's hollows, 1/mm
+#ifdef CREVICES
+uniform sampler2D uCrevices;  // factors from the deepest hollow to the open surface, along a row
+#endif
 #endif
 #ifdef LINES
 uniform sampler2D uLines;  // coverage: ridges, valleys, suggestive contours, contours
@@ -78,7 +84,7 @@ vec3 baseColor(Point p, vec3 albedo, vec4 kappa, ivec2 pixel) {
 #ifdef EDGE
   base = edgeColor(pixel);
 #elif defined(MEASURE) || defined(MEASURE_SQUARE)
-  base = measureColor(kappa, texelFetch(uDirection, pixel, 0).w * uFlat);
+  base = measureColor(kappa, texelFetch(uDirection, pixel, 0).w * uFlat, pixel);
 #else
 #if LOOK == LOOK_ACCESSIBILITY
   base = mix(albedo, vec3(1.0), 0.55);
@@ -93,7 +99,11 @@ vec3 baseColor(Point p, vec3 albedo, vec4 kappa, ivec2 pixel) {
   if (p.side < 0.0) base *= uInnerTint;
 #endif
 #ifdef ACCESSIBILITY
+#ifdef CREVICES
+  base *= mix(vec3(1.0), fromRow(uCrevices, 1.0 - hollowness(kappa, p.side)), uAccessibility);
+#else
   base *= mix(vec3(1.0), vec3(0.10, 0.075, 0.06), uAccessibility * hollowness(kappa, p.side));
+#endif
 #endif
 #ifdef FLOW
   base *= exp2(uFlowStrength * (1.1 * texelFetch(uFlow, pixel, 0).r - 0.1));
@@ -120,6 +130,10 @@ vec4 shaded(ivec2 pixel, Point p, vec3 albedo) {
   return vec4(vec3(pow(1.0 - 0.92 * depthFraction(p), 2.2)), 0.0);
 #elif LOOK == LOOK_NORMAL
   return vec4(pow(p.outward * 0.5 + 0.5, vec3(2.2)), 0.0);
+#elif LOOK == LOOK_CURVATURE_DIRECTION
+  // A direction has no sign, and none at all where both curvatures are the same.
+  vec3 along = pow(abs(texelFetch(uDirection, pixel, 0).xyz), vec3(2.2));
+  return vec4(mix(unknownColor, along, texelFetch(uKappa, pixel, 0).z), 0.0);
 #else
   vec4 kappa = vec4(0.0);
 #ifdef CURVATURE
@@ -132,6 +146,9 @@ vec4 shaded(ivec2 pixel, Point p, vec3 albedo) {
   vec4 color = vec4(lighted(baseColor(p, albedo, kappa, pixel), p, lit), 0.0);
 #ifdef OCCLUSION
   color.rgb *= opennessAt(p);
+#endif
+#if OVERLAY != OVERLAY_NONE
+  color.rgb = withOverlay(color.rgb, p, pixel, texelFetch(uSurface, pixel, 0).xyz);
 #endif
 #ifdef LINES
   color = withLines(color.rgb, pixel);

@@ -280,6 +280,7 @@ const std::vector<LookRow> kLooks = {
     {{"look.mode=gaussian_curvature"}, kRanged},
     {{"look.mode=shape_index"}, kCurved},  // always -1 to 1
     {{"look.mode=curvedness"}, kRanged},
+    {{"look.mode=flowline_curvature"}, kRanged},
     {{"look.mode=curvature_2d"}, kRanged},
     {{"look.mode=accessibility"}, kRanged},
     {{"look.mode=edge_offset"}, {"gradient", "edge", "ranges", "shade"}},
@@ -294,6 +295,7 @@ const std::vector<LookRow> kLooks = {
     {{"look.mode=gi", "look.shadow=1"}, kLit},  // shadows are in the light
     {{"look.mode=gi", "isosurface.opacity=0.5"}, {"gradient", "irradiance", "shade", "layers"}},
     {{"look.mode=normal"}, kShaded},
+    {{"look.mode=curvature_direction"}, kCurved},
     {{"look.mode=depth"}, {"shade"}},
     // What is fixed is not measured.
     {{"look.mode=kappa1", "look.range_low=-1"}, kRanged},
@@ -303,6 +305,7 @@ const std::vector<LookRow> kLooks = {
     {{"look.texture=marble"}, kShaded},
     {{"look.fog=1"}, kShaded},
     {{"look.accessibility=1"}, kRanged},
+    {{"look.overlay=blocks"}, kShaded},
     {{"look.ridges=1"}, {"hessian", "curvature", "ranges", "extrema", "line field", "lines", "shade"}},
     {{"look.ridges=1", "look.ridge_threshold=0.1"},
      {"hessian", "curvature", "extrema", "line field", "lines", "shade"}},

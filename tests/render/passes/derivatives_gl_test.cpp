@@ -19,7 +19,7 @@ namespace {
 constexpr glm::ivec2 kDerivativesSize{112, 96};
 
 struct CurvatureImages {
-  render::AovImage hit, voxel, position, gradient, hessian, kappa, direction1, direction2, confidence;
+  render::AovImage hit, voxel, position, gradient, hessian, kappa, direction1, direction2, confidence, flowline;
   std::size_t pixels() const { return hit.values.size(); }
   bool isHit(std::size_t i) const { return hit.values[i] == 1.0f; }
 };
@@ -33,7 +33,8 @@ class DerivativesGlTest : public ExecutorsGlTest {
     const auto read = [&](Aov aov) { return renderer_->readAov(aov); };
     return {read(Aov::hit),        read(Aov::voxel),      read(Aov::position),
             read(Aov::gradient),   read(Aov::hessian),    read(Aov::kappa),
-            read(Aov::direction1), read(Aov::direction2), read(Aov::curvature_confidence)};
+            read(Aov::direction1), read(Aov::direction2), read(Aov::curvature_confidence),
+            read(Aov::flowline_curvature)};
   }
   static glm::dmat3 hessianAt(const render::AovImage& image, std::size_t pixel) {
     const float* h = &image.values[6 * pixel];
@@ -83,7 +84,8 @@ TEST_P(DerivativesGlTest, AgreeWithDoublePrecision) {
           const auto k = volume::principalCurvature(g, h);
           const double scale = largest(h) / glm::length(g);
           worstKappa = std::max({worstKappa, std::abs(seen.kappa.values[2 * i] - k.kappa1) / scale,
-                                 std::abs(seen.kappa.values[2 * i + 1] - k.kappa2) / scale});
+                                 std::abs(seen.kappa.values[2 * i + 1] - k.kappa2) / scale,
+                                 std::abs(seen.flowline.values[i] - k.flowline) / scale});
           if (seen.confidence.values[i] < 0.5f) continue;
           worstDirection =
               std::max({worstDirection, 1.0 - std::abs(glm::dot(at(seen.direction1, i), k.direction1)),

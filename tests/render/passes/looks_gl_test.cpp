@@ -38,6 +38,7 @@ class LooksGlTest : public RenderGlTest {
     render::FrameRequest request;
     request.size = size;
     request.aovs = {render::Aov::hit, render::Aov::normal, render::Aov::position, render::Aov::depth};
+    request.aovs.insert(request.aovs.end(), more_.begin(), more_.end());
     report_ = renderer_->render(scene_, request);
     linear_ = renderer_->readLinear();
     hit_ = renderer_->readAov(render::Aov::hit);
@@ -71,6 +72,7 @@ class LooksGlTest : public RenderGlTest {
     EXPECT_LT(worst, tolerance);
   }
 
+  std::vector<render::Aov> more_;  // images to read
   render::LinearImage linear_;
   render::AovImage hit_, normal_, position_;
   glm::dvec3 centre_{0.0};
@@ -190,6 +192,87 @@ TEST_F(LooksGlTest, MeasuresOfABallAreTheMapsColors) {
                                          glm::clamp(t - static_cast<double>(i), 0.0, 1.0));
     expectColors([&](const glm::dvec3&, const glm::dvec3&) { return expected; }, 0.03);
   }
+}
+
+// Quantities go through the user's points, as they stand in the range.
+TEST_F(LooksGlTest, AnOwnTransferFunctionColoursTheMeasure) {
+  draw(phantom("ball", 48), {"look.mode=mean_curvature", "look.shading=unlit", "look.legend=false",
+                             "derivatives.field=cubic_interpolating", "look.range_low=-10", "look.range_high=-9",
+                             "look.colormap_points=[[0,1,0,0],[0.5,0,1,0],[1,0.25,0.5,0.75]]"});
+  expectColors([](const glm::dvec3&, const glm::dvec3&) { return glm::dvec3(0.25, 0.5, 0.75); }, 1e-3);
+}
+
+TEST_F(LooksGlTest, AccessibilityPointsOfTheAutomaticFactorsChangeNothing) {
+  const std::vector<std::string> crevices = {"look.mode=accessibility", "derivatives.noise=0"};
+  draw(phantom("gyroid", 48), crevices);
+  const render::LinearImage automatic = linear_;
+  draw(phantom("gyroid", 48),
+       withMore(crevices, {"look.accessibility_points=[[0,0.1,0.075,0.06],[1,1,1,1]]"}));
+  for (std::size_t i = 0; i < automatic.rgba.size(); ++i)
+    ASSERT_NEAR(automatic.rgba[i], linear_.rgba[i], kHalfStepNearOne);
+  draw(phantom("gyroid", 48), withMore(crevices, {"look.accessibility_points=[[0,0,1,0],[1,1,1,1]]"}));
+  std::size_t green = 0;
+  for (std::size_t i = 0; i < pixels(); ++i) green += color(i).y > 1.5 * color(i).x;
+  EXPECT_GT(green, 100u);
+}
+
+// |e1| of a cylinder: across its axis, along the circle.
+TEST_F(LooksGlTest, DirectionsOfCurvatureAreTheirPartsAlongTheAxes) {
+  more_ = {render::Aov::direction1, render::Aov::curvature_confidence};
+  draw(phantom("cylinder", 64), {"look.mode=curvature_direction", "derivatives.noise=0",
+                                 "derivatives.field=cubic_interpolating", "derivatives.scale=0"});
+  std::size_t compared = 0;
+  const render::AovImage confidence = renderer_->readAov(render::Aov::curvature_confidence),
+                         direction = renderer_->readAov(render::Aov::direction1);
+  for (std::size_t i = 0; i < pixels(); ++i) {
+    if (!hit(i) || confidence.values[i] < 1.0f) continue;
+    const glm::dvec3 expected = glm::pow(glm::abs(RenderGlTest::at(direction, i)), glm::dvec3(2.2));
+    EXPECT_LT(glm::length(glm::cross(RenderGlTest::at(direction, i), RenderGlTest::at(normal_, i))) - 1.0, 1e-3);
+    EXPECT_LT(glm::distance(color(i), expected), 5e-3);
+    ++compared;
+  }
+  EXPECT_GT(compared, 500u);
+}
+
+// The range's upper end is seen nowhere on a ball, whose flowlines are straight.
+TEST_F(LooksGlTest, FlowlinesOfABallAreStraight) {
+  more_ = {render::Aov::flowline_curvature};
+  draw(phantom("ball", 64), {"look.mode=flowline_curvature", "look.shading=unlit", "look.colormap=gray",
+                             "look.range_low=0", "look.range_high=1", "derivatives.field=cubic_interpolating",
+                             "derivatives.noise=0", "derivatives.scale=0"});
+  const render::AovImage flowline = renderer_->readAov(render::Aov::flowline_curvature);
+  for (std::size_t i = 0; i < pixels(); ++i) {
+    if (hit(i)) EXPECT_LT(flowline.values[i], 2e-3);
+  }
+}
+
+// Blocks of 8 cells: the colours change at their faces, and nothing is drawn of what there is not.
+TEST_F(LooksGlTest, TheOverlayShowsBlocksAndWhatIsMissingIsNotDrawn) {
+  const auto ball = phantom("ball", 48);
+  draw(ball, {"look.mode=lambert"});
+  const render::LinearImage plain = linear_;
+  draw(ball, {"look.mode=lambert", "look.overlay=bricks", "picture.executor=cpu"});
+  EXPECT_EQ(linear_.rgba, plain.rgba);
+  draw(ball, {"look.mode=lambert", "look.overlay=texels"});
+  EXPECT_EQ(linear_.rgba, plain.rgba);
+  draw(ball, {"look.mode=lambert", "look.overlay=blocks"});
+  const double blockMm = ball->blocks->blockCells() * ball->grid().geometry().spacingMm().x;
+  const glm::dvec3 origin(ball->grid().geometry().worldFromVoxel[3]);
+  std::size_t edges = 0, inner = 0;
+  for (std::size_t i = 0; i < pixels(); ++i) {
+    if (!hit(i)) continue;
+    const glm::dvec3 place = (RenderGlTest::at(position_, i) - origin) / blockMm;
+    const glm::dvec3 off = glm::abs(place - glm::round(place)) * blockMm;
+    const double before = plain.rgba[4 * i + 1], now = linear_.rgba[4 * i + 1];
+    const double least = std::min({off.x, off.y, off.z});
+    if (least < 0.1) edges += now < 0.65 * before;  // dark lines
+    if (least > 1.5) {
+      ++inner;
+      EXPECT_NE(now, before);
+    }
+  }
+  EXPECT_GT(edges, 50u);
+  EXPECT_GT(inner, 200u);
 }
 
 TEST_F(LooksGlTest, AutomaticRangesAndTheLegendFollowTheSurface) {

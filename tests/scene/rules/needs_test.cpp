@@ -31,7 +31,8 @@ using Names = std::set<std::string>;
 
 TEST(Needs, OfEachLook) {
   const Names measures = {"kappa1",      "kappa2",     "mean_curvature", "gaussian_curvature",
-                          "shape_index", "curvedness", "curvature_2d",   "edge_offset"};
+                          "shape_index", "curvedness", "curvature_2d",   "edge_offset",
+                          "flowline_curvature"};
   EXPECT_EQ(looksWith([](const scene::Scene& s) { return scene::isMeasure(s.look.mode); }), measures);
   EXPECT_EQ(looksWith(scene::showsLegend), measures);
   Names coloured = measures;
@@ -39,10 +40,10 @@ TEST(Needs, OfEachLook) {
   EXPECT_EQ(looksWith([](const scene::Scene& s) { return scene::isColored(s.look.mode); }), coloured);
   Names curved = coloured;
   curved.erase("edge_offset");
-  curved.insert("tone");  // its outlines
+  curved.insert({"tone", "curvature_direction"});  // outlines of tone
   EXPECT_EQ(looksWith(scene::needsCurvature), curved);
   EXPECT_EQ(looksWith(scene::needsEdge), Names{"edge_offset"});
-  EXPECT_EQ(looksWith(scene::isPlain), (Names{"normal", "depth"}));
+  EXPECT_EQ(looksWith(scene::isPlain), (Names{"normal", "curvature_direction", "depth"}));
   EXPECT_EQ(looksWith(scene::showsFlow), Names{"flow"});
   EXPECT_EQ(looksWith(scene::usesGi), Names{"gi"});
   EXPECT_EQ(looksWith([](const scene::Scene& s) { return !scene::needsGradient(s); }), Names{"depth"});

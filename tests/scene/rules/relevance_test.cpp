@@ -34,10 +34,10 @@ bool acts(const char* path, const scene::Scene& scene) {
 
 TEST(Relevance, OfEachLook) {
   // With the defaults: Lambert under colours, no strength in lines, fog, texture and flow.
-  const std::string lines = "ridges contours suggestive_contours";
+  const std::string lines = "overlay ridges contours suggestive_contours";
   const std::string lambert = "shading ambient ambient_variation ";
   const std::string measure = lambert +
-                              "shadow occlusion occlusion_radius fog colormap range_low range_high legend "
+                              "shadow occlusion occlusion_radius fog colormap colormap_points range_low range_high legend "
                               "legend_corner accessibility " +
                               lines;
   const std::map<std::string, std::string> table = {
@@ -56,15 +56,17 @@ TEST(Relevance, OfEachLook) {
       {"gaussian_curvature", measure},
       {"shape_index", measure},
       {"curvedness", measure},
+      {"flowline_curvature", measure},
       {"edge_offset", measure},
       {"curvature_2d", lambert +
                            "shadow occlusion occlusion_radius fog range_low range_high curvature_points "
                            "legend legend_corner accessibility " +
                            lines},
-      {"accessibility", lambert + "inner_tint texture shadow occlusion occlusion_radius fog " + lines},
+      {"accessibility", lambert + "inner_tint texture shadow occlusion occlusion_radius fog accessibility_points " + lines},
       {"flow", lambert + "inner_tint texture shadow occlusion occlusion_radius fog accessibility " + lines},
       {"gi", "inner_tint texture fog accessibility " + lines},
       {"normal", ""},
+      {"curvature_direction", ""},
       {"depth", ""},
   };
   const scene::Setting& mode = scene::setting("look.mode");
@@ -74,6 +76,17 @@ TEST(Relevance, OfEachLook) {
     mode.set(scene, name);
     EXPECT_EQ(activeLook(scene), expected) << name;
   }
+}
+
+TEST(Relevance, ATransferFunctionOfYourOwnTakesThePlaceOfTheMap) {
+  scene::Scene scene;
+  scene.look.mode = scene::LookMode::kappa1;
+  scene.look.colormapPoints = {{0.0, glm::dvec3(0.0)}, {1.0, glm::dvec3(1.0)}};
+  EXPECT_EQ(scene::whyInactive("look.colormap", scene), "control points are set (look.colormap_points)");
+  EXPECT_TRUE(acts("look.colormap_points", scene));
+  EXPECT_FALSE(acts("look.accessibility_points", scene));
+  scene.look.accessibility = 0.5;
+  EXPECT_TRUE(acts("look.accessibility_points", scene));
 }
 
 TEST(Relevance, EdgesAndASecondVolumeWhereTheyAreShown) {
@@ -103,7 +116,7 @@ TEST(Relevance, EdgesAndASecondVolumeWhereTheyAreShown) {
 }
 
 TEST(Relevance, LightNeedsALitLook) {
-  const std::set<std::string> dark = {"gi", "normal", "depth"};
+  const std::set<std::string> dark = {"gi", "normal", "curvature_direction", "depth"};
   const scene::Setting& mode = scene::setting("look.mode");
   for (const std::string& name : mode.choices) {
     scene::Scene scene;

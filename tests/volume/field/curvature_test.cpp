@@ -66,6 +66,36 @@ TEST(PrincipalCurvature, FollowsClosedFormDerivativesOfEveryShape) {
   }
 }
 
+// f = x y: its flowlines are the hyperbolas x^2 - y^2 = c, of curvature |c| / (x^2 + y^2)^(3/2).
+TEST(PrincipalCurvature, FlowlinesOfXyAreHyperbolasAndOfABallStraight) {
+  for (std::uint64_t i = 0; i < 1000; ++i) {
+    const dvec3 p = 20.0 * (test::randomVector(i, 5) - 0.5);
+    const double r = std::hypot(p.x, p.y), truth = std::abs(p.x * p.x - p.y * p.y) / (r * r * r);
+    for (const double outward : {-1.0, 1.0}) {
+      const PrincipalCurvature k =
+          principalCurvature({p.y, p.x, 0.0}, dmat3(0, 1, 0, 1, 0, 0, 0, 0, 0), outward);
+      EXPECT_NEAR(k.flowline, truth, 1e-12 * (1.0 + truth));
+    }
+    EXPECT_NEAR(principalCurvature(2.0 * p, dmat3(2.0)).flowline, 0.0, 1e-12);
+  }
+}
+
+// By its definition: how fast the unit gradient turns along itself.
+TEST(PrincipalCurvature, TheFlowlineCurvatureIsTheTurnOfTheGradientAlongItself) {
+  const auto field = test::analyticField("gyroid", test::isotropicGeometry(64));
+  for (std::uint64_t i = 0; i < 500; ++i) {
+    const dvec3 p = toWorld(test::isotropicGeometry(64), 63.0 * test::randomVector(i, 6));
+    const test::Derivatives d = field->at(p);
+    if (!(glm::length(d.gradient) > 1e-2)) continue;
+    const dvec3 along = glm::normalize(d.gradient);
+    const double step = 1e-5;
+    const dvec3 turn = glm::normalize(field->at(p + step * along).gradient) -
+                       glm::normalize(field->at(p - step * along).gradient);
+    const double truth = glm::length(turn) / (2.0 * step);
+    EXPECT_NEAR(principalCurvature(d.gradient, d.hessian).flowline, truth, 1e-5 * (1.0 + truth));
+  }
+}
+
 // The directions by their definition: the normal turns along them, dn = kappa e, and not sideways.
 TEST(PrincipalCurvature, DirectionsAreThoseInWhichTheNormalTurns) {
   for (std::uint64_t i = 0; i < 3000; ++i) {
