@@ -310,7 +310,6 @@ struct Gi {
   double shWindow = 0.0;  // 0 none, 1 full: against ringing
   int components = 24;    // of a compressed transfer vector, at most
   int componentBits = 4;  // on average
-  bool ground = false;    // a plane below the surface that catches its shadow
   bool operator==(const Gi&) const = default;
 };
 

@@ -484,9 +484,6 @@ std::vector<Setting> makeSettings() {
       "Mean number of bits per principal component; components that vary more get more. The bits "
       "of a texel are rounded up to a multiple of 32."));
 
-  add(entry<Scene>("gi.ground", ISOLUX_MEMBER(gi.ground), noRange, "",
-                   "Draws the shadow that the surface casts on a plane below it, over the background."));
-
   add(entry<Scene>("camera.eye", ISOLUX_MEMBER(camera.eye), positionRange, "mm",
                    "Position of the viewer; auto follows camera.frames."));
   add(entry<Scene>(

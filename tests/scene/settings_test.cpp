@@ -108,7 +108,7 @@ TEST(Settings, CoversEveryMemberOfScene) {
       lamps[0];
   [[maybe_unused]] const auto& [giMode, extent, band, texels, samples, sequence, bounces, rouletteDepth,
                                 environmentShare, latticeScale, interpolation, precision, shOrder, shWindow,
-                                components, componentBits, ground] = gi;
+                                components, componentBits] = gi;
   [[maybe_unused]] const auto& [eye, target, up, frames, fov, projection] = camera;
   [[maybe_unused]] const auto& [supersampling, restHits, pictureExposure, metering, curve, letters, scaleBar,
                                 isovalue, caveats, transparent, pixelRatio] = picture;

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/color.h"
+#include "base/tone_curve.h"
 #include "gi/harmonics/open_sky.h"
 #include "gi/harmonics/spherical_harmonics.h"
 #include "gi/harmonics/transfer_basis.h"
@@ -708,9 +709,9 @@ TEST_F(LightGlTest, TheEnvironmentIsBehindTheSurface) {
       const auto i = static_cast<std::size_t>(y * 96 + x);
       ASSERT_EQ(hit_.values[i], 0.0f);
       const glm::dvec3 d = glm::transpose(world) * glm::normalize(ray({x, y}, {96, 96}).direction);
+      const glm::dvec3 shown = base::filmic(4.0 * (0.2 + 0.1 * d));
       for (int c = 0; c < 3; ++c) {
-        const double linear = 4.0 * (0.2 + 0.1 * d[c]);
-        const double srgb = base::encodeSrgb(std::min(linear, 1.0));
+        const double srgb = base::encodeSrgb(shown[c]);
         EXPECT_NEAR(picture.rgba[4 * i + static_cast<std::size_t>(c)] / 255.0, srgb, 0.012) << x << " " << y;
       }
     }
