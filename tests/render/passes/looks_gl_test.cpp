@@ -242,7 +242,8 @@ TEST_F(LooksGlTest, FlowlinesOfABallAreStraight) {
                              "derivatives.noise=0", "derivatives.scale=0"});
   const render::AovImage flowline = renderer_->readAov(render::Aov::flowline_curvature);
   for (std::size_t i = 0; i < pixels(); ++i) {
-    if (hit(i)) EXPECT_LT(flowline.values[i], 2e-3);
+    if (!hit(i)) continue;
+    EXPECT_LT(flowline.values[i], 2e-3);
   }
 }
 
