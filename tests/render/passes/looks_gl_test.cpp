@@ -252,7 +252,7 @@ TEST_F(LooksGlTest, TheOverlayShowsBlocksAndWhatIsMissingIsNotDrawn) {
   const auto ball = phantom("ball", 48);
   draw(ball, {"look.mode=lambert"});
   const render::LinearImage plain = linear_;
-  draw(ball, {"look.mode=lambert", "look.overlay=bricks", "picture.executor=cpu"});
+  draw(ball, {"look.mode=lambert", "look.overlay=bricks"});
   EXPECT_EQ(linear_.rgba, plain.rgba);
   draw(ball, {"look.mode=lambert", "look.overlay=texels"});
   EXPECT_EQ(linear_.rgba, plain.rgba);
