@@ -315,6 +315,8 @@ TEST(Settings, AutomaticOnlyWhereAllowed) {
                                               "look.range_low",
                                               "look.range_high",
                                               "look.curvature_points",
+                                              "look.colormap_points",
+                                              "look.accessibility_points",
                                               "look.ridge_threshold",
                                               "look.ridge_length",
                                               "look.contours",

@@ -88,7 +88,8 @@ void ColorPointsView::addPoint(double position) {
   const auto at =
       std::upper_bound(points.begin(), points.end(), point,
                        [](const ColorPoint& a, const ColorPoint& b) { return a.position < b.position; });
-  selected_ = static_cast<int>(points.insert(at, point) - points.begin());
+  const auto added = points.insert(at, point);
+  selected_ = static_cast<int>(added - points.begin());
   showPoints(points);
   Q_EMIT changed(false);
 }

@@ -242,7 +242,8 @@ TEST_F(LooksGlTest, FlowlinesOfABallAreStraight) {
                              "derivatives.noise=0", "derivatives.scale=0"});
   const render::AovImage flowline = renderer_->readAov(render::Aov::flowline_curvature);
   for (std::size_t i = 0; i < pixels(); ++i) {
-    if (hit(i)) EXPECT_LT(flowline.values[i], 2e-3);
+    if (!hit(i)) continue;
+    EXPECT_LT(flowline.values[i], 2e-3);
   }
 }
 
@@ -251,7 +252,7 @@ TEST_F(LooksGlTest, TheOverlayShowsBlocksAndWhatIsMissingIsNotDrawn) {
   const auto ball = phantom("ball", 48);
   draw(ball, {"look.mode=lambert"});
   const render::LinearImage plain = linear_;
-  draw(ball, {"look.mode=lambert", "look.overlay=bricks", "picture.executor=cpu"});
+  draw(ball, {"look.mode=lambert", "look.overlay=bricks"});
   EXPECT_EQ(linear_.rgba, plain.rgba);
   draw(ball, {"look.mode=lambert", "look.overlay=texels"});
   EXPECT_EQ(linear_.rgba, plain.rgba);

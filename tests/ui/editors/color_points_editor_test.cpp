@@ -19,7 +19,7 @@ namespace {
 
 using Points = std::vector<scene::ColorPoint>;
 
-const Points kPoints = {
+const Points kBarPoints = {
     {0.0, {0.0, 0.0, 1.0}}, {0.25, {0.0, 1.0, 0.0}}, {0.75, {1.0, 1.0, 0.0}}, {1.0, {1.0, 0.0, 0.0}}};
 
 class ColorPointsEditorTest : public testing::Test {
@@ -27,7 +27,7 @@ class ColorPointsEditorTest : public testing::Test {
   void SetUp() override {
     scene::Scene scene;
     scene.look.mode = scene::LookMode::mean_curvature;
-    scene.look.colormapPoints = kPoints;
+    scene.look.colormapPoints = kBarPoints;
     history_.reset(scene);
     panel_.resize(350, 900);
     panel_.show();
@@ -59,23 +59,23 @@ TEST_F(ColorPointsEditorTest, AClickAddsAPointInTheColourOfTheBarInOneStep) {
   ASSERT_EQ(points().size(), 5U);
   EXPECT_NEAR(points()[2].position, 0.5, 0.01);
   EXPECT_EQ(view()->selected(), 2);
-  const glm::dvec3 expected = scene::colorOfPoints(kPoints, points()[2].position);
+  const glm::dvec3 expected = scene::colorOfPoints(kBarPoints, points()[2].position);
   EXPECT_NEAR(points()[2].color.r, expected.r, 0.01);
   EXPECT_NEAR(points()[2].color.g, expected.g, 0.01);
   history_.undo();
-  EXPECT_EQ(points(), kPoints);
+  EXPECT_EQ(points(), kBarPoints);
   EXPECT_FALSE(history_.canUndo());
 }
 
 TEST_F(ColorPointsEditorTest, ADragIsOneStepAndEndsAtTheNeighbour) {
   drag(view(), at(0.25), at(0.4));
   EXPECT_NEAR(points()[1].position, 0.4, 0.02);
-  EXPECT_EQ(points()[1].color, kPoints[1].color);
+  EXPECT_EQ(points()[1].color, kBarPoints[1].color);
   drag(view(), at(points()[1].position), at(0.9));
   EXPECT_DOUBLE_EQ(points()[1].position, 0.75);
   history_.undo();
   history_.undo();
-  EXPECT_EQ(points(), kPoints);
+  EXPECT_EQ(points(), kBarPoints);
   EXPECT_FALSE(history_.canUndo());
 }
 

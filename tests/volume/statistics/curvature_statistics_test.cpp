@@ -124,7 +124,7 @@ TEST(CurvatureStatistics, MissingVoxelsLeaveFiniteNumbers) {
   base::Progress progress;
   const CurvatureStatistics s = curvatureStatistics(grid, MinMaxBlocks(grid, 8, progress), 0.0);
   EXPECT_GT(s.samples, 100u);
-  EXPECT_EQ(s.measures.size(), 6u);
+  EXPECT_EQ(s.measures.size(), 7u);
   for (const auto& [look, q] : s.measures)
     EXPECT_TRUE(std::isfinite(q.low) && std::isfinite(q.median) && std::isfinite(q.high))
         << scene::lookInfo(look).name;
