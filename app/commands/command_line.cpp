@@ -21,6 +21,7 @@
 #include "base/printable.h"
 #include "base/suggestion.h"
 #include "volume/bricks/hdf5/hdf5.h"
+#include "volume/read/step_files.h"
 
 namespace isolux::app {
 
@@ -166,7 +167,7 @@ int openWindowOn(const WindowOptions& options, const Program& program, const Ope
   request.scene = sceneOf(options.path, *options.scene);
   std::error_code ignored;  // a shell is the better place for this message than an empty window
   if (!options.path.empty() && !options.path.starts_with("phantom:") && !fs::exists(options.path, ignored) &&
-      !volume::hdf5PathOf(options.path))
+      !volume::hdf5PathOf(options.path) && volume::stepFiles(options.path).empty())
     base::throwInput(options.path, "", "does not exist");
   if (!options.path.empty() && isRecording(options.path))
     base::throwInput(options.path, "",

@@ -338,7 +338,7 @@ void VolumePanel::showChoices() {
     const int last = volume_->volume.timeSteps - 1;
     const QSignalBlocker blockTime(timeStep_);
     timeStep_->setRange(0, last);
-    timeStep_->setSuffix(tr(" of 0 … %1").arg(last));
+    timeStep_->setSuffix(tr(" of %1").arg(last));
     timeStep_->showValue(scene_.source.timeStep);
     timeSlider_->setRange(0, last);
     timeSlider_->setValue(static_cast<int>(std::lround(scene_.source.timeStep)));

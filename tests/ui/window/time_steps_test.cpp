@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <QApplication>
+#include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QMimeData>
 #include <QSlider>
@@ -130,6 +131,8 @@ TEST_F(WindowTest, SeveralFilesOpenAsTimeSteps) {
   QList<QUrl> urls;
   for (const QString& file : files) urls += QUrl::fromLocalFile(file);
   dropped.setUrls(urls);
+  QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &dropped, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(window_.get(), &enter);
   QDropEvent drop({10.0, 10.0}, Qt::CopyAction, &dropped, Qt::LeftButton, Qt::NoModifier);
   QApplication::sendEvent(window_.get(), &drop);
   ui::Document* const document = window_->document();
