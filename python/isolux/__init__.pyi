@@ -9,26 +9,29 @@ from numpy.typing import ArrayLike, NDArray
 
 Progress = bool | Callable[[float, str], Any] | None
 Path = str | os.PathLike[str]
-Look = Literal["blinn_phong", "lambert", "tone", "kappa1", "kappa2", "mean_curvature", "gaussian_curvature", "shape_index", "curvedness", "curvature_2d", "accessibility", "edge_offset", "flow", "gi", "normal", "depth"]
+Look = Literal["blinn_phong", "lambert", "tone", "kappa1", "kappa2", "mean_curvature", "gaussian_curvature", "shape_index", "curvedness", "flowline_curvature", "curvature_2d", "accessibility", "edge_offset", "flow", "gi", "normal", "curvature_direction", "depth"]
 
 SettingsDict = TypedDict("SettingsDict", {
     "source.path": str | os.PathLike[str],  # Volume to draw: a file, a DICOM folder, a triangle mesh, or phantom:NAME[:SIZE].
     "source.raw": str | os.PathLike[str],  # Layout of a file without a header: "WxHxD TYPE [little|big] [spacing x,y,z] [header BYTES]".
     "source.series": str | os.PathLike[str],  # SeriesInstanceUID of the series to read from a DICOM folder; empty selects the series with the most slices.
     "source.component": int,  # Channel to read from a file with several values per voxel; -1 reads the magnitude of the vector.
-    "source.time_step": int,  # Time step to read from a file with several, counted from 0.
+    "source.time_step": float,  # Time step to read from a file with several, counted from 0; a fraction blends a step with the next.
     "source.kind": Literal["auto", "ct_hu", "ct", "mr", "microscopy", "simulation", "distance", "labels", "other"],  # Kind of data: CT in Hounsfield or other units, MR, distance field …; auto derives it from the file and its values. Presets and the first isovalue depend on it.
     "source.level": int,  # Resolution level of a large file: 0 is full resolution, each further level halves it along each axis. Levels stored in the file are used; others are averaged.
     "source.around_damage": bool,  # Treats unreadable voxels of a chunked file as missing; otherwise the file is rejected.
     "source.mesh_voxels": int,  # Resolution of the distance field made from a triangle mesh: voxels along the longest axis.
-    "source.csg": Literal["none", "union", "intersection", "difference"],  # Boolean operation that combines a second volume with the first, as solids on one grid.
+    "source.csg": Literal["none", "union", "intersection", "difference", "blend"],  # Boolean operation that combines a second volume with the first, as solids on one grid.
     "source.csg_path": str | os.PathLike[str],  # Second volume of the Boolean operation, given as in source.path. A phantom without SIZE uses the first volume's grid.
     "source.csg_value": float | Literal["auto"] | None,  # Isovalue of the second volume, in its own units; auto uses the suggested one.
+    "source.csg_weight": float,  # Weight of the second volume where source.csg is blend: 0 shows the first volume's surface, 1 the second's.
     "isosurface.name": str | os.PathLike[str],  # Name of the surface in lists and on the histogram.
     "isosurface.value": float | Literal["auto"] | None,  # Isovalue of the first surface; auto follows isosurface.suggestion.
     "isosurface.suggestion": Literal["object", "contrast"],  # Automatic isovalue: the boundary of the whole object (skin in a scan of a head), or the clearest boundary inside it (often bone).
     "isosurface.inside": Literal["above", "below"],  # Side of the isovalue that is solid; the normal points away from it.
     "isosurface.albedo": Sequence[Any] | str,  # Diffuse reflectance of the surface.
+    "isosurface.specular": float,  # Gloss under global illumination: reflectance of the surface seen head on. Water and skin have 0.02 to 0.04, teeth 0.06, metal 0.5 to 0.9; 0 is matt.
+    "isosurface.roughness": float,  # Roughness of that gloss: small values reflect sharply, 1 spreads over half the sky.
     "isosurface.albedo_source": Literal["color", "map"],  # Source of the isosurfaces' reflectances: a colour per surface, or a colour map over the isovalue.
     "isosurface.albedo_map": Literal["auto", "viridis", "cividis", "inferno", "gray", "coolwarm", "blue_orange", "purple_green", "spectral"],  # Colour map over the isovalue; auto is viridis.
     "isosurface.albedo_low": float | Literal["auto"] | None,  # Isovalue at the lower end of that map; auto is the volume's minimum.
@@ -43,6 +46,8 @@ SettingsDict = TypedDict("SettingsDict", {
     "isosurface2.name": str | os.PathLike[str],  # Name of that surface.
     "isosurface2.value": float | Literal["auto"] | None,  # Isovalue of that surface; auto uses the histogram's next suggestion outside the first surface, or inside if there is none.
     "isosurface2.albedo": Sequence[Any] | str,  # Diffuse reflectance of that surface.
+    "isosurface2.specular": float,  # Gloss of that surface under global illumination; 0 is matt.
+    "isosurface2.roughness": float,  # Roughness of that gloss.
     "isosurface2.opacity": float,  # Opacity of that surface; 1 hides everything behind it.
     "isosurface2.facing_opacity": float,  # View-dependent opacity: factor on that opacity where the surface faces the viewer.
     "isosurface2.clipped": bool,  # Applies clip planes and clip box to that surface.
@@ -50,6 +55,8 @@ SettingsDict = TypedDict("SettingsDict", {
     "isosurface3.name": str | os.PathLike[str],  # Name of that surface.
     "isosurface3.value": float | Literal["auto"] | None,  # Isovalue of that surface; auto uses the histogram's next suggestion outside the first surface, or inside if there is none.
     "isosurface3.albedo": Sequence[Any] | str,  # Diffuse reflectance of that surface.
+    "isosurface3.specular": float,  # Gloss of that surface under global illumination; 0 is matt.
+    "isosurface3.roughness": float,  # Roughness of that gloss.
     "isosurface3.opacity": float,  # Opacity of that surface; 1 hides everything behind it.
     "isosurface3.facing_opacity": float,  # View-dependent opacity: factor on that opacity where the surface faces the viewer.
     "isosurface3.clipped": bool,  # Applies clip planes and clip box to that surface.
@@ -57,6 +64,8 @@ SettingsDict = TypedDict("SettingsDict", {
     "isosurface4.name": str | os.PathLike[str],  # Name of that surface.
     "isosurface4.value": float | Literal["auto"] | None,  # Isovalue of that surface; auto uses the histogram's next suggestion outside the first surface, or inside if there is none.
     "isosurface4.albedo": Sequence[Any] | str,  # Diffuse reflectance of that surface.
+    "isosurface4.specular": float,  # Gloss of that surface under global illumination; 0 is matt.
+    "isosurface4.roughness": float,  # Roughness of that gloss.
     "isosurface4.opacity": float,  # Opacity of that surface; 1 hides everything behind it.
     "isosurface4.facing_opacity": float,  # View-dependent opacity: factor on that opacity where the surface faces the viewer.
     "isosurface4.clipped": bool,  # Applies clip planes and clip box to that surface.
@@ -108,7 +117,7 @@ SettingsDict = TypedDict("SettingsDict", {
     "color.fade": bool,  # Fades the strength in, from 0 at the lower end of the map to its full value at the upper end.
     "color.isolines": float,  # Interval between isolines of the second volume; 0 draws none.
     "color.isoline_width": float,  # Width of the isolines.
-    "look.mode": Literal["blinn_phong", "lambert", "tone", "kappa1", "kappa2", "mean_curvature", "gaussian_curvature", "shape_index", "curvedness", "curvature_2d", "accessibility", "edge_offset", "flow", "gi", "normal", "depth"],  # Look (display mode): the shaded surface, or a quantity shown in colour.
+    "look.mode": Literal["blinn_phong", "lambert", "tone", "kappa1", "kappa2", "mean_curvature", "gaussian_curvature", "shape_index", "curvedness", "flowline_curvature", "curvature_2d", "accessibility", "edge_offset", "flow", "gi", "normal", "curvature_direction", "depth"],  # Look (display mode): the shaded surface, or a quantity shown in colour.
     "look.shading": Literal["unlit", "lambert", "blinn_phong", "tone", "gi"],  # Shading of looks that give a colour: the curvature maps, crevice shading and flow; gi is baked global illumination.
     "look.ambient": float,  # Ambient light, as a fraction of the albedo.
     "look.ambient_variation": float,  # Hemisphere lighting: how much brighter the ambient light is from the top of the image than from the bottom.
@@ -125,12 +134,15 @@ SettingsDict = TypedDict("SettingsDict", {
     "look.fog": float,  # Amount by which the far end of the volume fades.
     "look.fog_color": Sequence[Any] | str | Literal["auto"] | None,  # Colour of the fog; auto is the background.
     "look.colormap": Literal["auto", "viridis", "cividis", "inferno", "gray", "coolwarm", "blue_orange", "purple_green", "spectral"],  # Colour map of the quantity; auto is diverging for signed quantities, otherwise viridis.
+    "look.colormap_points": Sequence[Any] | str | Literal["auto"] | None,  # Transfer function of your own for the quantity: control points [position, r, g, b] in linear RGB, positions as fractions of the range; auto uses look.colormap.
     "look.range_low": float | Literal["auto"] | None,  # Quantity at the lower end of the colour map; auto derives it from the values on the surface.
     "look.range_high": float | Literal["auto"] | None,  # Quantity at the upper end of the colour map; auto derives it from the values on the surface.
     "look.curvature_points": Sequence[Any] | str | Literal["auto"] | None,  # Control points [kappa1, kappa2, r, g, b] of the colour map of curvature_2d; kappa1 and kappa2 are fractions of the range. auto: hue from the shape index, chroma from the curvedness.
     "look.legend": bool,  # Draws a legend with units where colours show a quantity.
     "look.legend_corner": Literal["auto", "lower_right", "lower_left", "upper_right", "upper_left"],  # Corner of the legend; auto is the corner that covers least of the surface.
     "look.accessibility": float,  # Crevice shading (accessibility, Miller 1994): darkens hollows by curvature, like dirt.
+    "look.accessibility_points": Sequence[Any] | str | Literal["auto"] | None,  # Transfer function of crevice shading: control points [position, r, g, b], from the deepest hollow at 0 to the open surface at 1; the colours multiply the surface's own. auto darkens hollows to brown.
+    "look.overlay": Literal["none", "blocks", "bricks", "texels"],  # Work of the renderer drawn over the surface: blocks that rays enter, bricks in graphics memory, or lit texels.
     "look.ridges": float,  # Strength of ridge and valley lines: curvature maxima across the line.
     "look.ridge_threshold": float | Literal["auto"] | None,  # Minimum curvature of ridge and valley lines; auto derives it from the values on the surface.
     "look.ridge_width": float,  # Width of ridge and valley lines, in the unit of look.ridge_width_unit.
@@ -217,7 +229,8 @@ SettingsDict = TypedDict("SettingsDict", {
     "picture.supersampling": int,  # Supersampling (anti-aliasing) of final images.
     "picture.rest_hits": Literal["auto", "same", "cubic_interpolating"],  # Interpolant of final images if hit.field is trilinear: same, or the interpolating B-spline. auto uses the spline if more than a tenth of the visible surface deviates by over a tenth of a voxel. AOVs and baked light use hit.field.
     "picture.exposure": float | Literal["auto"] | None,  # Exposure of images lit by global illumination; auto follows picture.metering.
-    "picture.metering": Literal["surface", "lights"],  # Basis of automatic exposure: the lit surface seen from the front, whatever the view, or the lights. The lights make an unoccluded white surface nearly white.
+    "picture.metering": Literal["surface", "lights"],  # Basis of automatic exposure: the light that the surface receives, whatever its colour, or the lights. The surface is that of the image when a volume is drawn, and that of the front in sessions and the window. The lights make an unoccluded white surface nearly white.
+    "picture.curve": Literal["auto", "linear", "filmic"],  # Tone curve of final images: linear clips at white; filmic rolls highlights off as film does. auto is filmic under global illumination, otherwise linear. Linear files (EXR) are not affected.
     "picture.letters": bool,  # Draws orientation labels at the edges of the final image: the ends of the patient's axes. If the patient orientation is unknown, they name the world's axes. The window always shows them.
     "picture.scale_bar": bool,  # Draws a scale bar of a round length on the final image. In perspective it is valid at the depth of camera.target. The window always shows it.
     "picture.isovalue": bool,  # Writes the isovalues of the visible surfaces, with their unit, on the final image.

@@ -1235,6 +1235,14 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <source>help, full screen (Esc: back), quit</source>
         <translation>Hilfe, Vollbild (Esc: zurück), beenden</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;T&lt;/b&gt;</source>
+        <translation>&lt;b&gt;T&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>play the time steps, pause</source>
+        <translation>Zeitschritte abspielen, anhalten</translation>
+    </message>
 </context>
 <context>
     <name>isolux::ui::AccuracyChart</name>
@@ -1374,6 +1382,48 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
     <message>
         <source>Colour</source>
         <translation>Farbe</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::ColorPointsEditor</name>
+    <message>
+        <source>Colour of the selected point</source>
+        <translation>Farbe des gewählten Punktes</translation>
+    </message>
+    <message>
+        <source>Position of the selected point, as a fraction of the range</source>
+        <translation>Position des gewählten Punktes als Bruchteil des Bereichs</translation>
+    </message>
+    <message>
+        <source>Position of the selected point</source>
+        <translation>Position des gewählten Punktes</translation>
+    </message>
+    <message>
+        <source>Add a point (click on the bar, or Insert)</source>
+        <translation>Punkt hinzufügen (auf den Balken klicken, oder Einfg)</translation>
+    </message>
+    <message>
+        <source>Add a point</source>
+        <translation>Punkt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove the selected point (Delete)</source>
+        <translation>Gewählten Punkt entfernen (Entf)</translation>
+    </message>
+    <message>
+        <source>Remove the selected point</source>
+        <translation>Gewählten Punkt entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::ColorPointsView</name>
+    <message>
+        <source>Colour bar with control points</source>
+        <translation>Farbbalken mit Kontrollpunkten</translation>
+    </message>
+    <message>
+        <source>Point %1 of %2 at %3</source>
+        <translation>Punkt %1 von %2 bei %3</translation>
     </message>
 </context>
 <context>
@@ -1889,6 +1939,10 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
     <message>
         <source>Reset all settings</source>
         <translation>Alle Einstellungen zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Play time steps</source>
+        <translation>Zeitschritte abspielen</translation>
     </message>
 </context>
 <context>
@@ -3032,6 +3086,22 @@ Strg+Rad: Wertachse zoomen, Ziehen mit der mittleren Taste: verschieben</transla
         <source>The documentation that comes with the program</source>
         <translation>Die mitgelieferte Dokumentation</translation>
     </message>
+    <message>
+        <source>Image &amp;quality</source>
+        <translation>Bild&amp;qualität</translation>
+    </message>
+    <message>
+        <source>&amp;Play time steps</source>
+        <translation>Zeitschritte &amp;abspielen</translation>
+    </message>
+    <message>
+        <source>Play or pause the time steps</source>
+        <translation>Zeitschritte abspielen oder anhalten</translation>
+    </message>
+    <message>
+        <source>Change image quality</source>
+        <translation>Bildqualität ändern</translation>
+    </message>
 </context>
 <context>
     <name>isolux::ui::MarksPanel</name>
@@ -4073,6 +4143,10 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <source>Choose second volume</source>
         <translation>Zweites Volumen wählen</translation>
     </message>
+    <message>
+        <source>Second weight</source>
+        <translation>Gewicht des zweiten Volumens</translation>
+    </message>
 </context>
 <context>
     <name>isolux::ui::SurfaceList</name>
@@ -4528,10 +4602,6 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Betrag</translation>
     </message>
     <message>
-        <source> of 0 … %1</source>
-        <translation> von 0 … %1</translation>
-    </message>
-    <message>
         <source>About the volume</source>
         <translation>Über das Volumen</translation>
     </message>
@@ -4566,6 +4636,30 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     <message>
         <source>Kind of data; presets depend on it. Chosen because %1</source>
         <translation>Art der Daten; die Vorlagen hängen davon ab. Grund: %1</translation>
+    </message>
+    <message>
+        <source>A fraction blends a step with the next</source>
+        <translation>Ein Bruchteil blendet einen Schritt in den nächsten</translation>
+    </message>
+    <message>
+        <source> steps per second</source>
+        <translation> Schritte pro Sekunde</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Play time steps</source>
+        <translation>Zeitschritte abspielen</translation>
+    </message>
+    <message>
+        <source> of %1</source>
+        <translation> von %1</translation>
     </message>
 </context>
 <context>
@@ -4668,6 +4762,14 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     <message>
         <source>the surface&apos;s own colour, matt</source>
         <translation>die eigene Farbe der Oberfläche, matt</translation>
+    </message>
+    <message>
+        <source>the curvature of the gradient&apos;s flowlines: high where the isosurface is uncertain</source>
+        <translation>die Krümmung der Flusslinien des Gradienten: groß, wo die Isofläche unsicher ist</translation>
+    </message>
+    <message>
+        <source>the first principal direction as a colour: its parts along the world axes, without sign</source>
+        <translation>die erste Hauptkrümmungsrichtung als Farbe: ihre Anteile entlang der Weltachsen, ohne Vorzeichen</translation>
     </message>
 </context>
 <context>
@@ -4932,6 +5034,33 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     <message>
         <source>it is no scan of a patient</source>
         <translation>es ist keine Aufnahme eines Patienten</translation>
+    </message>
+</context>
+<context>
+    <name>qualities</name>
+    <message>
+        <source>2 × 2 rays per pixel, 100 light paths per texel</source>
+        <translation>2 × 2 Strahlen je Pixel, 100 Lichtpfade je Texel</translation>
+    </message>
+    <message>
+        <source>4 × 4 rays per pixel, 400 light paths per texel, exact hits</source>
+        <translation>4 × 4 Strahlen je Pixel, 400 Lichtpfade je Texel, exakte Treffer</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <source>One ray per pixel, 16 light paths per texel</source>
+        <translation>Ein Strahl je Pixel, 16 Lichtpfade je Texel</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>Bildschirm</translation>
     </message>
 </context>
 <context>
@@ -5239,6 +5368,30 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     <message>
         <source>the isovalue is set</source>
         <translation>der Isowert ist gesetzt</translation>
+    </message>
+    <message>
+        <source>colours show numbers</source>
+        <translation>die Farben zeigen Zahlen</translation>
+    </message>
+    <message>
+        <source>control points are set (look.colormap_points)</source>
+        <translation>Kontrollpunkte sind gesetzt (look.colormap_points)</translation>
+    </message>
+    <message>
+        <source>crevice shading is off</source>
+        <translation>die Vertiefungsschattierung ist aus</translation>
+    </message>
+    <message>
+        <source>source.csg is not blend</source>
+        <translation>source.csg ist nicht blend</translation>
+    </message>
+    <message>
+        <source>that surface is matt</source>
+        <translation>diese Fläche ist matt</translation>
+    </message>
+    <message>
+        <source>the surface is matt</source>
+        <translation>die Fläche ist matt</translation>
     </message>
 </context>
 <context>
@@ -6127,10 +6280,6 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Projektion durch eine dicke Schicht: Maximum (MIP), Minimum (MinIP) oder Mittel längs ihrer Normalen.</translation>
     </message>
     <message>
-        <source>Basis of automatic exposure: the lit surface seen from the front, whatever the view, or the lights. The lights make an unoccluded white surface nearly white.</source>
-        <translation>Grundlage der automatischen Belichtung: die beleuchtete Oberfläche von vorn, unabhängig von der Ansicht, oder die Lichter. Mit den Lichtern wird eine unverdeckte weiße Fläche fast weiß.</translation>
-    </message>
-    <message>
         <source>Device that computes hits and derivatives: the GPU, or the CPU (exact hits only). auto uses the CPU if OpenGL is software.</source>
         <translation>Gerät, das Treffer und Ableitungen berechnet: die Grafikkarte oder die CPU (nur exakte Treffer). auto nimmt die CPU, wenn OpenGL Software ist.</translation>
     </message>
@@ -6221,10 +6370,6 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     <message>
         <source>Texels that are lit: all, those needed for the isovalues of gi.band, or the visible ones.</source>
         <translation>Beleuchtete Texel: alle, die für die Isowerte von gi.band nötigen oder die sichtbaren.</translation>
-    </message>
-    <message>
-        <source>Time step to read from a file with several, counted from 0.</source>
-        <translation>Zeitschritt einer Datei mit mehreren, ab 0 gezählt.</translation>
     </message>
     <message>
         <source>Width of contour lines, uniform across the image.</source>
@@ -6325,6 +6470,50 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     <message>
         <source>How the window shows images: as textures that stay on the graphics card, or as pixels copied to main memory. auto uses textures on a graphics card. A change to textures may need a restart.</source>
         <translation>Wie das Fenster Bilder zeigt: als Texturen, die auf der Grafikkarte bleiben, oder als Pixel, die in den Hauptspeicher kopiert werden. auto nimmt Texturen, wo es eine Grafikkarte gibt. Ein Wechsel zu Texturen kann einen Neustart brauchen.</translation>
+    </message>
+    <message>
+        <source>Basis of automatic exposure: the light that the surface receives, whatever its colour, or the lights. The surface is that of the image when a volume is drawn, and that of the front in sessions and the window. The lights make an unoccluded white surface nearly white.</source>
+        <translation>Grundlage der automatischen Belichtung: das Licht, das die Fläche empfängt, gleich welcher Farbe, oder die Lichtquellen. Gemessen wird die Fläche im Bild, wenn ein Volumen gezeichnet wird, und die Vorderansicht in Sitzungen und im Fenster. Die Lichtquellen machen eine unverdeckte weiße Fläche fast weiß.</translation>
+    </message>
+    <message>
+        <source>Gloss of that surface under global illumination; 0 is matt.</source>
+        <translation>Glanz dieser Fläche unter globaler Beleuchtung; 0 ist matt.</translation>
+    </message>
+    <message>
+        <source>Gloss under global illumination: reflectance of the surface seen head on. Water and skin have 0.02 to 0.04, teeth 0.06, metal 0.5 to 0.9; 0 is matt.</source>
+        <translation>Glanz unter globaler Beleuchtung: Reflexionsgrad der Fläche bei senkrechtem Blick. Wasser und Haut haben 0,02 bis 0,04, Zähne 0,06, Metall 0,5 bis 0,9; 0 ist matt.</translation>
+    </message>
+    <message>
+        <source>Roughness of that gloss.</source>
+        <translation>Rauheit dieses Glanzes.</translation>
+    </message>
+    <message>
+        <source>Roughness of that gloss: small values reflect sharply, 1 spreads over half the sky.</source>
+        <translation>Rauheit dieses Glanzes: kleine Werte spiegeln scharf, 1 verteilt über den halben Himmel.</translation>
+    </message>
+    <message>
+        <source>Time step to read from a file with several, counted from 0; a fraction blends a step with the next.</source>
+        <translation>Zu lesender Zeitschritt einer Datei mit mehreren, von 0 an gezählt; ein Bruchteil blendet einen Schritt in den nächsten.</translation>
+    </message>
+    <message>
+        <source>Tone curve of final images: linear clips at white; filmic rolls highlights off as film does. auto is filmic under global illumination, otherwise linear. Linear files (EXR) are not affected.</source>
+        <translation>Tonwertkurve fertiger Bilder: linear schneidet bei Weiß ab, filmic rundet Lichter ab wie ein Film. auto ist filmic unter globaler Beleuchtung, sonst linear. Lineare Dateien (EXR) sind nicht betroffen.</translation>
+    </message>
+    <message>
+        <source>Transfer function of crevice shading: control points [position, r, g, b], from the deepest hollow at 0 to the open surface at 1; the colours multiply the surface&apos;s own. auto darkens hollows to brown.</source>
+        <translation>Transferfunktion der Vertiefungsschattierung: Kontrollpunkte [Position, r, g, b] von der tiefsten Vertiefung bei 0 bis zur offenen Fläche bei 1; die Farben werden mit der eigenen der Fläche multipliziert. auto dunkelt Vertiefungen braun ab.</translation>
+    </message>
+    <message>
+        <source>Transfer function of your own for the quantity: control points [position, r, g, b] in linear RGB, positions as fractions of the range; auto uses look.colormap.</source>
+        <translation>Eigene Transferfunktion für die Größe: Kontrollpunkte [Position, r, g, b] in linearem RGB, Positionen als Bruchteile des Bereichs; auto nimmt look.colormap.</translation>
+    </message>
+    <message>
+        <source>Weight of the second volume where source.csg is blend: 0 shows the first volume&apos;s surface, 1 the second&apos;s.</source>
+        <translation>Gewicht des zweiten Volumens, wenn source.csg blend ist: 0 zeigt die Fläche des ersten, 1 die des zweiten.</translation>
+    </message>
+    <message>
+        <source>Work of the renderer drawn over the surface: blocks that rays enter, bricks in graphics memory, or lit texels.</source>
+        <translation>Arbeit des Renderers, über die Fläche gezeichnet: Blöcke, die Strahlen durchlaufen, Bricks im Grafikspeicher oder beleuchtete Texel.</translation>
     </message>
 </context>
 <context>
@@ -8570,6 +8759,102 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     <message>
         <source>canvas</source>
         <translation>Leinwand</translation>
+    </message>
+    <message>
+        <source>Accessibility points</source>
+        <translation>Punkte der Zugänglichkeit</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Überblendung</translation>
+    </message>
+    <message>
+        <source>Blocks</source>
+        <translation>Blöcke</translation>
+    </message>
+    <message>
+        <source>Colourmap points</source>
+        <translation>Punkte der Farbskala</translation>
+    </message>
+    <message>
+        <source>Curvature direction</source>
+        <translation>Krümmungsrichtung</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Tonwertkurve</translation>
+    </message>
+    <message>
+        <source>Filmic</source>
+        <translation>Filmisch</translation>
+    </message>
+    <message>
+        <source>Flowline curvature</source>
+        <translation>Flusslinienkrümmung</translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation>Linear</translation>
+    </message>
+    <message>
+        <source>Overlay</source>
+        <translation>Überlagerung</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation>Rauheit</translation>
+    </message>
+    <message>
+        <source>Second weight</source>
+        <translation>Gewicht des zweiten Volumens</translation>
+    </message>
+    <message>
+        <source>accessibility points</source>
+        <translation>Punkte der Zugänglichkeit</translation>
+    </message>
+    <message>
+        <source>colormap points</source>
+        <translation>Punkte der Farbskala</translation>
+    </message>
+    <message>
+        <source>curve</source>
+        <translation>Tonwertkurve</translation>
+    </message>
+    <message>
+        <source>isosurface 2 roughness</source>
+        <translation>Isofläche 2: Rauheit</translation>
+    </message>
+    <message>
+        <source>isosurface 2 specular</source>
+        <translation>Isofläche 2: Glanz</translation>
+    </message>
+    <message>
+        <source>isosurface 3 roughness</source>
+        <translation>Isofläche 3: Rauheit</translation>
+    </message>
+    <message>
+        <source>isosurface 3 specular</source>
+        <translation>Isofläche 3: Glanz</translation>
+    </message>
+    <message>
+        <source>isosurface 4 roughness</source>
+        <translation>Isofläche 4: Rauheit</translation>
+    </message>
+    <message>
+        <source>isosurface 4 specular</source>
+        <translation>Isofläche 4: Glanz</translation>
+    </message>
+    <message>
+        <source>overlay</source>
+        <translation>Überlagerung</translation>
+    </message>
+    <message>
+        <source>roughness</source>
+        <translation>Rauheit</translation>
+    </message>
+    <message>
+        <source>second weight</source>
+        <translation>Gewicht des zweiten Volumens</translation>
     </message>
 </context>
 </TS>
