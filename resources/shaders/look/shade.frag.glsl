@@ -10,7 +10,7 @@
 #endif
 #include "surface.glsl"
 #include "background.glsl"
-#if defined(CURVATURE) || defined(EDGE) || defined(SECOND)
+#if defined(CURVATURE) || defined(EDGE) || defined(SECOND) || defined(CREVICES)
 #include "color_row.glsl"
 #endif
 #ifdef SECOND

@@ -45,9 +45,17 @@ TEST_P(OldPictureGlTest, OpensToItself) {
   expectKept(GetParam(), app::readPng(file), openedBy(GetParam(), {"--executor", "cpu"}), kOtherOrder);
 }
 
+// The studio of 0.1.0 had a black floor, and its exposure followed the surface's colour.
+TEST(OldLightGlTest, OpensUnderTheStudioOfToday) {
+  constexpr WayBound kOtherStudio{2e-4, 5e-3, 0.2, 0.4, 0.05, 0.04};
+  const fs::path file =
+      fs::path(ISOLUX_SOURCE_DIR) / "tests/app/same_picture/pictures_0_1_0/light.png";
+  expectKept("light", app::readPng(file), openedBy("light", {"--executor", "cpu"}), kOtherStudio);
+}
+
 // Not "lines": 0.1.0 followed them over pixels, so that they changed with the size of the picture.
 INSTANTIATE_TEST_SUITE_P(Pictures, OldPictureGlTest,
-                         testing::Values("cubic", "curvature", "cuts", "flow", "layers", "light"),
+                         testing::Values("cubic", "curvature", "cuts", "flow", "layers"),
                          [](const auto& one) { return std::string(one.param); });
 
 class SameProgramGlTest : public testing::TestWithParam<const char*> {};
@@ -96,7 +104,7 @@ const OldSession kOldSessions[] = {
       {"isosurface.value=300", "look.mode=gi", "gi.samples=16", "camera.eye=90,-480,50", "lamp1.shown=1",
        "lamp1.kind=sphere", "light.environment.constant=1,1,1", "picture.metering=lights",
        "derivatives.scale=0", "derivatives.normal_scale=0", "picture.rest_hits=same", "light.setup=key",
-       "light.direction=-0.5,0.7,0.9", "look.ambient_variation=0"}}},
+       "light.direction=-0.5,0.7,0.9", "look.ambient_variation=0", "picture.curve=linear"}}},
     {"version4",
      R"({"isolux_session": 4, "scene": {"source": {"path": "phantom:head:64"}, "look": {"mode": "lambert",
          "ridges": 0.8, "suggestive_contours": 1}, "camera": {"eye": [90, -480, 50]}}})",
