@@ -221,7 +221,9 @@ class RenderRun {
     request_.keepImages = pictures.pictures.size() > 1;
     const scene::Scene base = startingScene(path);
     // The pictures of a series keep the exposure of the front, so that a film does not flicker.
-    light_.meterView(!startsFromSession(path, *options_.scene) && !plan_.sweep && options_.turntable == 0);
+    // --light-around: as the window.
+    light_.meterView(!options_.lightAround && !startsFromSession(path, *options_.scene) && !plan_.sweep &&
+                     options_.turntable == 0);
     for (const PlannedPicture& picture : pictures.pictures) {
       progress_.throwIfStopped();
       const scene::Scene scene = sceneOfPicture(base, picture);
@@ -515,7 +517,7 @@ Command makeRender(CLI::App& program) {
                    "Use the baked light of this file of `isolux bake`; missing light is baked")
       ->type_name("FILE");
   parser->add_flag("--light-around", options->lightAround,
-                   "Also bake light around the visible surface, as the window does: an image bit-identical "
+                   "Bake light around the visible surface and meter the front, as the window does: an image bit-identical "
                    "to the window's, with less noise at rims, for 25 to 50 % more bake time");
   CLI::Option* const sweep =
       parser

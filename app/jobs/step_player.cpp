@@ -52,8 +52,11 @@ bool StepPlayer::showNewest(Frame now) {
 void StepPlayer::collect(double seconds) {
   if (!job_ || !job_->finished()) return;
   loadSeconds_ = seconds - began_;
-  if (job_->error())
-    error_ = job_->error();
+  const std::optional<base::Error> error = job_->error();
+  if (error && error->kind() == base::ErrorKind::memory && !ready_.empty())
+    ready_.clear();  // there may be room without what was kept
+  else if (error)
+    error_ = error;
   else
     ready_[loading_] = job_->volume();
   job_.reset();

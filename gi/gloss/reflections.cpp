@@ -207,7 +207,7 @@ bool reflectionsOf(const PictureLight& light, std::span<const GlossPoint> points
 std::vector<glm::vec3> reflectedPoints(const GlossLight& light, const scene::Scene& resolved,
                                        std::span<const glm::vec3> seen) {
   constexpr std::size_t kMostPoints = 1u << 16;
-  constexpr std::uint32_t kRays = 4;  // of each
+  constexpr std::uint32_t kRays = 16;  // of each
   const LightScene& scene = *light.scene;
   if (!scene.tracer || seen.empty()) return {};
   const PathSetup setup(light.scene);

@@ -78,7 +78,7 @@ TEST_F(StepPlayerTest, AStepThatCannotBeLoadedIsTold) {
 TEST_F(StepPlayerTest, WithoutRoomStepsAreLoadedOneAtATime) {
   base::MemoryBudget& memory = base::machineMemory();
   const std::size_t limit = memory.limit();
-  memory.setLimit(memory.limit() - memory.left() + 3 * kVoxels);
+  memory.setLimit(memory.limit() - memory.left() + 6 * kVoxels);
   StepPlayer player(shown_, 10.0);
   double seconds = 0.0;
   int shown = 0;
