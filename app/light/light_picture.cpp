@@ -25,8 +25,7 @@ void lightPicture(LightController& controller, render::Renderer& renderer, const
   controller.setScene(lit, volume);
   if (scene::giChoiceOf(lit).wanted) {
     render::FrameRequest surface = request;
-    surface.linear = false;
-    surface.color = scene::isTransparent(lit);  // finds what is seen through surfaces, too
+    surface.linear = surface.color = false;
     // What lies between the points of this many is near one of them.
     while (std::max(surface.size.x, surface.size.y) * surface.supersampling > 4096) surface.size /= 2;
     surface.size = glm::max(surface.size, glm::ivec2(1));

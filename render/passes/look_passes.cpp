@@ -26,7 +26,7 @@ namespace isolux::render {
 namespace {
 
 // Of all layers together.
-constexpr std::size_t kMostHitsBehind = 1u << 22;
+constexpr std::size_t kMostHitsBehind = 1u << 20;
 
 // Texture units of shade.frag.glsl.
 enum Unit {
