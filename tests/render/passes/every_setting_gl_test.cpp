@@ -89,6 +89,7 @@ bool tooFineToSee(const std::string& pass, const std::string& path) {
   static const std::map<std::string, std::set<std::string>> table = {
       {"look.legend", {"resolve"}},  // there is no room for one
       {"look.legend_corner", {"resolve"}},
+      {"derivatives.normal_scale", {"layers"}},  // of directions of curvature: opacities alone, by less than a half
       {"picture.curve", {"resolve"}},  // nothing is as bright as its shoulder
       {"isosurface.inside",
        {"lines", "piece"}},               // outlines, and pieces of a gyroid, are the same from both sides
