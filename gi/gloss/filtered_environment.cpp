@@ -58,7 +58,8 @@ Environment convolved(const Environment& of, float exponent) {
       directions[static_cast<std::size_t>(row * width + column)] =
           glm::vec3(of.directionOf(column + 0.5, row + 0.5));
   // cos^k falls below the least within this angle.
-  const auto nearest = static_cast<float>(exponent > 0.0f ? std::pow(kLeast, 1.0 / static_cast<double>(exponent)) : 0.0);
+  const auto nearest =
+      static_cast<float>(exponent > 0.0f ? std::pow(kLeast, 1.0 / static_cast<double>(exponent)) : 0.0);
   const double reach = std::acos(static_cast<double>(nearest)) / std::numbers::pi * height;
   for (int row = 0; row < height; ++row) {
     const int first = std::max(0, static_cast<int>(std::floor(row - reach)));

@@ -3,10 +3,10 @@
 //   L = F R + (1 - F) albedo E / pi,   R = ∫ D(ω) L(ω') dω
 //
 // D is the normalised Phong lobe (k + 1) / (2 pi) cos^k of the angle to the mirror direction (Lafortune and
-// Willems 1994). Its exponent is that of Blinn's halfway lobe for GGX roughness² over 4, k = (2 / r⁴ - 2) / 4.
-// A direction ω below the surface is mirrored at the tangent plane to ω', so that no light is lost: under a
-// uniform sky a white surface stays white. F is Schlick's approximation, less steep on rough surfaces (Lagarde
-// 2011). After a reflection light meets diffuse surfaces: paths bounce by the albedo alone.
+// Willems 1994). Its exponent is that of Blinn's halfway lobe for GGX roughness² over 4, k = (2 / r⁴ - 2)
+// / 4. A direction ω below the surface is mirrored at the tangent plane to ω', so that no light is lost:
+// under a uniform sky a white surface stays white. F is Schlick's approximation, less steep on rough surfaces
+// (Lagarde 2011). After a reflection light meets diffuse surfaces: paths bounce by the albedo alone.
 // resources/shaders/light/gloss.frag.glsl computes the same.
 #pragma once
 

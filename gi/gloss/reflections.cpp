@@ -148,7 +148,8 @@ std::shared_ptr<const GlossLight> makeGlossLight(const scene::Scene& resolved,
         continue;
       }
     }
-    gloss->environments.push_back(std::make_shared<const FilteredEnvironment>(*light->environment, roughness));
+    gloss->environments.push_back(
+        std::make_shared<const FilteredEnvironment>(*light->environment, roughness));
   }
   gloss->scene = std::move(light);
   return gloss;
@@ -184,15 +185,18 @@ bool reflectionsOf(const PictureLight& light, std::span<const GlossPoint> points
     StoredIrradiance stored(light, setup.lamps);
     for (std::size_t k = 0; k < lobe.hits.size(); ++k) {
       const std::size_t i = lobe.hits[k];
-      const glm::vec3 normal = normalAt(setup, lobe.gradients[k], abovePlane(lobe.directions[i], of[i / samples].normal));
-      const glm::vec3 albedo = scene.albedo.at(grid.valueOfStored(static_cast<double>(lobe.rays[i].isovalue)));
+      const glm::vec3 normal =
+          normalAt(setup, lobe.gradients[k], abovePlane(lobe.directions[i], of[i / samples].normal));
+      const glm::vec3 albedo =
+          scene.albedo.at(grid.valueOfStored(static_cast<double>(lobe.rays[i].isovalue)));
       const glm::vec3 reflectance = albedo * std::numbers::inv_pi_v<float>;
       const StoredIrradiance::Lookup lookup = stored.at(lobe.voxels[k], normal);
       Reflection& reflection = out[i / samples];
       reflection.met += 1.0f;
       reflection.light += lookup.baked * reflectance * lookup.irradiance;
       reflection.baked += lookup.baked;
-      if (lookup.baked < 1.0f) reflection.unoccluded += reflectance * stored.unoccluded(lobe.voxels[k], normal);
+      if (lookup.baked < 1.0f)
+        reflection.unoccluded += reflectance * stored.unoccluded(lobe.voxels[k], normal);
     }
     for (Reflection& reflection : out) {
       if (reflection.met > 0.0f) reflection.unoccluded /= reflection.met;
@@ -239,7 +243,8 @@ std::vector<glm::vec3> reflectedPoints(const GlossLight& light, const scene::Sce
   std::vector<glm::vec3> met;
   LobeRays lobe;
   for (std::size_t first = 0; first < points.size(); first += kPointsAtOnce) {
-    lobe.trace(setup, std::span(points).subspan(first, std::min(kPointsAtOnce, points.size() - first)), kRays);
+    lobe.trace(setup, std::span(points).subspan(first, std::min(kPointsAtOnce, points.size() - first)),
+               kRays);
     met.insert(met.end(), lobe.voxels.begin(), lobe.voxels.end());
   }
   return met;
@@ -262,7 +267,7 @@ bool reflectedRadiance(const PathTracer& paths, std::span<const GlossPoint> poin
     for (std::size_t i = 0; i < of.size(); ++i)
       if (!(lobe.t[i] < kNever) && scene.environment)
         sky[i] = scene.environment->radiance(abovePlane(lobe.directions[i], of[i].normal) *
-                                                 scene.worldFromEnvironment);
+                                             scene.worldFromEnvironment);
     std::vector<LightPoint> met;
     std::vector<glm::vec3> skyMet(lobe.hits.size()), lampsMet(lobe.hits.size(), glm::vec3(0.0f));
     for (std::size_t k = 0; k < lobe.hits.size(); ++k) {
@@ -287,8 +292,8 @@ bool reflectedRadiance(const PathTracer& paths, std::span<const GlossPoint> poin
       std::vector<std::size_t> from;
       std::vector<glm::vec3> worth;
       for (std::size_t i = 0; i < of.size(); ++i) {
-        const glm::vec2 u = samplePair(scene.sequence, of[i].seed, sample,
-                                       kFirstLampPair + static_cast<std::uint32_t>(lamp));
+        const glm::vec2 u =
+            samplePair(scene.sequence, of[i].seed, sample, kFirstLampPair + static_cast<std::uint32_t>(lamp));
         LampRay ray;
         if (!aimAt(setup, of[i], lamp, u, ray)) continue;
         toLamp.push_back(ray.ray);

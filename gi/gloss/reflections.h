@@ -30,7 +30,8 @@ struct PictureLight;
 // What frames need to show gloss, besides the light itself.
 struct GlossLight {
   std::shared_ptr<const LightScene> scene;  // its tracer is null where no light is baked: nothing occludes
-  std::vector<std::shared_ptr<const FilteredEnvironment>> environments;  // one for each roughness in the scene
+  std::vector<std::shared_ptr<const FilteredEnvironment>>
+      environments;  // one for each roughness in the scene
 
   const FilteredEnvironment* of(float roughness) const;  // null: not in the scene
 };
@@ -43,11 +44,11 @@ std::shared_ptr<const GlossLight> makeGlossLight(const scene::Scene& resolved,
 
 struct GlossPoint {
   glm::vec3 voxel{0.0f};
-  float isovalue = 0.0f;  // stored units
+  float isovalue = 0.0f;                 // stored units
   glm::vec3 normal{0.0f}, mirror{0.0f};  // unit, world; toward the viewer's side, and the mirror direction
   float exponent = 0.0f;
-  std::uint32_t seed = 0;                           // of its pattern of directions
-  std::uint32_t sample = 0;                         // the first of the pattern
+  std::uint32_t seed = 0;                            // of its pattern of directions
+  std::uint32_t sample = 0;                          // the first of the pattern
   const FilteredEnvironment* environment = nullptr;  // reflectionsOf() only
 };
 

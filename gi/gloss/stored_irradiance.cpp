@@ -18,12 +18,13 @@ glm::vec3 StoredIrradiance::valueOf(const LightContent& content, const float* me
   glm::vec3 sum(0.0f);
   for (std::size_t i = 0; i < std::min(terms, light_.environment.size()); ++i)
     for (int c = 0; c < 3; ++c)
-      sum[c] += means[static_cast<std::size_t>(content.channels == 1 ? 0 : c) * terms + i] * light_.environment[i][c];
+      sum[c] += means[static_cast<std::size_t>(content.channels == 1 ? 0 : c) * terms + i] *
+                light_.environment[i][c];
   return glm::max(sum, glm::vec3(0.0f));
 }
 
-StoredIrradiance::Lookup StoredIrradiance::lookUp(const LightLattice* lattice, LastBlock& last, glm::vec3 voxel,
-                                                  glm::vec3 normal) const {
+StoredIrradiance::Lookup StoredIrradiance::lookUp(const LightLattice* lattice, LastBlock& last,
+                                                  glm::vec3 voxel, glm::vec3 normal) const {
   Lookup found;
   if (!lattice) return found;
   const LatticeGeometry& geometry = lattice->geometry();

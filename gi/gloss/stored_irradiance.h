@@ -22,8 +22,8 @@ class StoredIrradiance {
     glm::vec3 irradiance{0.0f};
     float baked = 0.0f;  // fraction of the lookup
   };
-  // Return E of sky and light sources at a front face, with the environment's exposure: of the texels that are
-  // baked, and without anything in the way. `voxel`: voxel coordinates; `normal`: unit, world.
+  // Return E of sky and light sources at a front face, with the environment's exposure: of the texels that
+  // are baked, and without anything in the way. `voxel`: voxel coordinates; `normal`: unit, world.
   Lookup at(glm::vec3 voxel, glm::vec3 normal);
   glm::vec3 unoccluded(glm::vec3 voxel, glm::vec3 normal) const;
 

@@ -175,7 +175,8 @@ bool Reference::findHitsOfRow(std::size_t row, std::span<const std::uint32_t> wa
     point.isovalue = static_cast<float>(grid.storedOfValue(value));
     const std::size_t side = hit.outer ? 0 : 1;
     found.points[side].push_back(point);
-    if (side == 0) found.rays.push_back(hits_.direction({static_cast<int>(columns[i]), static_cast<int>(row)}));
+    if (side == 0)
+      found.rays.push_back(hits_.direction({static_cast<int>(columns[i]), static_cast<int>(row)}));
     found.pixels[side].push_back(static_cast<std::uint32_t>(pixel));
   }
   return true;
@@ -190,7 +191,8 @@ void Reference::findGloss(const std::vector<RowPoints>& rows) {
       const LightPoint& point = row.points[0][i];
       const std::uint32_t pixel = row.pixels[0][i];
       const PrimaryHits::Surface& surface = hits_.surfaces()[static_cast<std::size_t>(surfaces_[pixel])];
-      const auto specular = static_cast<float>(surface.specular), roughness = static_cast<float>(surface.roughness);
+      const auto specular = static_cast<float>(surface.specular),
+                 roughness = static_cast<float>(surface.roughness);
       // As the renderer takes normals that turn away from the viewer.
       glm::vec3 normal = point.normal;
       const glm::vec3 ray = row.rays[i];

@@ -18,13 +18,15 @@ namespace isolux::render {
 
 namespace {
 
-constexpr int kPixelsOfGlossCell = 2, kPixelsInMotion = 4;  // per axis, of a cell; in frames of one ray a pixel
-constexpr int kAround = 4;        // cells per axis that a result is the mean of
+constexpr int kPixelsOfGlossCell = 2,
+              kPixelsInMotion = 4;  // per axis, of a cell; in frames of one ray a pixel
+constexpr int kAround = 4;          // cells per axis that a result is the mean of
 constexpr int kFilteredSize = 192;  // texels per axis of an octahedron's square
 // Mirror directions turn twice as far as normals.
 constexpr float kSharpnessOfExponent = 1.0f, kMostSharp = 256.0f;
 constexpr float kNotTraced = -1.0f;
-constexpr float kMostVisible = 16.0f;  // times the filtered environment; light from below comes from above, too
+constexpr float kMostVisible =
+    16.0f;  // times the filtered environment; light from below comes from above, too
 
 int cellOf(const FrameRequest& request) {
   return request.supersampling == 1 ? kPixelsInMotion : kPixelsOfGlossCell * request.supersampling;
@@ -43,14 +45,16 @@ Cells cellsOf(const FrameState& frame) {
 // A number for each square of kAround cells: what its cells trace together is one pattern.
 std::uint32_t seedOf(glm::ivec2 cell) {
   const glm::ivec2 square = cell / kAround;
-  std::uint32_t h = static_cast<std::uint32_t>(square.x) * 0x9e3779b1u ^ static_cast<std::uint32_t>(square.y) * 0x85ebca77u;
+  std::uint32_t h =
+      static_cast<std::uint32_t>(square.x) * 0x9e3779b1u ^ static_cast<std::uint32_t>(square.y) * 0x85ebca77u;
   h = (h ^ (h >> 15)) * 0x2c1b3c6du;
   return h ^ (h >> 13);
 }
 
 // The place of a cell within its square, so that neighbours are far apart in the pattern.
 std::uint32_t placeOf(glm::ivec2 cell) {
-  static constexpr std::uint32_t places[kAround][kAround] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
+  static constexpr std::uint32_t places[kAround][kAround] = {
+      {0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
   return places[cell.y % kAround][cell.x % kAround];
 }
 
@@ -79,8 +83,8 @@ struct CellPoint {
 };
 
 // The mean of the cells around each that show the same piece of surface and reflect much the same.
-std::vector<gi::Reflection> smoothed(const std::vector<gi::Reflection>& of, const std::vector<CellPoint>& cells,
-                                     glm::ivec2 size) {
+std::vector<gi::Reflection> smoothed(const std::vector<gi::Reflection>& of,
+                                     const std::vector<CellPoint>& cells, glm::ivec2 size) {
   std::vector<gi::Reflection> result(of.size());
   for (int y = 0; y < size.y; ++y)
     for (int x = 0; x < size.x; ++x) {
@@ -94,7 +98,8 @@ std::vector<gi::Reflection> smoothed(const std::vector<gi::Reflection>& of, cons
           const auto i = static_cast<std::size_t>(v * size.x + u);
           const CellPoint& other = cells[i];
           if (other.surface != own.surface || std::abs(other.depth - own.depth) > own.tolerance) continue;
-          const float fits = std::max(1.0f - own.sharpness * (1.0f - glm::dot(other.normal, own.normal)), 0.0f);
+          const float fits =
+              std::max(1.0f - own.sharpness * (1.0f - glm::dot(other.normal, own.normal)), 0.0f);
           const float weight = i == at ? 1.0f : fits * fits;
           if (!(weight > 0.0f)) continue;
           sum.add(of[i], weight);
@@ -147,8 +152,10 @@ void ReflectionsPass::declare(Declaring& d) const {
 
 void ReflectionsPass::run(FrameState& frame) {
   const Cells cells = cellsOf(frame);
-  Target& target = frame.images.make(frame.gl, imageOf(image::reflections, frame), cells.size, {GL_RGBA16F, GL_RGBA8, GL_R32F});
-  static constexpr float open[4] = {0.0f, 0.0f, 0.0f, 1.0f}, white[4] = {1.0f, 1.0f, 1.0f, 1.0f}, none[4] = {kNotTraced};
+  Target& target = frame.images.make(frame.gl, imageOf(image::reflections, frame), cells.size,
+                                     {GL_RGBA16F, GL_RGBA8, GL_R32F});
+  static constexpr float open[4] = {0.0f, 0.0f, 0.0f, 1.0f}, white[4] = {1.0f, 1.0f, 1.0f, 1.0f},
+                         none[4] = {kNotTraced};
   frame.clear(target, {open, white, none});
   if (frame.empty() || !frame.light || !frame.light->gloss) return;
   const std::string name = "points of reflections";
@@ -174,7 +181,9 @@ void ReflectionsPass::trace(FrameState& frame, const Target& target, const Targe
   // How far apart in depth cells of one piece of surface are: some times their width.
   const auto perDepth = static_cast<float>(16.0 * frame.view->halfExtent.y * cellOf(frame.request) /
                                            (frame.request.size.y * frame.request.supersampling));
-  const auto vectorAt = [](const std::vector<float>& of, std::size_t i) { return glm::vec3(of[4 * i], of[4 * i + 1], of[4 * i + 2]); };
+  const auto vectorAt = [](const std::vector<float>& of, std::size_t i) {
+    return glm::vec3(of[4 * i], of[4 * i + 1], of[4 * i + 2]);
+  };
   std::vector<CellPoint> cells(places.size() / 4);
   std::vector<gi::GlossPoint> points;
   std::vector<std::size_t> of;
@@ -183,7 +192,8 @@ void ReflectionsPass::trace(FrameState& frame, const Target& target, const Targe
     if (which < 0) continue;
     const Surface& surface = frame.surfaces[static_cast<std::size_t>(which)];
     const auto roughness = static_cast<float>(surface.roughness);
-    const gi::FilteredEnvironment* const environment = surface.specular > 0.0 ? light.gloss->of(roughness) : nullptr;
+    const gi::FilteredEnvironment* const environment =
+        surface.specular > 0.0 ? light.gloss->of(roughness) : nullptr;
     if (!environment) continue;
     const glm::ivec2 cell = first + glm::ivec2(static_cast<int>(i) % size.x, static_cast<int>(i) / size.x);
     const glm::vec3 voxel = vectorAt(places, i), normal = vectorAt(normals, i), ray = vectorAt(rays, i);
@@ -192,8 +202,8 @@ void ReflectionsPass::trace(FrameState& frame, const Target& target, const Targe
     cells[i] = {which, depth, perDepth * (frame.view->orthographic ? 1.0f : depth), normal,
                 std::min(kSharpnessOfExponent * gi::glossExponent(roughness), kMostSharp)};
     points.push_back({voxel, static_cast<float>(grid.storedOfValue(value)), normal,
-                      ray - 2.0f * std::min(glm::dot(ray, normal), 0.0f) * normal, gi::glossExponent(roughness),
-                      seedOf(cell), placeOf(cell), environment});
+                      ray - 2.0f * std::min(glm::dot(ray, normal), 0.0f) * normal,
+                      gi::glossExponent(roughness), seedOf(cell), placeOf(cell), environment});
     of.push_back(i);
   }
   std::vector<gi::Reflection> traced(points.size()), all(cells.size());
@@ -213,7 +223,8 @@ void ReflectionsPass::trace(FrameState& frame, const Target& target, const Targe
   const Gl& gl = *frame.gl;
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl.TextureSubImage2D(target.images[0].id(), 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, reflected.data());
-  gl.TextureSubImage2D(target.images[1].id(), 0, 0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, lamps.data());
+  gl.TextureSubImage2D(target.images[1].id(), 0, 0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE,
+                       lamps.data());
   gl.TextureSubImage2D(target.images[2].id(), 0, 0, 0, size.x, size.y, GL_RED, GL_FLOAT, depths.data());
 }
 
@@ -243,7 +254,8 @@ void GlossPass::setEnvironments(FrameState& frame, Program& p, int unit) {
       const gi::Environment& map = environment->filtered();
       for (int y = 0; y < size.y; ++y)
         for (int x = 0; x < size.x; ++x) {
-          const glm::dvec3 d = ofOctahedron((2.0 * glm::dvec2(x, y) + 1.0) / static_cast<double>(kFilteredSize) - 1.0);
+          const glm::dvec3 d =
+              ofOctahedron((2.0 * glm::dvec2(x, y) + 1.0) / static_cast<double>(kFilteredSize) - 1.0);
           texels.push_back(between(map, (0.5 + std::atan2(d.x, d.y) / (2.0 * std::numbers::pi)) * map.width(),
                                    std::acos(std::clamp(d.z, -1.0, 1.0)) / std::numbers::pi * map.height()));
         }
@@ -251,7 +263,8 @@ void GlossPass::setEnvironments(FrameState& frame, Program& p, int unit) {
     environments_ = Texture();
     environments_ = Texture::make3D(frame.gl, GL_RGBA16F, size, true);
     frame.gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    frame.gl->TextureSubImage3D(environments_.id(), 0, 0, 0, 0, size.x, size.y, size.z, GL_RGB, GL_FLOAT, texels.data());
+    frame.gl->TextureSubImage3D(environments_.id(), 0, 0, 0, 0, size.x, size.y, size.z, GL_RGB, GL_FLOAT,
+                                texels.data());
     of_ = gloss.environments;
   }
   p.setTexture("uFiltered", unit, environments_);

@@ -1,8 +1,8 @@
 // Draws what glossy surfaces reflect under global illumination: the passes reflections and gloss.
 //
-// Rays are traced on the CPU whatever the executor (gi/gloss/reflections.h), one for each cell of 2 x 2 pixels, or
-// 4 x 4 in frames of one ray a pixel. A cell's result is the mean over the cells around it that show the same surface. Cells are those of the
-// whole image, so tiles agree with it.
+// Rays are traced on the CPU whatever the executor (gi/gloss/reflections.h), one for each cell of 2 x 2
+// pixels, or 4 x 4 in frames of one ray a pixel. A cell's result is the mean over the cells around it that
+// show the same surface. Cells are those of the whole image, so tiles agree with it.
 #pragma once
 
 #include <memory>

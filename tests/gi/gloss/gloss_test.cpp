@@ -39,7 +39,8 @@ std::shared_ptr<const volume::PreparedVolume> glossyPlane() {
 Estimate radianceOf(const PathTracer& tracer, const GlossPoint& point, std::uint32_t samples) {
   RadianceSum sum;
   Estimate result;
-  EXPECT_TRUE(reflectedRadiance(tracer, std::span(&point, 1), {0, samples}, 1.0, std::span(&sum, 1), result.rays, {}));
+  EXPECT_TRUE(reflectedRadiance(tracer, std::span(&point, 1), {0, samples}, 1.0, std::span(&sum, 1),
+                                result.rays, {}));
   result.mean = (sum.sky + sum.lamps) / static_cast<double>(samples);
   result.luminance = base::luminance(result.mean);
   const double variance = (sum.squares - sum.luminance * sum.luminance / samples) / (samples - 1.0);
@@ -114,7 +115,8 @@ TEST(Gloss, ASkyThatBrightensUpwards) {
   const PathTracer tracer = tracerOf(std::move(light));
   for (const float roughness : {0.1f, 0.3f}) {  // nothing of the lobe is below
     const double k = static_cast<double>(glossExponent(roughness));
-    const Estimate found = radianceOf(tracer, planePoint(tracer, glm::dvec3(0.5, 0.0, 0.8), roughness), 20000);
+    const Estimate found =
+        radianceOf(tracer, planePoint(tracer, glm::dvec3(0.5, 0.0, 0.8), roughness), 20000);
     const double up = 0.8 / std::hypot(0.5, 0.8);
     Estimate judged = found;
     judged.standardError = std::hypot(found.standardError, 2e-3);  // of the pixels of the sky
@@ -140,8 +142,8 @@ TEST(Gloss, APointLampShinesByTheDensityOfTheLobe) {
   }
 }
 
-// A ball of radius R at height h over the plane, straight above a point that is seen from above, hides the cone of
-// half angle asin(R / h): of the lobe 1 - cos^(k + 1) of it. The ball is black.
+// A ball of radius R at height h over the plane, straight above a point that is seen from above, hides the
+// cone of half angle asin(R / h): of the lobe 1 - cos^(k + 1) of it. The ball is black.
 TEST(Gloss, ABallAboveHidesItsConeOfTheSky) {
   constexpr double radius = 6.0, height = 14.0;
   const auto volume = volumeOf(cube(56), [](glm::dvec3 p) {

@@ -51,16 +51,18 @@ class GlossGlTest : public RenderGlTest {
       return entry.name == pass && entry.state == render::PassState::ran;
     });
   }
-  // The mean over the surface of the picture less the reference, in standard errors of the reference, of which
-  // `ownError` (a fraction of the mean) is the picture's.
-  double apart(const render::LinearImage& picture, const gi::ReferenceImage& reference, double ownError) const {
+  // The mean over the surface of the picture less the reference, in standard errors of the reference, of
+  // which `ownError` (a fraction of the mean) is the picture's.
+  double apart(const render::LinearImage& picture, const gi::ReferenceImage& reference,
+               double ownError) const {
     double difference = 0.0, variance = 0.0, sum = 0.0;
     for (std::size_t i = 0; i < reference.hit.size(); ++i) {
       if (reference.hit[i] == 0) continue;
       const glm::dvec3 traced(reference.color[i]);
       const glm::dvec3 seen(picture.rgba[4 * i], picture.rgba[4 * i + 1], picture.rgba[4 * i + 2]);
       difference += base::luminance(seen - traced);
-      if (std::isfinite(reference.glossVariance[i])) variance += static_cast<double>(reference.glossVariance[i]);
+      if (std::isfinite(reference.glossVariance[i]))
+        variance += static_cast<double>(reference.glossVariance[i]);
       variance += static_cast<double>(reference.variance[i]) / 9.87;  // of E / pi
       sum += base::luminance(traced);
     }
@@ -76,8 +78,9 @@ class GlossGlTest : public RenderGlTest {
 TEST_F(GlossGlTest, TheFurnaceIsWhite) {
   for (const char* roughness : {"0.05", "0.3", "1"}) {
     SCOPED_TRACE(roughness);
-    use("phantom:ball:32", {"isosurface.albedo=1,1,1", "isosurface.specular=0.4",
-                            std::string("isosurface.roughness=") + roughness, "light.environment.constant=1,1,1"});
+    use("phantom:ball:32",
+        {"isosurface.albedo=1,1,1", "isosurface.specular=0.4",
+         std::string("isosurface.roughness=") + roughness, "light.environment.constant=1,1,1"});
     const render::LinearImage picture = drawn();
     const gi::ReferenceImage reference = traced(8);
     int surface = 0;
