@@ -47,6 +47,8 @@ const char* nameOf(scene::BuiltInLight light) {
       return "overcast";
     case scene::BuiltInLight::sunset:
       return "sunset";
+    case scene::BuiltInLight::dark_studio:
+      return "dark_studio";
   }
   throw std::logic_error("a built-in light without a name");
 }

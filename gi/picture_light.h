@@ -21,8 +21,8 @@ namespace isolux::gi {
 
 struct GlossLight;  // gi/gloss/reflections.h
 
-// Statistics of E / pi times a fixed reflectance over points of the surface (gi/trace/exposure_meter.h), before
-// the image's exposure.
+// Statistics of E / pi times a fixed reflectance over points of the surface (gi/trace/exposure_meter.h),
+// before the image's exposure.
 struct SurfaceBrightness {
   double median = 0.0, highlight = 0.0;  // luminance; highlight: the 98 % quantile
 };

@@ -107,7 +107,8 @@ class Collector {
  public:
   explicit Collector(const FrameRequest& request)
       : request_(request),
-        held_(base::machineMemory().reserve(bytesOf(request), "the finished image", "a smaller image needs less")) {
+        held_(base::machineMemory().reserve(bytesOf(request), "the finished image",
+                                            "a smaller image needs less")) {
     if (request.color)
       still_.color = {request.size, std::vector<std::uint8_t>(4 * pixelsOf(request.size)), false};
     if (request.linear) still_.linear = {request.size, std::vector<float>(4 * pixelsOf(request.size)), false};

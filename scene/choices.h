@@ -8,9 +8,9 @@ namespace isolux::scene {
 // The kind of data in a volume: volume/statistics/data_kind.h. ct_hu: a CT in Hounsfield units.
 enum class DataKind { automatic, ct_hu, ct, mr, microscopy, simulation, distance, labels, other };
 enum class Csg { none, unite, intersection, difference, blend };  // with the second volume
-enum class Frames { surface, volume };                     // shown whole by an automatic camera
-enum class Suggestion { object, contrast };                // the border at an automatic isovalue
-enum class Inside { above, below };                        // inside is f >= isovalue, or f <= isovalue
+enum class Frames { surface, volume };                            // shown whole by an automatic camera
+enum class Suggestion { object, contrast };                       // the border at an automatic isovalue
+enum class Inside { above, below };                               // inside is f >= isovalue, or f <= isovalue
 constexpr Inside otherSide(Inside inside) {
   return inside == Inside::above ? Inside::below : Inside::above;
 }
@@ -63,7 +63,7 @@ enum class LightSetup { three_point, key };
 enum class LightSpace { camera, world };
 enum class AlbedoSource { color, map };  // one colour per isosurface, or a colour map over the isovalue
 enum class LampKind { point, directional, sphere };
-enum class BuiltInLight { studio, window, overcast, sunset };  // gi/sampling/built_in_light.h
+enum class BuiltInLight { studio, window, overcast, sunset, dark_studio };  // gi/sampling/built_in_light.h
 // The baked quantity of light; automatic: the least that the scene needs (scene/rules/gi_choice.h).
 enum class GiMode { automatic, off, irradiance, transfer, vicinity, shadow };
 enum class GiExtent { full, band, view };  // which texels are lit
@@ -75,10 +75,12 @@ enum class DirectionSequence { sobol_owen, r2, random };
 // own isosurface.
 enum class GiInterpolation { closest_isovalue, nearest, trilinear, tricubic, weighted };
 enum class GiPrecision { r11g11b10, half };  // of irradiance on the GPU
-enum class Metering { surface, lights };     // what an automatic exposure measures
+// The basis of an automatic exposure: light that reaches the surface; light that leaves it towards the front,
+// as before session version 9; or the light sources.
+enum class Metering { surface, lights, brightness };
 // From linear radiance to the image. automatic: filmic under global illumination, else linear.
 enum class ToneCurve { automatic, linear, filmic };
-// What of the renderer's work is drawn over the surface: blocks of the min-max structure that rays enter,
+// The renderer's work that is drawn over the surface: blocks of the min-max structure that rays enter,
 // resident bricks, lit texels (Hadwiger et al. 2005 fig. 2).
 enum class WorkOverlay { none, blocks, bricks, texels };
 enum class Projection { perspective, orthographic };

@@ -25,9 +25,9 @@ namespace isolux::scene {
 
 struct Source {
   std::string path = "phantom:head";  // file, folder, or "phantom:NAME[:SIZE]"
-  std::string raw;     // how to read a raw file: "WxHxD TYPE [little|big] [spacing x,y,z] [header BYTES]"
-  std::string series;  // DICOM SeriesInstanceUID, empty: the series with most slices
-  int component = 0;   // channel of a file with several per voxel; -1: their magnitude
+  std::string raw;        // how to read a raw file: "WxHxD TYPE [little|big] [spacing x,y,z] [header BYTES]"
+  std::string series;     // DICOM SeriesInstanceUID, empty: the series with most slices
+  int component = 0;      // channel of a file with several per voxel; -1: their magnitude
   double timeStep = 0.0;  // of a file with several; a fraction blends a step with the next
   DataKind kind = DataKind::automatic;
   int level = 0;                   // 0: full resolution; n: means of about 2^n voxels along each axis
@@ -46,8 +46,8 @@ struct Isosurface {
   Suggestion suggestion = Suggestion::object;
   Inside inside = Inside::above;
   glm::dvec3 albedo{0.70, 0.62, 0.50};
-  double specular = 0.0;    // reflectance at normal incidence under global illumination (gi/gloss); 0: matt
-  double roughness = 0.3;   // of the gloss: 0 is a mirror
+  double specular = 0.0;   // reflectance at normal incidence under global illumination (gi/gloss); 0: matt
+  double roughness = 0.3;  // of the gloss: 0 is a mirror
   AlbedoSource albedoSource = AlbedoSource::color;  // of all isosurfaces
   ColorMap albedoMap = ColorMap::viridis;
   std::optional<double> albedoLow, albedoHigh;  // data units: the ends of the map
@@ -210,13 +210,14 @@ struct Look {
   std::optional<glm::dvec3> fogColor;  // automatic: the background
   ColorMap colormap = ColorMap::automatic;
   std::optional<std::vector<ColorPoint>> colormapPoints;  // the user's transfer function instead of colormap
-  std::optional<double> rangeLow, rangeHigh;  // of the colour map, in the unit of what it shows
+  std::optional<double> rangeLow, rangeHigh;              // of the colour map, in the unit of what it shows
   // Automatic: scene/curvature_map.h, where hue shows the shape index and chroma the curvedness.
   std::optional<std::vector<CurvaturePoint>> curvaturePoints;
   bool legend = true;  // drawn in the image if colours show numbers
   LegendCorner legendCorner = LegendCorner::automatic;
   double accessibility = 0.0;
-  // Factor on the surface's own colour over accessibility: 0 in the deepest hollow, 1 where nothing is hollow.
+  // Factor on the surface's own colour over accessibility: 0 in the deepest hollow, 1 where nothing is
+  // hollow.
   std::optional<std::vector<ColorPoint>> accessibilityPoints;
   WorkOverlay overlay = WorkOverlay::none;
   double ridges = 0.0;                   // strength of ridge and valley lines

@@ -510,11 +510,13 @@ std::vector<Setting> makeSettings() {
                          "deviates by over a tenth of a voxel. AOVs and baked light use hit.field."));
   add(entry<Scene>("picture.exposure", ISOLUX_MEMBER(picture.exposure), {-40, 40}, "stops",
                    "Exposure of images lit by global illumination; auto follows picture.metering."));
-  add(choiceEntry<Scene>("picture.metering", ISOLUX_MEMBER(picture.metering),
-                         "Basis of automatic exposure: the light that the surface receives, whatever its "
-                         "colour, or the lights. The surface is that of the image when a volume is drawn, "
-                         "and that of the front in sessions and the window. The lights make an unoccluded "
-                         "white surface nearly white."));
+  add(choiceEntry<Scene>(
+      "picture.metering", ISOLUX_MEMBER(picture.metering),
+      "Basis of automatic exposure: the light that the surface receives, whatever its "
+      "colour, or the lights. The surface is that of the image when a volume is drawn, "
+      "and that of the front in sessions and the window. The lights make an unoccluded "
+      "white surface nearly white. brightness: the light that leaves the front, with its colour, as "
+      "before session version 9."));
   add(choiceEntry<Scene>("picture.curve", ISOLUX_MEMBER(picture.curve),
                          "Tone curve of final images: linear clips at white; filmic rolls highlights off as "
                          "film does. auto is filmic under global illumination, otherwise linear. Linear "

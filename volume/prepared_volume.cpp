@@ -294,8 +294,9 @@ std::shared_ptr<PreparedVolume> prepareFile(const std::shared_ptr<const ChunkedV
   noteStep(volume, source.timeStep);
   const VolumeIndex index = indexOf(*file, source, volume.warnings, progress);
   const double readSeconds = secondsSince(start);
-  auto bricks = std::make_shared<BrickSource>(file, VolumePart{static_cast<int>(source.timeStep), source.component},
-                                              brickBudget(ramBudgetMb, *index.blocks()));
+  auto bricks =
+      std::make_shared<BrickSource>(file, VolumePart{static_cast<int>(source.timeStep), source.component},
+                                    brickBudget(ramBudgetMb, *index.blocks()));
   const auto gridOf = [&](double slope, double intercept) {
     return std::make_shared<Grid>(facts.levels.front().geometry, index.voxelFacts(slope, intercept), slope,
                                   intercept, bricks);

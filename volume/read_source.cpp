@@ -78,7 +78,8 @@ Volume readBlend(const scene::Source& source, const ReadOptions& options, base::
   Volume volume = readStep(source, step, options, progress);
   if (fraction > 0.0) {
     checkStep(source, volume.timeSteps);
-    volume = blendedSteps(std::move(volume), readStep(source, step + 1, options, progress), fraction, progress);
+    volume =
+        blendedSteps(std::move(volume), readStep(source, step + 1, options, progress), fraction, progress);
   }
   noteStep(volume, source.timeStep);
   return volume;
@@ -91,8 +92,7 @@ CsgResult readSource(const scene::Source& source, base::Progress& progress) {
   const bool combines = source.csg != scene::Csg::none && !source.csgPath.empty();
   ReadOptions second;  // series, component and time step are the first one's
   second.meshVoxels = source.meshVoxels;
-  if (combines && showsBoth(source.csg))
-    options.alsoHold = meshBounds(source.csgPath, second, progress);
+  if (combines && showsBoth(source.csg)) options.alsoHold = meshBounds(source.csgPath, second, progress);
   CsgResult result;
   result.volume = readBlend(source, options, progress);
   if (source.csg != scene::Csg::none && !combines)

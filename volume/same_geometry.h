@@ -1,4 +1,4 @@
-// Whether two grids have their voxels in the same places.
+// Tells whether two grids have their voxels in the same places.
 #pragma once
 
 #include "volume/grid.h"

@@ -13,9 +13,9 @@ namespace isolux::volume {
 // geometry. Throws Error{memory}, Error{interrupted}.
 Volume blendedSteps(Volume first, const Volume& second, double fraction, base::Progress& progress);
 
-// Throws Error{input} naming the first file whose voxels differ in number, spacing, position or type from those
-// of step 0. `read` is the volume of `step`, at the level of `source`; of step 0, those files are compared that
-// say so in a header.
+// Throws Error{input} naming the first file whose voxels differ in number, spacing, position or type from
+// those of step 0. `read` is the volume of `step`, at the level of `source`; of step 0, those files are
+// compared that say so in a header.
 void checkFits(const scene::Source& source, int step, const Volume& read, base::Progress& progress);
 
 // "time step 7 does not exist; ...", where it does not. A fraction needs the next step, too.

@@ -195,8 +195,7 @@ void drawAnnotation(const Annotation& annotation, const scene::Scene& resolved,
 void annotate(const scene::Scene& resolved, const volume::PreparedVolume& volume,
               const render::FrameReport& report, render::ColorImage& image) {
   Annotation annotation = annotationOf(resolved, volume, image.size);
-  if (resolved.picture.caveats && resolved.look.overlay == scene::WorkOverlay::bricks &&
-      !report.bricks.inUse)
+  if (resolved.picture.caveats && resolved.look.overlay == scene::WorkOverlay::bricks && !report.bricks.inUse)
     annotation.caveats.emplace_back("nothing is held in bricks");
   drawAnnotation(annotation, resolved, report.legend, image);
 }

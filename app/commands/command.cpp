@@ -9,9 +9,9 @@
 #include <map>
 #include <sstream>
 
-#include <nlohmann/json.hpp>
 #include <tbb/global_control.h>
 #include <tbb/info.h>
+#include <nlohmann/json.hpp>
 
 #include "app/commands/progress_bar.h"
 #include "app/documents/session.h"
@@ -59,10 +59,6 @@ void addEnvironment(const std::string& value, std::vector<std::string>& assignme
   assignments.push_back("light.environment.builtin=" + value);
 }
 
-}  // namespace
-
-namespace {
-
 // "look.colormap_points=@FILE": the rows of the file as the list that stands for them. Others stay.
 std::string withPointsOfFile(const std::string& assignment) {
   const std::size_t at = assignment.find("=@");
@@ -101,9 +97,11 @@ std::shared_ptr<SceneOptions> addSceneOptions(CLI::App& parser, Draws draws) {
         [options, path](const std::string& value) { options->assignments.push_back(path + ("=" + value)); };
   };
   add(
-      "--set", [options](const std::string& value) { options->assignments.push_back(withPointsOfFile(value)); },
+      "--set",
+      [options](const std::string& value) { options->assignments.push_back(withPointsOfFile(value)); },
       "PATH=VALUE",
-      "Change one setting; may be repeated; `isolux settings` lists all; PATH=@FILE reads control points from "
+      "Change one setting; may be repeated; `isolux settings` lists all; PATH=@FILE reads control points "
+      "from "
       "rows of numbers");
   parser
       .add_option("--session", options->session,
@@ -114,7 +112,8 @@ std::shared_ptr<SceneOptions> addSceneOptions(CLI::App& parser, Draws draws) {
   addOfSurface("--look", assign("look.mode"), "MODE", "Short for --set look.mode=MODE");
   addOfSurface(
       "--environment", [options](const std::string& value) { addEnvironment(value, options->assignments); },
-      "NAME|FILE", "Environment: studio, window, overcast, sunset, or an environment map (.hdr, .exr)");
+      "NAME|FILE",
+      "Environment: studio, window, overcast, sunset, dark_studio, or an environment map (.hdr, .exr)");
   addOfSurface(
       "--camera", [options](const std::string& value) { addCamera(value, options->assignments); },
       "\"EYE TARGET UP FOV\"",
@@ -125,7 +124,8 @@ std::shared_ptr<SceneOptions> addSceneOptions(CLI::App& parser, Draws draws) {
         for (const std::string& assignment : scene::quality(name).assignments)
           options->assignments.push_back(assignment);
       },
-      "draft|screen|print", "Rays per pixel, light paths and hits of a still; a later --set overrides parts of it");
+      "draft|screen|print",
+      "Rays per pixel, light paths and hits of a still; a later --set overrides parts of it");
   addOfSurface("--executor", assign("picture.executor"), "NAME",
                "Device for hits and derivatives: auto, gpu, cpu; short for --set picture.executor=NAME");
   add("--raw", assign("source.raw"), "TEXT",

@@ -78,7 +78,7 @@ std::shared_ptr<render::ContextChoice> addContextOption(CLI::App& parser);
 // Adds --frames A-B, --skip-existing.
 std::shared_ptr<FrameChoice> addFrameOptions(CLI::App& parser);
 
-// Whether the scene is that of a session, which is exposed as in the window: from the front.
+// Returns whether the scene is that of a session, which is exposed as in the window: from the front.
 bool startsFromSession(const std::string& path, const SceneOptions& options);
 
 // Throws Error{usage} if neither PATH nor a session states what to open.

@@ -87,7 +87,7 @@ void runReference(const ReferenceOptions& options, base::Progress& progress) {
   gi::Reference::Options reference{pictureSize(options.size, options.path, *options.scene),
                                    machineOf(*options.scene).threads.value_or(threadsInForce())};
   reference.meterView = !startsFromSession(options.path, *options.scene);  // as `isolux render` does
-  OutputGuard guard = outputGuard(options.path, *options.scene, scene);  // before anything slow starts
+  OutputGuard guard = outputGuard(options.path, *options.scene, scene);    // before anything slow starts
   checkOutput(guard, options.out, "--out");
   checkOutput(guard, options.stats, "--stats");
   const OutputLock lock(out);

@@ -516,9 +516,10 @@ Command makeRender(CLI::App& program) {
       ->add_option("--light", options->light,
                    "Use the baked light of this file of `isolux bake`; missing light is baked")
       ->type_name("FILE");
-  parser->add_flag("--light-around", options->lightAround,
-                   "Bake light around the visible surface and meter the front, as the window does: an image bit-identical "
-                   "to the window's, with less noise at rims, for 25 to 50 % more bake time");
+  parser->add_flag(
+      "--light-around", options->lightAround,
+      "Bake light around the visible surface and meter the front, as the window does: an image bit-identical "
+      "to the window's, with less noise at rims, for 25 to 50 % more bake time");
   CLI::Option* const sweep =
       parser
           ->add_option("--sweep", options->sweep,

@@ -30,8 +30,8 @@ class History {
   // nothing changed).
   scene::SceneDiff edit(const scene::Scene& next, const std::string& name, const std::string& mergeKey = "");
   const std::string& mergeKey() const { return mergeKey_; }  // of the gesture that goes on; "": none
-  void seal() { mergeKey_.clear(); }  // end of a gesture
-  void reset(scene::Scene scene);     // a new document: history empty
+  void seal() { mergeKey_.clear(); }                         // end of a gesture
+  void reset(scene::Scene scene);                            // a new document: history empty
 
   bool canUndo() const { return position_ > 0; }
   bool canRedo() const { return position_ < steps_.size(); }

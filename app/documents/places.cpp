@@ -94,7 +94,8 @@ fs::path placeOf(const std::string& token) {
   for (const auto& [known, text] : readPlaces(list)) {
     std::error_code ignored;
     const fs::path path = pathOfText(text);
-    if (known == token && (fs::exists(path, ignored) || !volume::stepFiles(path.string()).empty())) return path;
+    if (known == token && (fs::exists(path, ignored) || !volume::stepFiles(path.string()).empty()))
+      return path;
   }
   return {};
 }

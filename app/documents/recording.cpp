@@ -44,7 +44,7 @@ scene::Scene startOf(const json& header, const std::string& file, const StoredFo
   if (*found <= withoutScales) scene = derivativesAsBefore(std::move(scene));
   if (*found <= withoutFrames) scene = firstPictureAsBefore(std::move(scene));
   if (*found <= withoutSetup) scene = looksAsBefore(std::move(scene));
-  if (*found <= withoutCurve) scene = curveAsBefore(std::move(scene));
+  if (*found <= withoutCurve) scene = exposureAsBefore(std::move(scene));
   return sceneFromStored(scene, file, place + ", scene", folders);
 }
 

@@ -81,14 +81,15 @@ json upgradeFrom7(json session, const std::string&) {
 
 // Version 8 knew no tone curve.
 json upgradeFrom8(json session, const std::string&) {
-  session["scene"] = curveAsBefore(session.value("scene", json::object()));
+  session["scene"] = exposureAsBefore(session.value("scene", json::object()));
   return session;
 }
 
 // upgrades[i] turns version i+1 into version i+2.
 using Upgrade = json (*)(json session, const std::string& file);
-constexpr std::array<Upgrade, sessionVersion - 1> upgrades{
-    upgradeFrom1, upgradeFrom2, upgradeFrom3, upgradeFrom4, upgradeFrom5, upgradeFrom6, upgradeFrom7, upgradeFrom8};
+constexpr std::array<Upgrade, sessionVersion - 1> upgrades{upgradeFrom1, upgradeFrom2, upgradeFrom3,
+                                                           upgradeFrom4, upgradeFrom5, upgradeFrom6,
+                                                           upgradeFrom7, upgradeFrom8};
 
 int versionOf(const json& session, const std::string& file) {
   const auto found = session.find(versionKey);

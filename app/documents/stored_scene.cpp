@@ -190,8 +190,15 @@ json looksAsBefore(json stored) {
   return stored;
 }
 
-json curveAsBefore(json stored) {
-  addMissing(stored, {{"picture", {{"curve", "linear"}}}});
+json exposureAsBefore(json stored) {
+  addMissing(stored, {{"picture", {{"curve", "linear"}, {"metering", "surface"}}},
+                      {"light", {{"environment", {{"builtin", "studio"}}}}}});
+  const auto rename = [&](const char* pointer, const char* then, const char* now) {
+    const json::json_pointer place(pointer);
+    if (stored.contains(place) && stored[place] == then) stored[place] = now;
+  };
+  rename("/picture/metering", "surface", "brightness");
+  rename("/light/environment/builtin", "studio", "dark_studio");
   return stored;
 }
 

@@ -65,7 +65,7 @@ nlohmann::json firstPictureAsBefore(nlohmann::json stored);
 nlohmann::json looksAsBefore(nlohmann::json stored);
 
 // Keeps what a stored scene meant before pictures had a tone curve.
-nlohmann::json curveAsBefore(nlohmann::json stored);
+nlohmann::json exposureAsBefore(nlohmann::json stored);
 
 // `stored` must be an object with no other keys than the `known` ones; `place` as above.
 void checkKeys(const nlohmann::json& stored, std::initializer_list<std::string_view> known,

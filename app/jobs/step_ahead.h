@@ -1,6 +1,7 @@
 // The time step that a user who goes through a film of volumes will want next, loaded before it is asked for.
 //
-// Only who has gone from one step to another is expected to go on, and only while there is room. Lives on the owner's thread, which never waits.
+// Only who has gone from one step to another is expected to go on, and only while there is room. Lives on the
+// owner's thread, which never waits.
 #pragma once
 
 #include <memory>
@@ -9,7 +10,7 @@
 
 namespace isolux::app {
 
-// Whether memory has room for another step of this size, and as much again for light and pictures.
+// Returns whether memory has room for another step of this size, and as much again for light and pictures.
 bool hasRoomForStep(const volume::PreparedVolume& step);
 
 class StepAhead {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/jobs/step_ahead.h"
+#include "base/retire.h"
 
 namespace isolux::app {
 
@@ -53,8 +54,9 @@ void StepPlayer::collect(double seconds) {
   if (!job_ || !job_->finished()) return;
   loadSeconds_ = seconds - began_;
   const std::optional<base::Error> error = job_->error();
-  if (error && error->kind() == base::ErrorKind::memory && !ready_.empty())
-    ready_.clear();  // there may be room without what was kept
+  const bool isFull = error && error->kind() == base::ErrorKind::memory;
+  if (isFull && (!ready_.empty() || !base::awaitRetired(0.0)))
+    ready_.clear();  // there may be room without what was kept, once it is freed
   else if (error)
     error_ = error;
   else

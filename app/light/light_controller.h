@@ -57,10 +57,12 @@ class LightController {
 
   // Sets the scene. Requires `resolved` from scene::resolve; `volume` may be null.
   void setScene(const scene::Scene& resolved, std::shared_ptr<const volume::PreparedVolume> volume);
-  // Automatic exposure is that of the surface as the scene's camera sees it; otherwise, and at first, as it is
-  // seen from the front, so that turning the view does not change it. Takes effect with the next setScene().
+  // Automatic exposure is that of the surface as the scene's camera sees it; otherwise, and at first, as it
+  // is seen from the front, so that turning the view does not change it. Takes effect with the next
+  // setScene().
   void meterView(bool view);
-  // Returns the automatic exposure if it is that of the view: a picture must carry it to be drawn alike again.
+  // Returns the automatic exposure if it is that of the view: a picture must carry it to be drawn alike
+  // again.
   std::optional<double> viewExposure() const;
   // Sets the visible surface points of the image: Renderer::hitVoxels().
   void setVisible(gi::SeenPoints hitVoxels);

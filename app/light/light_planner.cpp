@@ -136,7 +136,7 @@ void LightPlanner::loadEnvironment(const scene::Environment& settings) {
 
 // At once, but after an isovalue that a user may still be dragging.
 void LightPlanner::considerMetering(base::Progress& progress) {
-  if (scene_.picture.metering != scene::Metering::surface || !lightScene_->choice.wanted) {
+  if (scene_.picture.metering == scene::Metering::lights || !lightScene_->choice.wanted) {
     brightness_.reset();
     brightnessOfVolume_ = nullptr;
     return;

@@ -3,18 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <thread>
 
 #include <glm/geometric.hpp>
 
 #include "base/color.h"
 #include "gi/gloss/stored_irradiance.h"
 #include "gi/picture_light.h"
-#include "gi/trace/parallel_tasks.h"
 #include "gi/trace/path_wave.h"
 #include "scene/camera.h"
 #include "scene/rules/needs.h"
 #include "volume/field/reconstruct.h"
+#include "volume/parallel_loops.h"
 
 namespace isolux::gi {
 
@@ -162,12 +161,10 @@ bool reflectionsOf(const PictureLight& light, std::span<const GlossPoint> points
   if (!scene.tracer || points.empty()) return true;
   const PathSetup setup(light.gloss->scene);
   const volume::Grid& grid = scene.volume->grid();
-  const std::size_t tasks = (points.size() + kPointsAtOnce - 1) / kPointsAtOnce;
-  const auto body = [&](std::size_t task) {
-    if (stop.stop_requested()) return false;
-    const std::size_t first = task * kPointsAtOnce, count = std::min(kPointsAtOnce, points.size() - first);
-    const std::span<const GlossPoint> of = points.subspan(first, count);
-    const std::span<Reflection> out = reflections.subspan(first, count);
+  volume::parallelRanges(points.size(), kPointsAtOnce, [&](const volume::Indices<std::size_t>& range) {
+    if (stop.stop_requested()) return;
+    const std::span<const GlossPoint> of = points.subspan(range.first, range.size());
+    const std::span<Reflection> out = reflections.subspan(range.first, range.size());
     LobeRays lobe;
     lobe.trace(setup, of, samples);
     for (std::size_t i = 0; i < lobe.rays.size(); ++i) {
@@ -203,15 +200,14 @@ bool reflectionsOf(const PictureLight& light, std::span<const GlossPoint> points
       reflection.met /= static_cast<float>(samples);
     }
     addLamps(setup, of, samples, out);
-    return true;
-  };
-  return runTasks(tasks, static_cast<int>(std::thread::hardware_concurrency()), body);
+  });
+  return !stop.stop_requested();
 }
 
 std::vector<glm::vec3> reflectedPoints(const GlossLight& light, const scene::Scene& resolved,
                                        std::span<const glm::vec3> seen) {
   constexpr std::size_t kMostPoints = 1u << 16;
-  constexpr std::uint32_t kRays = 16;  // of each
+  constexpr std::uint32_t kRays = 4;  // of each
   const LightScene& scene = *light.scene;
   if (!scene.tracer || seen.empty()) return {};
   const PathSetup setup(light.scene);

@@ -27,7 +27,7 @@ namespace isolux::gi {
 
 struct PictureLight;
 
-// What frames need to show gloss, besides the light itself.
+// Holds what frames need to show gloss, besides the light itself.
 struct GlossLight {
   std::shared_ptr<const LightScene> scene;  // its tracer is null where no light is baked: nothing occludes
   std::vector<std::shared_ptr<const FilteredEnvironment>>

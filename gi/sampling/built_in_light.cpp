@@ -59,11 +59,11 @@ glm::dvec3 gradient(double z, const glm::dvec3& floor, const glm::dvec3& horizon
   return z < 0.0 ? mixed(horizon, floor, smooth(0.0, 0.5, -z)) : mixed(horizon, zenith, smooth(0.0, 1.0, z));
 }
 
-// A large soft key high at the left, a weak fill at the right, a rim light from behind, and a floor that
-// returns about a tenth of the key.
-glm::dvec3 studio(const glm::dvec3& d) {
+// A large soft key high at the left, a weak fill at the right, a rim light from behind, and what the floor
+// returns.
+glm::dvec3 studio(const glm::dvec3& d, const glm::dvec3& floor) {
   static const glm::dvec3 key = toward(-60.0, 40.0), fill = toward(50.0, 2.0), rim = toward(124.0, 30.0);
-  glm::dvec3 light = gradient(d.z, {0.14, 0.13, 0.12}, {0.06, 0.066, 0.075}, {0.085, 0.10, 0.125});
+  glm::dvec3 light = gradient(d.z, floor, {0.06, 0.066, 0.075}, {0.085, 0.10, 0.125});
   light += panel(d, key, {0.42, 0.42}, 0.10) * glm::dvec3(7.2, 6.8, 6.3);
   light += disc(d, fill, 24.0, 14.0) * glm::dvec3(0.26, 0.36, 0.50);
   light += disc(d, rim, 12.0, 4.0) * glm::dvec3(6.2, 7.0, 8.2);
@@ -113,13 +113,15 @@ glm::dvec3 sunset(const glm::dvec3& d) {
 glm::dvec3 builtInRadiance(scene::BuiltInLight light, const glm::dvec3& direction) {
   switch (light) {
     case scene::BuiltInLight::studio:
-      return studio(direction);
+      return studio(direction, {0.14, 0.13, 0.12});  // about a tenth of the key
     case scene::BuiltInLight::window:
       return window(direction);
     case scene::BuiltInLight::overcast:
       return overcast(direction);
     case scene::BuiltInLight::sunset:
       return sunset(direction);
+    case scene::BuiltInLight::dark_studio:
+      return studio(direction, {0.02, 0.019, 0.018});
   }
   throw std::logic_error("a built-in light without a formula");
 }

@@ -84,7 +84,8 @@ scene::Scene meteredScene(const scene::Scene& resolved) {
     scene.gi.mode = scene::GiMode::irradiance;
   scene.gi.bounces = std::min(resolved.gi.bounces, kMostBouncesMetered);
   scene.gi.rouletteDepth = resolved.gi.rouletteDepth;
-  if (resolved.camera.eye)
+  scene.picture.metering = resolved.picture.metering;
+  if (resolved.camera.eye && resolved.picture.metering != scene::Metering::brightness)
     scene.camera = resolved.camera;
   else
     scene.camera.frames = scene::Frames::volume;  // from the front, whatever is framed
@@ -101,7 +102,7 @@ std::optional<SurfaceBrightness> measureBrightness(
   const PrimaryHits hits(volume, scene, glm::ivec2(kRaysPerAxis), progress);
   const std::vector<LightPoint> points = pointsSeen(paths, hits, volume->grid(), progress);
   if (points.empty()) {
-    if (!resolved.camera.eye) return std::nullopt;
+    if (!resolved.camera.eye || resolved.picture.metering == scene::Metering::brightness) return std::nullopt;
     scene::Scene front = resolved;
     front.camera = {};
     return measureBrightness(front, volume, std::move(tracer), std::move(environment), progress);
@@ -111,11 +112,15 @@ std::optional<SurfaceBrightness> measureBrightness(
   if (!light->lamps.empty()) lamps = irradianceOf(paths, LightPart::lamps, points, progress);
   const glm::dvec3 skyScale = std::exp2(scene.light.environment.exposure) *
                               (light->choice.unitSky ? light->environment->mean() : glm::dvec3(1.0));
-  const double reflectance = showsReflectance(scene) ? kReflectance : kMeasureReflectance;
+  const auto reflectanceAt = [&](const LightPoint& point) {
+    if (!showsReflectance(scene)) return glm::dvec3(kMeasureReflectance);
+    if (scene.picture.metering != scene::Metering::brightness) return glm::dvec3(kReflectance);
+    return glm::dvec3(light->albedo.at(volume->grid().valueOfStored(static_cast<double>(point.isovalue))));
+  };
   std::vector<double> luminances;
   for (std::size_t i = 0; i < sky.size(); ++i) {
     const glm::dvec3 irradiance = skyScale * glm::dvec3(sky[i]) + glm::dvec3(lamps[i]);
-    luminances.push_back(reflectance * base::luminance(irradiance) / std::numbers::pi);
+    luminances.push_back(base::luminance(reflectanceAt(points[i]) * irradiance) / std::numbers::pi);
   }
   const double highlight = base::quantile(luminances, kHighlightPart);
   return SurfaceBrightness{base::median(std::move(luminances)), highlight};

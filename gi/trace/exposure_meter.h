@@ -1,8 +1,9 @@
 // Measures how brightly a surface is lit, for automatic exposure.
 //
-// It path-traces a few hundred points of the surface that a camera sees and meters illuminance, as an incident
-// light meter does: E / pi times one reflectance, whatever the surface's own colour. Dark surfaces therefore
-// look dark. The result does not depend on the image size or the progress of the bake, so tiles agree.
+// It path-traces a few hundred points of the surface that a camera sees and meters illuminance, as an
+// incident light meter does: E / pi times one reflectance, whatever the surface's own colour. Dark surfaces
+// therefore look dark. The result does not depend on the image size or the progress of the bake, so tiles
+// agree.
 #pragma once
 
 #include <memory>
@@ -19,9 +20,9 @@ namespace isolux::gi {
 // eye, those seen from the front with the whole volume in the image.
 scene::Scene meteredScene(const scene::Scene& resolved);
 
-// Measures the brightness at the points of meteredScene(), or from the front if the camera sees no front face.
-// Returns nullopt if that shows none, either. `tracer`, `environment`: as for makeLightScene(). Takes about
-// 20 ms. Throws Error{interrupted}.
+// Measures the brightness at the points of meteredScene(), or from the front if the camera sees no front
+// face. Returns nullopt if that shows none, either. `tracer`, `environment`: as for makeLightScene(). Takes
+// about 20 ms. Throws Error{interrupted}.
 std::optional<SurfaceBrightness> measureBrightness(
     const scene::Scene& resolved, const std::shared_ptr<const volume::PreparedVolume>& volume,
     std::shared_ptr<const volume::IsosurfaceTracer> tracer, std::shared_ptr<const Environment> environment,

@@ -100,7 +100,7 @@ Reference::Reference(std::shared_ptr<const volume::PreparedVolume> volume,
   const auto light = makeLightScene(scene_, volume_, tracer, environment);
   light_ = makePictureLight(scene_, *light, projectEnvironment(*light->environment, 1));
   // As a picture of this scene is exposed (app/light/light_planner.cpp).
-  if (!scene_.picture.exposure && scene_.picture.metering == scene::Metering::surface &&
+  if (!scene_.picture.exposure && scene_.picture.metering != scene::Metering::lights &&
       light->choice.wanted) {
     scene::Scene metered = scene_;
     if (!options.meterView) metered.camera = {};

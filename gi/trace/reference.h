@@ -36,9 +36,9 @@ namespace isolux::gi {
 // of the environment, if that is shown as the background.
 struct ReferenceImage {
   glm::ivec2 size{0};
-  std::vector<glm::vec3> color;        // linear
-  std::vector<glm::vec3> irradiance;   // E, with the environment's exposure
-  std::vector<float> variance;         // of the mean's luminance of E, estimated from the samples
+  std::vector<glm::vec3> color;       // linear
+  std::vector<glm::vec3> irradiance;  // E, with the environment's exposure
+  std::vector<float> variance;        // of the mean's luminance of E, estimated from the samples
   // R of glossy front faces and the variance of its mean's luminance; empty if there are none.
   std::vector<glm::vec3> gloss;
   std::vector<float> glossVariance;
@@ -116,7 +116,7 @@ class Reference {
   std::vector<LightPoint> points_;      // those of front faces first
   std::size_t outerPoints_ = 0;
   std::vector<Estimate> sky_, lamps_;  // of points
-  // Of front faces; empty if no surface is glossy. A matt point has the share 0.
+  // These are of front faces; empty if no surface is glossy. A matt point has the share 0.
   std::vector<GlossPoint> glossPoints_;
   std::vector<float> glossShares_;  // F
   std::vector<RadianceSum> gloss_;

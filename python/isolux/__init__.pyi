@@ -173,7 +173,7 @@ SettingsDict = TypedDict("SettingsDict", {
     "light.headlight": float,  # Brightness of a white light at the eye.
     "light.environment.file": str | os.PathLike[str],  # Equirectangular environment map (.hdr, .exr, ...), with its first row at the top; if empty, none is used.
     "light.environment.constant": Sequence[Any] | str | Literal["auto"] | None,  # Radiance of a constant environment, used if there is no environment map; auto uses none.
-    "light.environment.builtin": Literal["studio", "window", "overcast", "sunset"],  # Built-in environment, used if there is neither an environment map nor a constant environment.
+    "light.environment.builtin": Literal["studio", "window", "overcast", "sunset", "dark_studio"],  # Built-in environment, used if there is neither an environment map nor a constant environment.
     "light.environment.azimuth": float,  # Rotation of the environment about the vertical, counterclockwise as seen from above.
     "light.environment.elevation": float,  # Tilt of the environment before its rotation; positive values raise light from the front.
     "light.environment.rotation": Sequence[Any] | str,  # Rotation from the environment's axes to the world's, before azimuth and elevation.
@@ -229,7 +229,7 @@ SettingsDict = TypedDict("SettingsDict", {
     "picture.supersampling": int,  # Supersampling (anti-aliasing) of final images.
     "picture.rest_hits": Literal["auto", "same", "cubic_interpolating"],  # Interpolant of final images if hit.field is trilinear: same, or the interpolating B-spline. auto uses the spline if more than a tenth of the visible surface deviates by over a tenth of a voxel. AOVs and baked light use hit.field.
     "picture.exposure": float | Literal["auto"] | None,  # Exposure of images lit by global illumination; auto follows picture.metering.
-    "picture.metering": Literal["surface", "lights"],  # Basis of automatic exposure: the light that the surface receives, whatever its colour, or the lights. The surface is that of the image when a volume is drawn, and that of the front in sessions and the window. The lights make an unoccluded white surface nearly white.
+    "picture.metering": Literal["surface", "lights", "brightness"],  # Basis of automatic exposure: the light that the surface receives, whatever its colour, or the lights. The surface is that of the image when a volume is drawn, and that of the front in sessions and the window. The lights make an unoccluded white surface nearly white. brightness: the light that leaves the front, with its colour, as before session version 9.
     "picture.curve": Literal["auto", "linear", "filmic"],  # Tone curve of final images: linear clips at white; filmic rolls highlights off as film does. auto is filmic under global illumination, otherwise linear. Linear files (EXR) are not affected.
     "picture.letters": bool,  # Draws orientation labels at the edges of the final image: the ends of the patient's axes. If the patient orientation is unknown, they name the world's axes. The window always shows them.
     "picture.scale_bar": bool,  # Draws a scale bar of a round length on the final image. In perspective it is valid at the depth of camera.target. The window always shows it.

@@ -74,8 +74,8 @@ std::shared_ptr<const HandedPicture> PictureRing::hand(const Texture& picture) {
   const glm::ivec2 size(picture.size());
   const std::shared_ptr<HandedPicture::Slot>& slot = freeSlot(size);
   if (slot->read) gl_->WaitSync(slot->read, 0, GL_TIMEOUT_IGNORED);
-  gl_->CopyImageSubData(picture.id(), GL_TEXTURE_2D, 0, 0, 0, 0, slot->texture.id(), GL_TEXTURE_2D, 0, 0, 0, 0,
-                        size.x, size.y, 1);
+  gl_->CopyImageSubData(picture.id(), GL_TEXTURE_2D, 0, 0, 0, 0, slot->texture.id(), GL_TEXTURE_2D, 0, 0, 0,
+                        0, size.x, size.y, 1);
   replaceFence(*gl_, slot->drawn);
   slot->out.store(true, std::memory_order_relaxed);
   return std::shared_ptr<const HandedPicture>(new HandedPicture(slot, slot->texture.id(), size));

@@ -55,9 +55,8 @@ inline constexpr const char *activeBlocks = "active blocks", *segments = "ray se
                             *occlusion = "occlusions", *flowField = "flow fields", *flow = "streaks",
                             *extrema = "curvature extrema", *lineField = "line fields", *lines = "lines",
                             *light = "stored light", *cutFaces = "cut faces", *irradiance = "irradiances",
-                            *reflections = "reflections", *gloss = "gloss",
-                            *front = "front colour", *color = "colour", *background = "background",
-                            *picture = "picture",
+                            *reflections = "reflections", *gloss = "gloss", *front = "front colour",
+                            *color = "colour", *background = "background", *picture = "picture",
                             *linear = "linear picture";  // the image before it is encoded
 }
 

@@ -113,7 +113,8 @@ MeasureColors measureColors(const scene::Look& look) {
   constexpr int samples = 256, side = 64;
   const scene::LookInfo& info = scene::lookInfo(look.mode);
   if (info.kind == scene::LookKind::square) return {glm::ivec2(side), scene::curvatureTexels(look, side)};
-  if (look.colormapPoints) return {glm::ivec2(samples, 1), scene::pointSamples(*look.colormapPoints, samples)};
+  if (look.colormapPoints)
+    return {glm::ivec2(samples, 1), scene::pointSamples(*look.colormapPoints, samples)};
   return {glm::ivec2(samples, 1), scene::colorMapSamples(look.colormap, samples, info.colors)};
 }
 

@@ -30,8 +30,7 @@ int nextBand(int rows, double milliseconds) {
 
 std::vector<Surface> surfacesOf(const scene::Scene& scene) {
   const auto surfaceOf = [](const auto& s) {
-    return Surface{s.value.value(), s.albedo,   s.opacity,  s.facingOpacity,
-                   s.clipped,       s.specular, s.roughness};
+    return Surface{s.value.value(), s.albedo, s.opacity, s.facingOpacity, s.clipped, s.specular, s.roughness};
   };
   std::vector<Surface> surfaces = {surfaceOf(scene.isosurface)};
   for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces)

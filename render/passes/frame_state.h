@@ -38,8 +38,8 @@ struct Surface {
   double value;  // data units
   glm::dvec3 albedo;
   double opacity;
-  double facingOpacity = 1.0;  // scene/opacity.h
-  bool clipped = true;         // by scene::Clip
+  double facingOpacity = 1.0;              // scene/opacity.h
+  bool clipped = true;                     // by scene::Clip
   double specular = 0.0, roughness = 1.0;  // gi/gloss/gloss_lobe.h
   bool opaque() const { return scene::isOpaque(*this); }
 };
@@ -149,8 +149,8 @@ struct FrameState {
   std::vector<volume::Rectangle> surfacePixels() const;
   std::optional<Tile> legend;  // its place in the whole image; kept with image::picture
 
-  // State whether this frame draws Hessians (with their own gradients), and whether these are also the gradients
-  // for normals.
+  // State whether this frame draws Hessians (with their own gradients), and whether these are also the
+  // gradients for normals.
   bool withHessian = false, gradientShared = false;
   const Texture& gradientImage() const { return image(gradientShared ? image::tangents : image::gradient); }
   // Returns the field of second derivatives.

@@ -69,10 +69,6 @@ void declareGloss(Declaring& d) {
   d.input("glossy surfaces", s.isosurface.specular > 0.0, glossy).input("light", d.asked.light.version);
 }
 
-std::string imageOf(const char* name, const FrameState& frame) {
-  return name + frame.layer;
-}
-
 // One point of a cell that is traced.
 struct CellPoint {
   int surface = -1;
@@ -152,7 +148,7 @@ void ReflectionsPass::declare(Declaring& d) const {
 
 void ReflectionsPass::run(FrameState& frame) {
   const Cells cells = cellsOf(frame);
-  Target& target = frame.images.make(frame.gl, imageOf(image::reflections, frame), cells.size,
+  Target& target = frame.images.make(frame.gl, image::reflections + frame.layer, cells.size,
                                      {GL_RGBA16F, GL_RGBA8, GL_R32F});
   static constexpr float open[4] = {0.0f, 0.0f, 0.0f, 1.0f}, white[4] = {1.0f, 1.0f, 1.0f, 1.0f},
                          none[4] = {kNotTraced};
@@ -293,7 +289,7 @@ void GlossPass::run(FrameState& frame) {
   frame.setView(p);
   frame.setPoint(p, 0);
   frame.lighting->setLocalLight(frame, p);
-  const Target& reflections = frame.images.at(imageOf(image::reflections, frame));
+  const Target& reflections = frame.images.at(image::reflections + frame.layer);
   p.setTexture("uReflected", 3, reflections.images[0]);
   p.setTexture("uLampsSeen", 4, reflections.images[1]);
   p.setTexture("uDepth", 5, reflections.images[2]);

@@ -46,7 +46,8 @@ LocalLamp localLamp(const gi::LampLight& lamp, const glm::dvec3& originMm) {
     case scene::LampKind::directional: {
       const double sineSquared = 1.0 - lamp.cosHalfAngle * lamp.cosHalfAngle;
       const double of = lamp.cosHalfAngle >= 1.0 ? 1.0 : kPi * sineSquared;
-      return {glm::dvec4(lamp.toward, 0.0), glm::dvec4(of * lamp.power, std::sqrt(std::max(sineSquared, 0.0)))};
+      return {glm::dvec4(lamp.toward, 0.0),
+              glm::dvec4(of * lamp.power, std::sqrt(std::max(sineSquared, 0.0)))};
     }
   }
   return {at, glm::dvec4(lamp.power, 0.0)};

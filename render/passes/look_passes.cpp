@@ -75,10 +75,9 @@ std::string definesOf(const scene::Scene& scene, bool bricks, const std::vector<
     return on ? "#define " + std::string(name) + "\n" : std::string();
   };
   const scene::LookKind kind = scene::lookInfo(look.mode).kind;
-  static const std::string constants = constantsOf<scene::LookMode>("LOOK_") +
-                                       constantsOf<scene::Shading>("SHADING_") +
-                                       constantsOf<scene::SolidTexture>("TEXTURE_") +
-                                       constantsOf<scene::WorkOverlay>("OVERLAY_");
+  static const std::string constants =
+      constantsOf<scene::LookMode>("LOOK_") + constantsOf<scene::Shading>("SHADING_") +
+      constantsOf<scene::SolidTexture>("TEXTURE_") + constantsOf<scene::WorkOverlay>("OVERLAY_");
   std::string defines =
       constants + flag("MEASURE", kind == scene::LookKind::measure) +
       flag("MEASURE_SQUARE", kind == scene::LookKind::square) + number("LOOK", look.mode) +
@@ -86,8 +85,7 @@ std::string definesOf(const scene::Scene& scene, bool bricks, const std::vector<
       flag("FOG", look.fog > 0.0) + flag("FOG_BACKGROUND", !look.fogColor) +
       flag("FACING", scene::variesByAngle(scene)) +
       flag("ACCESSIBILITY", look.accessibility > 0.0 || look.mode == scene::LookMode::accessibility) +
-      number("OVERLAY", overlayOf(scene, bricks)) +
-      flag("CREVICES", look.accessibilityPoints.has_value());
+      number("OVERLAY", overlayOf(scene, bricks)) + flag("CREVICES", look.accessibilityPoints.has_value());
   for (const LookInput& input : inputs) defines += flag(input.define, *input.define != '\0');
   return defines;
 }
@@ -261,7 +259,8 @@ void ShadePass::setOverlays(FrameState& frame, Program& p) const {
   p.set("uTextureScale", static_cast<float>(look.textureScale.value_or(1.0)));
   p.set("uDepthRange", glm::vec2(frame.view->depthRangeMm));
   if (look.overlay != scene::WorkOverlay::none) {
-    const int cells = look.overlay == scene::WorkOverlay::bricks ? brickCells : frame.volume->blocks().blockCells();
+    const int cells =
+        look.overlay == scene::WorkOverlay::bricks ? brickCells : frame.volume->blocks().blockCells();
     p.set("uCellsPerVoxel", look.overlay == scene::WorkOverlay::texels
                                 ? frame.lighting->texelsPerVoxel()
                                 : glm::vec3(1.0f / static_cast<float>(cells)));

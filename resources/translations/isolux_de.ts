@@ -837,6 +837,10 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <source>images are copied to main memory (%1)</source>
         <translation>Bilder werden in den Hauptspeicher kopiert (%1)</translation>
     </message>
+    <message>
+        <source>the studio over a black floor</source>
+        <translation>das Studio über einem schwarzen Boden</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -5393,6 +5397,10 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <source>the surface is matt</source>
         <translation>die Fläche ist matt</translation>
     </message>
+    <message>
+        <source>this look needs no normals</source>
+        <translation>diese Darstellung braucht keine Normalen</translation>
+    </message>
 </context>
 <context>
     <name>sentences</name>
@@ -6472,10 +6480,6 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Wie das Fenster Bilder zeigt: als Texturen, die auf der Grafikkarte bleiben, oder als Pixel, die in den Hauptspeicher kopiert werden. auto nimmt Texturen, wo es eine Grafikkarte gibt. Ein Wechsel zu Texturen kann einen Neustart brauchen.</translation>
     </message>
     <message>
-        <source>Basis of automatic exposure: the light that the surface receives, whatever its colour, or the lights. The surface is that of the image when a volume is drawn, and that of the front in sessions and the window. The lights make an unoccluded white surface nearly white.</source>
-        <translation>Grundlage der automatischen Belichtung: das Licht, das die Fläche empfängt, gleich welcher Farbe, oder die Lichtquellen. Gemessen wird die Fläche im Bild, wenn ein Volumen gezeichnet wird, und die Vorderansicht in Sitzungen und im Fenster. Die Lichtquellen machen eine unverdeckte weiße Fläche fast weiß.</translation>
-    </message>
-    <message>
         <source>Gloss of that surface under global illumination; 0 is matt.</source>
         <translation>Glanz dieser Fläche unter globaler Beleuchtung; 0 ist matt.</translation>
     </message>
@@ -6514,6 +6518,10 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     <message>
         <source>Work of the renderer drawn over the surface: blocks that rays enter, bricks in graphics memory, or lit texels.</source>
         <translation>Arbeit des Renderers, über die Fläche gezeichnet: Blöcke, die Strahlen durchlaufen, Bricks im Grafikspeicher oder beleuchtete Texel.</translation>
+    </message>
+    <message>
+        <source>Basis of automatic exposure: the light that the surface receives, whatever its colour, or the lights. The surface is that of the image when a volume is drawn, and that of the front in sessions and the window. The lights make an unoccluded white surface nearly white. brightness: the light that leaves the front, with its colour, as before session version 9.</source>
+        <translation>Grundlage der automatischen Belichtung: das Licht, das die Fläche empfängt, gleich welcher Farbe, oder die Lichtquellen. Gemessen wird die Fläche im Bild, wenn ein Volumen gezeichnet wird, und die Vorderansicht in Sitzungen und im Fenster. Die Lichtquellen machen eine unverdeckte weiße Fläche fast weiß. brightness: das Licht, das die Vorderansicht mit ihrer Farbe verlässt, wie vor Sitzungsversion 9.</translation>
     </message>
 </context>
 <context>
@@ -8855,6 +8863,14 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     <message>
         <source>second weight</source>
         <translation>Gewicht des zweiten Volumens</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>Helligkeit</translation>
+    </message>
+    <message>
+        <source>Dark studio</source>
+        <translation>Dunkles Studio</translation>
     </message>
 </context>
 </TS>

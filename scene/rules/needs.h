@@ -53,7 +53,7 @@ bool mayRefineHits(const Scene& scene);
 bool needsGradient(const Scene& scene);
 bool needsCurvature(const Scene& scene);
 bool needsFlowline(const Scene& scene);  // the curvature of the gradient's flowlines
-bool needsEdge(const Scene& scene);  // the distance of the object's edge from the surface
+bool needsEdge(const Scene& scene);      // the distance of the object's edge from the surface
 // Returns whether the look needs derivatives at derivatives.scale and their noise.
 bool needsSecondDerivatives(const Scene& scene);
 

@@ -198,7 +198,8 @@ constexpr Rule rules[] = {
     {"look.texture_scale", [](const Scene& s) { return s.look.texture != SolidTexture::none; },
      "there is no texture"},
     {"look.shadow", keyLightActs, "the key light has no effect"},
-    {"look.fog look.fog_color look.accessibility look.accessibility_points look.overlay look.ridges look.contours look.suggestive_contours "
+    {"look.fog look.fog_color look.accessibility look.accessibility_points look.overlay look.ridges "
+     "look.contours look.suggestive_contours "
      "flow.strength",
      [](const Scene& s) { return !isPlain(s); }, "this look shows a raw quantity without overlays"},
     {"look.fog_color", [](const Scene& s) { return s.look.fog > 0.0; }, "there is no fog"},

@@ -1,4 +1,5 @@
-// Returns which tone curve a picture is drawn with (base/tone_curve.h, resources/shaders/look/tone_curve.glsl).
+// Returns which tone curve a picture is drawn with (base/tone_curve.h,
+// resources/shaders/look/tone_curve.glsl).
 #pragma once
 
 #include "scene/rules/needs.h"

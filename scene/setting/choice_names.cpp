@@ -168,7 +168,8 @@ std::span<const Named<BuiltInLight>> choicesOf() {
   static constexpr Named<BuiltInLight> names[] = {{BuiltInLight::studio, "studio"},
                                                   {BuiltInLight::window, "window"},
                                                   {BuiltInLight::overcast, "overcast"},
-                                                  {BuiltInLight::sunset, "sunset"}};
+                                                  {BuiltInLight::sunset, "sunset"},
+                                                  {BuiltInLight::dark_studio, "dark_studio"}};
   return names;
 }
 
@@ -200,7 +201,8 @@ std::span<const Named<MarkKind>> choicesOf() {
 }
 template <>
 std::span<const Named<Metering>> choicesOf() {
-  static constexpr Named<Metering> names[] = {{Metering::surface, "surface"}, {Metering::lights, "lights"}};
+  static constexpr Named<Metering> names[] = {
+      {Metering::surface, "surface"}, {Metering::lights, "lights"}, {Metering::brightness, "brightness"}};
   return names;
 }
 

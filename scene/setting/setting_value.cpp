@@ -1,6 +1,7 @@
 #include "scene/setting/setting_value.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -133,19 +134,32 @@ void assignChecked(const SettingInfo& setting, bool& member, const json& value) 
   member = value.get<bool>();
 }
 
-void assignChecked(const SettingInfo& setting, std::vector<CurvaturePoint>& member, const json& value) {
-  if (!value.is_array() || value.empty() || value.size() > kMostPoints) refuseValue(setting, value);
-  std::vector<CurvaturePoint> points;
+namespace {
+
+// Rows of N numbers from 0 to 1, the first `positions` of them from `least`.
+template <std::size_t N>
+std::vector<std::array<double, N>> pointsOf(const SettingInfo& setting, const json& value, std::size_t fewest,
+                                            std::size_t positions, double least) {
+  if (!value.is_array() || value.size() < fewest || value.size() > kMostPoints) refuseValue(setting, value);
+  std::vector<std::array<double, N>> rows;
   for (const json& entry : value) {
-    if (!entry.is_array() || entry.size() != 5) refuseValue(setting, value);
-    double numbers[5];
-    for (std::size_t i = 0; i < 5; ++i) {
+    if (!entry.is_array() || entry.size() != N) refuseValue(setting, value);
+    std::array<double, N>& row = rows.emplace_back();
+    for (std::size_t i = 0; i < N; ++i) {
       if (!entry[i].is_number()) refuseValue(setting, value);
-      numbers[i] = entry[i].get<double>();
-      if (!(numbers[i] >= (i < 2 ? -1.0 : 0.0) && numbers[i] <= 1.0)) refuseValue(setting, value);
+      row[i] = entry[i].get<double>();
+      if (!(row[i] >= (i < positions ? least : 0.0) && row[i] <= 1.0)) refuseValue(setting, value);
     }
-    points.push_back({numbers[0], numbers[1], {numbers[2], numbers[3], numbers[4]}});
   }
+  return rows;
+}
+
+}  // namespace
+
+void assignChecked(const SettingInfo& setting, std::vector<CurvaturePoint>& member, const json& value) {
+  std::vector<CurvaturePoint> points;
+  for (const auto& row : pointsOf<5>(setting, value, 1, 2, -1.0))
+    points.push_back({row[0], row[1], {row[2], row[3], row[4]}});
   member = std::move(points);
 }
 
@@ -157,18 +171,10 @@ nlohmann::json jsonOf(const std::vector<CurvaturePoint>& points) {
 }
 
 void assignChecked(const SettingInfo& setting, std::vector<ColorPoint>& member, const json& value) {
-  if (!value.is_array() || value.size() < 2 || value.size() > kMostPoints) refuseValue(setting, value);
   std::vector<ColorPoint> points;
-  for (const json& entry : value) {
-    if (!entry.is_array() || entry.size() != 4) refuseValue(setting, value);
-    double numbers[4];
-    for (std::size_t i = 0; i < 4; ++i) {
-      if (!entry[i].is_number()) refuseValue(setting, value);
-      numbers[i] = entry[i].get<double>();
-      if (!(numbers[i] >= 0.0 && numbers[i] <= 1.0)) refuseValue(setting, value);
-    }
-    if (!points.empty() && numbers[0] < points.back().position) refuseValue(setting, value);
-    points.push_back({numbers[0], {numbers[1], numbers[2], numbers[3]}});
+  for (const auto& row : pointsOf<4>(setting, value, 2, 1, 0.0)) {
+    if (!points.empty() && row[0] < points.back().position) refuseValue(setting, value);
+    points.push_back({row[0], {row[1], row[2], row[3]}});
   }
   member = std::move(points);
 }

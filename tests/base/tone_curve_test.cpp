@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include <glm/vec3.hpp>
 #include <gtest/gtest.h>
+#include <glm/vec3.hpp>
 
 namespace isolux::base {
 namespace {

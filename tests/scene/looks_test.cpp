@@ -24,7 +24,8 @@ TEST(Looks, WhatColoursMeanIsSaidOnALegend) {
     const bool numbers = look.kind == LookKind::measure || look.kind == LookKind::square;
     EXPECT_EQ(look.quantity.empty(), !numbers) << look.name;
     EXPECT_EQ(look.quantityVertical.empty(), look.kind != LookKind::square) << look.name;
-    EXPECT_EQ(look.measure != nullptr || look.readsEdge || look.readsFlowline, look.kind == LookKind::measure) << look.name;
+    EXPECT_EQ(look.measure != nullptr || look.readsEdge || look.readsFlowline, look.kind == LookKind::measure)
+        << look.name;
     EXPECT_TRUE(!look.readsCurvature || look.readsGradient) << look.name;
     EXPECT_TRUE(look.kind == LookKind::shading || look.shading == Shading::unlit) << look.name;
   }

@@ -78,11 +78,11 @@ TEST(Settings, CoversEveryMemberOfScene) {
                colorVolume, look, flow, light, lamps, gi, camera, picture] = scene;
   [[maybe_unused]] const auto& [path, raw, series, component, timeStep, kindOfData, volumeLevel, aroundDamage,
                                 meshVoxels, csg, csgPath, csgValue, csgWeight] = source;
-  [[maybe_unused]] const auto& [name, value, suggestion, inside, albedo, specularity, roughness, albedoSource, albedoMap, albedoLow,
-                                albedoHigh, opacity, facing, layers, clipped, ghost, ghostOpacity] =
-      isosurface;
-  [[maybe_unused]] const auto& [shown, name2, value2, albedo2, specular2, roughness2, opacity2, facing2, clipped2] =
-      extraIsosurfaces[0];
+  [[maybe_unused]] const auto& [name, value, suggestion, inside, albedo, specularity, roughness, albedoSource,
+                                albedoMap, albedoLow, albedoHigh, opacity, facing, layers, clipped, ghost,
+                                ghostOpacity] = isosurface;
+  [[maybe_unused]] const auto& [shown, name2, value2, albedo2, specular2, roughness2, opacity2, facing2,
+                                clipped2] = extraIsosurfaces[0];
   [[maybe_unused]] const auto& [method, hitField, rate, nearFactor, nearThreshold, refinements] = hit;
   [[maybe_unused]] const auto& [field, fetch, noise, scale, normalScale] = derivatives;
   [[maybe_unused]] const auto& [keep, smallest, hidden, only, within, depth] = pieces;
@@ -95,10 +95,10 @@ TEST(Settings, CoversEveryMemberOfScene) {
       colorVolume;
   [[maybe_unused]] const auto& [mode, shading, ambient, ambientVariation, specular, shininess, innerTint,
                                 cool, warm, texture, textureScale, shadow, occlusion, occlusionRadius, fog,
-                                fogColor, colormap, mapPoints, low, high, points, legend, legendCorner, accessibility, accessibilityPoints, overlay,
-                                ridges, ridgeThreshold, ridgeWidth, ridgeWidthUnit, ridgeLength, ridgeColor,
-                                valleyColor, contours, suggestive, contourWidth, contourColor, top, bottom] =
-      look;
+                                fogColor, colormap, mapPoints, low, high, points, legend, legendCorner,
+                                accessibility, accessibilityPoints, overlay, ridges, ridgeThreshold,
+                                ridgeWidth, ridgeWidthUnit, ridgeLength, ridgeColor, valleyColor, contours,
+                                suggestive, contourWidth, contourColor, top, bottom] = look;
   [[maybe_unused]] const auto& [strength, flowDirection, length, grain, animate, speed, time] = flow;
   [[maybe_unused]] const auto& [setup, space, direction, color, intensity, fill, rim, headlight,
                                 environment] = light;

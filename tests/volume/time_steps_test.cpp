@@ -21,7 +21,7 @@ constexpr int kVoxels = 4 * 4 * 4, kSteps = 3;
 constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
 
 std::string headerOf(const std::string& type, const std::string& spacing = "1") {
-  return "NRRD0004\ntype: " + type + "\nencoding: raw\nendian: little\nspacings: " + spacing + " 1 1" ;
+  return "NRRD0004\ntype: " + type + "\nencoding: raw\nendian: little\nspacings: " + spacing + " 1 1";
 }
 
 // Of step s, voxel i: s squared + i; the voxel s is missing.
@@ -47,8 +47,10 @@ fs::path writeSteps() {
 std::string writeFourDimensions(const fs::path& folder) {
   std::string voxels;
   for (int step = 0; step < kSteps; ++step) voxels += test::bytesOf(valuesOfStep(step));
-  test::writeFile(folder / "all.nrrd", headerOf("float") + " nan\ndimension: 4\nsizes: 4 4 4 3\n"
-                                       "kinds: domain domain domain list\n\n" + voxels);
+  test::writeFile(folder / "all.nrrd", headerOf("float") +
+                                           " nan\ndimension: 4\nsizes: 4 4 4 3\n"
+                                           "kinds: domain domain domain list\n\n" +
+                                           voxels);
   return (folder / "all.nrrd").string();
 }
 
@@ -156,11 +158,15 @@ TEST(TimeSteps, FilesThatDoNotFitAreNamed) {
       expectRefused((folder / ("t_8.nrrd;" + name)).string(), step, (folder / name).string(), reason);
   };
   const std::string voxels = test::bytesOf(valuesOfStep(0));
-  refuses("size.nrrd", headerOf("float") + "\ndimension: 3\nsizes: 4 4 2\n\n" + voxels, "is no time step of t_8.nrrd: its voxels differ in size (4x4x2, not 4x4x4)");
-  refuses("spacing.nrrd", headerOf("float", "2") + "\ndimension: 3\nsizes: 4 4 4\n\n" + voxels, "spacing or position");
-  refuses("type.nrrd", headerOf("uint8") + "\ndimension: 3\nsizes: 4 4 4\n\n" + voxels, "differ in type (uint8, not float32)");
+  refuses("size.nrrd", headerOf("float") + "\ndimension: 3\nsizes: 4 4 2\n\n" + voxels,
+          "is no time step of t_8.nrrd: its voxels differ in size (4x4x2, not 4x4x4)");
+  refuses("spacing.nrrd", headerOf("float", "2") + "\ndimension: 3\nsizes: 4 4 4\n\n" + voxels,
+          "spacing or position");
+  refuses("type.nrrd", headerOf("uint8") + "\ndimension: 3\nsizes: 4 4 4\n\n" + voxels,
+          "differ in type (uint8, not float32)");
   writeFourDimensions(folder);
-  expectRefused((folder / "t_8.nrrd;all.nrrd").string(), 1, (folder / "all.nrrd").string(), "it has 3 of its own");
+  expectRefused((folder / "t_8.nrrd;all.nrrd").string(), 1, (folder / "all.nrrd").string(),
+                "it has 3 of its own");
   expectRefused((folder / "t_8.nrrd;none.nrrd").string(), 1, (folder / "none.nrrd").string(), "");
 }
 

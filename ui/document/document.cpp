@@ -131,8 +131,8 @@ scene::Scene Document::resolved(const scene::Scene& scene) const {
   scene::Scene resolved = scene::resolve(scene, facts_);
   if (!volume_) return resolved;
   volume_->derivativeChoices->completeIfChosen(resolved);
-  resolved.camera = scene::fittedTo(
-      resolved.camera, facts_, [&] { return app::freeRooms(resolved, *volume_, pixels_, letters_); });
+  resolved.camera = scene::fittedTo(resolved.camera, facts_,
+                                    [&] { return app::freeRooms(resolved, *volume_, pixels_, letters_); });
   return resolved;
 }
 

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/color_maps.h"
+#include "scene/setting/setting_value.h"
 #include "ui/editors/color_button.h"
 #include "ui/editors/number_spin_box.h"
 #include "ui/editors/number_text.h"
@@ -24,9 +25,9 @@ namespace {
 
 using scene::ColorPoint;
 
-constexpr int barSamples = 256;      // of the bar's colours; drawn smoothly
-constexpr double handleRadius = 6.0;    // of a point, pixels
-constexpr double barStep = 0.01;  // of the range 0 .. 1
+constexpr int barSamples = 256;       // of the bar's colours; drawn smoothly
+constexpr double handleRadius = 6.0;  // of a point, pixels
+constexpr double barStep = 0.01;      // of the range 0 .. 1
 constexpr std::size_t fewestColors = 2, mostColors = 64;
 constexpr double barMargin = 9.0, barHeight = 24.0;
 
@@ -274,10 +275,7 @@ void ColorPointsEditor::showValue(const nlohmann::json& value) {
 }
 
 nlohmann::json ColorPointsEditor::value() const {
-  nlohmann::json list = nlohmann::json::array();
-  for (const ColorPoint& point : view_->points())
-    list.push_back({point.position, point.color.x, point.color.y, point.color.z});
-  return list;
+  return scene::jsonOf(view_->points());
 }
 
 void ColorPointsEditor::showSelected() {

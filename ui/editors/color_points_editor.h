@@ -1,8 +1,9 @@
-// Edits a one-dimensional transfer function (look.colormap_points, look.accessibility_points): a colour bar with
-// its control points on it.
+// Edits a one-dimensional transfer function (look.colormap_points, look.accessibility_points): a colour bar
+// with its control points on it.
 //
-// A click on the bar adds a point, a drag moves it between its neighbours. Keys: Tab to the next point, arrows
-// move by hundredths, Insert or Enter adds one behind the selected point, Delete removes it. Two always stay.
+// A click on the bar adds a point, a drag moves it between its neighbours. Keys: Tab to the next point,
+// arrows move by hundredths, Insert or Enter adds one behind the selected point, Delete removes it. Two
+// always stay.
 #pragma once
 
 #include <vector>
@@ -36,8 +37,8 @@ class ColorPointsView : public QWidget {
   // Moves it no farther than to its neighbours.
   void replaceSelected(scene::ColorPoint point, bool endsAfterPause);
 
-  QPointF placeOf(double position) const;   // pixels of this widget
-  double positionAt(QPointF place) const;   // clamped to 0 .. 1
+  QPointF placeOf(double position) const;  // pixels of this widget
+  double positionAt(QPointF place) const;  // clamped to 0 .. 1
 
  Q_SIGNALS:
   void changed(bool endsAfterPause);

@@ -26,6 +26,8 @@ QString meaningOf(scene::BuiltInLight light) {
       return QObject::tr("a cloudy sky: soft light from above");
     case scene::BuiltInLight::sunset:
       return QObject::tr("a low warm sun at the left under a blue sky");
+    case scene::BuiltInLight::dark_studio:
+      return QObject::tr("the studio over a black floor");
   }
   return {};
 }

@@ -15,18 +15,18 @@ namespace isolux::ui {
 namespace texts {
 inline constexpr auto words =
     "words";  // choices, labels, names of looks and phantoms: ui/editors/number_text.h
-inline constexpr auto settings = "settings";  // meanings of settings
-inline constexpr auto units = "units";        // their units
-inline constexpr auto reasons = "reasons";    // why settings do not act
-inline constexpr auto looks = "looks";        // meanings of looks
-inline constexpr auto phantoms = "phantoms";  // meanings of phantoms
-inline constexpr auto presets = "presets";    // titles and meanings of presets, and why they do not apply
-inline constexpr auto marks = "marks";        // kinds of marks, and what they measure
+inline constexpr auto settings = "settings";    // meanings of settings
+inline constexpr auto units = "units";          // their units
+inline constexpr auto reasons = "reasons";      // why settings do not act
+inline constexpr auto looks = "looks";          // meanings of looks
+inline constexpr auto phantoms = "phantoms";    // meanings of phantoms
+inline constexpr auto presets = "presets";      // titles and meanings of presets, and why they do not apply
+inline constexpr auto marks = "marks";          // kinds of marks, and what they measure
 inline constexpr auto qualities = "qualities";  // of stills
-inline constexpr auto views = "views";        // sides to look from
-inline constexpr auto passes = "passes";      // states of passes
-inline constexpr auto files = "files";        // kinds of files
-inline constexpr auto help = "help";          // the table of mouse and keys
+inline constexpr auto views = "views";          // sides to look from
+inline constexpr auto passes = "passes";        // states of passes
+inline constexpr auto files = "files";          // kinds of files
+inline constexpr auto help = "help";            // the table of mouse and keys
 }  // namespace texts
 
 QString translated(const char* context, std::string_view english);

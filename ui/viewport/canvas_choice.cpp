@@ -36,7 +36,8 @@ QStringList placeOfDrivers() {
   for (const char* const folder : {"/dev/dri", "/dev"})
     place += QDir(folder).entryList({"render*", "card*", "nvidia*", "dxg"}, QDir::System | QDir::Files);
   for (const QString& variable : QProcessEnvironment::systemEnvironment().toStringList())
-    for (const char* const name : {"DISPLAY=", "WAYLAND_DISPLAY=", "QT_", "LIBGL_", "MESA_", "GALLIUM_", "__"})
+    for (const char* const name :
+         {"DISPLAY=", "WAYLAND_DISPLAY=", "QT_", "LIBGL_", "MESA_", "GALLIUM_", "__"})
       if (variable.startsWith(name)) place += variable;
   return place;
 }
@@ -45,7 +46,8 @@ QStringList placeOfDrivers() {
 QString storedReason() {
   const QSettings kept;
   const qint64 days = kept.value(measuredAtKey).toDate().daysTo(QDate::currentDate());
-  const bool isValid = days >= 0 && days < daysValid && kept.value(measuredOnKey).toStringList() == placeOfDrivers();
+  const bool isValid =
+      days >= 0 && days < daysValid && kept.value(measuredOnKey).toStringList() == placeOfDrivers();
   return isValid ? kept.value(measuredKey).toString() : QString();
 }
 
@@ -153,7 +155,8 @@ CanvasChoice chooseCanvas(scene::Canvas wish) {
   if (wish == scene::Canvas::pixels) return pixelsBecause(QObject::tr("set by window.canvas"));
   if (!QCoreApplication::testAttribute(Qt::AA_ShareOpenGLContexts)) {
     const QString reason = wish == scene::Canvas::automatic ? storedReason() : QString();
-    return pixelsBecause(reason.isEmpty() ? QObject::tr("window.canvas takes effect at the next start") : reason);
+    return pixelsBecause(reason.isEmpty() ? QObject::tr("window.canvas takes effect at the next start")
+                                          : reason);
   }
   QOpenGLContext* const window = QOpenGLContext::globalShareContext();
   if (window == nullptr || !window->isValid())

@@ -176,7 +176,8 @@ void Viewport::painted() {
     return std::chrono::duration<double, std::milli>(now - moment).count();
   };
   if (unpainted_) Q_EMIT answered(since(*std::exchange(unpainted_, std::nullopt)), since(finished_));
-  if (!sameRays(shownRequest_, quality_.request(pixelSize()))) orderSoon();  // on a screen of another pixel ratio
+  if (!sameRays(shownRequest_, quality_.request(pixelSize())))
+    orderSoon();  // on a screen of another pixel ratio
 }
 
 const QImage& Viewport::shown() const {

@@ -236,8 +236,8 @@ class MainWindow : public QMainWindow {
   std::vector<Docked> panels_;
   QMenu *recentMenu_ = nullptr, *presetsMenu_ = nullptr, *viewMenu_ = nullptr;
   QAction *open_, *openFolder_, *save_, *saveAs_, *picture_, *trace_, *record_;
-  QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_, *animate_, *play_, *copyCommand_, *copyPicture_,
-      *mesh_, *hidePatient_, *markLevel_, *drawLevelZero_, *link_ = nullptr;
+  QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_, *animate_, *play_, *copyCommand_,
+      *copyPicture_, *mesh_, *hidePatient_, *markLevel_, *drawLevelZero_, *link_ = nullptr;
   QAction *exportMarks_, *importMarks_;
   QActionGroup* markTools_;
   QMenu* measureMenu_ = nullptr;

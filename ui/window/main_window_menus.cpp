@@ -147,7 +147,8 @@ void MainWindow::makeViewMenu() {
   animate_->setShortcutContext(Qt::WidgetShortcut);
   viewport_->addAction(animate_);
   connect(animate_, &QAction::triggered, document_, &Document::toggleFlow);
-  play_ = newAction(menu, tr("&Play time steps"), "play", QKeySequence("T"), tr("Play or pause the time steps"));
+  play_ =
+      newAction(menu, tr("&Play time steps"), "play", QKeySequence("T"), tr("Play or pause the time steps"));
   play_->setCheckable(true);
   play_->setEnabled(false);
   connect(play_, &QAction::triggered, this, &MainWindow::togglePlay);
@@ -196,7 +197,8 @@ void MainWindow::makeQualityMenu(QMenu* menu) {
     action->setStatusTip(translated(texts::qualities, quality.meaning));
     action->setCheckable(true);
     connect(action, &QAction::triggered, this, [this, &quality] {
-      document_->edit({scene::withQuality(document_->scene(), quality), tr("Change image quality"), {}, false});
+      document_->edit(
+          {scene::withQuality(document_->scene(), quality), tr("Change image quality"), {}, false});
     });
     connect(menu, &QMenu::aboutToShow, action, [this, action, &quality] {
       action->setChecked(scene::withQuality(document_->scene(), quality) == document_->scene());

@@ -26,9 +26,9 @@ std::size_t levelBytes(const ChunkedFacts& facts, int level);
 // What level is missing and what that hides, in a sentence.
 std::string levelNote(const ChunkedFacts& facts, int level);
 
-// The finest level of the volume, from `finest` on, that fits into what the machine's memory budget has left: 0
-// where the volume itself does, or where it cannot be read in parts; the coarsest where none fits. Errors of
-// opening it count as 0: whoever reads it is told. share: of what is left, that a coarser level may take.
+// The finest level of the volume, from `finest` on, that fits into what the machine's memory budget has left:
+// 0 where the volume itself does, or where it cannot be read in parts; the coarsest where none fits. Errors
+// of opening it count as 0: whoever reads it is told. share: of what is left, that a coarser level may take.
 int levelThatFits(const scene::Source& asked, base::Progress& progress, int finest = 0, double share = 1.0);
 
 // `source` at its level, 0 included, as readVolume(); the first warnings are what could not be read

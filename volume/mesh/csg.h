@@ -24,7 +24,7 @@
 
 namespace isolux::volume {
 
-// Whether parts of the second's surface outside the first are in the result.
+// Returns whether parts of the second's surface outside the first are in the result.
 bool showsBoth(scene::Csg op);
 
 struct CsgResult {
@@ -33,9 +33,9 @@ struct CsgResult {
 };
 
 struct CsgRequest {
-  scene::Csg op;                                 // not none
-  std::optional<double> secondIsovalue = {};     // v2; none: that suggested for the second
-  double weight = 0.5;                           // w of a blend
+  scene::Csg op;                              // not none
+  std::optional<double> secondIsovalue = {};  // v2; none: that suggested for the second
+  double weight = 0.5;                        // w of a blend
 };
 
 // v1 is the isovalue suggested for the first. On another grid the second is interpolated (trilinear) at the

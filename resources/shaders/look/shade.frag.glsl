@@ -132,7 +132,8 @@ vec4 shaded(ivec2 pixel, Point p, vec3 albedo) {
   return vec4(pow(p.outward * 0.5 + 0.5, vec3(2.2)), 0.0);
 #elif LOOK == LOOK_CURVATURE_DIRECTION
   // A direction has no sign, and none at all where both curvatures are the same.
-  vec3 along = pow(abs(texelFetch(uDirection, pixel, 0).xyz), vec3(2.2));
+  vec3 along = texelFetch(uDirection, pixel, 0).xyz;  // in the tangent plane that is shown
+  along = pow(abs(safeNormalize(along - dot(along, p.outward) * p.outward, along)), vec3(2.2));
   return vec4(mix(unknownColor, along, texelFetch(uKappa, pixel, 0).z), 0.0);
 #else
   vec4 kappa = vec4(0.0);

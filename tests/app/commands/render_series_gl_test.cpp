@@ -86,7 +86,8 @@ TEST(RenderSeriesGl, ASweepDrawsEachValueFromOneCamera) {
 
 TEST(RenderSeriesGl, ASweepOfTheSourceReadsAVolumeForEachPicture) {
   const fs::path folder = test::temporaryFolder();
-  const std::vector<std::string> blend{"phantom:ball:24", "--set", "source.csg=blend", "--set", "source.csg_path=phantom:torus"};
+  const std::vector<std::string> blend{"phantom:ball:24", "--set", "source.csg=blend", "--set",
+                                       "source.csg_path=phantom:torus"};
   const auto render = [&](std::vector<std::string> more) {
     more.insert(more.begin(), blend.begin(), blend.end());
     return renderIn(folder, more);

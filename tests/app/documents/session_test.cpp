@@ -32,6 +32,8 @@ Scene shadedAsBefore() {
   scene.light.direction = {-0.5, 0.7, 0.9};
   scene.look.ambientVariation = 0.0;
   scene.picture.curve = scene::ToneCurve::linear;
+  scene.picture.metering = scene::Metering::brightness;
+  scene.light.environment.builtIn = scene::BuiltInLight::dark_studio;
   return scene;
 }
 

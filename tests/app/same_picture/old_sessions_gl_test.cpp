@@ -45,17 +45,9 @@ TEST_P(OldPictureGlTest, OpensToItself) {
   expectKept(GetParam(), app::readPng(file), openedBy(GetParam(), {"--executor", "cpu"}), kOtherOrder);
 }
 
-// The studio of 0.1.0 had a black floor, and its exposure followed the surface's colour.
-TEST(OldLightGlTest, OpensUnderTheStudioOfToday) {
-  constexpr WayBound kOtherStudio{2e-4, 5e-3, 0.2, 0.4, 0.05, 0.04};
-  const fs::path file =
-      fs::path(ISOLUX_SOURCE_DIR) / "tests/app/same_picture/pictures_0_1_0/light.png";
-  expectKept("light", app::readPng(file), openedBy("light", {"--executor", "cpu"}), kOtherStudio);
-}
-
 // Not "lines": 0.1.0 followed them over pixels, so that they changed with the size of the picture.
 INSTANTIATE_TEST_SUITE_P(Pictures, OldPictureGlTest,
-                         testing::Values("cubic", "curvature", "cuts", "flow", "layers"),
+                         testing::Values("cubic", "curvature", "cuts", "flow", "layers", "light"),
                          [](const auto& one) { return std::string(one.param); });
 
 class SameProgramGlTest : public testing::TestWithParam<const char*> {};

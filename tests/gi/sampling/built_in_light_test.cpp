@@ -44,7 +44,8 @@ TEST_P(BuiltInLight, TheImageIsTheFormula) {
 
 INSTANTIATE_TEST_SUITE_P(All, BuiltInLight,
                          ::testing::Values(scene::BuiltInLight::studio, scene::BuiltInLight::window,
-                                           scene::BuiltInLight::overcast, scene::BuiltInLight::sunset));
+                                           scene::BuiltInLight::overcast, scene::BuiltInLight::sunset,
+                                           scene::BuiltInLight::dark_studio));
 
 // Stored light is known by the light's name and this version: who changes a light must raise it.
 TEST(BuiltInLights, AVersionStandsForTheseRadiances) {

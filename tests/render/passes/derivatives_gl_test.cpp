@@ -19,7 +19,8 @@ namespace {
 constexpr glm::ivec2 kDerivativesSize{112, 96};
 
 struct CurvatureImages {
-  render::AovImage hit, voxel, position, gradient, hessian, kappa, direction1, direction2, confidence, flowline;
+  render::AovImage hit, voxel, position, gradient, hessian, kappa, direction1, direction2, confidence,
+      flowline;
   std::size_t pixels() const { return hit.values.size(); }
   bool isHit(std::size_t i) const { return hit.values[i] == 1.0f; }
 };
@@ -31,9 +32,15 @@ class DerivativesGlTest : public ExecutorsGlTest {
     images(volume, scene, kDerivativesSize);
     using render::Aov;
     const auto read = [&](Aov aov) { return renderer_->readAov(aov); };
-    return {read(Aov::hit),        read(Aov::voxel),      read(Aov::position),
-            read(Aov::gradient),   read(Aov::hessian),    read(Aov::kappa),
-            read(Aov::direction1), read(Aov::direction2), read(Aov::curvature_confidence),
+    return {read(Aov::hit),
+            read(Aov::voxel),
+            read(Aov::position),
+            read(Aov::gradient),
+            read(Aov::hessian),
+            read(Aov::kappa),
+            read(Aov::direction1),
+            read(Aov::direction2),
+            read(Aov::curvature_confidence),
             read(Aov::flowline_curvature)};
   }
   static glm::dmat3 hessianAt(const render::AovImage& image, std::size_t pixel) {

@@ -196,9 +196,10 @@ TEST_F(LooksGlTest, MeasuresOfABallAreTheMapsColors) {
 
 // Quantities go through the user's points, as they stand in the range.
 TEST_F(LooksGlTest, AnOwnTransferFunctionColoursTheMeasure) {
-  draw(phantom("ball", 48), {"look.mode=mean_curvature", "look.shading=unlit", "look.legend=false",
-                             "derivatives.field=cubic_interpolating", "look.range_low=-10", "look.range_high=-9",
-                             "look.colormap_points=[[0,1,0,0],[0.5,0,1,0],[1,0.25,0.5,0.75]]"});
+  draw(phantom("ball", 48),
+       {"look.mode=mean_curvature", "look.shading=unlit", "look.legend=false",
+        "derivatives.field=cubic_interpolating", "look.range_low=-10", "look.range_high=-9",
+        "look.colormap_points=[[0,1,0,0],[0.5,0,1,0],[1,0.25,0.5,0.75]]"});
   expectColors([](const glm::dvec3&, const glm::dvec3&) { return glm::dvec3(0.25, 0.5, 0.75); }, 1e-3);
 }
 
@@ -227,7 +228,8 @@ TEST_F(LooksGlTest, DirectionsOfCurvatureAreTheirPartsAlongTheAxes) {
   for (std::size_t i = 0; i < pixels(); ++i) {
     if (!hit(i) || confidence.values[i] < 1.0f) continue;
     const glm::dvec3 expected = glm::pow(glm::abs(RenderGlTest::at(direction, i)), glm::dvec3(2.2));
-    EXPECT_LT(glm::length(glm::cross(RenderGlTest::at(direction, i), RenderGlTest::at(normal_, i))) - 1.0, 1e-3);
+    EXPECT_LT(glm::length(glm::cross(RenderGlTest::at(direction, i), RenderGlTest::at(normal_, i))) - 1.0,
+              1e-3);
     EXPECT_LT(glm::distance(color(i), expected), 5e-3);
     ++compared;
   }

@@ -147,7 +147,8 @@ TEST_F(SecondShaderGlTest, IsolinesOfAPlateau) {
 
 TEST_F(LookShaderGlTest, AHollowOfAFlatPointIsNone) {
   useFunctions({"shade.frag.glsl"}, "result.x = hollowness(given(0), 1.0);",
-               "#define ACCESSIBILITY\n#define LOOK 0\n#define LOOK_CURVATURE_DIRECTION 9\n#define LOOK_DEPTH 1\n#define LOOK_NORMAL 2\n#define "
+               "#define ACCESSIBILITY\n#define LOOK 0\n#define LOOK_CURVATURE_DIRECTION 9\n#define "
+               "LOOK_DEPTH 1\n#define LOOK_NORMAL 2\n#define "
                "LOOK_ACCESSIBILITY 0\n"
                "#define SHADING 1\n#define SHADING_TONE 2\n#define SHADING_GI 3\n#define SHADING_UNLIT 1\n"
                "#define TEXTURE 0\n#define TEXTURE_NONE 0\n");
@@ -161,7 +162,8 @@ TEST_F(LookShaderGlTest, AHollowOfAFlatPointIsNone) {
 
 TEST_F(LookShaderGlTest, ADepthInAVolumeOfNoDepthIsANumber) {
   useFunctions({"shade.frag.glsl"}, kPlainPoint + "result.x = depthFraction(p);",
-               "#define LOOK 0\n#define LOOK_CURVATURE_DIRECTION 9\n#define LOOK_DEPTH 1\n#define LOOK_NORMAL 2\n#define LOOK_ACCESSIBILITY 3\n"
+               "#define LOOK 0\n#define LOOK_CURVATURE_DIRECTION 9\n#define LOOK_DEPTH 1\n#define "
+               "LOOK_NORMAL 2\n#define LOOK_ACCESSIBILITY 3\n"
                "#define SHADING 1\n#define SHADING_TONE 2\n#define SHADING_GI 3\n#define SHADING_UNLIT 1\n"
                "#define TEXTURE 0\n#define TEXTURE_NONE 0\n");
   set("uDepthRange", glm::vec2(1.0f));
@@ -175,7 +177,8 @@ TEST_F(LookShaderGlTest, ATextureAtAGrazingAngle) {
       kPlainPoint +
           "p.normal = normalize(vec3(1.0, 0.0, -given(0).x)); p.footprint = given(0).y;"
           "result.xyz = baseColor(p, vec3(1.0), vec4(0.0), ivec2(0));",
-      "#define LOOK 0\n#define LOOK_CURVATURE_DIRECTION 9\n#define LOOK_DEPTH 1\n#define LOOK_NORMAL 2\n#define LOOK_ACCESSIBILITY 3\n"
+      "#define LOOK 0\n#define LOOK_CURVATURE_DIRECTION 9\n#define LOOK_DEPTH 1\n#define LOOK_NORMAL "
+      "2\n#define LOOK_ACCESSIBILITY 3\n"
       "#define SHADING 1\n#define SHADING_TONE 2\n#define SHADING_GI 3\n#define SHADING_UNLIT 1\n"
       "#define TEXTURE 1\n#define TEXTURE_NONE 0\n#define TEXTURE_MARBLE 1\n#define TEXTURE_WOOD 2\n");
   set("uTextureScale", 1.0f);

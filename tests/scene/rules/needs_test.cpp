@@ -30,9 +30,8 @@ using Names = std::set<std::string>;
 }  // namespace
 
 TEST(Needs, OfEachLook) {
-  const Names measures = {"kappa1",      "kappa2",     "mean_curvature", "gaussian_curvature",
-                          "shape_index", "curvedness", "curvature_2d",   "edge_offset",
-                          "flowline_curvature"};
+  const Names measures = {"kappa1",     "kappa2",       "mean_curvature", "gaussian_curvature", "shape_index",
+                          "curvedness", "curvature_2d", "edge_offset",    "flowline_curvature"};
   EXPECT_EQ(looksWith([](const scene::Scene& s) { return scene::isMeasure(s.look.mode); }), measures);
   EXPECT_EQ(looksWith(scene::showsLegend), measures);
   Names coloured = measures;
@@ -46,7 +45,8 @@ TEST(Needs, OfEachLook) {
   EXPECT_EQ(looksWith(scene::isPlain), (Names{"normal", "curvature_direction", "depth"}));
   EXPECT_EQ(looksWith(scene::showsFlow), Names{"flow"});
   EXPECT_EQ(looksWith(scene::usesGi), Names{"gi"});
-  EXPECT_EQ(looksWith([](const scene::Scene& s) { return !scene::needsGradient(s); }), Names{"depth"});
+  EXPECT_EQ(looksWith([](const scene::Scene& s) { return !scene::needsGradient(s); }),
+            Names{"depth"});
 }
 
 TEST(Needs, ToneHasOutlinesUnlessToldOtherwise) {

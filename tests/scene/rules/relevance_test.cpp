@@ -36,10 +36,11 @@ TEST(Relevance, OfEachLook) {
   // With the defaults: Lambert under colours, no strength in lines, fog, texture and flow.
   const std::string lines = "overlay ridges contours suggestive_contours";
   const std::string lambert = "shading ambient ambient_variation ";
-  const std::string measure = lambert +
-                              "shadow occlusion occlusion_radius fog colormap colormap_points range_low range_high legend "
-                              "legend_corner accessibility " +
-                              lines;
+  const std::string measure =
+      lambert +
+      "shadow occlusion occlusion_radius fog colormap colormap_points range_low range_high legend "
+      "legend_corner accessibility " +
+      lines;
   const std::map<std::string, std::string> table = {
       {"blinn_phong",
        "ambient ambient_variation specular shininess inner_tint texture shadow occlusion occlusion_radius "
@@ -62,7 +63,8 @@ TEST(Relevance, OfEachLook) {
                            "shadow occlusion occlusion_radius fog range_low range_high curvature_points "
                            "legend legend_corner accessibility " +
                            lines},
-      {"accessibility", lambert + "inner_tint texture shadow occlusion occlusion_radius fog accessibility_points " + lines},
+      {"accessibility",
+       lambert + "inner_tint texture shadow occlusion occlusion_radius fog accessibility_points " + lines},
       {"flow", lambert + "inner_tint texture shadow occlusion occlusion_radius fog accessibility " + lines},
       {"gi", "inner_tint texture fog accessibility " + lines},
       {"normal", ""},

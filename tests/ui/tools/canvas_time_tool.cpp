@@ -70,12 +70,12 @@ void sendMouse(QWidget* widget, QEvent::Type type, QPointF position, Qt::MouseBu
 void dragAbout(Application& application, ui::Viewport* viewport, int moves, Times& times) {
   QElapsedTimer sincePainted;
   std::vector<double> painted;
-  const auto connection = QObject::connect(viewport, &ui::Viewport::answered,
-                                           [&](double milliseconds, double sinceFinished) {
-                                             times.answers.push_back(milliseconds);
-                                             painted.push_back(sinceFinished);
-                                             sincePainted.start();
-                                           });
+  const auto connection =
+      QObject::connect(viewport, &ui::Viewport::answered, [&](double milliseconds, double sinceFinished) {
+        times.answers.push_back(milliseconds);
+        painted.push_back(sinceFinished);
+        sincePainted.start();
+      });
   application.updated = [&] {
     for (const double until : painted)
       times.toScreen.push_back(until + static_cast<double>(sincePainted.nsecsElapsed()) * 1e-6);
@@ -106,14 +106,16 @@ void print(const char* what, std::vector<double> times) {
   if (times.empty()) return;
   std::sort(times.begin(), times.end());
   const auto at = [&](double part) {
-    return times[std::min(times.size() - 1, static_cast<std::size_t>(part * static_cast<double>(times.size())))];
+    return times[std::min(times.size() - 1,
+                          static_cast<std::size_t>(part * static_cast<double>(times.size())))];
   };
   std::printf("  %s: median %.1f ms, 99 %% %.1f ms, longest %.1f ms (%zu)\n", what, at(0.5), at(0.99),
               times.back(), times.size());
 }
 
 // In a window of its own: one that has once shown textures goes on being composed by OpenGL.
-bool measure(Application& application, const QCommandLineParser& options, scene::Canvas canvas, Times& times) {
+bool measure(Application& application, const QCommandLineParser& options, scene::Canvas canvas,
+             Times& times) {
   const QStringList size = options.value("size").split('x');
   const QSize wanted(size.value(0).toInt(), size.value(1).toInt());
   ui::keepMachine(ui::keptMachine(), {.canvas = canvas});

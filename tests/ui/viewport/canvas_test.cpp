@@ -32,7 +32,8 @@ using Assignments = std::vector<std::pair<const char*, nlohmann::json>>;
 class CanvasTest : public WindowTest {
  protected:
   void SetUp() override {
-    if (!QCoreApplication::testAttribute(Qt::AA_ShareOpenGLContexts)) GTEST_SKIP() << "textures are not asked for";
+    if (!QCoreApplication::testAttribute(Qt::AA_ShareOpenGLContexts))
+      GTEST_SKIP() << "textures are not asked for";
     WindowTest::SetUp();
     ASSERT_EQ(kind(), CanvasKind::textures) << window_->viewport()->canvas().why.toStdString();
   }

@@ -136,7 +136,8 @@ TEST_F(WindowTest, SeveralFilesOpenAsTimeSteps) {
   QDropEvent drop({10.0, 10.0}, Qt::CopyAction, &dropped, Qt::LeftButton, Qt::NoModifier);
   QApplication::sendEvent(window_.get(), &drop);
   ui::Document* const document = window_->document();
-  ASSERT_TRUE(waitUntil([&] { return document->volume() && document->volume()->volume.timeSteps == kSteps; }));
+  ASSERT_TRUE(
+      waitUntil([&] { return document->volume() && document->volume()->volume.timeSteps == kSteps; }));
   EXPECT_TRUE(QString::fromStdString(document->scene().source.path).endsWith("/step_*.nrrd"));
   EXPECT_EQ(ui::recentFiles().front(), QString::fromStdString(document->scene().source.path));
   const QString session = newFile("steps.isolux");

@@ -11,12 +11,12 @@
 #include <QProcess>
 #include <QTest>
 
+#include "render/gl/gl_messages.h"
+#include "render/gl/handed_picture.h"
 #include "scene/settings.h"
 #include "tests/support/test_data.h"
 #include "tests/support/ui/dialog_answers.h"
 #include "tests/support/ui/time_bound.h"
-#include "render/gl/gl_messages.h"
-#include "render/gl/handed_picture.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/message_bar.h"
 

@@ -92,8 +92,8 @@ TEST(Csg, WhereTheSecondEndsABlendTakesItsMinimum) {
   Volume a, b;
   a.grid = std::make_shared<Grid>(GridGeometry::make({3, 1, 1}, glm::dvec3(1.0)),
                                   std::vector<float>{nan, 2.0F, 4.0F});
-  b.grid = std::make_shared<Grid>(GridGeometry::make({2, 1, 1}, glm::dvec3(1.0)),
-                                  std::vector<float>{3.0F, -6.0F});
+  b.grid =
+      std::make_shared<Grid>(GridGeometry::make({2, 1, 1}, glm::dvec3(1.0)), std::vector<float>{3.0F, -6.0F});
   a.unit = b.unit = "mm";
   a.isovalue = b.isovalue = 0.0;
   base::Progress progress;

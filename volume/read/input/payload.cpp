@@ -364,11 +364,10 @@ void noteChoices(Volume& volume, const ReadOptions& options) {
 void noteStep(Volume& volume, double step) {
   if (volume.timeSteps < 2) return;
   const int whole = static_cast<int>(step);
-  const std::string blend = step > whole ? ", a blend of " + std::to_string(whole) + " and " +
-                                               std::to_string(whole + 1) + ","
-                                         : "";
-  volume.warnings.push_back(std::to_string(volume.timeSteps) + " time steps, step " + base::shortestText(step) +
-                            blend + " is shown; source.time_step chooses another");
+  const std::string blend =
+      step > whole ? ", a blend of " + std::to_string(whole) + " and " + std::to_string(whole + 1) + "," : "";
+  volume.warnings.push_back(std::to_string(volume.timeSteps) + " time steps, step " +
+                            base::shortestText(step) + blend + " is shown; source.time_step chooses another");
 }
 
 void noteMissing(Volume& volume, const Grid& grid) {
