@@ -46,6 +46,7 @@ LightChooser::LightChooser(QWidget* parent) : QWidget(parent) {
   row->setContentsMargins(0, 2, 0, 2);
   row->setSpacing(4);
   for (const scene::Named<scene::BuiltInLight>& light : scene::choicesOf<scene::BuiltInLight>()) {
+    if (light.value == scene::BuiltInLight::dark_studio) continue;  // of older sessions; no room for a fifth
     auto* button = new QToolButton(this);
     const QString name =
         wordsOf(QString::fromUtf8(light.name.data(), static_cast<qsizetype>(light.name.size())));
