@@ -5397,10 +5397,6 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <source>the surface is matt</source>
         <translation>die Fläche ist matt</translation>
     </message>
-    <message>
-        <source>this look needs no normals</source>
-        <translation>diese Darstellung braucht keine Normalen</translation>
-    </message>
 </context>
 <context>
     <name>sentences</name>
