@@ -261,6 +261,7 @@ struct Environment {
   double exposure = 0.0;  // stops
   bool moves = false;     // it will be rotated or replaced: the baked light must allow that
   bool visible = false;   // behind the surface, instead of the background
+  bool shadows = true;    // the surface occludes it; reflected light is not affected
   bool operator==(const Environment&) const = default;
 };
 
@@ -289,6 +290,7 @@ struct Lamp {
   double angle = 0.0;                     // degrees, diameter as seen from the volume; directional
   glm::dvec3 color{1.0};
   double intensity = 1.0;  // E / pi on an unoccluded surface at the volume's centre that faces it
+  bool shadows = true;     // the surface occludes it; reflected light is not affected
   bool operator==(const Lamp&) const = default;
 };
 
@@ -311,6 +313,7 @@ struct Gi {
   double shWindow = 0.0;  // 0 none, 1 full: against ringing
   int components = 24;    // of a compressed transfer vector, at most
   int componentBits = 4;  // on average
+  bool ground = false;    // a plane under the surface that shows its shadow
   bool operator==(const Gi&) const = default;
 };
 

@@ -415,6 +415,9 @@ std::vector<Setting> makeSettings() {
                    "without another bake."));
   add(entry<Scene>("light.environment.visible", ISOLUX_MEMBER(light.environment.visible), noRange, "",
                    "Shows the environment behind the surface."));
+  add(entry<Scene>("light.environment.shadows", ISOLUX_MEMBER(light.environment.shadows), noRange, "",
+                   "The surface occludes the environment; off, its light reaches every point, and reflected "
+                   "light stays."));
   for (std::size_t i = 0; i < kLamps; ++i) {
     const std::string group = "lamp" + std::to_string(i + 1) + '.';
     add(entry<Scene>(group + "shown", ISOLUX_ITEM(lamps, i, shown), noRange, "",
@@ -435,6 +438,9 @@ std::vector<Setting> makeSettings() {
                      "Colour of the light source."));
     add(entry<Scene>(group + "intensity", ISOLUX_ITEM(lamps, i, intensity), {0, 1e6}, "",
                      "Brightness of a white surface that faces the light source at the volume's centre."));
+    add(entry<Scene>(group + "shadows", ISOLUX_ITEM(lamps, i, shadows), noRange, "",
+                     "The light source casts shadows; off, its light reaches every point that faces it, and "
+                     "reflected light stays."));
   }
 
   add(choiceEntry<Scene>("gi.mode", ISOLUX_MEMBER(gi.mode),
@@ -483,6 +489,9 @@ std::vector<Setting> makeSettings() {
       "gi.component_bits", ISOLUX_MEMBER(gi.componentBits), {1, 16}, "bits per number",
       "Mean number of bits per principal component; components that vary more get more. The bits "
       "of a texel are rounded up to a multiple of 32."));
+  add(entry<Scene>(
+      "gi.ground", ISOLUX_MEMBER(gi.ground), noRange, "",
+      "Shows the shadow of the surface on the ground: a horizontal plane under it, seen from above."));
 
   add(entry<Scene>("camera.eye", ISOLUX_MEMBER(camera.eye), positionRange, "mm",
                    "Position of the viewer; auto follows camera.frames."));
