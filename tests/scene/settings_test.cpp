@@ -103,12 +103,12 @@ TEST(Settings, CoversEveryMemberOfScene) {
   [[maybe_unused]] const auto& [setup, space, direction, color, intensity, fill, rim, headlight,
                                 environment] = light;
   [[maybe_unused]] const auto& [file, constant, builtIn, azimuth, elevation, rotation, exposure, moves,
-                                visible] = environment;
-  [[maybe_unused]] const auto& [lampShown, kind, position, toward, radius, angle, lampColor, lampIntensity] =
-      lamps[0];
+                                visible, skyShadows] = environment;
+  [[maybe_unused]] const auto& [lampShown, kind, position, toward, radius, angle, lampColor, lampIntensity,
+                                lampShadows] = lamps[0];
   [[maybe_unused]] const auto& [giMode, extent, band, texels, samples, sequence, bounces, rouletteDepth,
                                 environmentShare, latticeScale, interpolation, precision, shOrder, shWindow,
-                                components, componentBits] = gi;
+                                components, componentBits, ground] = gi;
   [[maybe_unused]] const auto& [eye, target, up, frames, fov, projection] = camera;
   [[maybe_unused]] const auto& [supersampling, restHits, pictureExposure, metering, curve, letters, scaleBar,
                                 isovalue, caveats, transparent, pixelRatio] = picture;
