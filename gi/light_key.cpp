@@ -121,7 +121,7 @@ ordered_json lampJson(const LampLight& lamp) {
 std::uint64_t hiddenKey(const scene::Scene& resolved, const LightScene& light) {
   if (!light.choice.onShown || !light.tracer) return 0;
   const std::vector<volume::HiddenOfSurface> hidden = light.tracer->hidden();
-  const volume::HiddenPieces own = volume::hiddenAt(hidden, *resolved.isosurface.value);
+  const volume::HiddenPieces own = volume::hiddenAt(hidden, scene::litIsovalue(resolved));
   return own.voxels ? own.voxels->key() : 0;
 }
 
@@ -138,7 +138,7 @@ std::string lightKey(const scene::Scene& resolved, const LightScene& light, Ligh
   json["volume"] = base::hexText(light.volume->grid().hash());
   json["inside"] = light.inside == scene::Inside::above ? "above" : "below";
   json["lattice_scale"] = resolved.gi.latticeScale;
-  if (light.choice.onShown) json["isovalue"] = resolved.isosurface.value.value();
+  if (light.choice.onShown) json["isovalue"] = scene::litIsovalue(resolved);
   if (const std::uint64_t hidden = hiddenKey(resolved, light); hidden != 0)
     json["hidden"] = base::hexText(hidden);
   if (light.tracer && light.tracer->cut().cuts()) json["cut"] = base::hexText(light.tracer->cut().key());

@@ -1,6 +1,7 @@
 #include "render/readback.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -260,11 +261,14 @@ gi::SeenPoints hitsOfPart(const FrameState& frame, const HitPart& part, double o
   const Target& surface = frame.images.at(image::surface + frame.layer);
   const std::vector<float> points = readPart(frame, surface.images[0], part, GL_RGBA32F, 4);
   const std::vector<float> info = readPart(frame, surface.images[1], part, GL_RG32F, 2);
+  std::array<std::uint8_t, 4> baked{};
+  for (std::size_t i = 0; i < frame.surfaces.size(); ++i) baked[i] = scene::bakesLight(frame.surfaces[i]);
   gi::SeenPoints hits;
   for (std::size_t i = 0; 4 * i < points.size(); ++i) {
     const float* const point = &points[4 * i];
     if (!(point[3] >= 0.0f)) continue;
     const int known = static_cast<int>(info[2 * i + 1]);  // as surface.glsl reads it
+    if (baked[static_cast<std::size_t>(known & 3)] == 0) continue;
     const bool risesBehind = (known >> 2 >> (known & 3) & 1) != 0;
     (risesBehind == (outward < 0.0) ? hits.outer : hits.inner).emplace_back(point[0], point[1], point[2]);
   }
@@ -277,14 +281,13 @@ void append(std::vector<glm::vec3>& to, const std::vector<glm::vec3>& more) {
 
 }  // namespace
 
-void appendHits(const FrameState& frame, std::size_t most, double outward, gi::SeenPoints& hits,
-                bool everyRay) {
+void appendHits(const FrameState& frame, std::size_t most, double outward, gi::SeenPoints& hits) {
   const glm::ivec2 size(frame.images.at(image::surface + frame.layer).images[0].size());
   glm::ivec2 grid = size;
   for (int step = 1; static_cast<std::size_t>(grid.x) * static_cast<std::size_t>(grid.y) > most;)
     grid = glm::max(size / ++step, glm::ivec2(1));
   gi::SeenPoints found = hitsOfPart(frame, {{0, 0}, size, grid}, outward);
-  if (everyRay && grid != size) {
+  if (frame.request.hits == FrameRequest::Hits::all && grid != size) {
     found = {};
     const int rows = std::max(1, static_cast<int>(most) / size.x);
     for (int y = 0; y < size.y; y += rows) {
@@ -298,11 +301,11 @@ void appendHits(const FrameState& frame, std::size_t most, double outward, gi::S
   append(hits.inner, found.inner);
 }
 
-gi::SeenPoints hitVoxels(const FrameState& frame, const DrawnFrame& drawn, bool everyRay) {
+gi::SeenPoints hitVoxels(const FrameState& frame, const DrawnFrame& drawn) {
   constexpr std::size_t most = 1u << 20;
   gi::SeenPoints hits;
   if (drawn.raySize.x == 0 || !frame.images.has(image::surface)) return hits;
-  appendHits(frame, most, drawn.outward, hits, everyRay);
+  appendHits(frame, most, drawn.outward, hits);
   if (!drawn.layered) return hits;
   append(hits.outer, frame.hitsBehind.outer);
   append(hits.inner, frame.hitsBehind.inner);

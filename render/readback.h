@@ -29,9 +29,8 @@ LinearImage readLinearPicture(const FrameState& frame, const DrawnFrame& drawn);
 AovImage readAov(const FrameState& frame, const DrawnFrame& drawn, Aov aov);
 // Appends the surface points of every n-th ray on both axes, with n such that at most `most` result, spread
 // evenly over the image. Only those are read back. The points are of the layer that `frame` draws now.
-// `outward`: DrawnFrame's; `everyRay`: n = 1.
-void appendHits(const FrameState& frame, std::size_t most, double outward, gi::SeenPoints& hits,
-                bool everyRay = false);
-gi::SeenPoints hitVoxels(const FrameState& frame, const DrawnFrame& drawn, bool everyRay);
+// Surfaces whose light is not baked (scene/opacity.h) are left out. `outward`: DrawnFrame's.
+void appendHits(const FrameState& frame, std::size_t most, double outward, gi::SeenPoints& hits);
+gi::SeenPoints hitVoxels(const FrameState& frame, const DrawnFrame& drawn);
 
 }  // namespace isolux::render

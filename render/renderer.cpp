@@ -670,8 +670,8 @@ AovImage Renderer::readAov(Aov aov) {
   return render::readAov(parts_->frame, parts_->drawn, aov);
 }
 
-gi::SeenPoints Renderer::hitVoxels(bool everyRay) {
-  return render::hitVoxels(parts_->frame, parts_->drawn, everyRay);
+gi::SeenPoints Renderer::hitVoxels() {
+  return render::hitVoxels(parts_->frame, parts_->drawn);
 }
 
 std::map<std::string, std::uint64_t> Renderer::imageHashes() {

@@ -63,11 +63,10 @@ class Renderer {
   // background and values are premultiplied. Requires a request with `linear`.
   LinearImage readLinearPicture();
   AovImage readAov(Aov aov);
-  // Returns the visible surface points of the last frame in voxel coordinates. They include those behind
-  // transparent surfaces if the look reads baked lighting. At most about a million of the first crossings and
-  // of those behind, spread evenly over the image; pixels without a surface are omitted. `everyRay`: all
-  // first crossings.
-  gi::SeenPoints hitVoxels(bool everyRay = false);
+  // Returns the visible surface points of the last frame whose light is baked, in voxel coordinates, as many
+  // as its request says. They include those behind transparent surfaces if the look reads baked lighting and
+  // the frame is shaded. Pixels without a surface are omitted.
+  gi::SeenPoints hitVoxels();
   // Returns a hash of the images of each pass that the last frame needed, computed or cached, for tests.
   // Passes without images are omitted.
   std::map<std::string, std::uint64_t> imageHashes();

@@ -1,8 +1,10 @@
-// Computes the view-dependent opacity of an isosurface.
+// Computes the opacity of an isosurface, which depends on the view, and the light that comes through it.
 //
 // opacity(c) = opacity · (f + (1 − f)(1 − c)²), c = |n·v|, f = facing opacity. This is the silhouette
 // enhancement of Ebert and Rheingans, Volume Illustration (IEEE Visualization 2000), with k_sc = f, k_ss = 1
 // − f and k_se = 2. resources/shaders/look/shade.frag.glsl computes the same.
+// Under global illumination a transparent surface is a layer of one thickness: at an angle, light crosses
+// more of it, 1 − (1 − opacity(c))^(1/c).
 #pragma once
 
 #include "scene/scene.h"
@@ -15,10 +17,18 @@ constexpr double opacityAt(double opacity, double facingOpacity, double cosine) 
   return opacity * (facingOpacity + (1.0 - facingOpacity) * edge);
 }
 
-// Returns the opacity for uniform light: the cosine-weighted mean over the hemisphere, where 2 ∫ c (1 − c)²
-// dc = 1/6.
-constexpr double meanOpacity(double opacity, double facingOpacity) {
-  return opacity * (facingOpacity + (1.0 - facingOpacity) / 6.0);
+// Returns the opacity of that layer for uniform light: the cosine-weighted mean over the hemisphere.
+double meanOpacity(double opacity, double facingOpacity);
+// Returns how much of the shadow that a surface casts on itself is shown, in [0, 1], for its mean opacity. Up
+// to a half it is none, and no light is baked for the surface: what is left out is at most a quarter of that
+// shadow in the image.
+constexpr double shadowShown(double meanOpacity) {
+  return meanOpacity > 0.5 ? 2.0 * meanOpacity - 1.0 : 0.0;
+}
+// Returns uniform light behind a closed layer in units of that before it: what comes through, and what its
+// inner side scatters back. `meanOpacity` < 1; exact where nothing else is behind it.
+constexpr double lightThrough(double meanOpacity, double albedo) {
+  return (1.0 - meanOpacity) / (1.0 - meanOpacity * albedo);
 }
 
 // Returns whether the surface (Isosurface or ExtraIsosurface) hides everything behind it, from every
@@ -36,6 +46,17 @@ constexpr bool isSeenThrough(const S& surface) {
 template <class S>
 constexpr bool variesByAngle(const S& surface) {
   return surface.opacity > 0.0 && surface.facingOpacity < 1.0;
+}
+
+// Returns how much of its own shadow the surface (Isosurface or ExtraIsosurface) shows.
+template <class S>
+double shadowShown(const S& surface) {
+  return isOpaque(surface) ? 1.0 : shadowShown(meanOpacity(surface.opacity, surface.facingOpacity));
+}
+// Returns whether its light is baked.
+template <class S>
+bool bakesLight(const S& surface) {
+  return surface.opacity > 0.0 && shadowShown(surface) > 0.0;
 }
 
 // Returns whether the opacity of any shown surface depends on the angle.

@@ -65,8 +65,8 @@ struct Isosurface {
 // A further isosurface of the same volume, drawn with the first in exact depth order.
 struct ExtraIsosurface {
   bool shown = false;
-  std::string name;
-  std::optional<double> value;  // data units
+  std::string name = {};
+  std::optional<double> value = {};  // data units
   glm::dvec3 albedo{0.5};
   double specular = 0.0;
   double roughness = 0.3;
@@ -352,9 +352,7 @@ struct Scene {
   Isosurface isosurface;
   // isosurface2, isosurface3, isosurface4 in paths.
   std::array<ExtraIsosurface, kExtraIsosurfaces> extraIsosurfaces{
-      {{false, {}, {}, {0.25, 0.45, 0.75}, 0.5, 1.0},
-       {false, {}, {}, {0.30, 0.62, 0.35}, 0.5, 1.0},
-       {false, {}, {}, {0.75, 0.28, 0.22}, 0.5, 1.0}}};
+      {{.albedo{0.25, 0.45, 0.75}}, {.albedo{0.30, 0.62, 0.35}}, {.albedo{0.75, 0.28, 0.22}}}};
   Pieces pieces;
   Clip clip;
   Slice slice;

@@ -457,7 +457,7 @@ std::vector<Setting> makeSettings() {
       "gi.texels", ISOLUX_MEMBER(gi.texels),
       "Surface on which texels are lit. own: each sample's own isosurface, for any isovalue. shown: the "
       "displayed isosurface, which is more accurate, but for one isovalue. auto is shown with "
-      "gi.extent=view, otherwise own. With several isosurfaces, it is own."));
+      "gi.extent=view, otherwise own. With several isosurfaces that are not too transparent, it is own."));
   add(entry<Scene>("gi.samples", ISOLUX_MEMBER(gi.samples), {1, 1000000}, "paths per texel",
                    "Light paths per texel; four times as many halve the noise."));
   add(choiceEntry<Scene>("gi.sequence", ISOLUX_MEMBER(gi.sequence),

@@ -21,6 +21,7 @@
 #include "base/number_text.h"
 #include "gi/arithmetic.h"
 #include "gi/file/bake_file.h"
+#include "scene/rules/needs.h"
 #include "scene/rules/relevance.h"
 #include "scene/settings.h"
 
@@ -65,7 +66,7 @@ gi::SeenPoints seenPoints(const BakeOptions& options, const scene::Scene& scene,
   request.size = parseSize(options.size);
   while (std::max(request.size.x, request.size.y) > 4096)
     request.size = glm::max(request.size / 2, glm::ivec2(1));
-  request.color = false;
+  request.color = scene::isTransparent(scene);  // what is behind is found where it is shaded
   request.aovs = std::vector{render::Aov::voxel};
   renderer.render(scene, request);
   return renderer.hitVoxels();

@@ -108,8 +108,7 @@ void PictureThread::Work::draw(const Numbered& numbered) {
       drawn.texture = ring->hand(draws.color());
     else
       drawn.color = draws.readColor();
-    if (order.hits != PictureOrder::Hits::none)
-      drawn.hitVoxels = draws.hitVoxels(order.hits == PictureOrder::Hits::all);
+    if (order.request.hits != render::FrameRequest::Hits::none) drawn.hitVoxels = draws.hitVoxels();
     made->gl()->throwIfLost();
     drawn.finished = std::chrono::steady_clock::now();
     drawn.milliseconds = std::chrono::duration<double, std::milli>(drawn.finished - begin).count();
@@ -235,6 +234,7 @@ void PictureThread::forget() {
 void PictureThread::drawStill(PictureOrder order) {
   stillProgress_ = std::make_shared<base::Progress>();
   order.request.stop = stillProgress_->token();
+  order.request.hits = render::FrameRequest::Hits::none;
   work_->stillOrders.put(
       std::make_unique<Work::StillOrder>(Work::StillOrder{std::move(order), stillProgress_}));
   for (Given& given : given_) given.stop.request_stop();

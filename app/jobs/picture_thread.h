@@ -41,8 +41,6 @@ struct PictureOrder {
   std::shared_ptr<const gi::PictureLight> light;
   render::FrameRequest request;
   bool draft = false;
-  // Renderer::hitVoxels() come with the picture, or all that it has.
-  enum class Hits { none, many, all } hits = Hits::none;
 };
 
 struct DrawnPicture {

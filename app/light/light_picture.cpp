@@ -29,9 +29,11 @@ void lightPicture(LightController& controller, render::Renderer& renderer, const
     // What lies between the points of this many is near one of them.
     while (std::max(surface.size.x, surface.size.y) * surface.supersampling > 4096) surface.size /= 2;
     surface.size = glm::max(surface.size, glm::ivec2(1));
+    surface.hits = render::FrameRequest::Hits::all;  // in the dark one unlit texel's local light glares
+    surface.color = scene::isTransparent(resolved);  // what is behind is found where it is shaded
     surface.aovs = std::vector{render::Aov::voxel};
     renderer.render(resolved, surface);
-    controller.setVisible(renderer.hitVoxels(true));  // in the dark one unlit texel's local light glares
+    controller.setVisible(renderer.hitVoxels());
   }
   if (!controller.finish(progress)) progress.throwIfStopped();
   renderer.setLight(controller.light());

@@ -97,7 +97,6 @@ class LightPlanner {
     int reach = 0;
     scene::Field field = scene::Field::trilinear;  // that is hit
     glm::dvec2 band{0.0};
-    std::vector<double> behind;  // isovalues of surfaces that may be seen through others
     bool operator==(const Asked&) const = default;
   };
   struct Part {
@@ -120,9 +119,7 @@ class LightPlanner {
   void require(Part& part, const std::shared_ptr<const gi::LightScene>& light, gi::LightPart which,
                bool wanted);
   void requireInner(base::Progress& progress);
-  // `behind`: isovalues whose surfaces may be seen anywhere.
-  void wish(Side& side, const std::vector<glm::vec3>& hits, scene::GiExtent extent,
-            const std::vector<double>& behind, base::Progress& progress);
+  void wish(Side& side, const std::vector<glm::vec3>& hits, scene::GiExtent extent, base::Progress& progress);
   void wish(Part& part, const Asked& asked, base::Progress& progress);
   void demand(const Part& part);  // as many paths, on as many threads as there are to be
   void keep(Part part);

@@ -4,35 +4,8 @@
 #include "app/light/light_planner.h"
 #include "gi/texels/texel_band.h"
 #include "gi/texels/texel_sets.h"
-#include "scene/opacity.h"
 
 namespace isolux::app {
-
-namespace {
-
-// Nobody knows what is seen behind a transparent surface: whole isosurfaces are.
-std::vector<double> isovaluesBehindOthers(const scene::Scene& scene) {
-  std::vector<double> isovalues = {*scene.isosurface.value};
-  bool transparent = !scene::isOpaque(scene.isosurface);
-  for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces) {
-    if (!extra.shown) continue;
-    isovalues.push_back(*extra.value);
-    transparent = transparent || !scene::isOpaque(extra);
-  }
-  if (!transparent) isovalues.clear();
-  return isovalues;
-}
-
-// Of surfaces that are seen through themselves: whole inner sides are.
-std::vector<double> transparentIsovalues(const scene::Scene& scene) {
-  std::vector<double> isovalues;
-  if (scene::isSeenThrough(scene.isosurface)) isovalues.push_back(*scene.isosurface.value);
-  for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces)
-    if (extra.shown && scene::isSeenThrough(extra)) isovalues.push_back(*extra.value);
-  return isovalues;
-}
-
-}  // namespace
 
 int LightPlanner::reach() const {
   const scene::GiInterpolation interpolation = scene_.gi.interpolation;
@@ -41,7 +14,7 @@ int LightPlanner::reach() const {
 
 bool LightPlanner::wish(const gi::SeenPoints& seen, base::Progress& progress) {
   if (!plan_.light || (!outer_.sky.bake && !outer_.lamps.bake)) return false;
-  innerSeen_ = innerSides_ && (!seen.inner.empty() || !transparentIsovalues(scene_).empty());
+  innerSeen_ = innerSides_ && !seen.inner.empty();
   const bool complete = !inner_.sky.bake == !outer_.sky.bake && !inner_.lamps.bake == !outer_.lamps.bake;
   const bool changes = innerSeen_ && !complete;
   if (changes) {
@@ -54,20 +27,20 @@ bool LightPlanner::wish(const gi::SeenPoints& seen, base::Progress& progress) {
     const std::vector<glm::vec3> reflected = gi::reflectedPoints(*gloss_, scene_, seen.outer);
     outer.insert(outer.end(), reflected.begin(), reflected.end());
   }
-  wish(outer_, outer, scene_.gi.extent, isovaluesBehindOthers(scene_), progress);
-  wish(inner_, seen.inner, scene::GiExtent::view, transparentIsovalues(scene_), progress);
+  wish(outer_, outer, scene_.gi.extent, progress);
+  wish(inner_, seen.inner, scene::GiExtent::view, progress);
   return changes;
 }
 
 void LightPlanner::wish(Side& side, const std::vector<glm::vec3>& hits, scene::GiExtent extent,
-                        const std::vector<double>& behind, base::Progress& progress) {
+                        base::Progress& progress) {
   if (!side.sky.bake && !side.lamps.bake) return;
   const gi::LatticeGeometry& lattice = (side.sky.bake ? side.sky : side.lamps).bake->lattice()->geometry();
   const std::vector<gi::WantedBlock> visible = gi::texelsAround(lattice, hits, reach());
   std::vector<gi::WantedBlock> nearby;
   // A command asks for its picture alone, unless told otherwise; a viewer moves on.
   if (around_) nearby = gi::texelsBeside(lattice, visible, 2);
-  Asked asked{extent, reach(), scene_.hit.field, {}, behind};
+  Asked asked{extent, reach(), scene_.hit.field, {}};
   if (extent == scene::GiExtent::band) asked.band = scene_.gi.band.value();
   for (Part* part : {&side.sky, &side.lamps}) {
     if (!part->bake) continue;
@@ -80,19 +53,14 @@ void LightPlanner::wish(Side& side, const std::vector<glm::vec3>& hits, scene::G
 void LightPlanner::wish(Part& part, const Asked& asked, base::Progress& progress) {
   if (part.asked == asked) return;
   const gi::LatticeGeometry& lattice = part.bake->lattice()->geometry();
-  const auto ofBand = [&](double low, double high) {
-    return gi::texelsOfBand(lattice, volume_->grid(), low, high, reach(), progress, scene_.hit.field);
-  };
   // A command that asks for all light hears at once that it does not fit; a window's grows as far as it goes.
   // Of a part nobody knows how many texels have light.
   if (asked.extent == scene::GiExtent::full && !background_ && !part_ && !onlyPlans_)
     part.bake->lattice()->checkThatAllFits();
   std::vector<gi::WantedBlock> band;
-  if (asked.extent == scene::GiExtent::band) band = ofBand(asked.band.x, asked.band.y);
-  for (const double isovalue : asked.behind) {
-    const std::vector<gi::WantedBlock> whole = ofBand(isovalue, isovalue);
-    band.insert(band.end(), whole.begin(), whole.end());
-  }
+  if (asked.extent == scene::GiExtent::band)
+    band = gi::texelsOfBand(lattice, volume_->grid(), asked.band.x, asked.band.y, reach(), progress,
+                            scene_.hit.field);
   want(part, gi::Wish::band, std::move(band));
   want(part, gi::Wish::rest,
        asked.extent == scene::GiExtent::full ? gi::allTexels(lattice) : std::vector<gi::WantedBlock>{});

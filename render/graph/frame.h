@@ -64,7 +64,10 @@ struct FrameRequest {
   // Keep images for the next frame, as far as memory.gpu_budget_mb allows. False: each image is freed after
   // its last reader, and only the requested ones can be read back; the next frame runs all passes.
   bool keepImages = true;
-  bool color = true;      // the shaded image
+  bool color = true;  // the shaded image
+  // The surface points that Renderer::hitVoxels() returns: of at most about a million rays that are spread
+  // evenly over the image, or of all.
+  enum class Hits { none, many, all } hits = Hits::many;
   std::vector<Aov> aovs;  // AOVs; requires supersampling 1
   int supersampling = 1;  // rays per pixel and axis, 1..4
   // Image pixels per pixel in settings (look.contour_width, flow.grain, flow.length): 2 on a screen drawn at

@@ -191,15 +191,14 @@ void FrameLight::setLattice(const FrameState& frame, Program& p) {
   p.set("uSkyScale", frame.light->skyScale * atlas_.layout().skyUnit);
   p.set("uLampsUnit", atlas_.layout().lampsUnit);
   if (atlas_.holdsPartsOfOpenSky()) p.set("uPerMeanSky", atlas_.openSky().perMean());
-  glm::vec4 isovalues(0.0f), opacities(1.0f);
+  glm::vec4 isovalues(0.0f), shadows(1.0f);
   for (std::size_t i = 0; i < frame.surfaces.size(); ++i) {
     const Surface& surface = frame.surfaces[i];
     isovalues[static_cast<int>(i)] = static_cast<float>(frame.volume->grid().storedOfValue(surface.value));
-    opacities[static_cast<int>(i)] =
-        static_cast<float>(scene::meanOpacity(surface.opacity, surface.facingOpacity));
+    shadows[static_cast<int>(i)] = static_cast<float>(scene::shadowShown(surface));
   }
   p.set("uStoredIsovalues", isovalues);
-  p.set("uOpacities", opacities);
+  p.set("uShadowShown", shadows);
   const LightTexelLayout& layout = atlas_.layout();
   if (layout.sky != LightPacking::codes) return;
   const gi::TransferBasis::Lighting lighting = frame.light->basis->under(frame.light->environment);
@@ -213,8 +212,34 @@ void FrameLight::setLattice(const FrameState& frame, Program& p) {
   frame.gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, kFactorsBinding, factors_.id());
 }
 
+// Isosurfaces are nested: each encloses those further inside. One that is cut open lets all light in.
+void FrameLight::setLightThrough(const FrameState& frame, Program& p) {
+  const scene::AlbedoOfIsovalue albedo(*frame.scene);
+  const bool cut = !frame.scene->clip.planes.empty() || !frame.scene->clip.box.empty() ||
+                   !frame.scene->clip.removed.empty();
+  const double outward = frame.scene->isosurface.inside == scene::Inside::above ? 1.0 : -1.0;
+  std::array<glm::vec3, 4> others, itself;
+  others.fill(glm::vec3(1.0f));
+  itself.fill(glm::vec3(1.0f));
+  for (std::size_t i = 0; i < frame.surfaces.size(); ++i) {
+    const Surface& shell = frame.surfaces[i];
+    if (shell.opaque() || (cut && shell.clipped)) continue;
+    for (int c = 0; c < 3; ++c)
+      itself[i][c] = static_cast<float>(scene::lightThrough(
+          scene::meanOpacity(shell.opacity, shell.facingOpacity), albedo.at(shell.value)[c]));
+    for (std::size_t k = 0; k < frame.surfaces.size(); ++k)
+      if (outward * (frame.surfaces[k].value - shell.value) > 0.0) others[k] *= itself[i];
+  }
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    const std::string at = "[" + std::to_string(i) + "]";
+    p.set(("uBehindOthers" + at).c_str(), others[i]);
+    p.set(("uBehindItself" + at).c_str(), itself[i]);
+  }
+}
+
 void FrameLight::bind(FrameState& frame, Program& p) {
   setLocalLight(frame, p);
+  setLightThrough(frame, p);
   if (atlas_.stores()) setLattice(frame, p);
 }
 
@@ -265,11 +290,14 @@ void IrradiancePass::declare(Declaring& d) const {
   d.reads(image::surface).reads(image::gradient).writes(image::irradiance, 16);
   d.notNeeded("no look reads light of the surface points");
   d.settings({"camera."}).input("light", light.version);
+  if (scene::isTransparent(d.asked.scene))
+    d.settings({"isosurface.opacity", "isosurface#.opacity", "isosurface.facing_opacity",
+                "isosurface#.facing_opacity", "isosurface.albedo", "isosurface#.albedo",
+                "isosurface.albedo_map", "isosurface.albedo_source", "isosurface.albedo_low",
+                "isosurface.albedo_high", "isosurface.clipped", "isosurface#.clipped", "clip.",
+                "isosurface.inside"});
   if (!light.stored) return;
   d.settings({"isosurface.inside"});  // light is stored of one side, or of each
-  if (light.inner)
-    d.settings({"isosurface.opacity", "isosurface#.opacity", "isosurface.facing_opacity",
-                "isosurface#.facing_opacity"});
   d.reads(image::light).input("lattice", light.storage);
   d.input("gi.interpolation", d.asked.scene.gi.interpolation);  // wherever light is stored, planned or not
 }

@@ -29,6 +29,8 @@ class FrameLight {
   void bind(FrameState& frame, Program& program);
   // Sets the light sources and the sky without anything in their way (local_light.glsl, LAMP_COUNT).
   void setLocalLight(const FrameState& frame, Program& program) const;
+  // Sets the light behind transparent surfaces: uBehindOthers, uBehindItself.
+  static void setLightThrough(const FrameState& frame, Program& program);
   // Sets the environment as a background texture; creates it if it is new.
   void setBackground(FrameState& frame, Program& program, int unit);
 

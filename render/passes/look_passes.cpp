@@ -28,6 +28,10 @@ namespace {
 // Of all layers together.
 constexpr std::size_t kMostHitsBehind = 1u << 20;
 
+bool reportsHits(const FrameRequest& request, const scene::Scene& scene) {
+  return request.hits != FrameRequest::Hits::none && scene::usesGi(scene);
+}
+
 // Texture units of shade.frag.glsl.
 enum Unit {
   surfaceUnit,  // surfaceUnit to infoUnit: FrameState::setPoint()
@@ -359,6 +363,7 @@ void ShadePass::drawBand(FrameState& frame) {
 }
 
 void LayersPass::declare(Declaring& d) const {
+  if (reportsHits(d.asked.request, d.asked.scene)) d.input("points behind", d.asked.request.hits);
   d.reads(image::surface);
   if (!scene::isTransparent(d.asked.scene)) {
     d.writes("layers").notNeeded("every surface is opaque");
@@ -395,7 +400,7 @@ void LayersPass::run(FrameState& frame) {
     for (Pass* pass : frame.used)
       if (pass->kind.ofCrossing && frame.anyBehind) pass->run(frame);  // the first is the cast
     if (frame.request.stop.stop_requested()) break;
-    if (frame.anyBehind && scene::usesGi(*frame.scene))
+    if (frame.anyBehind && reportsHits(frame.request, *frame.scene))
       appendHits(frame, kMostHitsBehind / static_cast<std::size_t>(layers), frame.outward(),
                  frame.hitsBehind);
     frame.layerBefore = frame.layer;

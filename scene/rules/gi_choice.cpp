@@ -1,7 +1,10 @@
 #include "scene/rules/gi_choice.h"
 
 #include <algorithm>
+#include <optional>
+#include <vector>
 
+#include "scene/opacity.h"
 #include "scene/rules/environment.h"
 #include "scene/rules/relevance.h"
 
@@ -33,6 +36,19 @@ void addReason(GiChoice& choice, const char* clause) {
   choice.reason += (choice.reason.empty() ? "" : "; ") + std::string(clause);
 }
 
+// Isovalues of the shown isosurfaces whose light is baked; of all shown ones if all are too transparent.
+std::vector<std::optional<double>> litValues(const Scene& scene) {
+  std::vector<std::optional<double>> lit, shown;
+  const auto add = [&](const auto& surface) {
+    shown.push_back(surface.value);
+    if (bakesLight(surface)) lit.push_back(surface.value);
+  };
+  add(scene.isosurface);
+  for (const ExtraIsosurface& extra : scene.extraIsosurfaces)
+    if (extra.shown) add(extra);
+  return lit.empty() ? shown : lit;
+}
+
 GiMode leastMode(const Scene& scene, GiChoice& choice) {
   const bool probe = !hasOneColor(scene.light.environment);
   if (!probe && isBlack(*scene.light.environment.constant)) {
@@ -58,9 +74,12 @@ GiMode leastMode(const Scene& scene, GiChoice& choice) {
 
 }  // namespace
 
-bool showsOneIsosurface(const Scene& scene) {
-  return std::none_of(scene.extraIsosurfaces.begin(), scene.extraIsosurfaces.end(),
-                      [](const ExtraIsosurface& extra) { return extra.shown; });
+bool litAlone(const Scene& scene) {
+  return litValues(scene).size() == 1;
+}
+
+double litIsovalue(const Scene& resolved) {
+  return litValues(resolved).front().value();
 }
 
 GiChoice giChoiceOf(const Scene& scene) {
@@ -84,9 +103,8 @@ GiChoice giChoiceOf(const Scene& scene) {
   if (choice.lamps) addReason(choice, "light sources are static: irradiance");
 
   const bool forView = scene.gi.texels == GiTexels::automatic && scene.gi.extent == GiExtent::view;
-  choice.onShown =
-      choice.wanted && (forView || scene.gi.texels == GiTexels::shown) && showsOneIsosurface(scene);
-  if (choice.onShown) addReason(choice, "one isosurface is shown: light on it alone");
+  choice.onShown = choice.wanted && (forView || scene.gi.texels == GiTexels::shown) && litAlone(scene);
+  if (choice.onShown) addReason(choice, "one isosurface is lit: light on it alone");
 
   const bool probe = !hasOneColor(scene.light.environment);
   const bool direct = choice.sky == GiMode::vicinity || scene.gi.mode == GiMode::shadow;

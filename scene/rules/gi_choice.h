@@ -17,13 +17,18 @@ struct GiChoice {
   GiMode sky = GiMode::off;
   bool unitSky = false;  // baked under a sky of radiance 1; the frame multiplies by its colour
   int channels = 3;      // of the sky's baked light: 1 if it stays grey
-  bool onShown = false;  // texels are lit on the displayed isosurface, not each on its own
+  bool onShown = false;  // texels are lit on the isosurface of litIsovalue(), not each on its own
   bool lamps = false;    // there are light sources: their irradiance is baked in addition to the sky's
   int bounces = 0;       // traced
   std::string reason;    // one clause per decision, joined by "; "
 };
 
 GiChoice giChoiceOf(const Scene& scene);
-bool showsOneIsosurface(const Scene& scene);
+
+// Returns whether light is baked for one isosurface alone: the only one that is shown, or the only one that
+// is not too transparent (scene/opacity.h).
+bool litAlone(const Scene& scene);
+// Returns the isovalue of that surface; the first one's where there are several. Requires a resolved scene.
+double litIsovalue(const Scene& resolved);
 
 }  // namespace isolux::scene

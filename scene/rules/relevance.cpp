@@ -257,7 +257,7 @@ constexpr Rule rules[] = {
      "no light is baked"},
     {"gi.band", [](const Scene& s) { return s.gi.extent == GiExtent::band; },
      "texels are not chosen by isovalue"},
-    {"gi.texels", showsOneIsosurface, "several isosurfaces are shown"},
+    {"gi.texels", litAlone, "several isosurfaces are lit"},
     {"gi.bounces",
      [](const Scene& s) { return s.gi.mode != GiMode::vicinity && s.gi.mode != GiMode::shadow; },
      "gi.mode has direct light only"},

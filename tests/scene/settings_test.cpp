@@ -71,6 +71,17 @@ json otherValue(const Setting& s) {
   return {};
 }
 
+TEST(Settings, SurfacesAreMattUnlessAsked) {
+  const Scene scene;
+  EXPECT_EQ(scene.isosurface.specular, 0.0);
+  for (const ExtraIsosurface& extra : scene.extraIsosurfaces) {
+    EXPECT_EQ(extra.specular, 0.0);
+    EXPECT_EQ(extra.roughness, scene.isosurface.roughness);
+    EXPECT_EQ(extra.opacity, 0.5);
+    EXPECT_NE(extra.albedo, ExtraIsosurface().albedo);
+  }
+}
+
 TEST(Settings, CoversEveryMemberOfScene) {
   // A new member of a struct does not compile here until it is counted; then the list must grow with it.
   const Scene scene;

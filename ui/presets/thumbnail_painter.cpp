@@ -90,6 +90,7 @@ void ThumbnailPainter::next() {
   order.machine.executor = scene::Executor::cpu;  // the volume is on the graphics card once, for the user
   order.request.size = {pixels_.width(), pixels_.height()};
   order.request.supersampling = raysPerAxis;
+  order.request.hits = render::FrameRequest::Hits::none;
   thread_->draw(std::move(order));
   drawing_ = static_cast<std::size_t>(wanted - places_.begin());
   pollTimer_.start();

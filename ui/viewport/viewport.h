@@ -182,7 +182,7 @@ class Viewport : public QWidget {
   void awaitContext(const QString& what);
   void awaitFields(const QString& what);
   std::unique_ptr<app::PictureThread::Still> awaitStill(const QString& what);
-  app::PictureOrder::Hits wantedHits(const render::FrameRequest& request) const;
+  render::FrameRequest::Hits wantedHits(const render::FrameRequest& request) const;
   bool toldEveryRay() const;  // of this view, at full size
   void poll();
   void setDrawing(bool draws);

@@ -203,7 +203,7 @@ void Viewport::order() {
   orderComes_ = false;
   if (!hasContext_ || failed_ || !isVisible()) return;
   const render::FrameRequest request = quality_.request(pixelSize());
-  const bool tellsAll = wantedHits(request) == app::PictureOrder::Hits::all;
+  const bool tellsAll = wantedHits(request) == render::FrameRequest::Hits::all;
   if (complete() && !tellsAll) return;
   const bool atRest = drawsRest();
   const bool onItsWay = thread_->busy() && orderedChanges_ == changes_ && orderedAtRest_ == atRest &&
@@ -221,7 +221,7 @@ void Viewport::order() {
   picture.request.brickUploadBytes = brickBytesPerFrame;
   picture.request.lightUploadBytes = lightBytesPerFrame;
   picture.draft = quality_.stage() == app::PictureQuality::Stage::moving;
-  picture.hits = wantedHits(request);
+  picture.request.hits = wantedHits(request);
   orderNumber_ = thread_->draw(std::move(picture));
   awaited_.push_back({orderNumber_, view_, standsIn(), std::exchange(changed_, std::nullopt)});
 }
@@ -245,8 +245,8 @@ app::PictureOrder Viewport::orderOf(const render::FrameRequest& request, bool at
 // Light is wanted first where it is seen. A view that keeps turning is told a few times a second. At rest
 // every ray counts: a texel that only one of a pixel's rays looks up would be there or not by where one has
 // been before, and the same view another picture.
-app::PictureOrder::Hits Viewport::wantedHits(const render::FrameRequest& request) const {
-  using Hits = app::PictureOrder::Hits;
+render::FrameRequest::Hits Viewport::wantedHits(const render::FrameRequest& request) const {
+  using Hits = render::FrameRequest::Hits;
   if (!volume_ || scene::shadingOf(resolved_) != scene::Shading::gi) return Hits::none;
   if (raysOf(request) <= seenRays_) return Hits::none;
   if (quality_.stage() != app::PictureQuality::Stage::moving)

@@ -1,16 +1,17 @@
 // Irradiance at the surface points: what is stored of it, and light without anything in its way where that is not yet
 // baked. STORED: there is a lattice (light_lattice.glsl).
 //
-// What a transparent surface hides from its own inner side it hides by its opacity only, for light from everywhere
-// (meanOpacity() of scene/opacity.h): the rest of the light comes through.
+// A transparent surface shows its own shadow in part, or not at all, and passes light on to what it encloses, its own
+// inner side first (scene/opacity.h).
 #include "common.glsl"
 #include "surface.glsl"
 #include "local_light.glsl"
 #ifdef STORED
 #include "light_lattice.glsl"
 uniform vec4 uStoredIsovalues;  // stored units, of each surface
-uniform vec4 uOpacities;
+uniform vec4 uShadowShown;
 #endif
+uniform vec3 uBehindOthers[4], uBehindItself[4];  // light, in units of that before them
 layout(location = 0) out vec4 oIrradiance;  // E of sky and lamps; how much of the lookup is baked
 
 void main() {
@@ -20,14 +21,18 @@ void main() {
   if (surface.w < 0.0) return;
   Point p = pointAt(pixel, surface);
   vec3 sky = localSky(p.normal), lamps = localLamps(p.position, p.normal);
+  int which = int(texelFetch(uInfo, pixel, 0).g) & 3;
+  bool inner = p.side < 0.0;
+  if (inner) {
+    sky *= uBehindItself[which];
+    lamps *= uBehindItself[which];
+  }
   float coverage = 0.0;
 #ifdef STORED
-  bool inner = p.side < 0.0;
   if (!inner || uInnerPages >= 0) {
-    int which = int(texelFetch(uInfo, pixel, 0).g) & 3;
     if (inner) firstPage = uInnerPages;
     lookUp(surface.xyz, p.side * p.outward, uStoredIsovalues[which]);
-    vec2 part = covered * (inner ? uOpacities[which] : 1.0);
+    vec2 part = covered * uShadowShown[which];
     coverage = 1.0;
 #if SKY != PACKED_NONE
     sky = mix(sky, skySum, part.x);
@@ -39,5 +44,5 @@ void main() {
 #endif
   }
 #endif
-  oIrradiance = vec4(sky + lamps, coverage);
+  oIrradiance = vec4(uBehindOthers[which] * (sky + lamps), coverage);
 }

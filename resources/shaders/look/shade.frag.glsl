@@ -174,12 +174,17 @@ vec4 waiting() {
 
 // scene/opacity.h
 float opacityOf(int which, Point p) {
-#ifdef FACING
-  float edge = 1.0 - min(abs(dot(p.normal, p.ray)), 1.0);
-  return uOpacities[which] * mix(uFacing[which], 1.0, edge * edge);
-#else
-  return uOpacities[which];
+  float opacity = uOpacities[which];
+#if defined(FACING) || SHADING == SHADING_GI
+  float cosine = min(abs(dot(p.normal, p.ray)), 1.0);
 #endif
+#ifdef FACING
+  opacity *= mix(uFacing[which], 1.0, (1.0 - cosine) * (1.0 - cosine));
+#endif
+#if SHADING == SHADING_GI
+  if (opacity < 1.0) opacity = 1.0 - pow(1.0 - opacity, 1.0 / max(cosine, 0.01));
+#endif
+  return opacity;
 }
 
 void main() {

@@ -89,7 +89,7 @@ class PictureThreadGlTest : public testing::Test {
 
 TEST_F(PictureThreadGlTest, APictureIsThatOfARendererHere) {
   app::PictureOrder asked = order(30.0);
-  asked.hits = app::PictureOrder::Hits::many;
+  asked.request.hits = render::FrameRequest::Hits::many;
   const std::uint64_t number = thread_.draw(asked);
   EXPECT_TRUE(thread_.busy());
   const app::DrawnPicture picture = nextPicture();

@@ -154,13 +154,19 @@ TEST_F(InnerLightGlTest, LightOfTheIsovalueBeforeStandsInOnBothSides) {
   expectLight(1.0, 1.0);
 }
 
-// What a transparent surface hides it hides in part: the rest of the inner side's light is local.
-TEST_F(InnerLightGlTest, LightComesThroughTransparentSurfaces) {
+// A transparent surface shows its own shadow in part: the rest is local light, on the inner side as much as
+// comes through.
+TEST_F(InnerLightGlTest, TransparentSurfacesShowTheirShadowInPart) {
   use(kExactLookups);
-  for (const double opacity : {0.25, 0.75, 1.0}) {
+  scene_.isosurface.albedo = glm::dvec3(0.6);
+  scene_.clip = {};
+  for (const double opacity : {0.1, 0.5, 0.75, 1.0}) {
     scene_.isosurface.opacity = opacity;
+    const double mean = scene::meanOpacity(opacity, 1.0),
+                 shown = opacity < 1.0 ? std::max(2.0 * mean - 1.0, 0.0) : 1.0;
     draw(lightOf(latticeOf(2.0f), latticeOf(3.0f)));
-    expectLight(2.0, opacity * 3.0 + (1.0 - opacity) * 1.0);
+    const double through = opacity < 1.0 ? (1.0 - mean) / (1.0 - 0.6 * mean) : 1.0;
+    expectLight(1.0 + shown, (1.0 - shown) * through + shown * 3.0);
   }
 }
 
