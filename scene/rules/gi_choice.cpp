@@ -80,6 +80,18 @@ GiChoice giChoiceOf(const Scene& scene) {
     choice.sky = scene.gi.mode;
     addReason(choice, "gi.mode is set");
   }
+  const bool probe = !hasOneColor(scene.light.environment);
+  const bool direct = choice.sky == GiMode::vicinity || scene.gi.mode == GiMode::shadow;
+  choice.bounces = direct ? 0 : scene.gi.bounces;
+  // Vicinity under a probe takes the probe's mean for the sky's colour.
+  choice.unitSky = choice.sky == GiMode::vicinity ||
+                   (!probe && (choice.sky == GiMode::irradiance || choice.sky == GiMode::shadow));
+  choice.traced = choice.sky != GiMode::off || choice.lamps;
+  if (choice.sky != GiMode::off && !scene.light.environment.shadows) {
+    if (choice.bounces == 0) choice.sky = GiMode::off;
+    addReason(choice, choice.bounces == 0 ? "no shadows, no bounces: the sky needs no bake"
+                                          : "no shadows of the environment: all of it and its reflections");
+  }
   choice.wanted = choice.sky != GiMode::off || choice.lamps;
   if (choice.lamps) addReason(choice, "light sources are static: irradiance");
 
@@ -88,12 +100,6 @@ GiChoice giChoiceOf(const Scene& scene) {
       choice.wanted && (forView || scene.gi.texels == GiTexels::shown) && showsOneIsosurface(scene);
   if (choice.onShown) addReason(choice, "one isosurface is shown: light on it alone");
 
-  const bool probe = !hasOneColor(scene.light.environment);
-  const bool direct = choice.sky == GiMode::vicinity || scene.gi.mode == GiMode::shadow;
-  choice.bounces = direct ? 0 : scene.gi.bounces;
-  // Vicinity under a probe takes the probe's mean for the sky's colour.
-  choice.unitSky = choice.sky == GiMode::vicinity ||
-                   (!probe && (choice.sky == GiMode::irradiance || choice.sky == GiMode::shadow));
   const bool grey = choice.bounces == 0 || albedoIsGrey(scene);
   if (grey && (choice.unitSky || choice.sky == GiMode::transfer)) {
     choice.channels = 1;
