@@ -40,7 +40,9 @@ GiMode leastMode(const Scene& scene, GiChoice& choice) {
     return GiMode::off;
   }
   if (!probe && scene.gi.bounces == 0) {
-    addReason(choice, "constant environment, no bounces: one number per texel (sky visibility)");
+    addReason(choice, scene.light.environment.shadows
+                          ? "constant environment, no bounces: one number per texel (sky visibility)"
+                          : "constant environment, no bounces");
     return GiMode::vicinity;
   }
   if (!probe) {
@@ -88,9 +90,10 @@ GiChoice giChoiceOf(const Scene& scene) {
                    (!probe && (choice.sky == GiMode::irradiance || choice.sky == GiMode::shadow));
   choice.traced = choice.sky != GiMode::off || choice.lamps;
   if (choice.sky != GiMode::off && !scene.light.environment.shadows) {
-    if (choice.bounces == 0) choice.sky = GiMode::off;
-    addReason(choice, choice.bounces == 0 ? "no shadows, no bounces: the sky needs no bake"
-                                          : "no shadows of the environment: all of it and its reflections");
+    const bool even = choice.unitSky && choice.bounces == 0;
+    addReason(choice, even ? "no shadows of the environment: nothing to bake"
+                           : "no shadows of the environment: unoccluded direct light");
+    if (even) choice.sky = GiMode::off;
   }
   choice.wanted = choice.sky != GiMode::off || choice.lamps;
   if (choice.lamps) addReason(choice, "light sources are static: irradiance");

@@ -150,6 +150,7 @@ TEST(Relevance, ShadowsOfLightSourcesAreOfBakedLight) {
   scene.lamps[0].shown = true;
   EXPECT_TRUE(acts("lamp1.shadows", scene));
   scene.light.environment.shadows = false;
+  scene.light.environment.constant = glm::dvec3(1.0);
   scene.lamps[0].shown = false;
   scene.gi.bounces = 0;
   EXPECT_TRUE(acts("light.environment.shadows", scene)) << "to switch them on again";
