@@ -30,7 +30,7 @@ BUDGETS = {
     "docs/developers/dependencies.md": 300, "docs/records/2026-11-benchmarks.md": 2400,
     "docs/records/2026-11-accuracy-surfaces.md": 1300, "docs/records/2026-11-accuracy-light.md": 1500,
     "docs/records/2026-11-derivative-scales.md": 500, "docs/records/2026-11-paper-tables.md": 900,
-    "docs/records/tried-and-not-kept.md": 400, "docs/records/2026-11-build-time.md": 200,
+    "docs/records/tried-and-not-kept.md": 440, "docs/records/2026-11-build-time.md": 200,
 }
 MOST_WORDS = 45000  # of all pages together
 
