@@ -114,6 +114,7 @@ ordered_json lampJson(const LampLight& lamp) {
     if (lamp.kind == scene::LampKind::sphere) json["radius_mm"] = lamp.radiusMm;
   }
   json["power"] = arrayOf(lamp.power);
+  if (!lamp.shadows) json["shadows"] = false;
   return json;
 }
 
@@ -151,11 +152,13 @@ std::string lightKey(const scene::Scene& resolved, const LightScene& light, Ligh
   if (part == LightPart::lamps) {
     json["lamps"] = ordered_json::array();
     for (const LampLight& lamp : light.lamps) json["lamps"].push_back(lampJson(lamp));
-  } else if (light.choice.unitSky) {
-    json["environment"] = "unit";
-  } else if (!transfer) {
-    json["environment"] = environmentJson(resolved, light);
+    return json.dump();
   }
+  if (light.choice.unitSky)
+    json["environment"] = "unit";
+  else if (!transfer)
+    json["environment"] = environmentJson(resolved, light);
+  if (!light.skyShadows) json["shadows"] = false;
   return json.dump();
 }
 

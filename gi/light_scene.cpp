@@ -59,6 +59,7 @@ std::vector<LampLight> lampsOf(const scene::Scene& resolved, const volume::GridG
     if (!shines(lamp)) continue;
     LampLight light;
     light.kind = lamp.kind;
+    light.shadows = lamp.shadows;
     const glm::dvec3 brightness = lamp.intensity * lamp.color;
     if (lamp.kind == LampKind::directional) {
       light.toward = glm::normalize(lamp.direction);
@@ -105,6 +106,7 @@ std::shared_ptr<const LightScene> makeLightScene(const scene::Scene& resolved,
                    .choice = choice,
                    .environment = std::move(environment),
                    .worldFromEnvironment = glm::mat3(rotationOf(resolved, *volume)),
+                   .skyShadows = resolved.light.environment.shadows,
                    .lamps = lampsOf(resolved, volume->grid().geometry()),
                    .albedo = scene::AlbedoOfIsovalue(resolved),
                    .inside = resolved.isosurface.inside,

@@ -34,6 +34,7 @@ struct LampLight {
   // point: radiant intensity, mm^2 * radiance; sphere: radiance; directional: irradiance of a surface that
   // faces it if cosHalfAngle is 1, else radiance of the disc.
   glm::dvec3 power{0.0};
+  bool shadows = true;  // the surface occludes its direct light
 };
 
 struct LightScene {
@@ -42,6 +43,7 @@ struct LightScene {
   scene::GiChoice choice;
   std::shared_ptr<const Environment> environment;  // null: no sky
   glm::mat3 worldFromEnvironment{1.0f};
+  bool skyShadows = true;  // the surface occludes the direct light of the sky
   std::vector<LampLight> lamps;
   scene::AlbedoOfIsovalue albedo;
   scene::Inside inside = scene::Inside::above;

@@ -49,7 +49,6 @@ PictureLight makePictureLight(const scene::Scene& resolved, const LightScene& li
   const scene::Environment& settings = resolved.light.environment;
   const double exposure = std::exp2(settings.exposure);
   const glm::dmat3 rotation = rotationOf(resolved, *light.volume);
-  const bool oneColor = light.choice.sky == scene::GiMode::vicinity;
   const glm::dvec3 mean = light.environment->mean();
 
   PictureLight result;
@@ -63,7 +62,7 @@ PictureLight makePictureLight(const scene::Scene& resolved, const LightScene& li
 
   std::vector<glm::dvec3> local(shTerms(localOrder), glm::dvec3(0.0));
   local[0] = mean * std::sqrt(4.0 * std::numbers::pi);
-  if (!oneColor) local = rotated(projection.local, localOrder, rotation);
+  if (!light.choice.unitSky) local = rotated(projection.local, localOrder, rotation);
   for (int l = 0, i = 0; l < localOrder; ++l)
     for (; i < shTerms(l + 1); ++i)
       result.irradianceSh[static_cast<std::size_t>(i)] =

@@ -72,7 +72,7 @@ const LightPlan& LightPlanner::plan(const scene::Scene& given, const VolumePoint
   }
   loadEnvironment(resolved.light.environment);
   const scene::GiChoice choice = scene::giChoiceOf(resolved);
-  if (choice.wanted) {
+  if (choice.traced) {
     const std::uint64_t hidden = volume::keyOf(volume::hiddenOf(resolved, *volume->pieces, progress));
     const std::uint64_t cut = volume::SurfaceCut(resolved, volume->grid().geometry()).key();
     if (!tracer_ || tracerOf_ != volume.get() || tracerInside_ != resolved.isosurface.inside ||
@@ -85,7 +85,7 @@ const LightPlan& LightPlanner::plan(const scene::Scene& given, const VolumePoint
       tracerCut_ = cut;
     }
   }
-  lightScene_ = gi::makeLightScene(resolved, volume, choice.wanted ? tracer_ : nullptr, environment_);
+  lightScene_ = gi::makeLightScene(resolved, volume, choice.traced ? tracer_ : nullptr, environment_);
   considerMetering(progress);
   require(outer_, lightScene_);
   requireInner(progress);
@@ -136,7 +136,7 @@ void LightPlanner::loadEnvironment(const scene::Environment& settings) {
 
 // At once, but after an isovalue that a user may still be dragging.
 void LightPlanner::considerMetering(base::Progress& progress) {
-  if (scene_.picture.metering == scene::Metering::lights || !lightScene_->choice.wanted) {
+  if (scene_.picture.metering == scene::Metering::lights || !lightScene_->choice.traced) {
     brightness_.reset();
     brightnessOfVolume_ = nullptr;
     return;

@@ -22,7 +22,7 @@ class Estimator {
             std::vector<gi::LightPoint> points)
       : tracer_(light),
         skyScale_(skyScale),
-        sky_(light->choice.sky != scene::GiMode::off),
+        sky_(light->choice.sky != scene::GiMode::off || !light->skyShadows),
         lamps_(light->choice.lamps),
         points_(std::move(points)),
         means_(points_.size() * kReplicates, glm::dvec3(0.0)) {}

@@ -95,6 +95,7 @@ void addLamps(const PathSetup& setup, std::span<const GlossPoint> points, std::u
   std::vector<std::size_t> of;
   std::vector<volume::TraceRay> rays;
   for (int lamp = 0; lamp < std::min(setup.lamps.count(), static_cast<int>(kLamps)); ++lamp) {
+    if (!setup.lamps.hasShadows(lamp)) continue;
     const std::uint32_t count = setup.lamps.hasExtent(lamp) ? samples : 1;
     aimed.clear();
     of.clear();
@@ -175,7 +176,7 @@ bool reflectionsOf(const PictureLight& light, std::span<const GlossPoint> points
       Reflection& reflection = out[i / samples];
       const float open = luminanceOf(lobe.directions[i]);
       reflection.open += open;
-      if (lobe.t[i] < kNever) continue;
+      if (lobe.t[i] < kNever && scene.skyShadows) continue;
       const glm::vec3 above = abovePlane(lobe.directions[i], point.normal);
       reflection.visible += above == lobe.directions[i] ? open : luminanceOf(above);
     }
@@ -261,7 +262,7 @@ bool reflectedRadiance(const PathTracer& paths, std::span<const GlossPoint> poin
     rays += lobe.rays.size();
     std::vector<glm::vec3> sky(of.size(), glm::vec3(0.0f)), lamps(of.size(), glm::vec3(0.0f));
     for (std::size_t i = 0; i < of.size(); ++i)
-      if (!(lobe.t[i] < kNever) && scene.environment)
+      if ((!(lobe.t[i] < kNever) || !scene.skyShadows) && scene.environment)
         sky[i] = scene.environment->radiance(abovePlane(lobe.directions[i], of[i].normal) *
                                              scene.worldFromEnvironment);
     std::vector<LightPoint> met;
@@ -280,7 +281,7 @@ bool reflectedRadiance(const PathTracer& paths, std::span<const GlossPoint> poin
     for (std::size_t k = 0; k < lobe.hits.size(); ++k) {
       const std::size_t i = lobe.hits[k];
       const glm::vec3 albedo = scene.albedo.at(grid.valueOfStored(static_cast<double>(of[i].isovalue)));
-      sky[i] = albedo * skyMet[k] * std::numbers::inv_pi_v<float>;
+      sky[i] += albedo * skyMet[k] * std::numbers::inv_pi_v<float>;
       lamps[i] = albedo * lampsMet[k] * std::numbers::inv_pi_v<float>;
     }
     for (int lamp = 0; lamp < setup.lamps.count(); ++lamp) {
@@ -296,9 +297,11 @@ bool reflectedRadiance(const PathTracer& paths, std::span<const GlossPoint> poin
         from.push_back(i);
         worth.push_back(ray.radiance * ray.lobe);
       }
-      std::vector<std::uint8_t> blocked(toLamp.size());
-      scene.tracer->anyEntries(toLamp, blocked);
-      rays += toLamp.size();
+      std::vector<std::uint8_t> blocked(toLamp.size(), 0);
+      if (setup.lamps.hasShadows(lamp)) {
+        scene.tracer->anyEntries(toLamp, blocked);
+        rays += toLamp.size();
+      }
       for (std::size_t k = 0; k < from.size(); ++k)
         if (blocked[k] == 0) lamps[from[k]] += worth[k];
     }

@@ -3,7 +3,8 @@
 // Two estimates of R (gi/gloss/gloss_lobe.h):
 //   reflectionsOf()      for frames: R = visible / open * filtered environment + met * light / baked, and the
 //                        visible fraction of each light source. Without anything in the way it has no noise.
-//                        What rays meet has the light that is baked there.
+//                        What rays meet has the light that is baked there. A source without shadows is
+//                        visible everywhere.
 //   reflectedRadiance()  the reference: unbiased, without baked or filtered light.
 // Rays start as light paths do (gi/trace/path_tracer.h). Thread-safe.
 #pragma once

@@ -54,12 +54,16 @@ StoredIrradiance::Lookup StoredIrradiance::lookUp(const LightLattice* lattice, L
   return found;
 }
 
-glm::vec3 StoredIrradiance::unoccluded(glm::vec3 voxel, glm::vec3 normal) const {
+glm::vec3 StoredIrradiance::openSky(glm::vec3 normal) const {
   float basis[9];
   evaluateSh(3, normal, basis);
   glm::vec3 sum(0.0f);
   for (std::size_t i = 0; i < 9; ++i) sum += basis[i] * light_.irradianceSh[i];
-  sum = glm::max(sum, glm::vec3(0.0f));
+  return glm::max(sum, glm::vec3(0.0f));
+}
+
+glm::vec3 StoredIrradiance::unoccluded(glm::vec3 voxel, glm::vec3 normal) const {
+  glm::vec3 sum = openSky(normal);
   for (int lamp = 0; lamp < lamps_.count(); ++lamp)
     sum += lamps_.sample(lamp, voxel, normal, glm::vec2(0.5f)).irradiance;
   return sum;
@@ -70,8 +74,9 @@ StoredIrradiance::Lookup StoredIrradiance::at(glm::vec3 voxel, glm::vec3 normal)
   const Lookup lamps = lookUp(light_.lamps.get(), lastLamps_, voxel, normal);
   const bool transfers = light_.sky && light_.sky->content().kind == LightContent::Kind::transfer;
   const float baked = std::min(light_.sky ? sky.baked : 1.0f, light_.lamps ? lamps.baked : 1.0f);
-  return {(transfers ? glm::vec3(1.0f) : light_.skyScale) * sky.irradiance + lamps.irradiance,
-          light_.sky || light_.lamps ? baked : 0.0f};
+  const glm::vec3 ofSky =
+      light_.sky ? (transfers ? glm::vec3(1.0f) : light_.skyScale) * sky.irradiance : openSky(normal);
+  return {ofSky + lamps.irradiance, light_.sky || light_.lamps ? baked : 0.0f};
 }
 
 }  // namespace isolux::gi

@@ -23,7 +23,8 @@ class StoredIrradiance {
     float baked = 0.0f;  // fraction of the lookup
   };
   // Return E of sky and light sources at a front face, with the environment's exposure: of the texels that
-  // are baked, and without anything in the way. `voxel`: voxel coordinates; `normal`: unit, world.
+  // are baked, with the unoccluded sky if none of it is, and without anything in the way. `voxel`: voxel
+  // coordinates; `normal`: unit, world.
   Lookup at(glm::vec3 voxel, glm::vec3 normal);
   glm::vec3 unoccluded(glm::vec3 voxel, glm::vec3 normal) const;
 
@@ -33,6 +34,7 @@ class StoredIrradiance {
     std::shared_ptr<const LatticeBlock> block;
   };
   Lookup lookUp(const LightLattice* lattice, LastBlock& last, glm::vec3 voxel, glm::vec3 normal) const;
+  glm::vec3 openSky(glm::vec3 normal) const;
   glm::vec3 valueOf(const LightContent& content, const float* means) const;
 
   const PictureLight& light_;

@@ -33,6 +33,7 @@ LampSampler::LampSampler(std::span<const LampLight> lamps, const volume::GridGeo
   for (const LampLight& light : lamps) {
     Lamp lamp{};
     lamp.kind = light.kind;
+    lamp.shadows = light.shadows;
     lamp.voxel = glm::vec3(voxelFromWorld * glm::dvec4(light.positionMm, 1.0));
     lamp.toward = glm::vec3(light.toward);
     lamp.power = glm::vec3(light.power);

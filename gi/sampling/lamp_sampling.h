@@ -33,6 +33,7 @@ class LampSampler {
   int count() const { return static_cast<int>(lamps_.size()); }
   // Returns whether the light has an extent; only then do its samples differ.
   bool hasExtent(int lamp) const { return lamps_[static_cast<std::size_t>(lamp)].extended; }
+  bool hasShadows(int lamp) const { return lamps_[static_cast<std::size_t>(lamp)].shadows; }
 
   // Samples a light. `u` in [0, 1)^2 is used by lights with an extent.
   LampSample sample(int lamp, glm::vec3 voxel, glm::vec3 normal, glm::vec2 u) const;
@@ -43,7 +44,7 @@ class LampSampler {
  private:
   struct Lamp {
     scene::LampKind kind;
-    bool extended;
+    bool extended, shadows;
     glm::vec3 voxel, toward, power;
     float radiusMm, oneMinusCosine, luminance;
   };

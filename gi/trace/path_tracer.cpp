@@ -163,14 +163,12 @@ bool PathTracer::addTransfer(std::span<const LightPoint> points, SampleRange ran
   PathWave::Counters counters;
   const auto wave = [&](std::size_t first, std::size_t count, SampleRange samples) {
     const PathWave::Range paths{points.subspan(first, count), samples};
-    scratch.escapes.resize(paths.paths());
     if (!scratch.wave.escapes(setup, paths, scratch.escapes, counters, stop)) return false;
     float basis[shTerms(maxShOrder)];
-    for (std::size_t path = 0; path < paths.paths(); ++path) {
-      const Escape& escape = scratch.escapes[path];
+    for (const Escape& escape : scratch.escapes) {
       if (escape.throughput == glm::vec3(0.0f)) continue;
       evaluateSh(order, escape.direction, basis);
-      double* const sum = sums.data() + (first + path / samples.count) * components;
+      double* const sum = sums.data() + (first + escape.path / samples.count) * components;
       for (int channel = 0; channel < channels; ++channel)
         for (std::size_t i = 0; i < terms; ++i)
           sum[static_cast<std::size_t>(channel) * terms + i] +=

@@ -4,7 +4,8 @@
 // al. 2006 sec. 4.1). Directions are cosine-distributed about the B-spline normal. A fraction of them are
 // shadow rays towards directions sampled from the environment instead. Direct light of the environment is
 // weighted for both (one-sample multiple importance sampling, balance heuristic: Veach 1997 sec. 9.2.4).
-// Light sources are sampled by shadow rays. Paths never branch, and end by Russian roulette.
+// Light sources are sampled by shadow rays. Paths never branch, and end by Russian roulette. Direct light of
+// a source without shadows is unoccluded at every vertex; paths are the same.
 //
 // Rays start off the surface by kOffsetVoxels along the normal; the light of a source is evaluated at the
 // point itself. The result for a point and a sample number does not depend on other requests. A path that has

@@ -250,32 +250,33 @@ void PathWave::arrive(const Job& job, std::uint32_t depth) {
 }
 
 // Calls lit(i) for the rays to the sky, escaped(list) for the departures that nothing is in the way of, at
-// most kBatch at once.
+// most kBatch at once; without shadows, for all.
 template <class Lit, class Escaped>
 bool PathWave::follow(const Job& job, const Lit& lit, const Escaped& escaped) {
   start(job);
   const auto end = static_cast<std::uint32_t>(job.setup.bounces);
+  const bool shadows = job.setup.light->skyShadows;
   for (std::uint32_t depth = 0; !vertices_.empty(); ++depth) {
     const bool last = depth == end;
     depart(job, depth);
     if (!toSky_.empty()) {
-      if (!traceAny(job, skyRays_)) return false;
+      if (shadows && !traceAny(job, skyRays_)) return false;
       for (std::size_t i = 0; i < toSky_.size(); ++i)
-        if (hit_[i] == 0) lit(i);
+        if (!shadows || hit_[i] == 0) lit(i);
     }
-    if (!(last ? traceAny(job, rays_) : traceFirst(job))) return false;
+    if (last ? shadows && !traceAny(job, rays_) : !traceFirst(job)) return false;
     std::uint32_t out[kBatch];
     std::size_t waiting = 0, all = 0;
     for (std::uint32_t i = 0; i < departures_.size(); ++i) {
       out[waiting] = i;
-      waiting += (last ? hit_[i] == 0 : !(t_[i] < infinity)) ? 1 : 0;
+      waiting += (!shadows || (last ? hit_[i] == 0 : !(t_[i] < infinity))) ? 1 : 0;
       if (waiting < kBatch) continue;
       escaped(std::span<const std::uint32_t>(out, waiting));
       all += std::exchange(waiting, 0);
     }
     escaped(std::span<const std::uint32_t>(out, waiting));
     all += waiting;
-    if (depth == kMostBounces) job.counters.capped += departures_.size() - all;
+    if (depth == kMostBounces) job.counters.capped += departures_.size() - (shadows ? all : 0);
     if (last) break;
     arrive(job, depth + 1);
   }
@@ -285,11 +286,11 @@ bool PathWave::follow(const Job& job, const Lit& lit, const Escaped& escaped) {
 bool PathWave::skyLight(const PathSetup& setup, const Range& range, std::span<glm::vec3> light,
                         Counters& counters, const std::stop_token& stop) {
   std::fill(light.begin(), light.end(), glm::vec3(0.0f));
-  const auto lit = [&](std::size_t i) { light[toSky_[i].path] = toSky_[i].worth; };
+  const auto lit = [&](std::size_t i) { light[toSky_[i].path] += toSky_[i].worth; };
   const Sky& sky = setup.sky;
   const auto escaped = [&](std::span<const std::uint32_t> list) {
     if (!sky.environment) {
-      for (const std::uint32_t i : list) light[departures_[i].path] = finite(departures_[i].throughput);
+      for (const std::uint32_t i : list) light[departures_[i].path] += finite(departures_[i].throughput);
       return;
     }
     for (std::size_t k = 0; k < list.size(); ++k)
@@ -300,34 +301,51 @@ bool PathWave::skyLight(const PathSetup& setup, const Range& range, std::span<gl
       const glm::vec3 radiance = sky.environment->pixels()[batch_.sky.pixel[k]] * sky.scale;
       const float byCosine = (1.0f - setup.share) * departure.cosine / kPiFloat;
       const float weight = byCosine / (byCosine + setup.share * batch_.sky.pdf[k]);
-      light[departure.path] =
+      light[departure.path] +=
           finite(departure.throughput * (setup.share > 0.0f ? radiance * weight : radiance));
     }
   };
   return follow({setup, range, counters, stop, setup.share}, lit, escaped);
 }
 
-bool PathWave::escapes(const PathSetup& setup, const Range& range, std::span<Escape> escapes,
+bool PathWave::escapes(const PathSetup& setup, const Range& range, std::vector<Escape>& escapes,
                        Counters& counters, const std::stop_token& stop) {
-  std::fill(escapes.begin(), escapes.end(), Escape{});
-  return follow(
-      {setup, range, counters, stop, 0.0f}, [](std::size_t) {},
-      [&](std::span<const std::uint32_t> list) {
-        for (const std::uint32_t i : list)
-          escapes[departures_[i].path] = {departures_[i].throughput, departures_[i].direction};
-      });
+  const bool atMostOne = setup.light->skyShadows;  // of a path
+  escapes.assign(atMostOne ? range.paths() : 0, Escape{});
+  const auto escaped = [&](std::span<const std::uint32_t> list) {
+    for (const std::uint32_t i : list) {
+      const Escape escape{departures_[i].path, departures_[i].throughput, departures_[i].direction};
+      if (atMostOne)
+        escapes[escape.path] = escape;
+      else
+        escapes.push_back(escape);
+    }
+  };
+  if (!follow(
+          {setup, range, counters, stop, 0.0f}, [](std::size_t) {}, escaped))
+    return false;
+  if (!atMostOne)
+    std::stable_sort(escapes.begin(), escapes.end(),
+                     [](const Escape& a, const Escape& b) { return a.path < b.path; });
+  return true;
 }
 
-// A shadow ray from the vertex to where the sample shines, and what it is worth.
-void PathWave::aim(const PathSetup& setup, float isovalue, const Vertex& vertex, const LampSample& sample,
-                   glm::vec3 throughput) {
+// Samples a lamp from the vertex: adds its light, or a shadow ray to where it shines and what that is worth.
+void PathWave::aim(const Job& job, const Vertex& vertex, int lamp, glm::vec2 u, glm::vec3 throughput,
+                   std::span<glm::vec3> light) {
+  const PathSetup& setup = job.setup;
+  const LampSample sample = setup.lamps.sample(lamp, vertex.voxel, vertex.normal, u);
   const glm::vec3 worth = finite(throughput * sample.irradiance);
   if (!(largest(worth) > 0.0f)) return;
+  if (!setup.lamps.hasShadows(lamp)) {
+    light[vertex.path] += worth;
+    return;
+  }
   const glm::vec3 offset = setup.offsetMm * vertex.normal;
   const glm::vec3 toward = sample.distant ? sample.toward : sample.toward - offset;
   departures_.push_back({vertex.path, vertex.point, toward, worth, 0.0f});
-  rays_.push_back({vertex.voxel + setup.voxelsOfMm * offset, setup.voxelsOfMm * toward, isovalue,
-                   sample.distant ? infinity : 1.0f});
+  rays_.push_back({vertex.voxel + setup.voxelsOfMm * offset, setup.voxelsOfMm * toward,
+                   job.pointOf(vertex.path).isovalue, sample.distant ? infinity : 1.0f});
 }
 
 // Traces the shadow rays that are aimed.
@@ -350,9 +368,7 @@ bool PathWave::directLight(const PathSetup& setup, std::span<const LightPoint> p
   rays_.clear();
   for (int lamp = 0; lamp < setup.lamps.count(); ++lamp) {
     if (setup.lamps.hasExtent(lamp)) continue;
-    for (const Vertex& vertex : vertices_)
-      aim(setup, points[vertex.path].isovalue, vertex,
-          setup.lamps.sample(lamp, vertex.voxel, vertex.normal, glm::vec2(0.5f)), glm::vec3(1.0f));
+    for (const Vertex& vertex : vertices_) aim(job, vertex, lamp, glm::vec2(0.5f), glm::vec3(1.0f), light);
     if (!lightUp(job, light)) return false;
   }
   return true;
@@ -369,9 +385,7 @@ bool PathWave::lampLight(const PathSetup& setup, const Range& range, std::span<g
   for (int lamp = 0; lamp < lamps.count(); ++lamp) {
     if (!lamps.hasExtent(lamp)) continue;
     for (const Vertex& vertex : vertices_)
-      aim(setup, job.pointOf(vertex.path).isovalue, vertex,
-          lamps.sample(lamp, vertex.voxel, vertex.normal, job.pair(vertex.path, firstLampPair(lamp))),
-          glm::vec3(1.0f));
+      aim(job, vertex, lamp, job.pair(vertex.path, firstLampPair(lamp)), glm::vec3(1.0f), light);
     if (!lightUp(job, light)) return false;
   }
   const auto end = static_cast<std::uint32_t>(setup.bounces);
@@ -387,8 +401,7 @@ bool PathWave::lampLight(const PathSetup& setup, const Range& range, std::span<g
       const int lamp = lamps.choose(vertex.voxel, vertex.normal, u, probability);
       if (lamp < 0) continue;
       const glm::vec2 pair = lamps.hasExtent(lamp) ? job.pair(vertex.path, lampPair(depth)) : glm::vec2(0.5f);
-      aim(setup, job.pointOf(vertex.path).isovalue, vertex,
-          lamps.sample(lamp, vertex.voxel, vertex.normal, pair), vertex.throughput / probability);
+      aim(job, vertex, lamp, pair, vertex.throughput / probability, light);
     }
     if (!lightUp(job, light)) return false;
     if (depth == kMostBounces) counters.capped += vertices_.size();

@@ -8,6 +8,9 @@
 // directions, which count 1 / (1 - share) times as much. A direction sampled from the sky is a shadow ray and
 // ends the path.
 //
+// A sky without shadows (LightScene::skyShadows) shines from every direction of every vertex, also from those
+// that meet the surface and continue there. Lamps without shadows need no shadow rays.
+//
 // After a bounce the directions are about the B-spline normal. If that normal is 0 or does not face the
 // arriving ray, they are about the normal of the trilinear cell. If neither faces it, the path continues
 // straight back. A path is never dropped, so no light vanishes. Lengths are mm, positions voxel coordinates,
@@ -52,9 +55,10 @@ struct PathSetup {
   float offsetMm = 0.0f;
 };
 
-// The direction in which a path left the volume, and its weight: the estimate of E is throughput * radiance.
+// A direction in which a path sees the sky, and its weight: the estimate of E is throughput * radiance.
 struct Escape {
-  glm::vec3 throughput{0.0f};  // 0: it did not leave
+  std::uint32_t path = 0;
+  glm::vec3 throughput{0.0f};  // 0: it does not
   glm::vec3 direction{0.0f};
 };
 
@@ -76,8 +80,9 @@ class PathWave {
                 const std::stop_token& stop);
   bool lampLight(const PathSetup& setup, const Range& range, std::span<glm::vec3> light, Counters& counters,
                  const std::stop_token& stop);
-  // Finds where each path leaves the volume, if it does.
-  bool escapes(const PathSetup& setup, const Range& range, std::span<Escape> escapes, Counters& counters,
+  // Finds where each path leaves the volume, if it does; without shadows, all its directions. In the order of
+  // the paths.
+  bool escapes(const PathSetup& setup, const Range& range, std::vector<Escape>& escapes, Counters& counters,
                const std::stop_token& stop);
   // Computes E of the light sources without an extent directly: the same for every sample.
   bool directLight(const PathSetup& setup, std::span<const LightPoint> points, std::span<glm::vec3> light,
@@ -109,8 +114,8 @@ class PathWave {
   bool traceFirst(const Job& job);
   bool traceAny(const Job& job, std::span<const volume::TraceRay> rays);
   void arrive(const Job& job, std::uint32_t depth);
-  void aim(const PathSetup& setup, float isovalue, const Vertex& vertex, const LampSample& sample,
-           glm::vec3 throughput);
+  void aim(const Job& job, const Vertex& vertex, int lamp, glm::vec2 u, glm::vec3 throughput,
+           std::span<glm::vec3> light);
   bool lightUp(const Job& job, std::span<glm::vec3> light);
 
   // Decisions of a few hundred vertices at once.

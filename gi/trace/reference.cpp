@@ -101,7 +101,7 @@ Reference::Reference(std::shared_ptr<const volume::PreparedVolume> volume,
   light_ = makePictureLight(scene_, *light, projectEnvironment(*light->environment, 1));
   // As a picture of this scene is exposed (app/light/light_planner.cpp).
   if (!scene_.picture.exposure && scene_.picture.metering != scene::Metering::lights &&
-      light->choice.wanted) {
+      light->choice.traced) {
     scene::Scene metered = scene_;
     if (!options.meterView) metered.camera = {};
     if (const auto seen = measureBrightness(metered, volume_, tracer, environment, progress))

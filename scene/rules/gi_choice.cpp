@@ -56,7 +56,9 @@ GiMode leastMode(const Scene& scene, GiChoice& choice) {
     return GiMode::off;
   }
   if (!probe && scene.gi.bounces == 0) {
-    addReason(choice, "constant environment, no bounces: one number per texel (sky visibility)");
+    addReason(choice, scene.light.environment.shadows
+                          ? "constant environment, no bounces: one number per texel (sky visibility)"
+                          : "constant environment, no bounces");
     return GiMode::vicinity;
   }
   if (!probe) {
@@ -99,6 +101,19 @@ GiChoice giChoiceOf(const Scene& scene) {
     choice.sky = scene.gi.mode;
     addReason(choice, "gi.mode is set");
   }
+  const bool probe = !hasOneColor(scene.light.environment);
+  const bool direct = choice.sky == GiMode::vicinity || scene.gi.mode == GiMode::shadow;
+  choice.bounces = direct ? 0 : scene.gi.bounces;
+  // Vicinity under a probe takes the probe's mean for the sky's colour.
+  choice.unitSky = choice.sky == GiMode::vicinity ||
+                   (!probe && (choice.sky == GiMode::irradiance || choice.sky == GiMode::shadow));
+  choice.traced = choice.sky != GiMode::off || choice.lamps;
+  if (choice.sky != GiMode::off && !scene.light.environment.shadows) {
+    const bool even = choice.unitSky && choice.bounces == 0;
+    addReason(choice, even ? "no shadows of the environment: nothing to bake"
+                           : "no shadows of the environment: unoccluded direct light");
+    if (even) choice.sky = GiMode::off;
+  }
   choice.wanted = choice.sky != GiMode::off || choice.lamps;
   if (choice.lamps) addReason(choice, "light sources are static: irradiance");
 
@@ -106,12 +121,6 @@ GiChoice giChoiceOf(const Scene& scene) {
   choice.onShown = choice.wanted && (forView || scene.gi.texels == GiTexels::shown) && litAlone(scene);
   if (choice.onShown) addReason(choice, "one isosurface is lit: light on it alone");
 
-  const bool probe = !hasOneColor(scene.light.environment);
-  const bool direct = choice.sky == GiMode::vicinity || scene.gi.mode == GiMode::shadow;
-  choice.bounces = direct ? 0 : scene.gi.bounces;
-  // Vicinity under a probe takes the probe's mean for the sky's colour.
-  choice.unitSky = choice.sky == GiMode::vicinity ||
-                   (!probe && (choice.sky == GiMode::irradiance || choice.sky == GiMode::shadow));
   const bool grey = choice.bounces == 0 || albedoIsGrey(scene);
   if (grey && (choice.unitSky || choice.sky == GiMode::transfer)) {
     choice.channels = 1;

@@ -13,6 +13,7 @@ namespace isolux::scene {
 
 struct GiChoice {
   bool wanted = false;  // a look reads baked lighting
+  bool traced = false;  // exposure and gloss trace rays: light is baked, or needs no bake without shadows
   // The baked quantity of the sky's light: off, irradiance, transfer, vicinity or shadow; never automatic.
   GiMode sky = GiMode::off;
   bool unitSky = false;  // baked under a sky of radiance 1; the frame multiplies by its colour

@@ -253,8 +253,11 @@ constexpr Rule rules[] = {
     {"light.environment.moves", [](const Scene& s) { return s.gi.mode == GiMode::automatic; },
      "gi.mode sets what is baked"},
 
-    {"gi.extent gi.band gi.texels gi.samples gi.sequence gi.lattice_scale gi.interpolation", storesLight,
+    {"gi.extent gi.band gi.texels gi.samples gi.lattice_scale gi.interpolation", storesLight,
      "no light is baked"},
+    {"gi.sequence light.environment.shadows", [](const Scene& s) { return giChoiceOf(s).traced; },
+     "no light is baked"},
+    {"lamp#.shadows", storesLight, "no light is baked"},
     {"gi.band", [](const Scene& s) { return s.gi.extent == GiExtent::band; },
      "texels are not chosen by isovalue"},
     {"gi.texels", litAlone, "several isosurfaces are lit"},
@@ -283,7 +286,8 @@ constexpr ItemRule itemRules[] = {
     {"isosurface#.roughness",
      [](const Scene& s, std::size_t item) { return s.extraIsosurfaces[item].specular > 0.0; },
      "that surface is matt"},
-    {"lamp#.kind lamp#.position lamp#.direction lamp#.radius lamp#.angle lamp#.color lamp#.intensity",
+    {"lamp#.kind lamp#.position lamp#.direction lamp#.radius lamp#.angle lamp#.color lamp#.intensity "
+     "lamp#.shadows",
      [](const Scene& s, std::size_t item) { return s.lamps[item].shown; }, "that light source is off"},
     {"lamp#.position",
      [](const Scene& s, std::size_t item) { return s.lamps[item].kind != LampKind::directional; },

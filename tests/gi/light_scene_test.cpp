@@ -248,6 +248,18 @@ TEST_F(LightKey, NamesABuiltInLightAndTakesTheRotationAsAWhole) {
     EXPECT_NEAR(rotation(azimuth)[i].get<double>(), rotation(quaternion)[i].get<double>(), 1e-15);
 }
 
+TEST_F(LightKey, ShadowsAreOfTheirOwnLattice) {
+  const auto withoutSky = [](scene::Scene& s) { s.light.environment.shadows = false; };
+  EXPECT_EQ(changed(withoutSky), "sky");
+  EXPECT_EQ(changed([](scene::Scene& s) { s.lamps[0].shadows = false; }), "lamps");
+  EXPECT_EQ(changed([](scene::Scene& s) { s.lamps[1].shadows = false; }), "none") << "is not shown";
+  scene_.light.environment.moves = true;
+  EXPECT_EQ(changed(withoutSky), "sky") << "transfer";
+  scene_.light.environment.file.clear();
+  scene_.light.environment.constant = glm::dvec3(1.0);
+  EXPECT_EQ(changed(withoutSky), "sky") << "a unit sky";
+}
+
 TEST_F(LightKey, ARotationOfLengthZeroIsNone) {
   EXPECT_EQ(changed([](scene::Scene& s) { s.light.environment.rotation = {0.0, 0.0, 0.0, 0.0}; }), "none");
 }

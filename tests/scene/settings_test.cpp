@@ -124,7 +124,7 @@ TEST(Settings, CoversEveryMemberOfScene) {
   [[maybe_unused]] const auto& [supersampling, restHits, pictureExposure, metering, curve, letters, scaleBar,
                                 isovalue, caveats, transparent, pixelRatio] = picture;
   EXPECT_EQ(settings().size(),
-            13u + 17 + 3 * 9 + 6 + 5 + 10 + 1 + 6 + 5 + 2 + 13 + 39 + 7 + 8 + 9 + 3 * 8 + 16 + 6 + 11);
+            13u + 17 + 3 * 9 + 6 + 5 + 10 + 1 + 6 + 5 + 2 + 13 + 39 + 7 + 8 + 10 + 3 * 9 + 17 + 6 + 11);
 }
 
 TEST(Settings, PatternsCoverPathsGroupsAndItemsOfLists) {

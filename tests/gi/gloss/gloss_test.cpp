@@ -176,5 +176,51 @@ TEST(Gloss, ABallAboveHidesItsConeOfTheSky) {
   }
 }
 
+// The same ball, grey, under a sky without shadows: all of the sky, and what the ball reflects of it (1/2
+// without bounces). A lamp behind the ball shines through without shadows.
+TEST(Gloss, WithoutShadowsNothingIsHidden) {
+  constexpr double radius = 6.0, height = 14.0;
+  const auto volume = volumeOf(cube(56), [](glm::dvec3 p) {
+    return std::max(-p.z, radius - glm::length(p - glm::dvec3(0.0, 0.0, height)));
+  });
+  LightScene light = lightSceneOf(volume, scene::Inside::above, glm::dvec3(0.5));
+  light.environment = std::make_shared<const Environment>(Environment::constant(glm::dvec3(1.0)));
+  light.skyShadows = false;
+  LampLight lamp;
+  lamp.positionMm = {0.0, 0.0, 25.0};
+  lamp.power = glm::dvec3(50.0);
+  const double cosine = std::sqrt(1.0 - radius * radius / (height * height));
+  for (const bool shadows : {true, false})
+    for (const float roughness : {0.4f, 1.0f}) {
+      SCOPED_TRACE(roughness);
+      lamp.shadows = shadows;
+      light.lamps = {lamp};
+      const auto scene = std::make_shared<const LightScene>(light);
+      const PathTracer tracer(scene);
+      GlossPoint point = planePoint(tracer, {0.0, 0.0, 1.0}, roughness);
+      const double k = static_cast<double>(point.exponent), hidden = 1.0 - std::pow(cosine, k + 1.0);
+      // The lamp shines on the upper side of the ball only: the side that is reflected faces away, and the
+      // lamp without shadows lights what faces it.
+      const double ofLamp = shadows ? 0.0 : 50.0 / 625.0 * (k + 1.0) / (2.0 * pi);
+      Estimate found = radianceOf(tracer, point, 20000);
+      found.standardError += 3e-3;
+      EXPECT_TRUE(agrees(found, 1.0 + 0.5 * hidden + ofLamp));
+
+      auto gloss = std::make_shared<GlossLight>();
+      gloss->scene = scene;
+      gloss->environments = {std::make_shared<const FilteredEnvironment>(*scene->environment, roughness)};
+      PictureLight picture;  // stores no light: of the surface, the unoccluded is seen
+      picture.irradianceSh[0] = glm::vec3(static_cast<float>(pi * std::sqrt(4.0 * pi)));
+      picture.gloss = gloss;
+      point.environment = gloss->of(roughness);
+      Reflection reflection;
+      ASSERT_TRUE(reflectionsOf(picture, std::span(&point, 1), 4096, std::span(&reflection, 1), {}));
+      EXPECT_FLOAT_EQ(reflection.visible, reflection.open);
+      EXPECT_NEAR(static_cast<double>(reflection.met), hidden, 0.02);
+      EXPECT_EQ(reflection.lamps[0], shadows ? 0.0f : 1.0f);
+      EXPECT_NEAR(static_cast<double>(reflection.unoccluded.x), 0.5, 1e-3);
+    }
+}
+
 }  // namespace
 }  // namespace isolux::gi

@@ -92,6 +92,32 @@ TEST(GiChoice, OfTheSky) {
   EXPECT_EQ(giChoiceOf(scene).channels, 1) << "without bounces no colour enters the transfer";
 }
 
+TEST(GiChoice, AConstantSkyWithoutShadowsIsBakedForItsReflectionsOnly) {
+  Scene scene = lit();
+  const GiChoice shadowed = giChoiceOf(scene);
+  scene.light.environment.shadows = false;
+  EXPECT_EQ(giChoiceOf(scene).sky, shadowed.sky);
+  EXPECT_NE(giChoiceOf(scene).reason, shadowed.reason);
+  scene.gi.bounces = 0;
+  EXPECT_FALSE(giChoiceOf(scene).wanted);
+  EXPECT_TRUE(giChoiceOf(scene).traced) << "gloss and exposure trace rays";
+  scene.lamps[1].shown = true;
+  EXPECT_TRUE(giChoiceOf(scene).wanted);
+  EXPECT_EQ(giChoiceOf(scene).sky, GiMode::off);
+  scene.lamps[1].shown = false;
+  scene.gi.mode = GiMode::off;
+  EXPECT_FALSE(giChoiceOf(scene).traced);
+
+  scene = underProbe();
+  scene.light.environment.shadows = false;
+  scene.gi.bounces = 0;
+  EXPECT_EQ(giChoiceOf(scene).sky, GiMode::shadow) << "nine harmonics are not exact";
+  scene.light.environment.moves = true;
+  EXPECT_EQ(giChoiceOf(scene).sky, GiMode::transfer);
+  scene.gi.mode = GiMode::vicinity;
+  EXPECT_FALSE(giChoiceOf(scene).wanted) << "the probe's mean from everywhere";
+}
+
 TEST(GiChoice, GreyNeedsOneChannel) {
   Scene scene = underProbe();
   scene.light.environment.moves = true;

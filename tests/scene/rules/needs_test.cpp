@@ -45,8 +45,7 @@ TEST(Needs, OfEachLook) {
   EXPECT_EQ(looksWith(scene::isPlain), (Names{"normal", "curvature_direction", "depth"}));
   EXPECT_EQ(looksWith(scene::showsFlow), Names{"flow"});
   EXPECT_EQ(looksWith(scene::usesGi), Names{"gi"});
-  EXPECT_EQ(looksWith([](const scene::Scene& s) { return !scene::needsGradient(s); }),
-            Names{"depth"});
+  EXPECT_EQ(looksWith([](const scene::Scene& s) { return !scene::needsGradient(s); }), Names{"depth"});
 }
 
 TEST(Needs, ToneHasOutlinesUnlessToldOtherwise) {

@@ -141,6 +141,25 @@ TEST(Relevance, AShadowNeedsAKeyLightThatBrightens) {
   EXPECT_TRUE(acts("look.shadow", scene));
 }
 
+TEST(Relevance, ShadowsOfLightSourcesAreOfBakedLight) {
+  scene::Scene scene;
+  EXPECT_FALSE(acts("light.environment.shadows", scene));
+  scene.look.mode = scene::LookMode::gi;
+  EXPECT_TRUE(acts("light.environment.shadows", scene));
+  EXPECT_EQ(scene::whyInactive("lamp1.shadows", scene), "that light source is off");
+  scene.lamps[0].shown = true;
+  EXPECT_TRUE(acts("lamp1.shadows", scene));
+  scene.light.environment.shadows = false;
+  scene.light.environment.constant = glm::dvec3(1.0);
+  scene.lamps[0].shown = false;
+  scene.gi.bounces = 0;
+  EXPECT_TRUE(acts("light.environment.shadows", scene)) << "to switch them on again";
+  EXPECT_TRUE(acts("gi.sequence", scene)) << "of reflections and of the metered light";
+  EXPECT_FALSE(acts("gi.samples", scene));
+  scene.gi.mode = scene::GiMode::off;
+  EXPECT_EQ(scene::whyInactive("light.environment.shadows", scene), "no light is baked");
+}
+
 TEST(Relevance, StrengthsBringTheirDetails) {
   scene::Scene scene;
   for (const char* path : {"look.ridge_threshold", "look.ridge_width", "look.ridge_width_unit",
