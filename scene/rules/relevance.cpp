@@ -253,7 +253,8 @@ constexpr Rule rules[] = {
     {"light.environment.moves", [](const Scene& s) { return s.gi.mode == GiMode::automatic; },
      "gi.mode sets what is baked"},
 
-    {"gi.extent gi.band gi.texels gi.samples gi.sequence gi.lattice_scale gi.interpolation", storesLight,
+    {"gi.extent gi.band gi.texels gi.samples gi.sequence gi.lattice_scale gi.interpolation gi.ground",
+     storesLight,
      "no light is baked"},
     {"gi.band", [](const Scene& s) { return s.gi.extent == GiExtent::band; },
      "texels are not chosen by isovalue"},
