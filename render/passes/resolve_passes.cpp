@@ -5,6 +5,7 @@
 #include "render/passes/cut_faces_pass.h"
 #include "render/passes/light_passes.h"
 #include "render/passes/second_volume_pass.h"
+#include "scene/rules/gi_choice.h"
 #include "scene/rules/needs.h"
 #include "scene/rules/tone_curve.h"
 
@@ -25,13 +26,17 @@ bool environmentIsSeen(const FrameState& frame) {
          !frame.scene->picture.transparent;
 }
 
-// The ground with the surface's shadow is behind it.
+bool hasGround(const scene::Scene& scene) {
+  return scene.gi.ground && scene::giChoiceOf(scene).wanted;
+}
+
+// The ground with the surface's shadow is seen behind it.
 bool showsGround(const Asked& asked) {
-  return scene::usesGi(asked.scene) && asked.scene.gi.ground && asked.light.ground != 0;
+  return hasGround(asked.scene) && asked.light.ground != 0;
 }
 
 bool groundIsSeen(const FrameState& frame) {
-  return scene::usesGi(*frame.scene) && frame.scene->gi.ground && frame.light && frame.light->ground;
+  return hasGround(*frame.scene) && frame.light && frame.light->ground;
 }
 
 // What resolve.frag.glsl reads for the colour behind the surface.
