@@ -19,7 +19,8 @@
 
 namespace isolux::gi {
 
-struct GlossLight;  // gi/gloss/reflections.h
+struct GlossLight;    // gi/gloss/reflections.h
+struct GroundShadow;  // gi/ground/ground_shadow.h
 
 // Statistics of E / pi times a fixed reflectance over points of the surface (gi/trace/exposure_meter.h),
 // before the image's exposure.
@@ -50,7 +51,8 @@ struct PictureLight : StoredSide {  // the base: of the front faces
   std::vector<LampLight> lampLights;
   float lampsIrradiance = 0.0f;  // of a surface at the volume's centre that faces them all
 
-  std::shared_ptr<const GlossLight> gloss;  // null: no surface is glossy
+  std::shared_ptr<const GlossLight> gloss;     // null: no surface is glossy
+  std::shared_ptr<const GroundShadow> ground;  // null: the scene has no ground
 
   // The environment shown as the background.
   std::shared_ptr<const Environment> background;  // null: not shown
@@ -71,8 +73,8 @@ struct EnvironmentProjection {
 };
 EnvironmentProjection projectEnvironment(const Environment& environment, int order);
 
-// Fills in all but the lattices, the basis, the version and the visible brightness; the exposure is that of
-// the lights. Requires that `light.environment` is not null.
+// Fills in all but the lattices, the basis, gloss, the ground, the version and the visible brightness; the
+// exposure is that of the lights. Requires that `light.environment` is not null.
 PictureLight makePictureLight(const scene::Scene& resolved, const LightScene& light,
                               const EnvironmentProjection& projection);
 

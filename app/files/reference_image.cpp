@@ -34,6 +34,7 @@ void writeReferenceExr(const gi::ReferenceImage& image, const std::filesystem::p
         [&](std::size_t i) { return image.irradiance[i][c]; });
   add("variance", [&](std::size_t i) { return image.variance[i]; });
   add("samples", [&](std::size_t i) { return image.hit[i] ? static_cast<float>(image.samples[i]) : nan; });
+  if (!image.ground.empty()) add("ground", [&](std::size_t i) { return image.ground[i]; });
   add("hit", [&](std::size_t i) { return static_cast<float>(image.hit[i]); });
   writeExr(image.size, channels, file, session);
 }
@@ -48,7 +49,10 @@ render::ColorImage screenImage(const gi::ReferenceImage& image, const scene::Sce
       const std::size_t i =
           static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size.x) + static_cast<std::size_t>(x);
       const glm::dvec3 traced(image.color[i]);
-      const glm::dvec3 color = std::isnan(traced.x) ? background : isFilmic ? base::filmic(traced) : traced;
+      const double ground = image.ground.empty() ? 1.0 : static_cast<double>(image.ground[i]);
+      const glm::dvec3 color = std::isnan(traced.x) ? ground * background
+                               : isFilmic           ? base::filmic(traced)
+                                                    : traced;
       for (int c = 0; c < 3; ++c)
         screen.rgba[4 * i + static_cast<std::size_t>(c)] = base::screenByte(color[c]);
     }

@@ -21,7 +21,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto restsAfter = 300ms;  // an isovalue that is dragged, for the exposure
+constexpr auto restsAfter = 300ms;  // a scene that is dragged, for the exposure and the ground
 
 void add(gi::BakeCounters& sum, const gi::BakeCounters& one) {
   sum.texelsWanted += one.texelsWanted;
@@ -124,7 +124,7 @@ std::vector<std::shared_ptr<gi::LightBake>> LightController::Parts::bakes() cons
 void LightController::Parts::run(const std::stop_token& stop) {
   std::unique_lock lock(mutex);
   while (!stop.stop_requested()) {
-    const bool polls = plan.light && (plan.choice.sky == scene::GiMode::transfer || planner.meterPending());
+    const bool polls = plan.light && (plan.choice.sky == scene::GiMode::transfer || planner.isUnfinished());
     const auto told = [this] { return sceneTold || hitsTold || cancelTold || compressTold; };
     if (polls)
       changed.wait_for(lock, stop, 100ms, told);
@@ -159,9 +159,9 @@ void LightController::Parts::work(bool withScene, bool withHits, bool cancel, co
     if (cancel) planner.wishNothing();
     const bool compressed = planner.compress(progress);
     const bool rests = std::chrono::steady_clock::now() - toldAt >= restsAfter;
-    const bool metered = planner.meterPending() && rests;
-    if (metered) planner.meter(progress);
-    if (!withScene && !otherLight && !compressed && !metered) return;
+    const bool finished = planner.isUnfinished() && rests;
+    if (finished) planner.finishAtRest(progress);
+    if (!withScene && !otherLight && !compressed && !finished) return;
   } catch (...) {
     failed = std::current_exception();
   }

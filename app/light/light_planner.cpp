@@ -60,7 +60,7 @@ const LightPlan& LightPlanner::plan(const scene::Scene& given, const VolumePoint
   if (scene_.gi.texels == scene::GiTexels::automatic && texelsOfFile_) scene_.gi.texels = *texelsOfFile_;
   const scene::Scene& resolved = scene_;
   volume_ = volume;
-  meterPending_ = false;
+  meterPending_ = groundPending_ = false;
   if (!volume || scene::shadingOf(resolved) != scene::Shading::gi) {
     // Stored light stays: the look may come back.
     if (!volume) stop();
@@ -87,6 +87,7 @@ const LightPlan& LightPlanner::plan(const scene::Scene& given, const VolumePoint
   }
   lightScene_ = gi::makeLightScene(resolved, volume, choice.traced ? tracer_ : nullptr, environment_);
   considerMetering(progress);
+  considerGround(progress);
   require(outer_, lightScene_);
   requireInner(progress);
   if (choice.sky == scene::GiMode::transfer && projectedOrder_ != resolved.gi.shOrder) {
@@ -161,8 +162,20 @@ void LightPlanner::measureBrightness(base::Progress& progress) {
   meterPending_ = false;
 }
 
-void LightPlanner::meter(base::Progress& progress) {
-  measureBrightness(progress);
+// A window traces it when the scene rests: it takes as long as many frames.
+void LightPlanner::considerGround(base::Progress& progress) {
+  const std::uint64_t key = onlyPlans_ ? 0 : gi::groundKey(scene_, *lightScene_);
+  groundPending_ = background_ && key != 0 && !(ground_ && ground_->key == key);
+  if (key == 0)
+    ground_.reset();
+  else if (!groundPending_)
+    ground_ = gi::makeGroundShadow(scene_, *lightScene_, ground_, progress);
+}
+
+void LightPlanner::finishAtRest(base::Progress& progress) {
+  if (meterPending_) measureBrightness(progress);
+  if (groundPending_) ground_ = gi::makeGroundShadow(scene_, *lightScene_, ground_, progress);
+  groundPending_ = false;
   publish();
 }
 
@@ -304,6 +317,7 @@ void LightPlanner::publish() {
   store(*light, outer_);
   store(light->inner, inner_);
   light->gloss = gloss_ = gi::makeGlossLight(scene_, lightScene_, gloss_.get());
+  light->ground = ground_;
   light->basis = basis_;
   light->version = ++version_;
   plan_.light = std::move(light);

@@ -20,6 +20,7 @@
 #include "base/progress.h"
 #include "gi/bake/light_bake.h"
 #include "gi/gloss/reflections.h"
+#include "gi/ground/ground_shadow.h"
 #include "gi/lattice/lattice_part.h"
 #include "gi/light_scene.h"
 #include "gi/picture_light.h"
@@ -79,9 +80,10 @@ class LightPlanner {
   // Compresses stored transfer anew where much was added since: true if the plan's light changed. Throws
   // Error{interrupted} when stopped.
   bool compress(const base::Progress& progress);
-  // The exposure is of a surface before an isovalue was dragged: meter() when it rests.
-  bool meterPending() const { return meterPending_; }
-  void meter(base::Progress& progress);  // Throws Error{interrupted}
+  // The exposure is of a surface before an isovalue was dragged, or the ground of a scene before: call
+  // finishAtRest() when the scene rests.
+  bool isUnfinished() const { return meterPending_ || groundPending_; }
+  void finishAtRest(base::Progress& progress);  // Throws Error{interrupted}
   // Light from elsewhere (a file), for lattices of the plan's own keys.
   void adopt(std::shared_ptr<gi::LightLattice> lattice, gi::LightPart part);
 
@@ -115,6 +117,7 @@ class LightPlanner {
   void loadEnvironment(const scene::Environment& settings);
   void considerMetering(base::Progress& progress);
   void measureBrightness(base::Progress& progress);
+  void considerGround(base::Progress& progress);
   void require(Side& side, const std::shared_ptr<const gi::LightScene>& light);
   void require(Part& part, const std::shared_ptr<const gi::LightScene>& light, gi::LightPart which,
                bool wanted);
@@ -161,6 +164,8 @@ class LightPlanner {
   const volume::PreparedVolume* brightnessOfVolume_ = nullptr;
   std::string brightnessOfEnvironment_;
   bool meterPending_ = false;
+  std::shared_ptr<const gi::GroundShadow> ground_;  // null: none
+  bool groundPending_ = false;                      // ground_ is of a scene before
   Side outer_, inner_;
   std::deque<Part> kept_;   // of settings before these, which may come back; the last first
   bool innerSeen_ = false;  // by the last wish

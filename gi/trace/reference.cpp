@@ -108,6 +108,7 @@ Reference::Reference(std::shared_ptr<const volume::PreparedVolume> volume,
       light_.automaticExposure = static_cast<float>(exposureOf(*seen));
   }
   background_ = light_.background;
+  ground_ = makeGroundShadow(scene_, *light, nullptr, progress);
   const auto own = ownSky(*light);
   hasSky_ = !own->environment->isBlack();
   hasLamps_ = !own->lamps.empty();
@@ -325,14 +326,30 @@ ReferenceImage Reference::image() const {
           static_cast<float>((sum.squares - sum.luminance * sum.luminance / n) / (n - 1.0) / n);
     image.color[pixel] = glm::mix(image.color[pixel], exposure * image.gloss[pixel], glossShares_[i]);
   }
+  if (ground_) image.ground = groundOfPixels();
   if (!background_) return image;
   for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
     if (image.hit[pixel]) continue;
     const glm::ivec2 at(static_cast<int>(pixel) % size_.x, static_cast<int>(pixel) / size_.x);
     const glm::vec3 direction = light_.environmentFromWorld * hits_.backgroundDirection(at);
     image.color[pixel] = background_->radiance(direction) * (light_.backgroundScale * exposure);
+    if (ground_) image.color[pixel] *= image.ground[pixel];
   }
   return image;
+}
+
+std::vector<float> Reference::groundOfPixels() const {
+  std::vector<float> ground(surfaces_.size(), 1.0f);
+  const auto places =
+      ground_->placesOf(scene::frameOf(scene_.camera), static_cast<double>(size_.x) / size_.y);
+  if (!places) return ground;
+  for (std::size_t pixel = 0; pixel < ground.size(); ++pixel) {
+    const int at = static_cast<int>(pixel);
+    const glm::dvec2 middle((at % size_.x + 0.5) / size_.x, 1.0 - (at / size_.x + 0.5) / size_.y);
+    const glm::dvec3 place = *places * glm::dvec3(2.0 * middle - 1.0, 1.0);
+    if (surfaces_[pixel] < 0 && place.z > 0.0) ground[pixel] = ground_->at(glm::dvec2(place) / place.z);
+  }
+  return ground;
 }
 
 std::vector<std::uint32_t> referenceRounds(std::uint32_t samples) {

@@ -6,8 +6,9 @@
 // pattern of samples. Paths are traced against the surface's isovalue; if hits are on a cubic field, against
 // the trilinear isosurface through the hit. The colour is albedo * E / pi * 2^picture.exposure (or the
 // automatic exposure), times look.inner_tint on back faces. Front faces have their gloss over it
-// (gi/gloss/gloss_lobe.h). Solid textures, lines and fog are not drawn.
-// gi.mode has no effect, except that `vicinity` uses the sky's mean without bounces, and `shadow` no bounces.
+// (gi/gloss/gloss_lobe.h). The ground is that of frames (gi/ground/ground_shadow.h). Solid textures, lines
+// and fog are not drawn. gi.mode has no effect, except that `vicinity` uses the sky's mean without bounces,
+// and `shadow` no bounces.
 //
 // One owner thread. It shares the work among its own threads; the result does not depend on their number.
 #pragma once
@@ -25,6 +26,7 @@
 #include "base/memory_budget.h"
 #include "base/progress.h"
 #include "gi/gloss/reflections.h"
+#include "gi/ground/ground_shadow.h"
 #include "gi/picture_light.h"
 #include "gi/sampling/environment.h"
 #include "gi/trace/path_tracer.h"
@@ -44,7 +46,8 @@ struct ReferenceImage {
   std::vector<float> glossVariance;
   std::vector<std::uint32_t> samples;  // paths of each kind of light
   std::vector<std::uint8_t> hit;
-  std::uint64_t rays = 0;         // of the paths
+  std::vector<float> ground;  // fraction of the light that reaches the ground there; empty if there is none
+  std::uint64_t rays = 0;     // of the paths
   std::uint64_t cappedPaths = 0;  // PathTracer::cappedPaths()
 };
 
@@ -90,6 +93,7 @@ class Reference {
     std::vector<glm::vec3> rays;  // of outer points: unit, world, from the eye
   };
   // `wanted`: columns.
+  std::vector<float> groundOfPixels() const;  // 1 on the surface
   bool findHitsOfRow(std::size_t row, std::span<const std::uint32_t> wanted, const base::Progress& progress,
                      RowPoints& found);
   std::vector<glm::vec3> gradientsAt(const std::vector<glm::vec3>& voxels) const;
@@ -109,6 +113,7 @@ class Reference {
   std::optional<PathTracer> tracer_, innerTracer_;  // innerTracer_: if back faces are visible
   PictureLight light_;
   std::shared_ptr<const Environment> background_;
+  std::shared_ptr<const GroundShadow> ground_;
   bool hasSky_ = false, hasLamps_ = false;
 
   std::vector<int> surfaces_;           // of pixels; -1: no hit

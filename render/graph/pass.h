@@ -93,6 +93,7 @@ struct LightState {
   float automaticExposure = 0.0f;  // stops
   bool background = false;         // the environment is shown as the background
   bool gloss = false;              // it knows what glossy surfaces reflect
+  std::uint64_t ground = 0;        // changes with the shadow on the ground; 0: there is no ground
 };
 
 // All inputs that determine which passes a frame needs and their dependencies.

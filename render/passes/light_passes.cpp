@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "gi/ground/ground_shadow.h"
 #include "scene/camera.h"
 #include "scene/opacity.h"
 #include "scene/rules/needs.h"
@@ -120,6 +121,7 @@ LightState FrameLight::state(const FrameState& frame) const {
   state.automaticExposure = light ? light->automaticExposure : 0.0f;
   state.background = light && light->background;
   state.gloss = light && light->gloss;
+  state.ground = light && light->ground ? light->ground->key : 0;
   return state;
 }
 
@@ -129,7 +131,7 @@ void FrameLight::upload(std::size_t limitBytes) {
 }
 
 std::size_t FrameLight::bytes() const {
-  return atlas_.bytes() + factors_.bytes() + background_.bytes();
+  return atlas_.bytes() + factors_.bytes() + background_.bytes() + ground_.bytes();
 }
 
 void FrameLight::report(LightReport& out) const {
@@ -267,6 +269,24 @@ void FrameLight::setBackground(FrameState& frame, Program& p, int unit) {
   glm::dvec2 extent = frame.view->halfExtent;
   if (frame.view->orthographic) extent /= scene::frameOf(frame.scene->camera).distance;
   p.set("uViewExtent", glm::vec2(extent));
+}
+
+void FrameLight::setGround(FrameState& frame, Program& p, int unit) {
+  const gi::GroundShadow& ground = *frame.light->ground;
+  if (groundOf_ != ground.key) {
+    const glm::ivec2 size(gi::GroundShadow::kPoints);
+    ground_ = Texture::make2D(frame.gl, GL_R32F, size);
+    ground_.setFilter(GL_LINEAR);
+    frame.gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    frame.gl->TextureSubImage2D(ground_.id(), 0, 0, 0, size.x, size.y, GL_RED, GL_FLOAT, ground.light.data());
+    groundOf_ = ground.key;
+  }
+  const double aspect = static_cast<double>(frame.request.size.x) / frame.request.size.y;
+  // From below, no ray meets it.
+  const auto places = ground.placesOf(scene::frameOf(frame.scene->camera), aspect);
+  p.setTexture("uGround", unit, ground_);
+  p.set("uGroundPlaces", glm::mat3(places.value_or(glm::dmat3(0.0))));
+  p.set("uGroundCrowding", static_cast<float>(gi::GroundShadow::kCrowding));
 }
 
 void LightPass::declare(Declaring& d) const {

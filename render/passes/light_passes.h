@@ -33,6 +33,9 @@ class FrameLight {
   static void setLightThrough(const FrameState& frame, Program& program);
   // Sets the environment as a background texture; creates it if it is new.
   void setBackground(FrameState& frame, Program& program, int unit);
+  // Sets the shadow on the ground (ground.glsl) as the frame's camera sees it. Requires that the light has
+  // one.
+  void setGround(FrameState& frame, Program& program, int unit);
 
   std::size_t bytes() const;  // on the GPU
   std::size_t atlasBytes() const { return atlas_.bytes(); }
@@ -48,7 +51,9 @@ class FrameLight {
   std::shared_ptr<const gi::PictureLight> factorsOf_;
   Texture background_;
   std::shared_ptr<const gi::Environment> backgroundOf_;
-  std::uint64_t storage_ = 0;  // changes with the contents of the atlas
+  Texture ground_;
+  std::uint64_t groundOf_ = 0;  // GroundShadow::key
+  std::uint64_t storage_ = 0;   // changes with the contents of the atlas
   std::uint64_t unfinished_ = 0;
 };
 

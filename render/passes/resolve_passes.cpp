@@ -5,12 +5,16 @@
 #include "render/passes/cut_faces_pass.h"
 #include "render/passes/light_passes.h"
 #include "render/passes/second_volume_pass.h"
+#include "scene/rules/gi_choice.h"
 #include "scene/rules/needs.h"
 #include "scene/rules/tone_curve.h"
 
 namespace isolux::render {
 
 namespace {
+
+// Texture units of resolve.frag.glsl.
+constexpr int kColorUnit = 0, kEnvironmentUnit = 1, kCutFacesUnit = 2, kGroundUnit = 4;
 
 // The environment is seen behind the surface.
 bool showsEnvironment(const Asked& asked) {
@@ -20,6 +24,19 @@ bool showsEnvironment(const Asked& asked) {
 bool environmentIsSeen(const FrameState& frame) {
   return scene::usesGi(*frame.scene) && frame.light && frame.light->background &&
          !frame.scene->picture.transparent;
+}
+
+bool hasGround(const scene::Scene& scene) {
+  return scene.gi.ground && scene::giChoiceOf(scene).wanted;
+}
+
+// The ground with the surface's shadow is seen behind it.
+bool showsGround(const Asked& asked) {
+  return hasGround(asked.scene) && asked.light.ground != 0;
+}
+
+bool groundIsSeen(const FrameState& frame) {
+  return hasGround(*frame.scene) && frame.light && frame.light->ground;
 }
 
 // What resolve.frag.glsl reads for the colour behind the surface.
@@ -50,7 +67,8 @@ std::optional<Tile> drawLegendOf(FrameState& frame, const Target& picture) {
 void BackgroundPass::declare(Declaring& d) const {
   d.writes(image::background).pictureSize().settings({"look.background_top", "look.background_bottom"});
   d.notNeeded(d.asked.scene.picture.transparent ? "the picture is transparent"
-                                                : "the environment is behind the surface");
+              : showsEnvironment(d.asked)       ? "the environment is behind the surface"
+                                                : "the ground is behind the surface");
 }
 
 void BackgroundPass::run(FrameState& frame) {
@@ -76,9 +94,12 @@ void ResolvePass::declare(Declaring& d) const {
   if (showsEnvironment(d.asked)) {
     d.input("light", d.asked.light.version).settings({"camera."});
     addExposure(d);
+  } else if (showsGround(d.asked) && !scene.picture.transparent) {
+    d.settings({"look.background_top", "look.background_bottom"});
   } else if (!scene.picture.transparent) {
     d.reads(image::background);
   }
+  if (showsGround(d.asked)) d.input("ground", d.asked.light.ground).settings({"gi.ground", "camera."});
   if (scene::showsLegend(scene) && d.asked.volume.crossed && readsCurvatureRanges(scene))
     d.reads(image::ranges);
   d.input("legend of the second volume", scene::showsLegend(scene) && scene::showsSecondVolume(scene));
@@ -90,7 +111,7 @@ void ResolvePass::declare(Declaring& d) const {
 
 void ResolvePass::run(FrameState& frame) {
   Target& target = frame.images.make(frame.gl, image::picture, frame.drawnSize(), {GL_RGBA8});
-  if (environmentIsSeen(frame) || frame.scene->picture.transparent)
+  if (environmentIsSeen(frame) || groundIsSeen(frame) || frame.scene->picture.transparent)
     drawAll(frame, target, curveOf(frame));
   else
     drawHits(frame, target);
@@ -105,13 +126,16 @@ void ResolvePass::run(FrameState& frame) {
 
 Program& ResolvePass::prepared(FrameState& frame, const std::string& defines) const {
   const bool environment = environmentIsSeen(frame);
+  const bool ground = groundIsSeen(frame);
   const bool faces = frame.cutFaceColors != nullptr;
-  Program& p = frame.program(shader, defines + (environment ? "#define ENVIRONMENT\n" : "") +
-                                         (faces ? "#define CUT_FACES\n" : "") +
-                                         (frame.scene->picture.transparent ? "#define TRANSPARENT\n" : ""));
-  if (faces) setCutFaces(frame, p, 2);
-  if (environment) frame.lighting->setBackground(frame, p, 1);
-  p.setTexture("uColor", 0, frame.image(image::color));
+  Program& p =
+      frame.program(shader, defines + (environment ? "#define ENVIRONMENT\n" : "") +
+                                (ground ? "#define GROUND\n" : "") + (faces ? "#define CUT_FACES\n" : "") +
+                                (frame.scene->picture.transparent ? "#define TRANSPARENT\n" : ""));
+  if (faces) setCutFaces(frame, p, kCutFacesUnit);
+  if (environment) frame.lighting->setBackground(frame, p, kEnvironmentUnit);
+  if (ground) frame.lighting->setGround(frame, p, kGroundUnit);
+  p.setTexture("uColor", kColorUnit, frame.image(image::color));
   p.set("uColorLow", frame.raysLow() + glm::ivec2(0, frame.bandRow));
   setBehind(frame, p);
   return p;

@@ -253,7 +253,7 @@ constexpr Rule rules[] = {
     {"light.environment.moves", [](const Scene& s) { return s.gi.mode == GiMode::automatic; },
      "gi.mode sets what is baked"},
 
-    {"gi.extent gi.band gi.texels gi.samples gi.lattice_scale gi.interpolation", storesLight,
+    {"gi.extent gi.band gi.texels gi.samples gi.lattice_scale gi.interpolation gi.ground", storesLight,
      "no light is baked"},
     {"gi.sequence light.environment.shadows", [](const Scene& s) { return giChoiceOf(s).traced; },
      "no light is baked"},

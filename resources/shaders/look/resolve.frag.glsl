@@ -1,9 +1,13 @@
 // The background behind what is shaded; supersamples averaged in linear light. LINEAR: as that is; otherwise each
 // through the tone curve (FILMIC: of what is shaded and of a visible environment) and at most 1, encoded as sRGB, with a dither of one step against banding. NOTHING_ELSE: the background alone. CUT_FACES:
-// faces that cuts lay open are before it. TRANSPARENT: nothing is behind; straight alpha, with LINEAR premultiplied.
+// faces that cuts lay open are before it. GROUND: it is darkened by the shadow on the ground, which with TRANSPARENT is
+// black and covers as much as it darkens. TRANSPARENT: nothing is behind; straight alpha, with LINEAR premultiplied.
 #include "background.glsl"
 #ifdef ENVIRONMENT
 #include "environment.glsl"
+#endif
+#ifdef GROUND
+#include "ground.glsl"
 #endif
 #ifdef FILMIC
 #include "tone_curve.glsl"
@@ -72,6 +76,9 @@ void main() {
 #ifndef LINEAR
       color.rgb = min(color.rgb, vec3(color.a));  // as bright as white, where it covers
 #endif
+#ifdef GROUND
+      color.a += (1.0 - color.a) * (1.0 - groundAt((vec2(ray) + 0.5) / vec2(rays)));
+#endif
       covered += color;
     }
   covered /= float(uSupersampling * uSupersampling);
@@ -84,11 +91,14 @@ void main() {
 #else
 #ifdef ENVIRONMENT
       vec3 behind = environmentAt((vec2(ray) + 0.5) / vec2(rays));
-#ifdef FILMIC
-      behind = filmic(behind);
-#endif
 #else
       vec3 behind = backgroundAt((float(ray.y) + 0.5) / float(rays.y));
+#endif
+#ifdef GROUND
+      behind *= groundAt((vec2(ray) + 0.5) / vec2(rays));
+#endif
+#if defined(ENVIRONMENT) && defined(FILMIC)
+      behind = filmic(behind);
 #endif
 #ifdef CUT_FACES
       if (face.x >= 0.0) behind = faceColor(face.y);

@@ -461,6 +461,16 @@ TEST_F(FrameGraphTest, LightCostsThePassesBehindIt) {
   EXPECT_THAT(ranUnder(), ElementsAre("irradiance", "shade", "resolve"));
   scene.camera.eye = glm::dvec3(0.0, -300.0, 0.0);
   EXPECT_THAT(ranUnder(), ElementsAre("segments", "cast", "gradient", "irradiance", "shade", "resolve"));
+  light.ground = 1;  // only of a scene with a ground
+  EXPECT_THAT(ranUnder(), ElementsAre());
+  scene.gi.ground = true;
+  EXPECT_THAT(ranUnder(), ElementsAre("resolve"));
+  ++light.ground;
+  EXPECT_THAT(ranUnder(), ElementsAre("resolve"));
+  scene.look.backgroundTop.x = 0.25;
+  EXPECT_THAT(ranUnder(), ElementsAre("resolve"));
+  scene.gi.ground = false;
+  EXPECT_THAT(ranUnder(), ElementsAre("background", "resolve"));
   light.background = true;  // it stands behind the surface in place of the other
   EXPECT_THAT(ranUnder(), ElementsAre("resolve"));
   scene.look.backgroundTop.x = 0.5;

@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "gi/ground/ground_shadow.h"
 #include "scene/rules/relevance.h"
 #include "scene/settings.h"
 #include "tests/render/gl_fixture.h"
@@ -249,9 +250,17 @@ TEST_P(EverySettingWithStoredLightGlTest, ChangesThePassesThatRun) {
   const auto light = pictureLight(latticeOf(1.0f));
   light->inner.sky = latticeOf(0.5f);
   light->irradianceSh[0] = glm::vec3(1.0f);  // local light, that comes through transparent surfaces
+  auto ground = std::make_shared<gi::GroundShadow>();
+  ground->key = 1;
+  ground->middleMm = {0.0, 0.0, -40.0};
+  ground->rightMm = {500.0, 0.0, 0.0};
+  ground->backMm = {0.0, 500.0, 0.0};
+  ground->light.assign(gi::GroundShadow::kPoints * gi::GroundShadow::kPoints, 0.5f);
+  light->ground = ground;
   for (render::Renderer* renderer : {renderer_.get(), fresh_.get()}) renderer->setLight(light);
   changeEverySetting({"look.ridge_threshold=0.02", "look.shading=gi", "gi.interpolation=trilinear",
-                      "picture.exposure=3"});  // as bright as the shoulder of the tone curve
+                      "picture.exposure=3",  // as bright as the shoulder of the tone curve
+                      "gi.ground=true"});
 }
 
 const auto kNameOfLook = [](const auto& look) { return look.param; };
