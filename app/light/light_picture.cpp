@@ -32,6 +32,13 @@ void lightPicture(LightController& controller, render::Renderer& renderer, const
     surface.aovs = std::vector{render::Aov::voxel};
     renderer.render(resolved, surface);
     controller.setVisible(renderer.hitVoxels(true));  // in the dark one unlit texel's local light glares
+    if (scene::showsGloss(lit)) {  // frames with light report what it reflects, too
+      while (!controller.settle(0.1)) progress.throwIfStopped();
+      renderer.setLight(controller.light());
+      surface.linear = true;
+      renderer.render(lit, surface);
+      controller.setVisible(renderer.hitVoxels(true));
+    }
   }
   if (!controller.finish(progress)) progress.throwIfStopped();
   renderer.setLight(controller.light());

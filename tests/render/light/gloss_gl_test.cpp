@@ -116,11 +116,30 @@ TEST_F(GlossGlTest, MattSurfacesAskForNothing) {
   use("phantom:torus:32", {});
   drawn();
   EXPECT_FALSE(ran("reflections"));
-  EXPECT_FALSE(ran("gloss"));
   use("phantom:torus:32", {"isosurface.specular=0.05"});
   drawn();
   EXPECT_TRUE(ran("reflections"));
-  EXPECT_TRUE(ran("gloss"));
+}
+
+TEST_F(GlossGlTest, FramesReportWhatTheyReflect) {
+  const auto reported = [&](const char* specular) {
+    use("phantom:gyroid:48", {std::string("isosurface.specular=") + specular});
+    drawn();
+    return renderer_->hitVoxels().outer.size();
+  };
+  const std::size_t matt = reported("0");
+  EXPECT_GT(reported("0.3"), matt + 50);
+  EXPECT_EQ(reported("0"), matt);
+}
+
+// All the light that a picture reads is asked for: more of it changes nothing.
+TEST_F(GlossGlTest, ReflectedPointsAreLit) {
+  const auto drawnWith = [&](const char* extent) {
+    use("phantom:gyroid:48",
+        {"isosurface.specular=0.4", "isosurface.roughness=0.2", std::string("gi.extent=") + extent});
+    return drawn(2).rgba;
+  };
+  EXPECT_EQ(drawnWith("view"), drawnWith("full"));
 }
 
 }  // namespace
