@@ -35,7 +35,7 @@ void lightPicture(LightController& controller, render::Renderer& renderer, const
     if (scene::showsGloss(lit)) {  // frames with light report what it reflects, too
       while (!controller.settle(0.1)) progress.throwIfStopped();
       renderer.setLight(controller.light());
-      surface.linear = true;
+      surface.color = true;
       renderer.render(lit, surface);
       controller.setVisible(renderer.hitVoxels(true));
     }
