@@ -306,6 +306,8 @@ gi::SeenPoints hitVoxels(const FrameState& frame, const DrawnFrame& drawn) {
   gi::SeenPoints hits;
   if (drawn.raySize.x == 0 || !frame.images.has(image::surface)) return hits;
   appendHits(frame, most, drawn.outward, hits);
+  const auto reflects = [](const Pass* pass) { return pass->name == pass::reflections; };
+  if (std::any_of(frame.used.begin(), frame.used.end(), reflects)) append(hits.outer, frame.reflectedHits);
   if (!drawn.layered) return hits;
   append(hits.outer, frame.hitsBehind.outer);
   append(hits.inner, frame.hitsBehind.inner);

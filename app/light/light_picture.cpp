@@ -34,6 +34,13 @@ void lightPicture(LightController& controller, render::Renderer& renderer, const
     surface.aovs = std::vector{render::Aov::voxel};
     renderer.render(resolved, surface);
     controller.setVisible(renderer.hitVoxels());
+    if (scene::showsGloss(lit)) {  // frames with light report what it reflects, too
+      while (!controller.settle(0.1)) progress.throwIfStopped();
+      renderer.setLight(controller.light());
+      surface.color = true;
+      renderer.render(lit, surface);
+      controller.setVisible(renderer.hitVoxels());
+    }
   }
   if (!controller.finish(progress)) progress.throwIfStopped();
   renderer.setLight(controller.light());

@@ -22,12 +22,7 @@ bool LightPlanner::wish(const gi::SeenPoints& seen, base::Progress& progress) {
     takeBakes();
     publish();
   }
-  std::vector<glm::vec3> outer = seen.outer;
-  if (gloss_) {
-    const std::vector<glm::vec3> reflected = gi::reflectedPoints(*gloss_, scene_, seen.outer);
-    outer.insert(outer.end(), reflected.begin(), reflected.end());
-  }
-  wish(outer_, outer, scene_.gi.extent, progress);
+  wish(outer_, seen.outer, scene_.gi.extent, progress);
   wish(inner_, seen.inner, scene::GiExtent::view, progress);
   return changes;
 }

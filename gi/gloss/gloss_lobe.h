@@ -7,7 +7,7 @@
 // / 4. A direction ω below the surface is mirrored at the tangent plane to ω', so that no light is lost:
 // under a uniform sky a white surface stays white. F is Schlick's approximation, less steep on rough surfaces
 // (Lagarde 2011). After a reflection light meets diffuse surfaces: paths bounce by the albedo alone.
-// resources/shaders/light/gloss.frag.glsl computes the same.
+// resources/shaders/light/gloss.glsl computes the same.
 #pragma once
 
 #include <algorithm>

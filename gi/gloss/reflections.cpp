@@ -10,9 +10,7 @@
 #include "gi/gloss/stored_irradiance.h"
 #include "gi/picture_light.h"
 #include "gi/trace/path_wave.h"
-#include "scene/camera.h"
 #include "scene/rules/needs.h"
-#include "volume/field/reconstruct.h"
 #include "volume/parallel_loops.h"
 
 namespace isolux::gi {
@@ -191,6 +189,7 @@ bool reflectionsOf(const PictureLight& light, std::span<const GlossPoint> points
       const StoredIrradiance::Lookup lookup = stored.at(lobe.voxels[k], normal);
       Reflection& reflection = out[i / samples];
       reflection.met += 1.0f;
+      reflection.hit = lobe.voxels[k];
       reflection.light += lookup.baked * reflectance * lookup.irradiance;
       reflection.baked += lookup.baked;
       if (lookup.baked < 1.0f)
@@ -203,48 +202,6 @@ bool reflectionsOf(const PictureLight& light, std::span<const GlossPoint> points
     addLamps(setup, of, samples, out);
   });
   return !stop.stop_requested();
-}
-
-std::vector<glm::vec3> reflectedPoints(const GlossLight& light, const scene::Scene& resolved,
-                                       std::span<const glm::vec3> seen) {
-  constexpr std::size_t kMostPoints = 1u << 16;
-  constexpr std::uint32_t kRays = 4;  // of each
-  const LightScene& scene = *light.scene;
-  if (!scene.tracer || seen.empty()) return {};
-  const PathSetup setup(light.scene);
-  const volume::Grid& grid = scene.volume->grid();
-  const scene::CameraFrame camera = scene::frameOf(resolved.camera);
-  const bool parallel = resolved.camera.projection == scene::Projection::orthographic;
-  const std::vector<scene::GlossySurface> surfaces = scene::glossySurfaces(resolved);
-  std::vector<glm::vec3> voxels, gradients;
-  for (std::size_t i = 0; i < seen.size(); i += seen.size() / kMostPoints + 1)
-    if (std::isfinite(seen[i].x + seen[i].y + seen[i].z)) voxels.push_back(seen[i]);
-  gradients.resize(voxels.size());
-  scene.tracer->gradients(voxels, gradients);
-  std::vector<GlossPoint> points;
-  for (std::size_t i = 0; i < voxels.size(); ++i) {
-    const glm::vec3 normal = setup.normalOf(gradients[i]);
-    const glm::dvec3 world = grid.geometry().worldFromVoxel * glm::dvec4(voxels[i], 1.0);
-    const glm::vec3 ray(parallel ? -camera.back : glm::normalize(world - camera.eye));
-    const float facing = -glm::dot(normal, ray);
-    const double value = volume::sampleTrilinear(grid, glm::dvec3(voxels[i])).value;
-    const auto nearer = [&](const auto& a, const auto& b) {
-      return std::abs(a.isovalue - value) < std::abs(b.isovalue - value);
-    };
-    const scene::GlossySurface& surface = *std::min_element(surfaces.begin(), surfaces.end(), nearer);
-    if (!(facing > 0.0f)) continue;
-    points.push_back({voxels[i], static_cast<float>(grid.storedOfValue(value)), normal,
-                      ray + 2.0f * facing * normal, glossExponent(static_cast<float>(surface.roughness)),
-                      static_cast<std::uint32_t>(i)});
-  }
-  std::vector<glm::vec3> met;
-  LobeRays lobe;
-  for (std::size_t first = 0; first < points.size(); first += kPointsAtOnce) {
-    lobe.trace(setup, std::span(points).subspan(first, std::min(kPointsAtOnce, points.size() - first)),
-               kRays);
-    met.insert(met.end(), lobe.voxels.begin(), lobe.voxels.end());
-  }
-  return met;
 }
 
 bool reflectedRadiance(const PathTracer& paths, std::span<const GlossPoint> points, SampleRange range,

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <stop_token>
@@ -61,6 +62,7 @@ struct Reflection {
   // Luminance of the environment in the directions of the lobe: all of it, and what reaches the point.
   float open = 0.0f, visible = 0.0f;
   glm::vec3 lamps{1.0f};  // visible fraction of each light source
+  glm::vec3 hit{std::numeric_limits<float>::quiet_NaN()};  // voxel that the last ray met; NaN: none
 
   void add(const Reflection& other, float weight) {
     met += weight * other.met;
@@ -76,10 +78,6 @@ struct Reflection {
 // Computes the means over `samples` rays of each point. Returns false when stopped.
 bool reflectionsOf(const PictureLight& light, std::span<const GlossPoint> points, std::uint32_t samples,
                    std::span<Reflection> reflections, const std::stop_token& stop);
-// Returns the surface points that visible front faces reflect, whose light is needed: those of a part of
-// `seen` (voxel coordinates) as the scene's camera sees them.
-std::vector<glm::vec3> reflectedPoints(const GlossLight& light, const scene::Scene& resolved,
-                                       std::span<const glm::vec3> seen);
 
 // Adds estimates of R over a range of samples to each point's sums; of the sky without its exposure, and of
 // the light sources. `squares`: of the luminance of both together, the sky times `skyScale`. Returns false

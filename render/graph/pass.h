@@ -39,8 +39,8 @@ using PassList = std::vector<std::unique_ptr<Pass>>;
 namespace pass {
 inline constexpr const char *bricks = "bricks", *cast = "cast", *refine = "refine", *gradient = "gradient",
                             *hessian = "hessian", *irradiance = "irradiance", *layers = "layers",
-                            *openness = "openness", *shadow = "shadow", *shade = "shade",
-                            *resolve = "resolve";
+                            *openness = "openness", *reflections = "reflections", *shadow = "shadow",
+                            *shade = "shade", *resolve = "resolve";
 }
 
 // Names of the images that passes write. Images that are drawn are stored under these names
@@ -55,7 +55,7 @@ inline constexpr const char *activeBlocks = "active blocks", *segments = "ray se
                             *occlusion = "occlusions", *flowField = "flow fields", *flow = "streaks",
                             *extrema = "curvature extrema", *lineField = "line fields", *lines = "lines",
                             *light = "stored light", *cutFaces = "cut faces", *irradiance = "irradiances",
-                            *reflections = "reflections", *gloss = "gloss", *front = "front colour",
+                            *reflections = "reflections", *front = "front colour",
                             *color = "colour", *background = "background", *picture = "picture",
                             *linear = "linear picture";  // the image before it is encoded
 }

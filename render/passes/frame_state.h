@@ -99,6 +99,7 @@ struct FrameState {
   std::string layer, layerBefore;
   bool anyBehind = false;     // the layer's cast found a crossing
   gi::SeenPoints hitsBehind;  // of the layers, if the look reads baked lighting
+  std::vector<glm::vec3> reflectedHits;  // that the first crossing reflects; those of layers are hitsBehind
 
   // The drawn part: the image, or a tile of it.
   glm::ivec2 drawnSize() const { return request.tile ? request.tile->size : request.size; }

@@ -13,6 +13,7 @@
 #include "render/passes/light_passes.h"
 #include "scene/rules/needs.h"
 #include "volume/field/reconstruct.h"
+#include "volume/parallel_loops.h"
 
 namespace isolux::render {
 
@@ -24,6 +25,7 @@ constexpr int kAround = 4;          // cells per axis that a result is the mean 
 constexpr int kFilteredSize = 192;  // texels per axis of an octahedron's square
 // Mirror directions turn twice as far as normals.
 constexpr float kSharpnessOfExponent = 1.0f, kMostSharp = 256.0f;
+constexpr std::size_t kCellsAtOnce = 1024;
 constexpr float kNotTraced = -1.0f;
 constexpr float kMostVisible =
     16.0f;  // times the filtered environment; light from below comes from above, too
@@ -78,34 +80,58 @@ struct CellPoint {
   float sharpness = 0.0f;  // 1 / (1 - cosine) of normals at which a cell around it counts no more
 };
 
-// The mean of the cells around each that show the same piece of surface and reflect much the same.
+// How much a cell counts for another: none unless both show the same piece of surface and reflect much the
+// same.
+float fitOf(const CellPoint& other, const CellPoint& own) {
+  if (other.surface != own.surface || std::abs(other.depth - own.depth) > own.tolerance) return 0.0f;
+  const float fits = std::max(1.0f - own.sharpness * (1.0f - glm::dot(other.normal, own.normal)), 0.0f);
+  return fits * fits;
+}
+
+struct WeightedReflection {
+  gi::Reflection sum{.lamps = glm::vec3(0.0f)};
+  float weights = 0.0f;
+};
+
+// The means of the cells around each that fit: along rows, then along columns of what rows have.
 std::vector<gi::Reflection> smoothed(const std::vector<gi::Reflection>& of,
                                      const std::vector<CellPoint>& cells, glm::ivec2 size) {
   std::vector<gi::Reflection> result(of.size());
-  for (int y = 0; y < size.y; ++y)
+  std::vector<WeightedReflection> rows(of.size());
+  const auto low = [](int at) { return std::max(at - kAround / 2, 0); };
+  const auto end = [](int at, int count) { return std::min(at + kAround / 2, count); };
+  const auto index = [&](int x, int y) { return static_cast<std::size_t>(y * size.x + x); };
+  volume::parallelEach(size.y, [&](int y) {
     for (int x = 0; x < size.x; ++x) {
-      const auto at = static_cast<std::size_t>(y * size.x + x);
-      const CellPoint& own = cells[at];
-      if (own.surface < 0) continue;
-      gi::Reflection sum{.lamps = glm::vec3(0.0f)};
-      float weights = 0.0f;
-      for (int v = std::max(y - kAround / 2, 0); v < std::min(y + kAround / 2, size.y); ++v)
-        for (int u = std::max(x - kAround / 2, 0); u < std::min(x + kAround / 2, size.x); ++u) {
-          const auto i = static_cast<std::size_t>(v * size.x + u);
-          const CellPoint& other = cells[i];
-          if (other.surface != own.surface || std::abs(other.depth - own.depth) > own.tolerance) continue;
-          const float fits =
-              std::max(1.0f - own.sharpness * (1.0f - glm::dot(other.normal, own.normal)), 0.0f);
-          const float weight = i == at ? 1.0f : fits * fits;
-          if (!(weight > 0.0f)) continue;
-          sum.add(of[i], weight);
-          weights += weight;
-        }
-      sum.met /= weights;
-      sum.unoccluded /= weights;
-      sum.lamps /= weights;
-      result[at] = sum;
+      const std::size_t at = index(x, y);
+      if (cells[at].surface < 0) continue;
+      for (int u = low(x); u < end(x, size.x); ++u) {
+        const std::size_t i = index(u, y);
+        const float weight = i == at ? 1.0f : fitOf(cells[i], cells[at]);
+        if (!(weight > 0.0f)) continue;
+        rows[at].sum.add(of[i], weight);
+        rows[at].weights += weight;
+      }
     }
+  });
+  volume::parallelEach(size.y, [&](int y) {
+    for (int x = 0; x < size.x; ++x) {
+      const std::size_t at = index(x, y);
+      if (cells[at].surface < 0) continue;
+      WeightedReflection all;
+      for (int v = low(y); v < end(y, size.y); ++v) {
+        const std::size_t i = index(x, v);
+        const float weight = i == at ? 1.0f : fitOf(cells[i], cells[at]);
+        if (!(weight > 0.0f)) continue;
+        all.sum.add(rows[i].sum, weight);
+        all.weights += weight * rows[i].weights;
+      }
+      all.sum.met /= all.weights;
+      all.sum.unoccluded /= all.weights;
+      all.sum.lamps /= all.weights;
+      result[at] = all.sum;
+    }
+  });
   return result;
 }
 
@@ -121,7 +147,7 @@ glm::vec3 between(const gi::Environment& map, double column, double row) {
                   glm::mix(at(left, top + 1), at(left + 1, top + 1), x), y);
 }
 
-// The direction of a point of the square [-1, 1]^2 that an octahedron is unfolded to (gloss.frag.glsl).
+// The direction of a point of the square [-1, 1]^2 that an octahedron is unfolded to (gloss.glsl).
 glm::dvec3 ofOctahedron(glm::dvec2 at) {
   glm::dvec3 direction(at, 1.0 - std::abs(at.x) - std::abs(at.y));
   if (direction.z < 0.0) {
@@ -153,6 +179,7 @@ void ReflectionsPass::run(FrameState& frame) {
   static constexpr float open[4] = {0.0f, 0.0f, 0.0f, 1.0f}, white[4] = {1.0f, 1.0f, 1.0f, 1.0f},
                          none[4] = {kNotTraced};
   frame.clear(target, {open, white, none});
+  if (frame.layer.empty()) frame.reflectedHits.clear();
   if (frame.empty() || !frame.light || !frame.light->gloss) return;
   const std::string name = "points of reflections";
   Target& points = frame.images.make(frame.gl, name, cells.size, {GL_RGBA32F, GL_RGBA32F, GL_RGBA32F});
@@ -181,30 +208,46 @@ void ReflectionsPass::trace(FrameState& frame, const Target& target, const Targe
     return glm::vec3(of[4 * i], of[4 * i + 1], of[4 * i + 2]);
   };
   std::vector<CellPoint> cells(places.size() / 4);
-  std::vector<gi::GlossPoint> points;
-  std::vector<std::size_t> of;
+  std::vector<std::size_t> of;  // the cells that are traced
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const int which = static_cast<int>(places[4 * i + 3]);
     if (which < 0) continue;
     const Surface& surface = frame.surfaces[static_cast<std::size_t>(which)];
-    const auto roughness = static_cast<float>(surface.roughness);
-    const gi::FilteredEnvironment* const environment =
-        surface.specular > 0.0 ? light.gloss->of(roughness) : nullptr;
-    if (!environment) continue;
-    const glm::ivec2 cell = first + glm::ivec2(static_cast<int>(i) % size.x, static_cast<int>(i) / size.x);
-    const glm::vec3 voxel = vectorAt(places, i), normal = vectorAt(normals, i), ray = vectorAt(rays, i);
-    const double value = trilinear ? surface.value : volume::sampleTrilinear(grid, glm::dvec3(voxel)).value;
-    const float depth = normals[4 * i + 3];
-    cells[i] = {which, depth, perDepth * (frame.view->orthographic ? 1.0f : depth), normal,
-                std::min(kSharpnessOfExponent * gi::glossExponent(roughness), kMostSharp)};
-    points.push_back({voxel, static_cast<float>(grid.storedOfValue(value)), normal,
-                      ray - 2.0f * std::min(glm::dot(ray, normal), 0.0f) * normal,
-                      gi::glossExponent(roughness), seedOf(cell), placeOf(cell), environment});
+    if (!(surface.specular > 0.0) || !light.gloss->of(static_cast<float>(surface.roughness))) continue;
+    cells[i].surface = which;
     of.push_back(i);
   }
+  std::vector<gi::GlossPoint> points(of.size());
+  volume::parallelRanges(of.size(), kCellsAtOnce, [&](const volume::Indices<std::size_t>& range) {
+    for (std::size_t k = range.first; k < range.last; ++k) {
+      const std::size_t i = of[k];
+      const Surface& surface = frame.surfaces[static_cast<std::size_t>(cells[i].surface)];
+      const auto roughness = static_cast<float>(surface.roughness);
+      const float exponent = gi::glossExponent(roughness), depth = normals[4 * i + 3];
+      const glm::ivec2 cell =
+          first + glm::ivec2(static_cast<int>(i) % size.x, static_cast<int>(i) / size.x);
+      const glm::vec3 voxel = vectorAt(places, i), normal = vectorAt(normals, i), ray = vectorAt(rays, i);
+      const double value =
+          trilinear ? surface.value : volume::sampleTrilinear(grid, glm::dvec3(voxel)).value;
+      cells[i] = {cells[i].surface, depth, perDepth * (frame.view->orthographic ? 1.0f : depth), normal,
+                  std::min(kSharpnessOfExponent * exponent, kMostSharp)};
+      points[k] = {voxel,
+                   static_cast<float>(grid.storedOfValue(value)),
+                   normal,
+                   ray - 2.0f * std::min(glm::dot(ray, normal), 0.0f) * normal,
+                   exponent,
+                   seedOf(cell),
+                   placeOf(cell),
+                   light.gloss->of(roughness)};
+    }
+  });
   std::vector<gi::Reflection> traced(points.size()), all(cells.size());
   if (!gi::reflectionsOf(light, points, 1, traced, frame.request.stop)) return;
-  for (std::size_t k = 0; k < of.size(); ++k) all[of[k]] = traced[k];
+  std::vector<glm::vec3>& hits = frame.layer.empty() ? frame.reflectedHits : frame.hitsBehind.outer;
+  for (std::size_t k = 0; k < of.size(); ++k) {
+    all[of[k]] = traced[k];
+    if (traced[k].met > 0.0f) hits.push_back(traced[k].hit);
+  }
   all = smoothed(all, cells, size);
   std::vector<glm::vec4> reflected;
   std::vector<glm::u8vec4> lamps;
@@ -224,32 +267,36 @@ void ReflectionsPass::trace(FrameState& frame, const Target& target, const Targe
   gl.TextureSubImage2D(target.images[2].id(), 0, 0, 0, size.x, size.y, GL_RED, GL_FLOAT, depths.data());
 }
 
-void GlossPass::declare(Declaring& d) const {
-  d.reads(image::surface).reads(image::gradient).reads(image::reflections).writes(image::gloss, 8);
-  d.notNeeded("no surface is glossy");
+std::optional<LookInput> ReflectionsPass::forLook(const scene::Scene& scene) const {
+  if (!scene::showsGloss(scene)) return std::nullopt;
+  return LookInput{image::reflections, "GLOSS", {"uReflected", "uLampsSeen", "uCellDepth"}};
+}
+
+void GlossUniforms::declare(Declaring& d) {
   declareGloss(d);
   if (d.asked.light.gloss) d.settings({"isosurface.specular", "isosurface#.specular"});
 }
 
-std::optional<LookInput> GlossPass::forLook(const scene::Scene& scene) const {
-  if (!scene::showsGloss(scene)) return std::nullopt;
-  return LookInput{image::gloss, "GLOSS", {"uGloss"}};
+std::string GlossUniforms::defines(const FrameState& frame) {
+  return frame.lighting->lampDefines(frame);
 }
 
-void GlossPass::forget() {
+void GlossUniforms::forget() {
   environments_ = Texture();
   of_.clear();
 }
 
-void GlossPass::setEnvironments(FrameState& frame, Program& p, int unit) {
-  const gi::GlossLight& gloss = *frame.light->gloss;
-  const glm::ivec3 size(kFilteredSize, kFilteredSize, static_cast<int>(gloss.environments.size()));
-  if (of_ != gloss.environments) {
+void GlossUniforms::set(FrameState& frame, Program& p, int unit) {
+  glm::vec4 specular(0.0f), roughness(1.0f), layers(0.0f);
+  const gi::GlossLight* const gloss = frame.light ? frame.light->gloss.get() : nullptr;
+  if (!gloss) return p.set("uReflectance", specular);
+  const glm::ivec2 size(kFilteredSize, kFilteredSize * static_cast<int>(gloss->environments.size()));
+  if (of_ != gloss->environments) {
     std::vector<glm::vec3> texels;
-    for (const auto& environment : gloss.environments) {
+    for (const auto& environment : gloss->environments) {
       const gi::Environment& map = environment->filtered();
-      for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x) {
+      for (int y = 0; y < kFilteredSize; ++y)
+        for (int x = 0; x < kFilteredSize; ++x) {
           const glm::dvec3 d =
               ofOctahedron((2.0 * glm::dvec2(x, y) + 1.0) / static_cast<double>(kFilteredSize) - 1.0);
           texels.push_back(between(map, (0.5 + std::atan2(d.x, d.y) / (2.0 * std::numbers::pi)) * map.width(),
@@ -257,16 +304,20 @@ void GlossPass::setEnvironments(FrameState& frame, Program& p, int unit) {
         }
     }
     environments_ = Texture();
-    environments_ = Texture::make3D(frame.gl, GL_RGBA16F, size, true);
+    environments_ = Texture::make2D(frame.gl, GL_RGBA16F, size);
     frame.gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    frame.gl->TextureSubImage3D(environments_.id(), 0, 0, 0, 0, size.x, size.y, size.z, GL_RGB, GL_FLOAT,
+    frame.gl->TextureSubImage2D(environments_.id(), 0, 0, 0, size.x, size.y, GL_RGB, GL_FLOAT,
                                 texels.data());
-    of_ = gloss.environments;
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+      frame.gl->TextureParameteri(environments_.id(), filter, GL_LINEAR);
+    of_ = gloss->environments;
   }
   p.setTexture("uFiltered", unit, environments_);
-  p.set("uEnvironmentFromWorld", frame.light->environmentFromWorld);
-  p.set("uEnvironmentScale", frame.light->backgroundScale);
-  glm::vec4 specular(0.0f), roughness(1.0f), layers(0.0f);
+  p.set("uGlossFromWorld", frame.light->environmentFromWorld);
+  p.set("uGlossScale", frame.light->backgroundScale);
+  p.set("uFirstCell", cellsOf(frame).first);
+  p.set("uCellSize", static_cast<float>(cellOf(frame.request)));
+  frame.lighting->setLocalLight(frame, p);
   for (std::size_t i = 0; i < frame.surfaces.size(); ++i) {
     const auto at = static_cast<int>(i);
     const auto of = static_cast<float>(frame.surfaces[i].roughness);
@@ -275,28 +326,11 @@ void GlossPass::setEnvironments(FrameState& frame, Program& p, int unit) {
     if (found == of_.end()) continue;  // matt
     specular[at] = static_cast<float>(frame.surfaces[i].specular);
     roughness[at] = of;
-    layers[at] = (static_cast<float>(found - of_.begin()) + 0.5f) / static_cast<float>(size.z);
+    layers[at] = static_cast<float>(found - of_.begin());
   }
-  p.set("uSpecular", specular);
+  p.set("uReflectance", specular);
   p.set("uRoughness", roughness);
-  p.set("uLayer", layers);
-}
-
-void GlossPass::run(FrameState& frame) {
-  Target& target = frame.target(image::gloss, {GL_RGBA16F});
-  if (frame.empty() || !frame.light || !frame.light->gloss) return frame.clear(target, {kZero});
-  Program& p = frame.program(shader, frame.lighting->lampDefines(frame));
-  frame.setView(p);
-  frame.setPoint(p, 0);
-  frame.lighting->setLocalLight(frame, p);
-  const Target& reflections = frame.images.at(image::reflections + frame.layer);
-  p.setTexture("uReflected", 3, reflections.images[0]);
-  p.setTexture("uLampsSeen", 4, reflections.images[1]);
-  p.setTexture("uDepth", 5, reflections.images[2]);
-  p.set("uFirstCell", cellsOf(frame).first);
-  p.set("uCellSize", static_cast<float>(cellOf(frame.request)));
-  setEnvironments(frame, p, 6);
-  frame.drawHits(target, p);
+  p.set("uFilteredLayer", layers);
 }
 
 }  // namespace isolux::render

@@ -1,4 +1,5 @@
-// Draws what glossy surfaces reflect under global illumination: the passes reflections and gloss.
+// Traces what glossy surfaces reflect under global illumination, and sets what the look's shader reads of it
+// (resources/shaders/light/gloss.glsl).
 //
 // Rays are traced on the CPU whatever the executor (gi/gloss/reflections.h), one for each cell of 2 x 2
 // pixels, or 4 x 4 in frames of one ray a pixel. A cell's result is the mean over the cells around it that
@@ -6,6 +7,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "gi/gloss/reflections.h"
@@ -17,8 +19,9 @@ namespace isolux::render {
 // Traces reflections at one point of each cell.
 class ReflectionsPass : public Pass {
  public:
-  ReflectionsPass() : Pass("reflections", "reflections.frag.glsl", {.ofCrossing = true}) {}
+  ReflectionsPass() : Pass(pass::reflections, "reflections.frag.glsl", {.ofCrossing = true}) {}
   void declare(Declaring& d) const override;
+  std::optional<LookInput> forLook(const scene::Scene& scene) const override;
   void run(FrameState& frame) override;
 
  private:
@@ -26,19 +29,16 @@ class ReflectionsPass : public Pass {
   static void trace(FrameState& frame, const Target& target, const Target& points, glm::ivec2 first);
 };
 
-// Computes the reflected radiance and its share at every ray.
-class GlossPass : public Pass {
+// Sets the uniforms of gloss.glsl that are not of the reflections' images.
+class GlossUniforms {
  public:
-  GlossPass() : Pass("gloss", "gloss.frag.glsl", {.ofCrossing = true}) {}
-  void declare(Declaring& d) const override;
-  std::optional<LookInput> forLook(const scene::Scene& scene) const override;
-  void run(FrameState& frame) override;
-  void forget() override;
+  static void declare(Declaring& d);
+  static std::string defines(const FrameState& frame);
+  void set(FrameState& frame, Program& program, int unit);
+  void forget();
 
  private:
-  void setEnvironments(FrameState& frame, Program& program, int unit);
-
-  Texture environments_;  // layers in the order of GlossLight::environments
+  Texture environments_;  // squares in the order of GlossLight::environments
   std::vector<std::shared_ptr<const gi::FilteredEnvironment>> of_;
 };
 

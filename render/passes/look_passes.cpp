@@ -302,17 +302,21 @@ void ShadePass::declare(Declaring& d) const {
     d.settings({"isosurface.inside"});
   if (fogIsBackground(d.asked)) d.settings({"look.background_top", "look.background_bottom"});
   addExposure(d);
+  if (scene::showsGloss(d.asked.scene)) GlossUniforms::declare(d);
 }
 
 Program& ShadePass::prepared(FrameState& frame) {
   const std::vector<LookInput> inputs = inputsOf(frame);
-  Program& p = frame.program(shader, definesOf(*frame.scene, frame.bricks() != nullptr, inputs));
+  const bool gloss = scene::showsGloss(*frame.scene);
+  Program& p = frame.program(shader, definesOf(*frame.scene, frame.bricks() != nullptr, inputs) +
+                                         (gloss ? GlossUniforms::defines(frame) : std::string()));
   frame.setView(p);
   frame.setPoint(p, surfaceUnit);
   int unit = firstInputUnit;
   for (const LookInput& input : inputs)
     for (std::size_t i = 0; i < input.samplers.size(); ++i)
       p.setTexture(input.samplers[i], unit++, frame.image(input.image, i));
+  if (gloss) gloss_.set(frame, p, unit++);
   if (scene::showsSecondVolume(*frame.scene)) setSecond(frame, p, unit++);
   if (p.uses("uCrevices")) setCrevices(frame, p, unit);
   setSurfaces(frame, p);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/passes/frame_state.h"
+#include "render/passes/gloss_passes.h"
 
 namespace isolux::render {
 
@@ -24,6 +25,7 @@ class ShadePass : public Pass {
     colors_ = Texture();
     secondColors_ = Texture();
     crevices_ = Texture();
+    gloss_.forget();
   }
 
  private:
@@ -41,6 +43,7 @@ class ShadePass : public Pass {
   scene::Look colorsOf_;
   Texture secondColors_;  // of the second volume
   scene::ColorMap secondColorsOf_ = scene::ColorMap::automatic;
+  GlossUniforms gloss_;
   Texture crevices_;  // of look.accessibility_points
   std::optional<std::vector<scene::ColorPoint>> crevicesOf_;
 };

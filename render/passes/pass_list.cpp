@@ -52,7 +52,6 @@ PassList makePasses() {
       LightPass,       // uploads of stored light
       IrradiancePass,  // light at the surface points
       ReflectionsPass,  // what glossy surfaces reflect, at some points
-      GlossPass,       // and everywhere
       ShadePass,       // the look, linear colour, of the first crossing
       LayersPass,      // the crossings behind transparent surfaces
       BackgroundPass,  // the picture of nothing

@@ -294,6 +294,7 @@ void Viewport::setFlowTime(double seconds) {
 }
 
 void Viewport::setLight(LightPointer light, bool changing, bool shown) {
+  if (light != light_) seenReflections_ = 0.0;
   light_ = std::move(light);
   showsLight_ = shown;
   // What few rays of the full picture still lack comes into that picture.

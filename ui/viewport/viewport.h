@@ -183,6 +183,7 @@ class Viewport : public QWidget {
   void awaitFields(const QString& what);
   std::unique_ptr<app::PictureThread::Still> awaitStill(const QString& what);
   render::FrameRequest::Hits wantedHits(const render::FrameRequest& request) const;
+  double toldRays() const;    // of this view, in the finest picture that told all that is lit
   bool toldEveryRay() const;  // of this view, at full size
   void poll();
   void setDrawing(bool draws);
@@ -307,6 +308,7 @@ class Viewport : public QWidget {
   // none.
   std::uint64_t view_ = 0;
   double seenRays_ = 0.0;
+  double seenReflections_ = 0.0;  // the same, with what glossy surfaces reflect in it
   QElapsedTimer sinceSeen_;
   QTimer refineTimer_, pointTimer_, fieldTimer_, turnTimer_, fadeTimer_;
   int turnMilliseconds_ = 0;

@@ -248,18 +248,23 @@ app::PictureOrder Viewport::orderOf(const render::FrameRequest& request, bool at
 render::FrameRequest::Hits Viewport::wantedHits(const render::FrameRequest& request) const {
   using Hits = render::FrameRequest::Hits;
   if (!volume_ || scene::shadingOf(resolved_) != scene::Shading::gi) return Hits::none;
-  if (raysOf(request) <= seenRays_) return Hits::none;
+  if (raysOf(request) <= toldRays()) return Hits::none;
   if (quality_.stage() != app::PictureQuality::Stage::moving)
     return quality_.complete() && raysOf(request) <= mostRaysTold ? Hits::all : Hits::many;
   const bool due = !sinceSeen_.isValid() || sinceSeen_.elapsed() >= seenMilliseconds;
   return due ? Hits::many : Hits::none;
 }
 
+// Pictures without baked light reflect nothing.
+double Viewport::toldRays() const {
+  return scene::showsGloss(resolved_) && !standsIn() ? std::min(seenRays_, seenReflections_) : seenRays_;
+}
+
 bool Viewport::toldEveryRay() const {
   render::FrameRequest full;
   full.size = pixelSize();
   full.supersampling = std::clamp(resolved_.picture.supersampling, 1, 4);
-  return seenRays_ >= raysOf(full);
+  return toldRays() >= raysOf(full);
 }
 
 void Viewport::poll() {
@@ -373,12 +378,18 @@ void Viewport::tellSeen(const app::DrawnPicture& picture, std::uint64_t view) {
   const bool same = view == view_;
   sinceSeen_.start();
   Q_EMIT seen(picture.hitVoxels, same && seenRays_ > 0.0);
-  if (same) seenRays_ = raysOf(picture.request);
+  if (!same) return;
+  seenRays_ = raysOf(picture.request);
+  const auto reflects = [](const render::PassReport& pass) {
+    return pass.name == render::pass::reflections && pass.state != render::PassState::skipped;
+  };
+  const auto& passes = picture.report.passes;
+  if (std::any_of(passes.begin(), passes.end(), reflects)) seenReflections_ = seenRays_;
 }
 
 void Viewport::viewChanged() {
   ++view_;
-  seenRays_ = 0.0;
+  seenRays_ = seenReflections_ = 0.0;
 }
 
 bool Viewport::restDiffers() const {

@@ -18,14 +18,14 @@ vec3 lighted(vec3 base, Point p, float lit) {
 uniform sampler2D uIrradiance;
 uniform float uExposure;  // 2^stops
 #ifdef GLOSS
-uniform sampler2D uGloss;  // gloss.frag.glsl
+#include "gloss.glsl"
 #endif
 
 vec3 lighted(vec3 base, Point p, float lit) {
   const float pi = 3.14159265;
   vec3 diffuse = base * texelFetch(uIrradiance, ivec2(fragment()), 0).rgb * (uExposure / pi);
 #ifdef GLOSS
-  vec4 gloss = texelFetch(uGloss, ivec2(fragment()), 0);
+  vec4 gloss = glossAt(p, int(texelFetch(uInfo, ivec2(fragment()), 0).g) & 3);
   return mix(diffuse, gloss.rgb * uExposure, gloss.a);
 #else
   return diffuse;

@@ -116,11 +116,40 @@ TEST_F(GlossGlTest, MattSurfacesAskForNothing) {
   use("phantom:torus:32", {});
   drawn();
   EXPECT_FALSE(ran("reflections"));
-  EXPECT_FALSE(ran("gloss"));
   use("phantom:torus:32", {"isosurface.specular=0.05"});
   drawn();
   EXPECT_TRUE(ran("reflections"));
-  EXPECT_TRUE(ran("gloss"));
+}
+
+TEST_F(GlossGlTest, FramesReportWhatTheyReflect) {
+  const auto reported = [&](const char* specular) {
+    use("phantom:gyroid:48", {std::string("isosurface.specular=") + specular});
+    drawn();
+    return renderer_->hitVoxels().outer.size();
+  };
+  const std::size_t matt = reported("0");
+  EXPECT_GT(reported("0.3"), matt + 50);
+  EXPECT_EQ(reported("0"), matt);
+}
+
+// A picture that is drawn again asks for no light that is not there: reopened, it is the same.
+TEST_F(GlossGlTest, ReflectedPointsAreLit) {
+  use("phantom:gyroid:48", {"isosurface.specular=0.4", "isosurface.roughness=0.2", "gi.samples=16"});
+  render::FrameRequest request;
+  request.size = {96, 96};
+  request.supersampling = 2;
+  app::LightController controller{{}};
+  base::Progress progress;
+  app::lightPicture(controller, *renderer_, scene_, request, volume_, progress);
+  const std::uint64_t lit = controller.state().counters.texelsLit;
+  renderer_->render(scene_, request);
+  controller.setVisible(renderer_->hitVoxels());
+  ASSERT_TRUE(controller.finish(progress));
+  EXPECT_EQ(controller.state().counters.texelsLit, lit);
+  scene_.isosurface.specular = 0.0;
+  app::LightController matt{{}};
+  app::lightPicture(matt, *renderer_, scene_, request, volume_, progress);
+  EXPECT_LT(matt.state().counters.texelsLit, lit);
 }
 
 }  // namespace

@@ -1,29 +1,28 @@
 // What a glossy surface reflects: the environment filtered by its lobe (gi/gloss/gloss_lobe.h) as far as it is seen,
-// the surface itself, and the light sources. LAMP_COUNT: as in local_light.glsl.
-#include "common.glsl"
-#include "surface.glsl"
+// the surface itself, and the light sources. Needs surface.glsl. LAMP_COUNT: as in local_light.glsl.
 #include "local_light.glsl"
 
-uniform vec4 uSpecular, uRoughness;  // of each surface
-uniform vec4 uLayer;                 // the coordinate of each in uFiltered
-uniform sampler3D uFiltered;         // gi/gloss/filtered_environment.h, a layer for each roughness
-uniform mat3 uEnvironmentFromWorld;
-uniform float uEnvironmentScale;
+uniform vec4 uReflectance, uRoughness;  // of each surface
+uniform vec4 uFilteredLayer;
+uniform sampler2D uFiltered;  // gi/gloss/filtered_environment.h, a square for each roughness, one above the other
+uniform mat3 uGlossFromWorld;  // to the environment
+uniform float uGlossScale;     // of the environment
 uniform sampler2D uReflected;  // of each cell: radiance of the surface; the part of the environment that is seen
 uniform sampler2D uLampsSeen;  // the part of each lamp
-uniform sampler2D uDepth;               // mm; -1: not traced
+uniform sampler2D uCellDepth;  // mm; -1: not traced
 uniform ivec2 uFirstCell;
 uniform float uCellSize;  // rays
-layout(location = 0) out vec4 oGloss;  // R; F
 
 const float kPi = 3.14159265;
 
 // An octahedron unfolded to a square: no angles, and texels of about one size.
 vec3 environment(vec3 world, float layer) {
-  vec3 d = uEnvironmentFromWorld * world;
+  vec3 d = uGlossFromWorld * world;
   d /= abs(d.x) + abs(d.y) + abs(d.z);
   vec2 at = d.z >= 0.0 ? d.xy : (1.0 - abs(d.yx)) * vec2(d.x >= 0.0 ? 1.0 : -1.0, d.y >= 0.0 ? 1.0 : -1.0);
-  return uEnvironmentScale * textureLod(uFiltered, vec3(0.5 * at + 0.5, layer), 0.0).rgb;
+  vec2 size = vec2(textureSize(uFiltered, 0));
+  float row = clamp((0.5 * at.y + 0.5) * size.x, 0.5, size.x - 0.5) + layer * size.x;  // not of the next square
+  return uGlossScale * textureLod(uFiltered, vec2(0.5 * at.x + 0.5, row / size.y), 0.0).rgb;
 }
 
 float lobe(float exponent, float cosine) {
@@ -57,62 +56,48 @@ vec3 lampLight(Lamp lamp, Point p, vec3 mirror, float exponent) {
   return light * sum / float(kPoints);
 }
 
-// The mean of the cells around that show the same piece of surface; the nearest, where none does.
+// The mean of the cells around that show the same piece of surface; the nearest in depth, where none does.
 void reflectedAt(Point p, out vec4 reflected, out vec3 seen) {
   vec2 at = inPicture(fragment()) / uCellSize - vec2(uFirstCell) - 0.5;
   ivec2 low = ivec2(floor(at)), last = textureSize(uReflected, 0) - 1;
+  ivec4 cells = ivec4(clamp(low, ivec2(0), last), clamp(low + 1, ivec2(0), last));
+  ivec2 corners[4] = ivec2[4](cells.xy, cells.zy, cells.xw, cells.zw);
+  vec4 depths;
+  for (int i = 0; i < 4; ++i) depths[i] = texelFetch(uCellDepth, corners[i], 0).r;
+  vec4 away = mix(abs(depths - p.depth), vec4(3e37), lessThan(depths, vec4(0.0)));
   vec2 part = at - vec2(low);
-  float tolerance = 4.0 * p.footprint * uCellSize, nearest = 3e37, sum = 0.0;
-  reflected = vec4(0.0, 0.0, 0.0, 1.0);
-  seen = vec3(1.0);
-  vec4 reflections = vec4(0.0);
-  vec3 sights = vec3(0.0);
-  for (int i = 0; i < 4; ++i) {
-    ivec2 corner = ivec2(i & 1, i >> 1), cell = clamp(low + corner, ivec2(0), last);
-    float depth = texelFetch(uDepth, cell, 0).r;
-    if (depth < 0.0) continue;
-    vec4 here = texelFetch(uReflected, cell, 0);
-#if LAMP_COUNT > 0
-    vec3 lamps = texelFetch(uLampsSeen, cell, 0).rgb;
-#else
-    vec3 lamps = vec3(1.0);
-#endif
-    float away = abs(depth - p.depth);
-    if (away < nearest) {
-      nearest = away;
-      reflected = here;
-      seen = lamps;
-    }
-    if (away > tolerance) continue;
-    vec2 weights = mix(1.0 - part, part, vec2(corner));
-    reflections += weights.x * weights.y * here;
-    sights += weights.x * weights.y * lamps;
-    sum += weights.x * weights.y;
+  vec4 weights = vec4(1.0 - part.x, part.x, 1.0 - part.x, part.x) * vec4(vec2(1.0 - part.y), vec2(part.y));
+  weights *= step(away, vec4(4.0 * p.footprint * uCellSize));
+  float sum = dot(weights, vec4(1.0));
+  if (!(sum > 1e-4)) {
+    float nearest = min(min(away.x, away.y), min(away.z, away.w));
+    weights = step(away, vec4(nearest));
+    sum = dot(weights, vec4(1.0));
   }
-  if (sum > 1e-4) {
-    reflected = reflections / sum;
-    seen = sights / sum;
+  weights /= sum;
+  reflected = vec4(0.0);
+  seen = vec3(0.0);
+  for (int i = 0; i < 4; ++i) {
+    reflected += weights[i] * texelFetch(uReflected, corners[i], 0);
+#if LAMP_COUNT > 0
+    seen += weights[i] * texelFetch(uLampsSeen, corners[i], 0).rgb;
+#endif
   }
 }
 
-void main() {
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
-  oGloss = vec4(0.0);
-  vec4 surface = texelFetch(uSurface, pixel, 0);
-  if (surface.w < 0.0) return;
-  int which = int(texelFetch(uInfo, pixel, 0).g) & 3;
-  float specular = uSpecular[which], roughness = uRoughness[which];
-  Point p = pointAt(pixel, surface);
-  if (!(specular > 0.0) || p.side < 0.0) return;
+// R; F.
+vec4 glossAt(Point p, int which) {
+  float specular = uReflectance[which], roughness = uRoughness[which];
+  if (!(specular > 0.0) || p.side < 0.0) return vec4(0.0);
   float square = roughness * roughness, exponent = 0.5 / (square * square) - 0.5;
   float cosine = clamp(-dot(p.normal, p.ray), 0.0, 1.0), away = 1.0 - cosine;
   vec3 mirror = p.ray + 2.0 * cosine * p.normal, seen;
   vec4 reflected;
   reflectedAt(p, reflected, seen);
-  vec3 radiance = reflected.a * environment(mirror, uLayer[which]) + reflected.rgb;
+  vec3 radiance = reflected.a * environment(mirror, uFilteredLayer[which]) + reflected.rgb;
 #if LAMP_COUNT > 0
   for (int i = 0; i < LAMP_COUNT; ++i) radiance += seen[i] * lampLight(uLamps[i], p, mirror, exponent);
 #endif
   float steep = max(1.0 - roughness, specular) - specular;
-  oGloss = vec4(clamp(radiance, 0.0, 60000.0), specular + steep * away * away * away * away * away);
+  return vec4(radiance, specular + steep * away * away * away * away * away);
 }
