@@ -180,6 +180,7 @@ SettingsDict = TypedDict("SettingsDict", {
     "light.environment.exposure": float,  # Exposure of the environment: multiplies its radiance by 2 to this power.
     "light.environment.moves": bool,  # With gi.mode=auto, bakes light such that the environment can be rotated or exchanged without another bake.
     "light.environment.visible": bool,  # Shows the environment behind the surface.
+    "light.environment.shadows": bool,  # The surface occludes the environment; off, its light reaches every point, and reflected light stays.
     "lamp1.shown": bool,  # Switches on a light source of global illumination.
     "lamp1.kind": Literal["point", "directional", "sphere"],  # Kind of the light source: point, distant (directional) or sphere light.
     "lamp1.position": Sequence[Any] | str | Literal["auto"] | None,  # Position of a point or sphere light; auto is above the volume, towards the front and the left.
@@ -188,6 +189,7 @@ SettingsDict = TypedDict("SettingsDict", {
     "lamp1.angle": float,  # Angular diameter of a distant light; the sun has 0.53, 0 gives hard shadows.
     "lamp1.color": Sequence[Any] | str,  # Colour of the light source.
     "lamp1.intensity": float,  # Brightness of a white surface that faces the light source at the volume's centre.
+    "lamp1.shadows": bool,  # The light source casts shadows; off, its light reaches every point that faces it, and reflected light stays.
     "lamp2.shown": bool,  # Switches on a light source of global illumination.
     "lamp2.kind": Literal["point", "directional", "sphere"],  # Kind of the light source: point, distant (directional) or sphere light.
     "lamp2.position": Sequence[Any] | str | Literal["auto"] | None,  # Position of a point or sphere light; auto is above the volume, towards the front and the left.
@@ -196,6 +198,7 @@ SettingsDict = TypedDict("SettingsDict", {
     "lamp2.angle": float,  # Angular diameter of a distant light; the sun has 0.53, 0 gives hard shadows.
     "lamp2.color": Sequence[Any] | str,  # Colour of the light source.
     "lamp2.intensity": float,  # Brightness of a white surface that faces the light source at the volume's centre.
+    "lamp2.shadows": bool,  # The light source casts shadows; off, its light reaches every point that faces it, and reflected light stays.
     "lamp3.shown": bool,  # Switches on a light source of global illumination.
     "lamp3.kind": Literal["point", "directional", "sphere"],  # Kind of the light source: point, distant (directional) or sphere light.
     "lamp3.position": Sequence[Any] | str | Literal["auto"] | None,  # Position of a point or sphere light; auto is above the volume, towards the front and the left.
@@ -204,10 +207,11 @@ SettingsDict = TypedDict("SettingsDict", {
     "lamp3.angle": float,  # Angular diameter of a distant light; the sun has 0.53, 0 gives hard shadows.
     "lamp3.color": Sequence[Any] | str,  # Colour of the light source.
     "lamp3.intensity": float,  # Brightness of a white surface that faces the light source at the volume's centre.
+    "lamp3.shadows": bool,  # The light source casts shadows; off, its light reaches every point that faces it, and reflected light stays.
     "gi.mode": Literal["auto", "off", "irradiance", "transfer", "vicinity", "shadow"],  # Quantity that is baked: irradiance (static light), transfer (spherical harmonics, rotatable environment), vicinity (constant environment, no bounces) or shadow (no bounces). auto bakes the cheapest that the scene allows.
     "gi.extent": Literal["full", "band", "view"],  # Texels that are lit: all, those needed for the isovalues of gi.band, or the visible ones.
     "gi.band": Sequence[Any] | str | Literal["auto"] | None,  # Isovalues of interest, low and high; auto is the isovalue ± a twentieth of the volume's range.
-    "gi.texels": Literal["auto", "own", "shown"],  # Surface on which texels are lit. own: each sample's own isosurface, for any isovalue. shown: the displayed isosurface, which is more accurate, but for one isovalue. auto is shown with gi.extent=view, otherwise own. With several isosurfaces, it is own.
+    "gi.texels": Literal["auto", "own", "shown"],  # Surface on which texels are lit. own: each sample's own isosurface, for any isovalue. shown: the displayed isosurface, which is more accurate, but for one isovalue. auto is shown with gi.extent=view, otherwise own. With several isosurfaces that are not too transparent, it is own.
     "gi.samples": int,  # Light paths per texel; four times as many halve the noise.
     "gi.sequence": Literal["sobol_owen", "r2", "random"],  # Sampling sequence of path directions: scrambled Sobol points, Roberts' R2 shifted per texel, or independent random numbers.
     "gi.bounces": int,  # Maximum number of diffuse reflections of a light path; 0 is direct light only.
@@ -220,6 +224,7 @@ SettingsDict = TypedDict("SettingsDict", {
     "gi.sh_window": float,  # Damping of the environment's high bands against ringing.
     "gi.components": int,  # Maximum number of principal components to which baked transfer is compressed.
     "gi.component_bits": int,  # Mean number of bits per principal component; components that vary more get more. The bits of a texel are rounded up to a multiple of 32.
+    "gi.ground": bool,  # Shows the shadow of the surface on the ground: a horizontal plane under it, seen from above.
     "camera.eye": Sequence[Any] | str | Literal["auto"] | None,  # Position of the viewer; auto follows camera.frames.
     "camera.target": Sequence[Any] | str | Literal["auto"] | None,  # Point that the camera looks at and turns about; auto is the centre of the framed object.
     "camera.up": Sequence[Any] | str | Literal["auto"] | None,  # Upward direction of the image; auto is superior (y for meshes), or anterior (the front) when looking along it.

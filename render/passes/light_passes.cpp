@@ -310,7 +310,9 @@ void IrradiancePass::declare(Declaring& d) const {
   d.reads(image::surface).reads(image::gradient).writes(image::irradiance, 16);
   d.notNeeded("no look reads light of the surface points");
   d.settings({"camera."}).input("light", light.version);
-  if (scene::isTransparent(d.asked.scene))
+  const bool transparent = scene::isTransparent(d.asked.scene);
+  d.input("light comes through", transparent);
+  if (transparent)
     d.settings({"isosurface.opacity", "isosurface#.opacity", "isosurface.facing_opacity",
                 "isosurface#.facing_opacity", "isosurface.albedo", "isosurface#.albedo",
                 "isosurface.albedo_map", "isosurface.albedo_source", "isosurface.albedo_low",

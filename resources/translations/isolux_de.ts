@@ -5198,10 +5198,6 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>die Stärke der Grat- und Tallinien ist 0</translation>
     </message>
     <message>
-        <source>several isosurfaces are shown</source>
-        <translation>mehrere Isoflächen werden gezeigt</translation>
-    </message>
-    <message>
         <source>the slab thickness is 0</source>
         <translation>die Dicke der Schichten ist 0</translation>
     </message>
@@ -5396,6 +5392,10 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     <message>
         <source>the surface is matt</source>
         <translation>die Fläche ist matt</translation>
+    </message>
+    <message>
+        <source>several isosurfaces are lit</source>
+        <translation>mehrere Isoflächen sind beleuchtet</translation>
     </message>
 </context>
 <context>
@@ -6312,10 +6312,6 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Position eines Punkt- oder Kugellichts; auto ist über dem Volumen, vorn und links.</translation>
     </message>
     <message>
-        <source>Surface on which texels are lit. own: each sample&apos;s own isosurface, for any isovalue. shown: the displayed isosurface, which is more accurate, but for one isovalue. auto is shown with gi.extent=view, otherwise own. With several isosurfaces, it is own.</source>
-        <translation>Fläche, auf der Texel beleuchtet werden. own: die eigene Isofläche jedes Abtastwerts, für jeden Isowert. shown: die gezeigte Isofläche, was genauer ist, aber für einen Isowert. auto ist shown bei gi.extent=view, sonst own. Bei mehreren Isoflächen gilt own.</translation>
-    </message>
-    <message>
         <source>Current time of the flow animation.</source>
         <translation>Zeitpunkt der Strömungsanimation.</translation>
     </message>
@@ -6518,6 +6514,22 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     <message>
         <source>Basis of automatic exposure: the light that the surface receives, whatever its colour, or the lights. The surface is that of the image when a volume is drawn, and that of the front in sessions and the window. The lights make an unoccluded white surface nearly white. brightness: the light that leaves the front, with its colour, as before session version 9.</source>
         <translation>Grundlage der automatischen Belichtung: das Licht, das die Fläche empfängt, gleich welcher Farbe, oder die Lichtquellen. Gemessen wird die Fläche im Bild, wenn ein Volumen gezeichnet wird, und die Vorderansicht in Sitzungen und im Fenster. Die Lichtquellen machen eine unverdeckte weiße Fläche fast weiß. brightness: das Licht, das die Vorderansicht mit ihrer Farbe verlässt, wie vor Sitzungsversion 9.</translation>
+    </message>
+    <message>
+        <source>Shows the shadow of the surface on the ground: a horizontal plane under it, seen from above.</source>
+        <translation>Zeigt den Schatten der Fläche auf dem Boden: einer waagerechten Ebene unter ihr, von oben gesehen.</translation>
+    </message>
+    <message>
+        <source>Surface on which texels are lit. own: each sample&apos;s own isosurface, for any isovalue. shown: the displayed isosurface, which is more accurate, but for one isovalue. auto is shown with gi.extent=view, otherwise own. With several isosurfaces that are not too transparent, it is own.</source>
+        <translation>Fläche, auf der Texel beleuchtet werden. own: die eigene Isofläche jedes Abtastwerts, für jeden Isowert. shown: die gezeigte Isofläche, was genauer ist, aber für einen Isowert. auto ist shown bei gi.extent=view, sonst own. Bei mehreren Isoflächen, die nicht zu durchsichtig sind, gilt own.</translation>
+    </message>
+    <message>
+        <source>The light source casts shadows; off, its light reaches every point that faces it, and reflected light stays.</source>
+        <translation>Die Lichtquelle wirft Schatten; aus: Ihr Licht erreicht jeden Punkt, der ihr zugewandt ist, und reflektiertes Licht bleibt.</translation>
+    </message>
+    <message>
+        <source>The surface occludes the environment; off, its light reaches every point, and reflected light stays.</source>
+        <translation>Die Fläche verdeckt die Umgebung; aus: Ihr Licht erreicht jeden Punkt, und reflektiertes Licht bleibt.</translation>
     </message>
 </context>
 <context>
@@ -8867,6 +8879,34 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     <message>
         <source>Dark studio</source>
         <translation>Dunkles Studio</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>Shadows</source>
+        <translation>Schatten</translation>
+    </message>
+    <message>
+        <source>environment shadows</source>
+        <translation>Schatten der Umgebung</translation>
+    </message>
+    <message>
+        <source>ground</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>light 1 shadows</source>
+        <translation>Schatten von Licht 1</translation>
+    </message>
+    <message>
+        <source>light 2 shadows</source>
+        <translation>Schatten von Licht 2</translation>
+    </message>
+    <message>
+        <source>light 3 shadows</source>
+        <translation>Schatten von Licht 3</translation>
     </message>
 </context>
 </TS>

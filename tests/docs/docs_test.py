@@ -22,7 +22,7 @@ BUDGETS = {
     "docs/reference/file-formats-isolux.md": 700, "docs/reference/python.md": 800, "docs/reference/glossary.md": 800,
     "docs/reference/troubleshooting.md": 800, "docs/reference/cite.md": 80, "docs/explanation/trust.md": 500,
     "docs/explanation/hits.md": 800, "docs/explanation/curvature.md": 1000, "docs/explanation/looks.md": 800,
-    "docs/explanation/global-illumination.md": 1220, "docs/explanation/measurement.md": 850, "docs/explanation/accuracy.md": 750,
+    "docs/explanation/global-illumination.md": 1280, "docs/explanation/measurement.md": 850, "docs/explanation/accuracy.md": 750,
     "docs/explanation/components.md": 350, "docs/explanation/large-volumes.md": 500, "docs/explanation/numerics.md": 450,
     "docs/explanation/papers.md": 500, "docs/developers/architecture.md": 1500, "docs/developers/frame-graph.md": 1100,
     "docs/developers/graphics.md": 500,

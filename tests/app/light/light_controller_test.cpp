@@ -445,10 +445,13 @@ TEST_F(LightControllerTest, TheInnerSideIsTheOuterSideOfTheOtherInside) {
   }
 }
 
-// Through a transparent surface its own far side is seen, wherever that is.
-TEST_F(LightControllerTest, TransparentSurfacesShowTheirInnerSides) {
-  scene.isosurface.opacity = 0.5;
-  light();
+// Through a transparent surface its own far side is seen.
+TEST_F(LightControllerTest, InnerSidesThatAreSeenAreLit) {
+  scene.isosurface.opacity = 0.9;
+  controller.setScene(resolved(), volume);
+  controller.setVisible({surface(), surface()});
+  base::Progress done;
+  ASSERT_TRUE(controller.finish(done, 120.0));
   const auto both = controller.light();
   ASSERT_TRUE(both->inner.sky);
   EXPECT_EQ(both->inner.sky->bakedTexels(), both->sky->bakedTexels());
