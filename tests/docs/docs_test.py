@@ -15,7 +15,7 @@ BUDGETS = {
     "README.md": 750, "CONTRIBUTING.md": 60, "docs/index.md": 120, "docs/gallery.md": 1100, "docs/howto/index.md": 1400,
     "docs/start/clinician.md": 550, "docs/start/engineer.md": 550, "docs/start/simulation.md": 550, "docs/start/python.md": 550,
     "docs/guide/open.md": 750, "docs/guide/surfaces.md": 750, "docs/guide/looks.md": 750, "docs/guide/slices.md": 450,
-    "docs/guide/clip.md": 450, "docs/guide/measure.md": 750, "docs/guide/light.md": 625, "docs/guide/compare.md": 350,
+    "docs/guide/clip.md": 450, "docs/guide/measure.md": 750, "docs/guide/light.md": 650, "docs/guide/compare.md": 350,
     "docs/guide/export.md": 800, "docs/guide/accuracy.md": 600, "docs/guide/sessions.md": 550, "docs/guide/large-data.md": 450,
     "docs/guide/window.md": 350, "docs/reference/settings.md": 4500, "docs/reference/commands.md": 2800,
     "docs/reference/outputs.md": 1400, "docs/reference/formats.md": 700, "docs/reference/keys.md": 400,
