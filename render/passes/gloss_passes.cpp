@@ -224,21 +224,15 @@ void ReflectionsPass::trace(FrameState& frame, const Target& target, const Targe
       const Surface& surface = frame.surfaces[static_cast<std::size_t>(cells[i].surface)];
       const auto roughness = static_cast<float>(surface.roughness);
       const float exponent = gi::glossExponent(roughness), depth = normals[4 * i + 3];
-      const glm::ivec2 cell =
-          first + glm::ivec2(static_cast<int>(i) % size.x, static_cast<int>(i) / size.x);
+      const glm::ivec2 cell = first + glm::ivec2(static_cast<int>(i) % size.x, static_cast<int>(i) / size.x);
       const glm::vec3 voxel = vectorAt(places, i), normal = vectorAt(normals, i), ray = vectorAt(rays, i);
-      const double value =
-          trilinear ? surface.value : volume::sampleTrilinear(grid, glm::dvec3(voxel)).value;
+      const double value = trilinear ? surface.value : volume::sampleTrilinear(grid, glm::dvec3(voxel)).value;
       cells[i] = {cells[i].surface, depth, perDepth * (frame.view->orthographic ? 1.0f : depth), normal,
                   std::min(kSharpnessOfExponent * exponent, kMostSharp)};
-      points[k] = {voxel,
-                   static_cast<float>(grid.storedOfValue(value)),
-                   normal,
-                   ray - 2.0f * std::min(glm::dot(ray, normal), 0.0f) * normal,
-                   exponent,
-                   seedOf(cell),
-                   placeOf(cell),
-                   light.gloss->of(roughness)};
+      points[k] = {voxel,         static_cast<float>(grid.storedOfValue(value)),
+                   normal,        ray - 2.0f * std::min(glm::dot(ray, normal), 0.0f) * normal,
+                   exponent,      seedOf(cell),
+                   placeOf(cell), light.gloss->of(roughness)};
     }
   });
   std::vector<gi::Reflection> traced(points.size()), all(cells.size());
@@ -273,8 +267,9 @@ std::optional<LookInput> ReflectionsPass::forLook(const scene::Scene& scene) con
 }
 
 void GlossUniforms::declare(Declaring& d) {
+  if (!d.asked.light.gloss) return;
   declareGloss(d);
-  if (d.asked.light.gloss) d.settings({"isosurface.specular", "isosurface#.specular"});
+  d.settings({"isosurface.specular", "isosurface#.specular"});
 }
 
 std::string GlossUniforms::defines(const FrameState& frame) {
@@ -306,8 +301,7 @@ void GlossUniforms::set(FrameState& frame, Program& p, int unit) {
     environments_ = Texture();
     environments_ = Texture::make2D(frame.gl, GL_RGBA16F, size);
     frame.gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    frame.gl->TextureSubImage2D(environments_.id(), 0, 0, 0, size.x, size.y, GL_RGB, GL_FLOAT,
-                                texels.data());
+    frame.gl->TextureSubImage2D(environments_.id(), 0, 0, 0, size.x, size.y, GL_RGB, GL_FLOAT, texels.data());
     for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
       frame.gl->TextureParameteri(environments_.id(), filter, GL_LINEAR);
     of_ = gloss->environments;

@@ -58,6 +58,31 @@ std::size_t lampCount(const gi::PictureLight* light) {
   return light ? std::min(light->lampLights.size(), kMostLamps) : 0;
 }
 
+// Light behind transparent surfaces in units of that before them: of each surface, behind the others that
+// enclose it, and behind itself.
+struct LightThrough {
+  std::array<glm::vec3, 4> others, itself;
+};
+
+// Isosurfaces are nested: each encloses those further inside. One that is cut open lets all light in.
+LightThrough lightThroughOf(const scene::Scene& scene, const std::vector<Surface>& surfaces) {
+  const bool cut = scene::hasCuts(scene.clip);
+  const double inward = scene.isosurface.inside == scene::Inside::above ? 1.0 : -1.0;
+  LightThrough light;
+  light.others.fill(glm::vec3(1.0f));
+  light.itself.fill(glm::vec3(1.0f));
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    const Surface& shell = surfaces[i];
+    if (shell.opaque() || (cut && shell.clipped)) continue;
+    const double opacity = scene::meanOpacity(shell.opacity, shell.facingOpacity);
+    for (int c = 0; c < 3; ++c)
+      light.itself[i][c] = static_cast<float>(scene::lightThrough(opacity, shell.albedo[c]));
+    for (std::size_t k = 0; k < surfaces.size(); ++k)
+      if (inward * (surfaces[k].value - shell.value) > 0.0) light.others[k] *= light.itself[i];
+  }
+  return light;
+}
+
 // CODE_FIELDS is a list of what FIELD(component, word, shift, mask) makes of each component.
 std::string codeDefines(const LightTexelLayout& layout) {
   std::string defines = "#define CODE_WORDS " + std::to_string(layout.codeWords) + "\n#define CODE_COUNT " +
@@ -214,28 +239,12 @@ void FrameLight::setLattice(const FrameState& frame, Program& p) {
   frame.gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, kFactorsBinding, factors_.id());
 }
 
-// Isosurfaces are nested: each encloses those further inside. One that is cut open lets all light in.
 void FrameLight::setLightThrough(const FrameState& frame, Program& p) {
-  const scene::AlbedoOfIsovalue albedo(*frame.scene);
-  const bool cut = !frame.scene->clip.planes.empty() || !frame.scene->clip.box.empty() ||
-                   !frame.scene->clip.removed.empty();
-  const double outward = frame.scene->isosurface.inside == scene::Inside::above ? 1.0 : -1.0;
-  std::array<glm::vec3, 4> others, itself;
-  others.fill(glm::vec3(1.0f));
-  itself.fill(glm::vec3(1.0f));
-  for (std::size_t i = 0; i < frame.surfaces.size(); ++i) {
-    const Surface& shell = frame.surfaces[i];
-    if (shell.opaque() || (cut && shell.clipped)) continue;
-    for (int c = 0; c < 3; ++c)
-      itself[i][c] = static_cast<float>(scene::lightThrough(
-          scene::meanOpacity(shell.opacity, shell.facingOpacity), albedo.at(shell.value)[c]));
-    for (std::size_t k = 0; k < frame.surfaces.size(); ++k)
-      if (outward * (frame.surfaces[k].value - shell.value) > 0.0) others[k] *= itself[i];
-  }
-  for (std::size_t i = 0; i < others.size(); ++i) {
+  const LightThrough through = lightThroughOf(*frame.scene, frame.surfaces);
+  for (std::size_t i = 0; i < through.others.size(); ++i) {
     const std::string at = "[" + std::to_string(i) + "]";
-    p.set(("uBehindOthers" + at).c_str(), others[i]);
-    p.set(("uBehindItself" + at).c_str(), itself[i]);
+    p.set(("uBehindOthers" + at).c_str(), through.others[i]);
+    p.set(("uBehindItself" + at).c_str(), through.itself[i]);
   }
 }
 
@@ -310,15 +319,17 @@ void IrradiancePass::declare(Declaring& d) const {
   d.reads(image::surface).reads(image::gradient).writes(image::irradiance, 16);
   d.notNeeded("no look reads light of the surface points");
   d.settings({"camera."}).input("light", light.version);
-  const bool transparent = scene::isTransparent(d.asked.scene);
-  d.input("light comes through", transparent);
-  if (transparent)
-    d.settings({"isosurface.opacity", "isosurface#.opacity", "isosurface.facing_opacity",
-                "isosurface#.facing_opacity", "isosurface.albedo", "isosurface#.albedo",
-                "isosurface.albedo_map", "isosurface.albedo_source", "isosurface.albedo_low",
-                "isosurface.albedo_high", "isosurface.clipped", "isosurface#.clipped", "clip.",
-                "isosurface.inside"});
+  base::Hasher through, shadows;
+  if (scene::isTransparent(d.asked.scene) && d.asked.scene.isosurface.value) {
+    const std::vector<Surface> surfaces = surfacesOf(d.asked.scene);
+    const LightThrough light = lightThroughOf(d.asked.scene, surfaces);
+    for (const std::size_t i : {0, 1, 2, 3})
+      for (const int c : {0, 1, 2}) through.add(light.others[i][c]).add(light.itself[i][c]);
+    for (const Surface& surface : surfaces) shadows.add(scene::shadowShown(surface));
+  }
+  d.input("light through surfaces", static_cast<std::uint64_t>(through));
   if (!light.stored) return;
+  d.input("shadows shown", static_cast<std::uint64_t>(shadows));
   d.settings({"isosurface.inside"});  // light is stored of one side, or of each
   d.reads(image::light).input("lattice", light.storage);
   d.input("gi.interpolation", d.asked.scene.gi.interpolation);  // wherever light is stored, planned or not

@@ -1,7 +1,5 @@
 #include "scene/rules/needs.h"
 
-#include <limits>
-
 #include <algorithm>
 
 #include "scene/looks.h"
@@ -62,8 +60,7 @@ std::vector<GlossySurface> glossySurfaces(const Scene& scene) {
   if (!usesGi(scene) || isMeasure(scene.look.mode)) return list;
   const auto add = [&](const auto& surface) {
     if (surface.specular > 0.0 && surface.opacity > 0.0)
-      list.push_back({surface.value.value_or(std::numeric_limits<double>::quiet_NaN()), surface.specular,
-                      surface.roughness});
+      list.push_back({surface.specular, surface.roughness});
   };
   add(scene.isosurface);
   for (const ExtraIsosurface& extra : scene.extraIsosurfaces)

@@ -32,7 +32,6 @@ bool showsOcclusion(const Scene& scene);
 // Returns the visible surfaces with gloss, in the order of their settings. There are none in looks without
 // global illumination, and where colours show numbers.
 struct GlossySurface {
-  double isovalue = 0.0;  // data units; NaN: not resolved
   double specular = 0.0, roughness = 0.0;
 };
 std::vector<GlossySurface> glossySurfaces(const Scene& scene);

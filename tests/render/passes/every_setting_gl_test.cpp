@@ -90,10 +90,6 @@ bool tooFineToSee(const std::string& pass, const std::string& path) {
   static const std::map<std::string, std::set<std::string>> table = {
       {"look.legend", {"resolve"}},  // there is no room for one
       {"look.legend_corner", {"resolve"}},
-      // The stored light here knows no reflections.
-      {"isosurface.specular", {"shade", "layers"}},
-      {"isosurface2.specular", {"shade", "layers"}},
-      {"isosurface2.albedo", {"irradiance"}},  // no first crossing is behind it
       {"isosurface.inside",
        {"lines", "piece"}},               // outlines, and pieces of a gyroid, are the same from both sides
       {"derivatives.fetch", {"layers"}},  // roundings, less than a half float's step in what is laid over
