@@ -62,7 +62,6 @@ std::uint32_t placeOf(glm::ivec2 cell) {
 
 // Without light that knows reflections, there are none.
 void declareGloss(Declaring& d) {
-  d.input("light knows reflections", d.asked.light.gloss);
   if (!d.asked.light.gloss) return;
   d.settings({"camera.", "isosurface.inside", "isosurface.roughness", "isosurface#.roughness"});
   const scene::Scene& s = d.asked.scene;
@@ -267,9 +266,8 @@ std::optional<LookInput> ReflectionsPass::forLook(const scene::Scene& scene) con
 }
 
 void GlossUniforms::declare(Declaring& d) {
-  if (!d.asked.light.gloss) return;
   declareGloss(d);
-  d.settings({"isosurface.specular", "isosurface#.specular"});
+  if (d.asked.light.gloss) d.settings({"isosurface.specular", "isosurface#.specular"});
 }
 
 std::string GlossUniforms::defines(const FrameState& frame) {

@@ -64,6 +64,12 @@ struct LightThrough {
   std::array<glm::vec3, 4> others, itself;
 };
 
+// False without a volume.
+bool knowsIsovalues(const scene::Scene& scene) {
+  return scene.isosurface.value && std::all_of(scene.extraIsosurfaces.begin(), scene.extraIsosurfaces.end(),
+                                               [](const auto& extra) { return !extra.shown || extra.value; });
+}
+
 // Isosurfaces are nested: each encloses those further inside. One that is cut open lets all light in.
 LightThrough lightThroughOf(const scene::Scene& scene, const std::vector<Surface>& surfaces) {
   const bool cut = scene::hasCuts(scene.clip);
@@ -320,7 +326,7 @@ void IrradiancePass::declare(Declaring& d) const {
   d.notNeeded("no look reads light of the surface points");
   d.settings({"camera."}).input("light", light.version);
   base::Hasher through, shadows;
-  if (scene::isTransparent(d.asked.scene) && d.asked.scene.isosurface.value) {
+  if (scene::isTransparent(d.asked.scene) && knowsIsovalues(d.asked.scene)) {
     const std::vector<Surface> surfaces = surfacesOf(d.asked.scene);
     const LightThrough light = lightThroughOf(d.asked.scene, surfaces);
     for (const std::size_t i : {0, 1, 2, 3})
