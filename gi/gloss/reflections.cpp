@@ -19,6 +19,7 @@ namespace {
 
 constexpr float kNever = std::numeric_limits<float>::infinity();
 constexpr std::size_t kPointsAtOnce = 512;
+constexpr float kMostOfMean = 2.0f;          // a brighter ray would count for all around it
 constexpr std::uint32_t kFirstLampPair = 1;  // of a pattern; pair 0 is the direction of the lobe
 constexpr std::size_t kLamps = 3;            // scene::kLamps
 
@@ -166,10 +167,16 @@ bool reflectionsOf(const PictureLight& light, std::span<const GlossPoint> points
     const std::span<Reflection> out = reflections.subspan(range.first, range.size());
     LobeRays lobe;
     lobe.trace(setup, of, samples);
+    std::vector<float> most;  // of a ray's luminance
+    for (const GlossPoint& point : of)
+      most.push_back(kMostOfMean * base::luminance(point.environment->filtered().radiance(
+                                       point.mirror * scene.worldFromEnvironment)));
     for (std::size_t i = 0; i < lobe.rays.size(); ++i) {
       const GlossPoint& point = of[i / samples];
       const auto luminanceOf = [&](glm::vec3 direction) {
-        return base::luminance(point.environment->coarse().radiance(direction * scene.worldFromEnvironment));
+        const glm::vec3 radiance =
+            point.environment->coarse().radiance(direction * scene.worldFromEnvironment);
+        return std::min(base::luminance(radiance), most[i / samples]);
       };
       Reflection& reflection = out[i / samples];
       const float open = luminanceOf(lobe.directions[i]);

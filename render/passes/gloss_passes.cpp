@@ -27,8 +27,6 @@ constexpr int kFilteredSize = 192;  // texels per axis of an octahedron's square
 constexpr float kSharpnessOfExponent = 1.0f, kMostSharp = 256.0f;
 constexpr std::size_t kCellsAtOnce = 1024;
 constexpr float kNotTraced = -1.0f;
-constexpr float kMostVisible =
-    16.0f;  // times the filtered environment; light from below comes from above, too
 
 int cellOf(const FrameRequest& request) {
   return request.supersampling == 1 ? kPixelsInMotion : kPixelsOfGlossCell * request.supersampling;
@@ -74,7 +72,8 @@ void declareGloss(Declaring& d) {
 struct CellPoint {
   int surface = -1;
   float depth = kNotTraced;
-  float tolerance = 0.0f;  // of the depth of cells that show the same piece of surface
+  glm::vec3 place{0.0f};   // mm
+  float tolerance = 0.0f;  // mm; how far off the tangent plane cells of the same piece of surface are
   glm::vec3 normal{0.0f};
   float sharpness = 0.0f;  // 1 / (1 - cosine) of normals at which a cell around it counts no more
 };
@@ -82,7 +81,8 @@ struct CellPoint {
 // How much a cell counts for another: none unless both show the same piece of surface and reflect much the
 // same.
 float fitOf(const CellPoint& other, const CellPoint& own) {
-  if (other.surface != own.surface || std::abs(other.depth - own.depth) > own.tolerance) return 0.0f;
+  if (other.surface != own.surface) return 0.0f;
+  if (std::abs(glm::dot(other.place - own.place, own.normal)) > own.tolerance) return 0.0f;
   const float fits = std::max(1.0f - own.sharpness * (1.0f - glm::dot(other.normal, own.normal)), 0.0f);
   return fits * fits;
 }
@@ -90,13 +90,19 @@ float fitOf(const CellPoint& other, const CellPoint& own) {
 struct WeightedReflection {
   gi::Reflection sum{.lamps = glm::vec3(0.0f)};
   float weights = 0.0f;
+
+  // Times the filtered environment. At most half of the lobe is below the surface and comes from above, too,
+  // so that all of it is at most twice that; the fewer rays there are, the more of a ratio above 1 is noise.
+  float visiblePart() const {
+    if (!(sum.open > 0.0f)) return 1.0f;
+    return std::min(sum.visible / sum.open, 1.0f + std::min(weights / (kAround * kAround), 1.0f));
+  }
 };
 
 // The means of the cells around each that fit: along rows, then along columns of what rows have.
-std::vector<gi::Reflection> smoothed(const std::vector<gi::Reflection>& of,
-                                     const std::vector<CellPoint>& cells, glm::ivec2 size) {
-  std::vector<gi::Reflection> result(of.size());
-  std::vector<WeightedReflection> rows(of.size());
+std::vector<WeightedReflection> smoothed(const std::vector<gi::Reflection>& of,
+                                         const std::vector<CellPoint>& cells, glm::ivec2 size) {
+  std::vector<WeightedReflection> rows(of.size()), result(of.size());
   const auto low = [](int at) { return std::max(at - kAround / 2, 0); };
   const auto end = [](int at, int count) { return std::min(at + kAround / 2, count); };
   const auto index = [&](int x, int y) { return static_cast<std::size_t>(y * size.x + x); };
@@ -117,7 +123,7 @@ std::vector<gi::Reflection> smoothed(const std::vector<gi::Reflection>& of,
     for (int x = 0; x < size.x; ++x) {
       const std::size_t at = index(x, y);
       if (cells[at].surface < 0) continue;
-      WeightedReflection all;
+      WeightedReflection& all = result[at];
       for (int v = low(y); v < end(y, size.y); ++v) {
         const std::size_t i = index(x, v);
         const float weight = i == at ? 1.0f : fitOf(cells[i], cells[at]);
@@ -128,7 +134,6 @@ std::vector<gi::Reflection> smoothed(const std::vector<gi::Reflection>& of,
       all.sum.met /= all.weights;
       all.sum.unoccluded /= all.weights;
       all.sum.lamps /= all.weights;
-      result[at] = all.sum;
     }
   });
   return result;
@@ -200,9 +205,9 @@ void ReflectionsPass::trace(FrameState& frame, const Target& target, const Targe
   const gi::PictureLight& light = *frame.light;
   const volume::Grid& grid = frame.volume->grid();
   const bool trilinear = frame.scene->hit.field == scene::Field::trilinear;
-  // How far apart in depth cells of one piece of surface are: some times their width.
-  const auto perDepth = static_cast<float>(16.0 * frame.view->halfExtent.y * cellOf(frame.request) /
-                                           (frame.request.size.y * frame.request.supersampling));
+  // Some times the width of a cell.
+  const auto tolerancePerDepth = static_cast<float>(16.0 * frame.view->halfExtent.y * cellOf(frame.request) /
+                                                    (frame.request.size.y * frame.request.supersampling));
   const auto vectorAt = [](const std::vector<float>& of, std::size_t i) {
     return glm::vec3(of[4 * i], of[4 * i + 1], of[4 * i + 2]);
   };
@@ -226,7 +231,11 @@ void ReflectionsPass::trace(FrameState& frame, const Target& target, const Targe
       const glm::ivec2 cell = first + glm::ivec2(static_cast<int>(i) % size.x, static_cast<int>(i) / size.x);
       const glm::vec3 voxel = vectorAt(places, i), normal = vectorAt(normals, i), ray = vectorAt(rays, i);
       const double value = trilinear ? surface.value : volume::sampleTrilinear(grid, glm::dvec3(voxel)).value;
-      cells[i] = {cells[i].surface, depth, perDepth * (frame.view->orthographic ? 1.0f : depth), normal,
+      cells[i] = {cells[i].surface,
+                  depth,
+                  glm::vec3(grid.geometry().worldFromVoxel * glm::dvec4(voxel, 1.0)),
+                  tolerancePerDepth * (frame.view->orthographic ? 1.0f : depth),
+                  normal,
                   std::min(kSharpnessOfExponent * exponent, kMostSharp)};
       points[k] = {voxel,         static_cast<float>(grid.storedOfValue(value)),
                    normal,        ray - 2.0f * std::min(glm::dot(ray, normal), 0.0f) * normal,
@@ -234,22 +243,22 @@ void ReflectionsPass::trace(FrameState& frame, const Target& target, const Targe
                    placeOf(cell), light.gloss->of(roughness)};
     }
   });
-  std::vector<gi::Reflection> traced(points.size()), all(cells.size());
+  std::vector<gi::Reflection> traced(points.size()), alone(cells.size());
   if (!gi::reflectionsOf(light, points, 1, traced, frame.request.stop)) return;
   std::vector<glm::vec3>& hits = frame.layer.empty() ? frame.reflectedHits : frame.hitsBehind.outer;
   for (std::size_t k = 0; k < of.size(); ++k) {
-    all[of[k]] = traced[k];
+    alone[of[k]] = traced[k];
     if (traced[k].met > 0.0f) hits.push_back(traced[k].hit);
   }
-  all = smoothed(all, cells, size);
+  const std::vector<WeightedReflection> all = smoothed(alone, cells, size);
   std::vector<glm::vec4> reflected;
   std::vector<glm::u8vec4> lamps;
   std::vector<float> depths;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const float part = all[i].open > 0.0f ? std::min(all[i].visible / all[i].open, kMostVisible) : 1.0f;
-    const glm::vec3 surface = all[i].baked > 0.01f ? all[i].light / all[i].baked : all[i].unoccluded;
-    reflected.emplace_back(all[i].met * surface, part);
-    lamps.emplace_back(glm::round(255.0f * all[i].lamps), 255);
+    const gi::Reflection& mean = all[i].sum;
+    const glm::vec3 surface = mean.baked > 0.01f ? mean.light / mean.baked : mean.unoccluded;
+    reflected.emplace_back(mean.met * surface, all[i].visiblePart());
+    lamps.emplace_back(glm::round(255.0f * mean.lamps), 255);
     depths.push_back(cells[i].depth);
   }
   const Gl& gl = *frame.gl;

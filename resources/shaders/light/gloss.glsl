@@ -67,7 +67,8 @@ void reflectedAt(Point p, out vec4 reflected, out vec3 seen) {
   vec4 away = mix(abs(depths - p.depth), vec4(3e37), lessThan(depths, vec4(0.0)));
   vec2 part = at - vec2(low);
   vec4 weights = vec4(1.0 - part.x, part.x, 1.0 - part.x, part.x) * vec4(vec2(1.0 - part.y), vec2(part.y));
-  weights *= step(away, vec4(4.0 * p.footprint * uCellSize));
+  float facing = max(-dot(p.normal, p.ray), 0.05);
+  weights *= step(away, vec4(4.0 * p.footprint * uCellSize / facing));
   float sum = dot(weights, vec4(1.0));
   if (!(sum > 1e-4)) {
     float nearest = min(min(away.x, away.y), min(away.z, away.w));
