@@ -273,41 +273,29 @@ Command makeBake(CLI::App& program) {
   CLI::App* const parser =
       program.add_subcommand("bake", "Bake the global illumination of a volume's isosurfaces to a file");
   auto options = std::make_shared<BakeOptions>();
-  parser->add_option("PATH", options->path,
-                     "A volume file, a DICOM folder, phantom:NAME[:SIZE], or a session");
-  parser
-      ->add_option(
-          "--out", options->out,
-          "File to write (.vti, opens in ParaView); an interrupted bake of the same light resumes from it")
-      ->type_name("FILE")
+  addPath(*parser, options->path);
+  addOption(*parser, "--out", options->out, "FILE",
+            "File to write (.vti, opens in ParaView); an interrupted bake of the same light resumes from it")
       ->required();
-  parser->add_option("--stats", options->stats, "Write results and costs as JSON (docs/reference/outputs.md)")
-      ->type_name("FILE");
-  parser->add_option("--size", options->size, "Pixels of the view, with gi.extent=view; default 1024x768")
-      ->type_name("WxH");
-  parser
-      ->add_option("--part", options->part,
-                   "Bake only part I of N, into FILE.part-I-of-N.vti. Parts may be baked anywhere, in any "
-                   "order; isolux merge joins them")
-      ->type_name("I/N");
+  addOption(*parser, "--stats", options->stats, "FILE",
+            "Write results and costs as JSON (docs/reference/outputs.md)");
+  addOption(*parser, "--size", options->size, "WxH",
+            "Pixels of the view, with gi.extent=view; default 1024x768");
+  addOption(*parser, "--part", options->part, "I/N",
+            "Bake only part I of N, into FILE.part-I-of-N.vti. Parts may be baked anywhere, in any order; "
+            "isolux merge joins them");
   parser->add_flag("--mix-arithmetic", options->mixArithmetic,
                    "Resume a bake from a CPU whose results differ in the last bits; the file records it");
-  parser
-      ->add_option("--arithmetic", options->arithmetic,
-                   "no-fma: compute without fused multiply-add, as CPUs without AVX2 do; light is then "
-                   "bit-identical on both")
-      ->type_name("no-fma")
-      ->check(CLI::IsMember({"no-fma"}).description(""));
-  parser
-      ->add_option("--checkpoint", options->checkpointSeconds,
-                   "Save the result so far every SECONDS; default 60")
-      ->type_name("SECONDS")
-      ->check(CLI::Range(0.1, 1e6).description(""));
-  parser
-      ->add_option("--pieces", options->pieces,
-                   "Also write the light as N pieces and their index (.pvti, opens in ParaView)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 4096).description(""));
+  addOption(*parser, "--arithmetic", options->arithmetic, "no-fma",
+            "no-fma: compute without fused multiply-add, as CPUs without AVX2 do; light is then "
+            "bit-identical on both")
+      ->check(oneOf({"no-fma"}));
+  addOption(*parser, "--checkpoint", options->checkpointSeconds, "SECONDS",
+            "Save the result so far every SECONDS; default 60")
+      ->check(within(0.1, 1e6));
+  addOption(*parser, "--pieces", options->pieces, "N",
+            "Also write the light as N pieces and their index (.pvti, opens in ParaView)")
+      ->check(within(1, 4096));
   CLI::Option* const mpi =
       parser->add_flag("--mpi", options->mpi, "Bake over MPI ranks even if no launcher's variables are set");
   parser->add_flag("--no-mpi", options->noMpi, "Bake alone, even under an MPI launcher")->excludes(mpi);

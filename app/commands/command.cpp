@@ -101,12 +101,9 @@ std::shared_ptr<SceneOptions> addSceneOptions(CLI::App& parser, Draws draws) {
       [options](const std::string& value) { options->assignments.push_back(withPointsOfFile(value)); },
       "PATH=VALUE",
       "Change one setting; may be repeated; `isolux settings` lists all; PATH=@FILE reads control points "
-      "from "
-      "rows of numbers");
-  parser
-      .add_option("--session", options->session,
-                  "Start from this session (.isolux, or a .png that carries one)")
-      ->type_name("FILE")
+      "from rows of numbers");
+  addOption(parser, "--session", options->session, "FILE",
+            "Start from this session (.isolux, or a .png that carries one)")
       ->group("Scene");
   add("--isovalue", assign("isosurface.value"), "VALUE", "Short for --set isosurface.value=VALUE");
   addOfSurface("--look", assign("look.mode"), "MODE", "Short for --set look.mode=MODE");
@@ -138,16 +135,21 @@ std::shared_ptr<SceneOptions> addSceneOptions(CLI::App& parser, Draws draws) {
   return options;
 }
 
+void addPath(CLI::App& parser, std::string& path, Opens opens) {
+  const std::string files = "A volume file, a DICOM folder, phantom:NAME[:SIZE], ";
+  parser.add_option(
+      "PATH", path,
+      files + (opens == Opens::pictures ? "a session, or a .png that carries one" : "or a session"));
+}
+
 namespace {
 
 void addCameraOptions(CLI::App& parser, const std::shared_ptr<SceneOptions>& options) {
   constexpr const char* group = "Camera";
   CameraWish& wish = options->camera;
-  parser
-      .add_option("--view", wish.view,
-                  "View from left, right, anterior, posterior, superior or inferior, or from the end of an "
-                  "axis, as +x or -y")
-      ->type_name("SIDE")
+  addOption(parser, "--view", wish.view, "SIDE",
+            "View from left, right, anterior, posterior, superior or inferior, or from the end of an axis, "
+            "as +x or -y")
       ->check([](const std::string& name) -> std::string {
         try {
           scene::standardViewNamed(name, scene::WorldAxes::anatomical);
@@ -158,10 +160,7 @@ void addCameraOptions(CLI::App& parser, const std::shared_ptr<SceneOptions>& opt
       })
       ->group(group);
   const auto angle = [&](const char* name, double& degrees, const char* help) {
-    parser.add_option(name, degrees, help)
-        ->type_name("DEG")
-        ->check(CLI::Range(-36000.0, 36000.0).description(""))
-        ->group(group);
+    addOption(parser, name, degrees, "DEG", help)->check(within(-36000.0, 36000.0))->group(group);
   };
   angle("--azimuth", wish.azimuth,
         "Then orbit the target: move the eye to its right, about the up direction");
@@ -175,24 +174,20 @@ void addCameraOptions(CLI::App& parser, const std::shared_ptr<SceneOptions>& opt
           },
           "Then frame the shown surface, or the volume's box, in this direction")
       ->type_name("surface|volume")
-      ->check(CLI::IsMember({"surface", "volume"}).description(""))
+      ->check(oneOf({"surface", "volume"}))
       ->group(group);
-  parser.add_option("--zoom", wish.zoom, "Then move closer: 2 shows everything twice as large")
-      ->type_name("F")
-      ->check(CLI::Range(1e-3, 1e3).description(""))
+  addOption(parser, "--zoom", wish.zoom, "F", "Then move closer: 2 shows everything twice as large")
+      ->check(within(1e-3, 1e3))
       ->group(group);
 }
 
 }  // namespace
 
 void addVolumeOptions(CLI::App& parser, const std::shared_ptr<SceneOptions>& options, bool cameras) {
-  parser
-      .add_option("--preset", options->preset,
-                  "Apply this preset (`isolux presets`) or preset file, after --session and before --set")
-      ->type_name("NAME|FILE")
+  addOption(parser, "--preset", options->preset, "NAME|FILE",
+            "Apply this preset (`isolux presets`) or preset file, after --session and before --set")
       ->group("Scene");
-  parser.add_option("--shift", options->shift, "Add this to the isovalues of the preset, data units")
-      ->type_name("V")
+  addOption(parser, "--shift", options->shift, "V", "Add this to the isovalues of the preset, data units")
       ->check(CLI::Number.description(""))
       ->group("Scene")
       ->needs("--preset");
@@ -229,7 +224,7 @@ void addThreadsOption(CLI::App& parser) {
           },
           "Number of CPU threads; default: all")
       ->type_name("N")
-      ->check(CLI::Range(1, 1024).description(""));
+      ->check(within(1, 1024));
 }
 
 void addMemoryOption(CLI::App& parser) {
@@ -273,7 +268,7 @@ std::shared_ptr<render::ContextChoice> addContextOption(CLI::App& parser) {
           "--context", [choice](const std::string& word) { *choice = render::contextChoiceNamed(word); },
           "Graphics context: auto (default; `isolux doctor` shows which), software, egl, osmesa")
       ->type_name("NAME")
-      ->check(CLI::IsMember({"auto", "software", "egl", "osmesa"}).description(""));
+      ->check(oneOf({"auto", "software", "egl", "osmesa"}));
   return choice;
 }
 

@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -62,6 +63,24 @@ struct SceneOptions {
 
   bool waitsForVolume() const { return !preset.empty() || camera.any(); }
 };
+
+// An option whose value --help calls `type`.
+template <class T>
+CLI::Option* addOption(CLI::App& parser, const char* name, T& value, const char* type,
+                       const std::string& help) {
+  return parser.add_option(name, value, help)->type_name(type);
+}
+// Checks of options, which --help does not print.
+template <class T>
+CLI::Validator within(T low, T high) {
+  return CLI::Range(low, high).description("");
+}
+inline CLI::Validator oneOf(std::initializer_list<std::string> words) {
+  return CLI::IsMember(words).description("");
+}
+// Adds PATH: what a scene is opened from. Commands that draw take a picture of the program, too.
+enum class Opens { sessions, pictures };
+void addPath(CLI::App& parser, std::string& path, Opens opens = Opens::sessions);
 // Short forms of settings that a slice does not depend on are accepted there, too, but not listed in its
 // help.
 enum class Draws { surface, slice };

@@ -53,14 +53,11 @@ void declare(Program& program, const std::function<std::string()>& describeWindo
       ->group("")
       ->check(CLI::IsMember(madePageNames()));
   parser.require_subcommand(0, 1);
-  parser.add_option(
-      "PATH", program.window.path,
-      "Open this in the window: a volume file, a DICOM folder, phantom:NAME[:SIZE], a session, or a .png "
-      "that carries one; default: the head phantom, or the session's volume");
-  parser
-      .add_option("--record", program.window.record,
-                  "Record every change in the window to this file, for replay")
-      ->type_name("FILE");
+  parser.add_option("PATH", program.window.path,
+                    "Open this in the window: a volume file, a DICOM folder, phantom:NAME[:SIZE], a session, "
+                    "or a .png that carries one; default: the head phantom, or the session's volume");
+  addOption(parser, "--record", program.window.record, "FILE",
+            "Record every change in the window to this file, for replay");
   program.window.scene = addSceneOptions(parser);
   addVolumeOptions(parser, program.window.scene);
   addThreadsOption(parser);

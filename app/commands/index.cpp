@@ -76,16 +76,12 @@ Command makeIndex(CLI::App& program) {
   parser->add_option(
       "PATH", options->path,
       "Raw, or NRRD, MetaImage, NIfTI and .vti (appended raw) without compression, OME-Zarr, HDF5");
-  parser
-      ->add_option("--out", options->out,
-                   "Index file; default: PATH.index, or the user's cache if that folder is not writable. "
-                   "Images look for it only there")
-      ->type_name("FILE");
-  parser
-      ->add_option("--part", options->part,
-                   "Index only part I of N, into FILE.part-I-of-N. The same command without --part joins the "
-                   "existing parts, computes the rest and writes the index")
-      ->type_name("I/N");
+  addOption(*parser, "--out", options->out, "FILE",
+            "Index file; default: PATH.index, or the user's cache if that folder is not writable. Images "
+            "look for it only there");
+  addOption(*parser, "--part", options->part, "I/N",
+            "Index only part I of N, into FILE.part-I-of-N. The same command without --part joins the "
+            "existing parts, computes the rest and writes the index");
   parser->footer(
       "Examples:\n"
       "  isolux index big.nrrd\n"

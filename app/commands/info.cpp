@@ -241,8 +241,7 @@ Command makeInfo(CLI::App& program) {
   CLI::App* const parser =
       program.add_subcommand("info", "Print a volume's size, spacing, orientation and values");
   auto options = std::make_shared<InfoOptions>();
-  parser->add_option("PATH", options->path,
-                     "A volume file, a DICOM folder, phantom:NAME[:SIZE], or a session");
+  addPath(*parser, options->path);
   parser->add_flag("--json", options->json,
                    "Print one JSON object instead of text (docs/reference/outputs.md)");
   parser->add_flag(

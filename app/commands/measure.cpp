@@ -192,14 +192,14 @@ void checkCurvatureFiles(const MeasureOptions& options, const SceneOptions& scen
 }
 
 void addMeasureOptions(CLI::App& parser, MeasureOptions& options) {
-  parser.add_option("PATH", options.path, "A volume file, a DICOM folder, phantom:NAME[:SIZE], or a session");
+  addPath(parser, options.path);
   parser.add_flag("--json", options.json,
                   "Print one JSON object instead of text (docs/reference/outputs.md)");
-  parser.add_option("--box", options.box, "Measure only inside this box of the world, two corners in mm")
-      ->type_name("\"x,y,z x,y,z\"");
+  addOption(parser, "--box", options.box, "\"x,y,z x,y,z\"",
+            "Measure only inside this box of the world, two corners in mm");
   const auto points = [&parser](const char* name, std::vector<std::string>& into, const char* type,
                                 const char* help) {
-    parser.add_option(name, into, help)->type_name(type)->expected(1)->take_all();
+    addOption(parser, name, into, type, help)->expected(1)->take_all();
   };
   points("--distance", options.distances, "\"P Q\"",
          "Distance between two points, straight and along the surface; may be repeated");
@@ -211,20 +211,16 @@ void addMeasureOptions(CLI::App& parser, MeasureOptions& options) {
          "be repeated");
   parser.add_flag("--curvature", options.curvature,
                   "Curvature distribution: fractions of the surface area per curvature");
-  parser
-      .add_option("--histograms", options.histograms,
-                  "Write the curvature distribution as a table: a new .csv")
-      ->type_name("FILE");
-  parser.add_option("--plot", options.plot, "Plot the curvature distribution: a new .svg; needs gnuplot")
-      ->type_name("FILE");
-  parser
-      .add_option("--piece", options.piece,
-                  "Curvature of this connected component only (piece id, 0: the largest); default: all that "
-                  "are shown")
-      ->type_name("ID");
-  parser.add_option("--marks", options.marks, "Measure the marks of this file instead of the session's")
-      ->type_name("FILE.mrk.json");
-  parser.add_option("--out", options.out, "Write the values of the marks as a table")->type_name("FILE.csv");
+  addOption(parser, "--histograms", options.histograms, "FILE",
+            "Write the curvature distribution as a table: a new .csv");
+  addOption(parser, "--plot", options.plot, "FILE",
+            "Plot the curvature distribution: a new .svg; needs gnuplot");
+  addOption(
+      parser, "--piece", options.piece, "ID",
+      "Curvature of this connected component only (piece id, 0: the largest); default: all that are shown");
+  addOption(parser, "--marks", options.marks, "FILE.mrk.json",
+            "Measure the marks of this file instead of the session's");
+  addOption(parser, "--out", options.out, "FILE.csv", "Write the values of the marks as a table");
   parser.add_flag("--closed", options.closed,
                   "Reject an open surface instead of measuring the part inside the data");
   parser.add_flag("--anyway", options.anyway, "Measure even if spacing was assumed or slices were resampled");

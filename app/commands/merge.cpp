@@ -42,8 +42,7 @@ Command makeMerge(CLI::App& program) {
   parser
       ->add_option("PART", options->parts, "Files of isolux bake --part: all parts of one bake, in any order")
       ->required();
-  parser->add_option("--out", options->out, "File to write (.vti): equals that of an undivided bake")
-      ->type_name("FILE")
+  addOption(*parser, "--out", options->out, "FILE", "File to write (.vti): equals that of an undivided bake")
       ->required();
   parser->add_flag("--mix-arithmetic", options->mixArithmetic,
                    "Merge parts computed with and without fused multiply-add, whose last bits may differ; "

@@ -72,9 +72,7 @@ Command makeMesh(CLI::App& program) {
   CLI::App* const parser =
       program.add_subcommand("mesh", "Write an isosurface as triangles, for printing or simulation");
   auto options = std::make_shared<MeshOptions>();
-  parser->add_option(
-      "PATH", options->path,
-      "A volume file, a DICOM folder, phantom:NAME[:SIZE], a session, or a .png that carries one");
+  addPath(*parser, options->path, Opens::pictures);
   parser
       ->add_option("--out", options->out,
                    "A new .stl, .ply (with normals), .obj, or .vtp (with normals, kappa1, kappa2, "

@@ -83,16 +83,13 @@ Command makePhantom(CLI::App& program) {
   request.name.clear();
   parser->add_option("NAME", request.name, "Name of the phantom; `isolux phantom list` prints all")
       ->required();
-  parser->add_option("--size", request.size, "Voxels per axis; default: the phantom's own")
-      ->type_name("N")
-      ->check(CLI::Range(2, 1024).description(""));
-  parser->add_option("--out", options->out, "File to write: .mhd, .mha, .nrrd or .vti")->type_name("FILE");
-  parser
-      ->add_option("--noise", request.noise,
-                   "Standard deviation of added Gaussian noise, in data units; default 0")
-      ->type_name("SIGMA")
+  addOption(*parser, "--size", request.size, "N", "Voxels per axis; default: the phantom's own")
+      ->check(within(2, 1024));
+  addOption(*parser, "--out", options->out, "FILE", "File to write: .mhd, .mha, .nrrd or .vti");
+  addOption(*parser, "--noise", request.noise, "SIGMA",
+            "Standard deviation of added Gaussian noise, in data units; default 0")
       ->check(CLI::NonNegativeNumber.description(""));
-  parser->add_option("--seed", request.seed, "Seed of the noise; default 1")->type_name("N");
+  addOption(*parser, "--seed", request.seed, "N", "Seed of the noise; default 1");
   addThreadsOption(*parser);
   parser->footer(
       "Examples:\n"

@@ -85,14 +85,11 @@ Command makePresets(CLI::App& program) {
   CLI::Option* const json =
       parser->add_flag("--json", options->json, "Print a JSON list (docs/reference/file-formats-isolux.md)");
   CLI::Option* const save =
-      parser
-          ->add_option(
-              "--save", options->save,
-              "Save the settings of --session, --set and their short forms as a preset, and print its file")
-          ->type_name("NAME")
+      addOption(*parser, "--save", options->save, "NAME",
+                "Save the settings of --session, --set and their short forms as a preset, and print its file")
           ->excludes(json);
-  parser->add_option("--title", options->title, "Title of the saved preset in menus; default: its name")
-      ->type_name("TEXT")
+  addOption(*parser, "--title", options->title, "TEXT",
+            "Title of the saved preset in menus; default: its name")
       ->needs(save);
   parser->add_flag("--overwrite", options->overwrite, "Replace your own preset of this name")->needs(save);
   options->scene = addSceneOptions(*parser);

@@ -183,14 +183,10 @@ Command makeProbe(CLI::App& program) {
   CLI::App* const parser = program.add_subcommand(
       "probe", "Sample a volume at points of the world, and find where rays hit its isosurface");
   auto options = std::make_shared<ProbeOptions>();
-  parser->add_option("PATH", options->path,
-                     "A volume file, a DICOM folder, phantom:NAME[:SIZE], or a session");
-  parser->add_option("--points", options->points, "Rows of x,y,z: positions in world mm")
-      ->type_name("FILE.csv");
-  parser
-      ->add_option("--rays", options->rays,
-                   "Rows of x,y,z,dx,dy,dz: origin in world mm and direction; gives the first hit")
-      ->type_name("FILE.csv");
+  addPath(*parser, options->path);
+  addOption(*parser, "--points", options->points, "FILE.csv", "Rows of x,y,z: positions in world mm");
+  addOption(*parser, "--rays", options->rays, "FILE.csv",
+            "Rows of x,y,z,dx,dy,dz: origin in world mm and direction; gives the first hit");
   parser->add_flag("--json", options->json, "Print JSON instead of a table (docs/reference/outputs.md)");
   const auto sceneOptions = addSceneOptions(*parser);
   addThreadsOption(*parser);

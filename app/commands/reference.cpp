@@ -140,23 +140,16 @@ Command makeReference(CLI::App& program) {
   CLI::App* const parser = program.add_subcommand(
       "reference", "Path trace every pixel, without baked light: the reference for look gi");
   auto options = std::make_shared<ReferenceOptions>();
-  parser->add_option(
-      "PATH", options->path,
-      "A volume file, a DICOM folder, phantom:NAME[:SIZE], a session, or a .png that carries one");
-  parser
-      ->add_option("--out", options->out,
-                   "Image to write: .exr (float; channels: docs/reference/outputs.md) or .png (8 bit sRGB)")
-      ->type_name("FILE")
+  addPath(*parser, options->path, Opens::pictures);
+  addOption(*parser, "--out", options->out, "FILE",
+            "Image to write: .exr (float; channels: docs/reference/outputs.md) or .png (8 bit sRGB)")
       ->required();
-  parser->add_option("--spp", options->samples, "Light paths per pixel; default 256")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1000000).description(""));
-  parser
-      ->add_option("--size", options->size,
-                   "Pixels; default: those of the session's .png, otherwise 1024x768")
-      ->type_name("WxH");
-  parser->add_option("--stats", options->stats, "Write results and costs as JSON (docs/reference/outputs.md)")
-      ->type_name("FILE");
+  addOption(*parser, "--spp", options->samples, "N", "Light paths per pixel; default 256")
+      ->check(within(1, 1000000));
+  addOption(*parser, "--size", options->size, "WxH",
+            "Pixels; default: those of the session's .png, otherwise 1024x768");
+  addOption(*parser, "--stats", options->stats, "FILE",
+            "Write results and costs as JSON (docs/reference/outputs.md)");
   addThreadsOption(*parser);
   options->scene = addSceneOptions(*parser);
   addVolumeOptions(*parser, options->scene);

@@ -485,63 +485,42 @@ Command makeRender(CLI::App& program) {
   parser->add_option(
       "PATH", options->paths,
       "Volume files, DICOM folders, phantom:NAME[:SIZE], sessions, or .png that carry one; each is drawn");
-  parser
-      ->add_option(
-          "--out", options->out,
-          "Image to write: .png (8 bit sRGB, with its session), .exr (float), or - for a .png to standard "
-          "output. If there are several, {name}, {n}, {i} and {value} in FILE number or name them")
-      ->type_name("FILE")
+  addOption(*parser, "--out", options->out, "FILE",
+            "Image to write: .png (8 bit sRGB, with its session), .exr (float), or - for a .png to standard "
+            "output. If there are several, {name}, {n}, {i} and {value} in FILE number or name them")
       ->required();
-  parser
-      ->add_option("--size", options->size,
-                   "Pixels; default: those of the session's .png, otherwise 1024x768")
-      ->type_name("WxH");
-  parser
-      ->add_option(
-          "--aov", options->aov,
-          "Write these AOVs to the .exr instead of the colours: " + imageNames() + ", " + kHiddenStructure)
-      ->type_name("LIST");
-  parser->add_option("--stats", options->stats, "Write results and costs as JSON (docs/reference/outputs.md)")
-      ->type_name("FILE");
+  addOption(*parser, "--size", options->size, "WxH",
+            "Pixels; default: those of the session's .png, otherwise 1024x768");
+  addOption(*parser, "--aov", options->aov, "LIST",
+            "Write these AOVs to the .exr instead of the colours: " + imageNames() + ", " + kHiddenStructure);
+  addOption(*parser, "--stats", options->stats, "FILE",
+            "Write results and costs as JSON (docs/reference/outputs.md)");
   parser->add_flag("--accuracy", options->accuracy,
                    "Bound the errors of depth, normal, curvature and baked light of each pixel; printed by "
                    "--stats and --explain");
-  parser
-      ->add_option("--error-overlay", options->overlay,
-                   "Paint the bounds of an error on the image (" + overlayNames() +
-                       "), hatched where they exceed --error; limits: hatching only; " + kStructureOverlay +
-                       ": hatching where source.level may hide a surface")
-      ->type_name("ERROR");
-  parser
-      ->add_option("--light", options->light,
-                   "Use the baked light of this file of `isolux bake`; missing light is baked")
-      ->type_name("FILE");
-  parser->add_flag(
-      "--light-around", options->lightAround,
-      "Bake light around the visible surface and meter the front, as the window does: an image bit-identical "
-      "to the window's, with less noise at rims, for 25 to 50 % more bake time");
-  CLI::Option* const sweep =
-      parser
-          ->add_option("--sweep", options->sweep,
-                       "Draw an image for each of COUNT evenly spaced values of a numeric setting; of "
-                       "source.time_step also a movie if ffmpeg is installed")
-          ->type_name("PATH=LOW:HIGH:COUNT");
-  parser
-      ->add_option("--turntable", options->turntable,
-                   "Draw N views around the volume's up axis, and a movie if ffmpeg is installed")
-      ->type_name("N")
-      ->check(CLI::Range(1, 100000).description(""))
+  addOption(*parser, "--error-overlay", options->overlay, "ERROR",
+            "Paint the bounds of an error on the image (" + overlayNames() +
+                "), hatched where they exceed --error; limits: hatching only; " + kStructureOverlay +
+                ": hatching where source.level may hide a surface");
+  addOption(*parser, "--light", options->light, "FILE",
+            "Use the baked light of this file of `isolux bake`; missing light is baked");
+  parser->add_flag("--light-around", options->lightAround,
+                   "Bake light around the visible surface and meter the front, as the window does: an image "
+                   "bit-identical to the window's, with less noise at rims, for 25 to 50 % more bake time");
+  CLI::Option* const sweep = addOption(*parser, "--sweep", options->sweep, "PATH=LOW:HIGH:COUNT",
+                                       "Draw an image for each of COUNT evenly spaced values of a numeric "
+                                       "setting; of source.time_step also a movie if ffmpeg is installed");
+  addOption(*parser, "--turntable", options->turntable, "N",
+            "Draw N views around the volume's up axis, and a movie if ffmpeg is installed")
+      ->check(within(1, 100000))
       ->excludes(sweep);
-  parser->add_option("--fps", options->fps, "Frames per second of the movie; default 24")
-      ->type_name("N")
-      ->check(CLI::Range(0.01, 240.0).description(""));
+  addOption(*parser, "--fps", options->fps, "N", "Frames per second of the movie; default 24")
+      ->check(within(0.01, 240.0));
   parser->add_flag("--explain", options->explain,
                    "Print each pass, whether it ran, and why; and what light is baked");
-  parser
-      ->add_option("--repeat", options->repeat,
-                   "Draw N frames after one to warm up; --stats has their median time")
-      ->type_name("N")
-      ->check(CLI::Range(0, 100000).description(""));
+  addOption(*parser, "--repeat", options->repeat, "N",
+            "Draw N frames after one to warm up; --stats has their median time")
+      ->check(within(0, 100000));
   addTargetOptions(*parser, options->target);
   options->frames = addFrameOptions(*parser);
   options->context = addContextOption(*parser);

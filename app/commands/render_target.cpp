@@ -8,19 +8,13 @@
 namespace isolux::app {
 
 void addTargetOptions(CLI::App& parser, TargetOptions& options) {
-  CLI::Option* const error =
-      parser
-          .add_option("--error", options.error,
-                      "Choose the cheapest settings whose errors are at most these: depth in mm or vox, "
-                      "missed (pixels) in %, normal in deg, curvature and light in %, as "
-                      "depth=0.01mm,light=2%. Settings given by --set stay")
-          ->type_name("LIST")
-          ->excludes("--light");
-  parser
-      .add_option(
-          "--time", options.time,
-          "Choose the most accurate settings whose frames take at most this on this computer, as 100ms")
-      ->type_name("TIME")
+  CLI::Option* const error = addOption(parser, "--error", options.error, "LIST",
+                                       "Choose the cheapest settings whose errors are at most these: depth "
+                                       "in mm or vox, missed (pixels) in %, normal in deg, curvature and "
+                                       "light in %, as depth=0.01mm,light=2%. Settings given by --set stay")
+                                 ->excludes("--light");
+  addOption(parser, "--time", options.time, "TIME",
+            "Choose the most accurate settings whose frames take at most this on this computer, as 100ms")
       ->excludes(error);
 }
 

@@ -160,15 +160,12 @@ Command makeReplay(CLI::App& program) {
   auto options = std::make_shared<ReplayOptions>();
   parser->add_option("RECORDING", options->recording, "A file made by `isolux PATH --record FILE`")
       ->required();
-  parser
-      ->add_option("--out", options->out,
-                   "Folder for frame_00000.png, frame_00001.png, ... and movie.mp4; created if missing")
-      ->type_name("DIR")
+  addOption(*parser, "--out", options->out, "DIR",
+            "Folder for frame_00000.png, frame_00001.png, ... and movie.mp4; created if missing")
       ->required();
-  parser->add_option("--fps", options->fps, "Frames per second of the recording's time; default 30")
-      ->type_name("N")
-      ->check(CLI::Range(0.01, 240.0).description(""));
-  parser->add_option("--size", options->size, "Pixels; default 1280x720")->type_name("WxH");
+  addOption(*parser, "--fps", options->fps, "N", "Frames per second of the recording's time; default 30")
+      ->check(within(0.01, 240.0));
+  addOption(*parser, "--size", options->size, "WxH", "Pixels; default 1280x720");
   options->frames = addFrameOptions(*parser);
   options->context = addContextOption(*parser);
   addThreadsOption(*parser);

@@ -185,33 +185,22 @@ Command makeSlice(CLI::App& program) {
   CLI::App* const parser = program.add_subcommand(
       "slice", "Draw a slice with the isosurfaces' contours, or write its values as numbers");
   auto options = std::make_shared<SliceOptions>();
-  parser->add_option(
-      "PATH", options->path,
-      "A volume file, a DICOM folder, phantom:NAME[:SIZE], a session, or a .png that carries one");
-  parser
-      ->add_option("--plane", options->plane,
-                   "axial, coronal or sagittal (normal to the world's z, y, x), or a point and a normal "
-                   "\"px,py,pz nx,ny,nz\", mm")
-      ->type_name("PLANE")
+  addPath(*parser, options->path, Opens::pictures);
+  addOption(*parser, "--plane", options->plane, "PLANE",
+            "axial, coronal or sagittal (normal to the world's z, y, x), or a point and a normal \"px,py,pz "
+            "nx,ny,nz\", mm")
       ->required();
-  parser
-      ->add_option("--at", options->at,
-                   "Position on that axis, mm; with a point and a normal: distance along the normal. "
-                   "Default: slice.position; 0")
-      ->type_name("MM");
-  parser
-      ->add_option("--out", options->out,
-                   "A new .png (grey values through window level and width, isocontours with their "
-                   "isovalues, orientation labels, "
-                   "ruler), or a .exr with one channel `value`")
-      ->type_name("FILE")
+  addOption(*parser, "--at", options->at, "MM",
+            "Position on that axis, mm; with a point and a normal: distance along the normal. Default: "
+            "slice.position; 0");
+  addOption(*parser, "--out", options->out, "FILE",
+            "A new .png (grey values through window level and width, isocontours with their isovalues, "
+            "orientation labels, ruler), or a .exr with one channel `value`")
       ->required();
-  parser->add_option("--size", options->size, "Pixels; default: 1024x768 for a .png, voxel size for a .exr")
-      ->type_name("WxH");
-  parser
-      ->add_option("--stats", options->stats,
-                   "Write the position of the pixels, level, width and contours as JSON")
-      ->type_name("FILE");
+  addOption(*parser, "--size", options->size, "WxH",
+            "Pixels; default: 1024x768 for a .png, voxel size for a .exr");
+  addOption(*parser, "--stats", options->stats, "FILE",
+            "Write the position of the pixels, level, width and contours as JSON");
   options->scene = addSceneOptions(*parser, Draws::slice);
   addThreadsOption(*parser);
   parser->footer(

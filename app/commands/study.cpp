@@ -103,21 +103,16 @@ Command makeStudy(CLI::App& program) {
   CLI::App* const parser = program.add_subcommand(
       "study", "Measure error against time of each quality setting, for surfaces and light");
   auto options = std::make_shared<StudyOptions>();
-  parser->add_option(
-      "PATH", options->path,
-      "A volume file, a DICOM folder, phantom:NAME[:SIZE], a session, or a .png that carries one");
-  parser
-      ->add_option("--out", options->out,
-                   "Folder for study.md, study.json and a plot per quality setting; created if missing")
-      ->type_name("DIR")
+  addPath(*parser, options->path, Opens::pictures);
+  addOption(*parser, "--out", options->out, "DIR",
+            "Folder for study.md, study.json and a plot per quality setting; created if missing")
       ->required();
   std::string known;
   for (const Knob& knob : knobs()) known += (known.empty() ? "" : ",") + std::string(knob.name);
-  parser->add_option("--knobs,--settings", options->knobs, "Study only these of " + known)->type_name("LIST");
-  parser->add_option("--size", options->size, "Pixels of the image; default 256x256")->type_name("WxH");
-  parser->add_option("--repeat", options->repeat, "Frames measured per value, in turns; default 7")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1000).description(""));
+  addOption(*parser, "--knobs,--settings", options->knobs, "LIST", "Study only these of " + known);
+  addOption(*parser, "--size", options->size, "WxH", "Pixels of the image; default 256x256");
+  addOption(*parser, "--repeat", options->repeat, "N", "Frames measured per value, in turns; default 7")
+      ->check(within(1, 1000));
   options->context = addContextOption(*parser);
   addThreadsOption(*parser);
   options->scene = addSceneOptions(*parser);
