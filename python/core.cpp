@@ -11,22 +11,18 @@
 
 #include <pybind11/pybind11.h>
 
-#include "app/accuracy/accuracy.h"
 #include "app/annotation/annotation.h"
 #include "app/commands/render_report.h"
 #include "app/documents/picture_scene.h"
 #include "app/documents/session.h"
 #include "app/files/files.h"
-#include "app/jobs/field_job.h"
-#include "app/jobs/rest_scene.h"
+#include "app/light/finished_picture.h"
 #include "app/light/light_picture.h"
 #include "app/light/light_report.h"
 #include "app/light/light_resume.h"
 #include "app/study/study.h"
 #include "app/study_report/study_report.h"
-#include "app/version.h"
 #include "base/error.h"
-#include "base/number_text.h"
 #include "base/numbers.h"
 #include "scene/rules/automatic.h"
 #include "scene/rules/relevance.h"
@@ -44,9 +40,10 @@ using base::ErrorKind;
 
 // Light of colours and of deferred images is kept apart: which texels are lit follows from the rays.
 struct Core::Graphics {
+  explicit Graphics(render::ContextChoice context) : choice(context), renderer(context) {}
+
   render::ContextChoice choice;
-  std::unique_ptr<render::OffscreenContext> context;
-  std::optional<render::Renderer> renderer;
+  render::OffscreenRenderer renderer;
   scene::Machine machine;
   struct Light {
     std::unique_ptr<app::LightController> controller;
@@ -215,40 +212,11 @@ Core::Graphics& Core::graphics(render::ContextChoice choice) {
   if (own && own->choice != choice) own.reset();
   if (!own) {
     requireNoForkSinceDrawing();
-    auto made = std::make_unique<Graphics>();
-    made->choice = choice;
-    made->context = render::OffscreenContext::create(choice);
-    made->context->makeCurrent();
-    made->renderer.emplace(made->context->gl());
-    made->renderer->setVolume(prepared_);
-    own = std::move(made);
+    own = std::make_unique<Graphics>(choice);
+    own->renderer->setVolume(prepared_);
   }
   return *own;
 }
-
-namespace {
-
-void addNotes(const scene::Scene& scene, const render::FrameReport& report, const app::LightState& light,
-              std::vector<std::string>& notes) {
-  static_cast<void>(scene);
-  notes = light.warnings;
-  if (report.empty) notes.push_back("the image is empty: " + report.empty->reason);
-  for (const std::string& error : report.glErrors)
-    notes.push_back("the graphics driver reports an error: " + error);
-  if (report.bricks.missing > 0.0)
-    notes.push_back(base::shortText(100.0 * report.bricks.missing, 2) +
-                    " % of the image is missing: memory.gpu_budget_mb is too small for this view; raise it");
-}
-
-app::DerivativeFacts derivativesOf(const PictureWish& wish, render::Renderer& renderer,
-                                   const scene::Derivatives& asked, const scene::Scene& drawn,
-                                   const render::FrameRequest& request, const render::FrameReport& report,
-                                   const volume::PreparedVolume& volume) {
-  if (wish.explain) return app::derivativeFacts(renderer, asked, drawn, request, report, volume);
-  return {asked, drawn, {}, report.curvature, {}};
-}
-
-}  // namespace
 
 // As `isolux render` does it (app/commands/render.cpp), colours first, then deferred images.
 std::shared_ptr<Picture> Core::draw(const PictureWish& wish, base::Progress& progress) {
@@ -262,7 +230,6 @@ std::shared_ptr<Picture> Core::draw(const PictureWish& wish, base::Progress& pro
   picture->size = wish.size ? *wish.size : app::pictureSize(std::nullopt, path_, wish.scene);
   scene.camera = app::wishedCamera(wish.scene.camera, scene, *prepared_, picture->size, progress);
   const scene::Scene given = scene;
-  const scene::Derivatives& asked = given.derivatives;
   scene = scene::resolve(std::move(scene), prepared_->facts);
 
   std::optional<double> exposure;
@@ -275,48 +242,38 @@ std::shared_ptr<Picture> Core::draw(const PictureWish& wish, base::Progress& pro
       light.file.clear();
     else
       Graphics::load(light, wish.light, app::litScene(scene, request), prepared_, progress);
-    app::completeFields(scene, *prepared_, !request.aovs.empty(), progress);
     light.controller->meterView(!app::startsFromSession(path_, wish.scene));
-    app::lightPicture(*light.controller, *own.renderer, scene, request, prepared_, progress);
+    const bool errors = request.color ? wish.accuracy : !wanted.errors.empty();
+    app::FinishedPicture drawn =
+        app::drawPicture(*own.renderer, *light.controller, {prepared_, scene, request, 0, errors}, progress);
+    scene = drawn.inputs.scene;
     exposure = app::exposureToCarry(*light.controller, scene);
-    const scene::Scene shown = request.aovs.empty() ? app::atRest(scene, *prepared_, progress) : scene;
-    progress.report(0.0, "drawing");
-    app::Drawn drawn;
-    drawn.picture = render::drawStill(*own.renderer, shown, request, progress);
-    drawn.milliseconds = drawn.picture.report.milliseconds;
-    progress.throwIfStopped();
-    if ((wish.accuracy && request.color) || !(wanted.errors.empty() || request.color)) {
-      const app::PictureErrors errors = app::measureErrors(*own.renderer, shown, request, *prepared_,
-                                                           progress, {light.controller->light(), prepared_});
-      picture->accuracy = app::accuracyOf(errors);
-      if (!request.color) picture->exr = app::channelsOf(drawn.picture.aovs, wanted, errors);
-      if (!request.color)
-        for (const app::ErrorImage image : wanted.errors)
-          for (const app::ErrorImageInfo& info : app::errorImages())
-            if (info.image == image) picture->errors.push_back({info.name, app::boundsOf(image, errors)});
+    if (errors && !request.color) {
+      picture->exr = app::channelsOf(drawn.still.aovs, wanted, *drawn.errors);
+      for (const app::ErrorImage image : wanted.errors)
+        for (const app::ErrorImageInfo& info : app::errorImages())
+          if (info.image == image)
+            picture->errors.push_back({info.name, app::boundsOf(image, *drawn.errors)});
     }
     const app::DerivativeFacts facts =
-        derivativesOf(wish, *own.renderer, asked, scene, request, drawn.picture.report, *prepared_);
-    picture->stats = app::renderJson(scene, request, *prepared_, own.context->description(), drawn,
-                                     *light.controller, facts, picture->accuracy)
-                         .dump();
-    addNotes(scene, drawn.picture.report, light.controller->state(), picture->notes);
-    return std::move(drawn.picture);
+        wish.explain ? app::derivativeFacts(*own.renderer, given.derivatives, drawn)
+                     : app::DerivativeFacts{given.derivatives, scene, {}, drawn.still.report.curvature, {}};
+    if (errors)
+      picture->accuracy = drawn.accuracy;
+    else
+      drawn.accuracy = picture->accuracy;  // of the images
+    picture->stats =
+        app::renderJson(drawn, own.renderer.context().description(), *light.controller, facts).dump();
+    picture->notes = light.controller->state().warnings;
+    for (std::string& note : app::notesOf(drawn.still.report)) picture->notes.push_back(std::move(note));
+    return std::move(drawn.still);
   };
 
   // Images come first, so that what is said last is said of the picture.
   if (!wish.images.empty()) {
     render::FrameRequest request;
     request.color = false;
-    request.aovs = wanted.aovs;
-    const auto has = [&](render::Aov aov) {
-      return std::find(request.aovs.begin(), request.aovs.end(), aov) != request.aovs.end();
-    };
-    if (std::find(wanted.errors.begin(), wanted.errors.end(), app::ErrorImage::light) !=
-            wanted.errors.end() &&
-        !has(render::Aov::irradiance))
-      request.aovs.push_back(render::Aov::irradiance);
-    if (request.aovs.empty()) request.aovs = std::vector{render::Aov::hit};
+    request.aovs = app::drawnFor(wanted);
     picture->images = drawOne(request, true).aovs;
   }
   if (wish.color || wish.linear) {
@@ -336,23 +293,15 @@ std::shared_ptr<Picture> Core::draw(const PictureWish& wish, base::Progress& pro
 }
 
 std::shared_ptr<const Picture> Core::render(const PictureWish& wish, const py::object& told) {
-  const auto picture = std::make_shared<std::shared_ptr<Picture>>();
-  desk_.run([self = shared_from_this(), wish,
-             picture](base::Progress& progress) { *picture = self->draw(wish, progress); },
-            told);
-  return *picture;
+  return desk_.answer(
+      [self = shared_from_this(), wish](base::Progress& progress) { return self->draw(wish, progress); },
+      told);
 }
 
-void Core::ask(const app::SceneOptions& options,
-               const std::function<void(const scene::Scene&, base::Progress&)>& question,
-               const py::object& told) {
-  desk_.run(
-      [self = shared_from_this(), options, question](base::Progress& progress) {
-        scene::Scene scene = scene::resolve(self->sceneOf(options), self->prepared_->facts);
-        self->prepared_->derivativeChoices->complete(scene, progress);
-        question(scene, progress);
-      },
-      told);
+scene::Scene Core::completeScene(const app::SceneOptions& options, base::Progress& progress) const {
+  scene::Scene scene = scene::resolve(sceneOf(options), prepared_->facts);
+  prepared_->derivativeChoices->complete(scene, progress);
+  return scene;
 }
 
 void Core::forgetLight(const py::object& told) {
@@ -379,13 +328,11 @@ scene::Scene bakedScene(scene::Scene scene) {
 Baked Core::bake(const app::SceneOptions& options, const std::string& file, bool overwrite,
                  bool mixArithmetic, const py::object& told) {
   constexpr double checkpointSeconds = 60.0;
-  const auto baked = std::make_shared<Baked>();
   const fs::path out(file);
   if (out.extension() != ".vti")
     throw Error(ErrorKind::usage, file, "", "the name of a bake must end in .vti");
-  desk_.run(
-      [self = shared_from_this(), this, options, out, overwrite, mixArithmetic,
-       baked](base::Progress& progress) {
+  return desk_.answer(
+      [self = shared_from_this(), this, options, out, overwrite, mixArithmetic](base::Progress& progress) {
         const scene::Scene scene = bakedScene(scene::resolve(bakedScene(sceneOf(options)), prepared_->facts));
         if (!scene::giChoiceOf(scene).wanted)
           throw Error(ErrorKind::usage, "", "gi.mode", "nothing to bake: " + scene::giChoiceOf(scene).reason);
@@ -393,63 +340,39 @@ Baked Core::bake(const app::SceneOptions& options, const std::string& file, bool
         app::checkOutput(guard, out.string(), "bake");
         const app::OutputLock lock(out);
         std::error_code missing;
-        const bool exists = fs::exists(out, missing);
-        if (exists && !overwrite && !gi::looksLikeBakeFile(out))
+        const bool holdsLight = gi::looksLikeBakeFile(out);
+        if (!holdsLight && !overwrite && fs::exists(out, missing))
           base::throwInput(out.string(), "", "is not baked light; overwrite=True replaces it");
         app::LightController controller({.threads = app::machineOf(options).threads, .innerSides = false});
         controller.setScene(scene, prepared_);
-        if (exists && gi::looksLikeBakeFile(out)) {
-          std::optional<gi::BakeFacts> facts;
-          try {
-            facts = controller.load(out, progress);  // goes on from it
-          } catch (const Error& error) {
-            if (error.kind() != ErrorKind::input) throw;
-            baked->notes.push_back(out.string() + " held other light and was replaced: " + error.reason());
-          }
-          if (facts) app::checkMayGoOn(out, *facts, std::nullopt, controller.arithmetic(), mixArithmetic);
-        }
-        base::Progress writing;  // what there is, also when it ends here: writing is not stopped
-        while (!controller.finish(progress, checkpointSeconds)) {
-          controller.save(out, writing);
-          progress.throwIfStopped();
-        }
-        controller.save(out, writing);
-        nlohmann::ordered_json json;
-        json["version"] = app::version();
+        std::string replaced;
+        if (holdsLight) replaced = app::resumeBake(controller, out, std::nullopt, mixArithmetic, progress);
+        app::bakeToFile(controller, out, std::nullopt, checkpointSeconds, progress);
         const app::LightState state = controller.state();
-        json["bake"] = app::bakeJson(state);
-        json["data_hash"] = base::hexText(prepared_->grid().hash());
-        baked->stats = json.dump();
-        baked->notes.insert(baked->notes.end(), state.warnings.begin(), state.warnings.end());
+        Baked baked{app::bakeStats(state, prepared_->grid()).dump(), state.warnings};
+        if (!replaced.empty()) baked.notes.insert(baked.notes.begin(), replaced);
+        return baked;
       },
       told);
-  return *baked;
 }
 
 std::string Core::study(const app::SceneOptions& options, const std::string& knobs, glm::ivec2 size,
                         int repeat, const py::object& told) {
-  const std::vector<app::Knob> chosen = app::parseKnobs(knobs);
-  const auto result = std::make_shared<std::string>();
-  desk_.run(
-      [self = shared_from_this(), this, options, chosen, size, repeat, result](base::Progress& progress) {
+  return desk_.answer(
+      [self = shared_from_this(), this, options, chosen = app::parseKnobs(knobs), size,
+       repeat](base::Progress& progress) {
         const scene::Scene scene = sceneOf(options);
         app::refuseCuts(scene, "study");
-        Graphics& own = graphics(render::ContextChoice::automatic);
+        const render::OffscreenContext& context =
+            graphics(render::ContextChoice::automatic).renderer.context();
         const app::StudySubject subject{prepared_, scene::resolve(scene, prepared_->facts),
-                                        own.context->description(), size, repeat};
-        app::Studio studio(own.context->gl(), prepared_, scene, app::machineOf(options), size, repeat);
-        double all = 0.0, done = 0.0;
-        for (const app::Knob& knob : chosen) all += app::effortOf(knob, scene);
+                                        context.description(), size, repeat};
+        app::Studio studio(context.gl(), prepared_, scene, app::machineOf(options), size, repeat);
         std::vector<app::KnobStudy> studies;
-        for (const app::Knob& knob : chosen) {
-          const double from = done / all;
-          done += app::effortOf(knob, scene);
-          studies.push_back(studio.study(knob, progress, from, done / all));
-        }
-        *result = app::studyJson(subject, studies, true);
+        studio.study(chosen, progress, [&](app::KnobStudy study) { studies.push_back(std::move(study)); });
+        return app::studyJson(subject, studies, true);
       },
       told);
-  return *result;
 }
 
 }  // namespace isolux::python

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <pybind11/numpy.h>
@@ -14,7 +15,7 @@
 #include "app/commands/command.h"
 #include "app/light/light_controller.h"
 #include "python/desk.h"
-#include "render/renderer.h"
+#include "render/offscreen_renderer.h"
 #include "render/still_picture.h"
 #include "volume/prepared_volume.h"
 
@@ -62,10 +63,15 @@ class Core : public std::enable_shared_from_this<Core> {
                                        const pybind11::object& told);
 
   std::shared_ptr<const Picture> render(const PictureWish& wish, const pybind11::object& told);
-  // Runs it on the desk with the scene as the wish says, resolved.
-  void ask(const app::SceneOptions& options,
-           const std::function<void(const scene::Scene&, base::Progress&)>& question,
-           const pybind11::object& told);
+  // Runs question(scene, progress) on the desk, with the complete scene, and returns what that returns.
+  template <class Question>
+  auto ask(const app::SceneOptions& options, Question question, const pybind11::object& told) {
+    return desk_.answer(
+        [self = shared_from_this(), options, question = std::move(question)](base::Progress& progress) {
+          return question(self->completeScene(options, progress), progress);
+        },
+        told);
+  }
   // Writes all light of the scene to a .vti, as `isolux bake` does; stats are what --stats says of it.
   Baked bake(const app::SceneOptions& options, const std::string& file, bool overwrite, bool mixArithmetic,
              const pybind11::object& told);
@@ -81,6 +87,7 @@ class Core : public std::enable_shared_from_this<Core> {
   struct Graphics;  // lives on the desk's thread
   Core();
   scene::Scene sceneOf(const app::SceneOptions& options) const;
+  scene::Scene completeScene(const app::SceneOptions& options, base::Progress& progress) const;
   Graphics& graphics(render::ContextChoice choice);
   std::shared_ptr<Picture> draw(const PictureWish& wish, base::Progress& progress);
 

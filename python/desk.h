@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <utility>
 
 #include <pybind11/pybind11.h>
 #include <sys/types.h>
@@ -40,6 +41,14 @@ class Desk {
   // then, or None. Throws what the work throws, and pybind11::error_already_set where a signal or `told`
   // raises: then the work is stopped, and waited for a moment only. With Python's lock held.
   void run(Work work, const pybind11::object& told);
+  // As run(); returns what `question` returns, which both keep: an interrupted caller is gone before it ends.
+  template <class Question>
+  auto answer(Question question, const pybind11::object& told) {
+    const auto kept = std::make_shared<decltype(question(std::declval<base::Progress&>()))>();
+    run([kept, question = std::move(question)](base::Progress& progress) { *kept = question(progress); },
+        told);
+    return std::move(*kept);
+  }
 
  private:
   struct Job;

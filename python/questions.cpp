@@ -7,17 +7,14 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/measure_report.h"
-#include "app/commands/piece_report.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "volume/clip/surface_cut.h"
 #include "volume/hit/exact_hit.h"
-#include "volume/measure/piece_measure.h"
 #include "volume/measure/point_probe.h"
 #include "volume/measure/surface_point.h"
 #include "volume/measure/voxel_noise.h"
 #include "volume/parallel_steps.h"
-#include "volume/pieces/shown_pieces.h"
 #include "volume/read/length_doubt.h"
 
 namespace isolux::python {
@@ -67,16 +64,12 @@ void hitOne(const Question& question, glm::dvec3 origin, glm::dvec3 given, std::
 
 Hits hits(Core& core, const app::SceneOptions& options, std::vector<glm::dvec3> origins,
           std::vector<glm::dvec3> directions, const py::object& told) {
-  struct Given {
-    std::vector<glm::dvec3> origins, directions;
-    Hits hits;
-  };
-  const auto given = std::make_shared<Given>(Given{std::move(origins), std::move(directions), {}});
-  core.ask(
+  return core.ask(
       options,
-      [given, prepared = core.prepared()](const scene::Scene& scene, base::Progress& progress) {
-        const std::size_t count = given->origins.size();
-        Hits& hits = given->hits;
+      [origins = std::move(origins), directions = std::move(directions), prepared = core.prepared()](
+          const scene::Scene& scene, base::Progress& progress) {
+        const std::size_t count = origins.size();
+        Hits hits;
         hits.t.assign(count, kNothing);
         hits.error = hits.valueError = hits.t;
         hits.position.assign(count, glm::dvec3(kNothing));
@@ -93,25 +86,21 @@ Hits hits(Core& core, const app::SceneOptions& options, std::vector<glm::dvec3> 
         volume::parallelPieces(count, kPiece, progress, {0.0, 1.0, "casting rays"},
                                [&](std::size_t begin, std::size_t end) {
                                  for (std::size_t i = begin; i < end; ++i)
-                                   hitOne(question, given->origins[i], given->directions[i], i, hits);
+                                   hitOne(question, origins[i], directions[i], i, hits);
                                });
+        return hits;
       },
       told);
-  return std::move(given->hits);
 }
 
 Probed probe(Core& core, const app::SceneOptions& options, std::vector<glm::dvec3> points,
              const py::object& told) {
-  struct Given {
-    std::vector<glm::dvec3> points;
-    Probed probed;
-  };
-  const auto given = std::make_shared<Given>(Given{std::move(points), {}});
-  core.ask(
+  return core.ask(
       options,
-      [given, prepared = core.prepared()](const scene::Scene& scene, base::Progress& progress) {
-        const std::size_t count = given->points.size();
-        Probed& probed = given->probed;
+      [points = std::move(points), prepared = core.prepared()](const scene::Scene& scene,
+                                                               base::Progress& progress) {
+        const std::size_t count = points.size();
+        Probed probed;
         probed.value.assign(count, kNothing);
         probed.confidence = probed.value;
         probed.gradient.assign(count, glm::dvec3(kNothing));
@@ -124,7 +113,7 @@ Probed probe(Core& core, const app::SceneOptions& options, std::vector<glm::dvec
         volume::parallelPieces(count, kPiece, progress, {0.0, 1.0, "probing"},
                                [&](std::size_t begin, std::size_t end) {
                                  for (std::size_t i = begin; i < end; ++i) {
-                                   const auto point = probe.at(given->points[i]);
+                                   const auto point = probe.at(points[i]);
                                    if (!point) continue;
                                    probed.value[i] = point->value;
                                    probed.gradient[i] = point->gradient;
@@ -135,59 +124,32 @@ Probed probe(Core& core, const app::SceneOptions& options, std::vector<glm::dvec
                                    probed.kappa[i] = {point->curvature.kappa1, point->curvature.kappa2};
                                  }
                                });
+        return probed;
       },
       told);
-  return std::move(given->probed);
 }
-
-namespace {
-
-using nlohmann::ordered_json;
-
-// As `isolux measure` (app/commands/measure.cpp), of the surface as a whole.
-ordered_json measured(const volume::PreparedVolume& prepared, const scene::Scene& scene,
-                      base::Progress& progress) {
-  const volume::SurfaceQuestion question{scene.isosurface.value.value(),
-                                         scene.isosurface.inside,
-                                         std::nullopt,
-                                         volume::voxelNoise(prepared, scene, progress),
-                                         {}};
-  const auto pieces = prepared.pieces->at(question.isovalue, question.inside, progress);
-  std::vector<bool> shown;
-  if (volume::hidesPieces(scene.pieces)) shown = prepared.pieces->shown(*pieces, scene.pieces, progress);
-  const volume::PieceMeasures measures = measurePieces(*pieces, *prepared.blocks, question, shown, progress);
-  if (measures.whole.cells == 0)
-    throw Error(ErrorKind::usage, "", "isovalue " + base::shortText(question.isovalue),
-                volume::whyNoSurface(prepared.grid()));
-  ordered_json json{{"isovalue", question.isovalue},
-                    {"unit", prepared.volume.unit},
-                    {"inside", question.inside == scene::Inside::above ? "above" : "below"},
-                    {"noise", question.noise.at(question.isovalue)}};
-  json.update(app::surfaceJson(measures.whole));
-  json["pieces"] = ordered_json::array();
-  for (std::size_t id = 0; id < measures.pieces.size(); ++id)
-    if (shown.empty() || shown[id]) json["pieces"].push_back(app::pieceJson(id, measures.pieces[id]));
-  return json;
-}
-
-}  // namespace
 
 std::string measure(Core& core, const app::SceneOptions& options, bool anyway, const py::object& told) {
   const auto doubt = volume::lengthDoubt(core.prepared()->volume.warnings);
   if (doubt && !anyway)
     base::throwInput(core.path(), "",
                      "lengths are doubtful: " + *doubt + "; anyway=True measures all the same");
-  const auto text = std::make_shared<std::string>();
-  core.ask(
+  return core.ask(
       options,
-      [text, doubt, prepared = core.prepared()](const scene::Scene& scene, base::Progress& progress) {
+      [doubt, prepared = core.prepared()](const scene::Scene& scene, base::Progress& progress) {
         app::refuseCuts(scene, "measure");
-        ordered_json json = measured(*prepared, scene, progress);
-        if (doubt) json["doubt"] = *doubt;
-        *text = json.dump();
+        const volume::SurfaceQuestion question{scene.isosurface.value.value(),
+                                               scene.isosurface.inside,
+                                               std::nullopt,
+                                               volume::voxelNoise(*prepared, scene, progress),
+                                               {}};
+        const app::SizedSurface sized = app::sizedSurface(*prepared, scene, question, progress);
+        if (sized.whole.cells == 0)
+          throw Error(ErrorKind::usage, "", "isovalue " + base::shortText(question.isovalue),
+                      volume::whyNoSurface(prepared->grid()));
+        return app::surfaceJson(*prepared, question, sized, doubt).dump();
       },
       told);
-  return *text;
 }
 
 }  // namespace isolux::python

@@ -63,6 +63,17 @@ WantedImages parseImageList(const std::string& text) {
   return wanted;
 }
 
+std::vector<render::Aov> drawnFor(const WantedImages& wanted) {
+  std::vector<render::Aov> aovs = wanted.aovs;
+  const auto has = [](const auto& list, auto image) {
+    return std::find(list.begin(), list.end(), image) != list.end();
+  };
+  if (has(wanted.errors, ErrorImage::light) && !has(aovs, render::Aov::irradiance))
+    aovs.push_back(render::Aov::irradiance);
+  if (aovs.empty()) aovs.push_back(render::Aov::hit);
+  return aovs;
+}
+
 std::vector<FloatChannel> channelsOf(const std::vector<render::AovImage>& drawn, const WantedImages& wanted,
                                      const PictureErrors& errors) {
   std::vector<FloatChannel> channels;

@@ -154,7 +154,7 @@ ClusterResult ClusterBake::run(const std::string& path, ClusterScene scene, base
   bake(finished, scene, progress);
   release();
   ClusterResult all = result(stamped(finished));
-  all.replaced = std::move(replaced);
+  if (!replaced.empty()) all.notes.insert(all.notes.begin(), replacedNote(options_.out, replaced));
   return all;
 }
 

@@ -27,7 +27,6 @@ struct ClusterResult {
   LightState state;  // of all ranks together
   std::vector<RankReport> ranks;
   gi::StoredLight light;
-  std::string replaced;            // why the light that was in the file was not gone on from
   std::vector<std::string> notes;  // lines about ranks
 };
 

@@ -11,12 +11,8 @@ namespace isolux::app {
 
 namespace {
 
-nlohmann::ordered_json finiteOrNull(double value) {
-  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
-}
-
 nlohmann::ordered_json spreadJson(const BoundSpread& spread) {
-  return {{"median", finiteOrNull(spread.median)}, {"most_99", finiteOrNull(spread.most99)}};
+  return {{"median", spread.median}, {"most_99", spread.most99}};
 }
 
 nlohmann::ordered_json lightJson(const Accuracy& accuracy) {
@@ -25,7 +21,7 @@ nlohmann::ordered_json lightJson(const Accuracy& accuracy) {
           {"confidence", kLightConfidence},
           {"irradiance", spreadJson(accuracy.light)},
           {"relative", spreadJson(accuracy.relativeLight)},
-          {"relative_within", finiteOrNull(accuracy.relativeLightWithin)}};
+          {"relative_within", accuracy.relativeLightWithin}};
 }
 
 std::string figure(const std::string& what, double bound, const char* unit) {

@@ -13,14 +13,12 @@
 #include "app/commands/command.h"
 #include "app/commands/progress_bar.h"
 #include "app/files/files.h"
-#include "app/light/light_picture.h"
 #include "app/light/light_report.h"
 #include "app/light/light_resume.h"
-#include "app/version.h"
 #include "base/error.h"
-#include "base/number_text.h"
 #include "gi/arithmetic.h"
 #include "gi/file/bake_file.h"
+#include "render/offscreen_renderer.h"
 #include "scene/rules/needs.h"
 #include "scene/rules/relevance.h"
 #include "scene/settings.h"
@@ -57,35 +55,16 @@ gi::SeenPoints seenPoints(const BakeOptions& options, const scene::Scene& scene,
                           const std::shared_ptr<const volume::PreparedVolume>& prepared,
                           base::Progress& progress) {
   prepared->cubicFields->makeFor(scene, progress);
-  const auto context = render::OffscreenContext::create(*options.context);
-  context->makeCurrent();
-  render::Renderer renderer(context->gl());
-  renderer.setMachine(machineOf(*options.scene));
-  renderer.setVolume(prepared);
+  render::OffscreenRenderer renderer(*options.context, machineOf(*options.scene));
+  renderer->setVolume(prepared);
   render::FrameRequest request;
   request.size = parseSize(options.size);
   while (std::max(request.size.x, request.size.y) > 4096)
     request.size = glm::max(request.size / 2, glm::ivec2(1));
   request.color = scene::isTransparent(scene);  // what is behind is found where it is shaded
   request.aovs = std::vector{render::Aov::voxel};
-  renderer.render(scene, request);
-  return renderer.hitVoxels();
-}
-
-// Goes on with a file of the same light; other light is replaced, as any picture would be. Returns why.
-std::string resume(LightController& controller, const fs::path& out, const BakeOptions& options,
-                   base::Progress& progress) {
-  std::error_code missing;
-  if (!fs::exists(out, missing)) return {};
-  gi::BakeFacts facts;
-  try {
-    facts = controller.load(out, progress);
-  } catch (const base::Error& error) {
-    if (error.kind() != base::ErrorKind::input) throw;
-    return error.reason();
-  }
-  checkMayGoOn(out, facts, partOf(options.part), controller.arithmetic(), options.mixArithmetic);
-  return {};
+  renderer->render(scene, request);
+  return renderer->hitVoxels();
 }
 
 struct PreparedBake {
@@ -147,20 +126,13 @@ PreparedBake prepareBake(const BakeOptions& options, const fs::path& out, base::
 void reportBake(const BakeOptions& options, const PreparedBake& bake, const LightState& state,
                 const ordered_json& ranks) {
   if (!options.stats.empty()) {
-    ordered_json json;
-    json["version"] = version();
-    json["bake"] = bakeJson(state);
+    ordered_json json = bakeStats(state, bake.volume->grid());
     if (!ranks.is_null()) json["bake"]["ranks"] = ranks;
-    json["data_hash"] = base::hexText(bake.volume->grid().hash());
     writeTextFile(options.stats, jsonText(json));
   }
   if (options.explain) printBake(state);
   for (const std::string& warning : state.warnings) printNote(warning);
   printWarnings(bake.volume->volume);
-}
-
-void noteReplaced(const fs::path& out, const std::string& why) {
-  if (!why.empty()) printNote(out.string() + " held other light and was replaced: " + why);
 }
 
 void bakeHere(const BakeOptions& options, base::Progress& progress) {
@@ -174,25 +146,18 @@ void bakeHere(const BakeOptions& options, base::Progress& progress) {
   controller.setScene(scene, bake.volume);
   {
     const ProgressBar bar(progress);
-    replaced = resume(controller, out, options, progress);
+    replaced = resumeBake(controller, out, part, options.mixArithmetic, progress);
     if (scene.gi.extent == scene::GiExtent::view)
       controller.setVisible(seenPoints(options, scene, bake.volume, progress));
-    // What there is, also when it ends here: writing is not stopped.
-    base::Progress writing;
     std::optional<gi::BakedPart> said;
     if (part)
       said = {*part, static_cast<std::uint32_t>(scene.gi.samples), texelsText(options.size, scene), false};
-    while (!controller.finish(progress, options.checkpointSeconds)) {
-      controller.save(out, writing, said);
-      progress.throwIfStopped();
-    }
-    if (said) said->complete = true;
-    controller.save(out, writing, said);
+    bakeToFile(controller, out, said, options.checkpointSeconds, progress);
     if (options.pieces > 0)
       gi::writeBakePieces(indexOfPieces(options), options.pieces, bake.volume->grid(), controller.stored(),
                           progress);
   }
-  noteReplaced(out, replaced);
+  if (!replaced.empty()) printNote(replaced);
   reportBake(options, bake, controller.state(), nullptr);
 }
 
@@ -221,7 +186,6 @@ void bakeAsFirst(const BakeOptions& options, ClusterBake& cluster, base::Progres
       gi::writeBakePieces(indexOfPieces(options), options.pieces, bake.volume->grid(), result.light,
                           progress);
   }
-  noteReplaced(options.out, result.replaced);
   for (const std::string& note : result.notes) printNote(note);
   reportBake(options, bake, result.state, ranksJson(result.ranks));
 }

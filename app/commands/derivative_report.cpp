@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/files/json_text.h"
 #include "app/jobs/rest_scene.h"
 #include "base/number_text.h"
 #include "render/graph/pass_declarations.h"
@@ -19,10 +20,6 @@ namespace isolux::app {
 namespace {
 
 using nlohmann::ordered_json;
-
-ordered_json pairJson(glm::dvec2 v) {
-  return ordered_json::array({v.x, v.y});
-}
 
 // A picture of its rays that is no larger than the renderer draws at once.
 double unknownShareOf(render::Renderer& renderer, const scene::Scene& scene, render::FrameRequest request) {
@@ -70,16 +67,17 @@ void printTaken(const scene::Look& look, const render::CurvatureReport& curvatur
 }  // namespace
 
 DerivativeFacts derivativeFacts(render::Renderer& renderer, const scene::Derivatives& asked,
-                                const scene::Scene& drawn, const render::FrameRequest& request,
-                                const render::FrameReport& report, const volume::PreparedVolume& volume) {
-  DerivativeFacts facts{asked, drawn, {}, report.curvature, {}};
-  const volume::DerivativeChoices& choices = *volume.derivativeChoices;
+                                const FinishedPicture& picture) {
+  const scene::Scene& drawn = picture.inputs.scene;
+  DerivativeFacts facts{asked, drawn, {}, picture.still.report.curvature, {}};
+  const volume::DerivativeChoices& choices = *picture.inputs.volume->derivativeChoices;
   const volume::DerivativeQuestion whole{drawn.isosurface.value.value(), drawn.derivatives.field,
                                          asked.noise},
       ofNoise{whole.isovalue, whole.field, drawn.derivatives.noise};  // which was known before
   facts.choice = choices.find(whole);
   if (!facts.choice) facts.choice = choices.find(ofNoise);
-  if (render::readsHessian(drawn, request)) facts.unknownShare = unknownShareOf(renderer, drawn, request);
+  if (render::readsHessian(drawn, picture.inputs.request))
+    facts.unknownShare = unknownShareOf(renderer, drawn, picture.inputs.request);
   return facts;
 }
 
@@ -95,22 +93,19 @@ ordered_json choiceJson(const volume::DerivativeChoice& choice) {
 
 ordered_json derivativesJson(const DerivativeFacts& facts) {
   const scene::Derivatives &asked = facts.asked, &drawn = facts.drawn.derivatives;
-  const auto number = [](const std::optional<double>& v) {
-    return v ? ordered_json(*v) : ordered_json(nullptr);
-  };
   ordered_json automatic = ordered_json::array();
   if (!asked.noise) automatic.push_back("noise");
   if (!asked.scale) automatic.push_back("scale");
   if (!asked.normalScale) automatic.push_back("normal_scale");
-  ordered_json json{{"noise", number(drawn.noise)},
-                    {"scale_mm", number(drawn.scale)},
-                    {"normal_scale_mm", number(drawn.normalScale)},
+  ordered_json json{{"noise", drawn.noise},
+                    {"scale_mm", drawn.scale},
+                    {"normal_scale_mm", drawn.normalScale},
                     {"automatic", automatic}};
   json["chosen"] = facts.choice ? choiceJson(*facts.choice) : ordered_json(nullptr);
-  json["range"] = facts.curvature ? pairJson(facts.curvature->range) : ordered_json(nullptr);
+  json["range"] = facts.curvature ? ordered_json(facts.curvature->range) : ordered_json();
   json["ridge_thresholds"] =
-      facts.curvature ? pairJson(facts.curvature->ridgeThresholds) : ordered_json(nullptr);
-  json["unknown_share"] = number(facts.unknownShare);
+      facts.curvature ? ordered_json(facts.curvature->ridgeThresholds) : ordered_json();
+  json["unknown_share"] = facts.unknownShare;
   return json;
 }
 
@@ -134,7 +129,7 @@ void printDerivatives(const DerivativeFacts& facts) {
 ordered_json restJson(const scene::Scene& drawn, const volume::PreparedVolume& volume) {
   const std::optional<double> share = volume.stillHits->find(drawn.isosurface.value.value());
   return {{"field", scene::setting("hit.field").get(atRestIfReady(drawn, volume))},
-          {"share_beside_spline", share ? ordered_json(*share) : ordered_json(nullptr)}};
+          {"share_beside_spline", share}};
 }
 
 void printRest(const scene::Scene& drawn, const volume::PreparedVolume& volume) {

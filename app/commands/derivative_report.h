@@ -4,8 +4,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "render/graph/frame.h"
-#include "render/renderer.h"
+#include "app/light/finished_picture.h"
 #include "scene/scene.h"
 #include "volume/prepared_volume.h"
 
@@ -23,8 +22,7 @@ struct DerivativeFacts {
 
 // Of the last picture of `renderer`. Draws again what it has to read of it.
 DerivativeFacts derivativeFacts(render::Renderer& renderer, const scene::Derivatives& asked,
-                                const scene::Scene& drawn, const render::FrameRequest& request,
-                                const render::FrameReport& report, const volume::PreparedVolume& volume);
+                                const FinishedPicture& picture);
 
 nlohmann::ordered_json choiceJson(const volume::DerivativeChoice& choice);
 nlohmann::ordered_json derivativesJson(const DerivativeFacts& facts);

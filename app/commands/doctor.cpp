@@ -161,7 +161,6 @@ void printDoctor(std::ostream& out, const std::string& window, base::Progress& p
         << " is the choice of --context auto: first a GPU through EGL, then OSMesa, then software EGL.\n";
   if (chosen.empty()) return;
   const auto context = render::OffscreenContext::create(render::ContextChoice::automatic);
-  context->makeCurrent();
   printLimits(out, *context->gl());
   printExecutors(out, context->gl(), progress);
 }

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/files/json_text.h"
 #include "app/jobs/field_job.h"
 #include "base/number_text.h"
 #include "scene/rules/automatic.h"
@@ -13,10 +14,6 @@
 namespace isolux::app {
 
 namespace {
-
-nlohmann::ordered_json numberOrNull(const std::optional<double>& number) {
-  return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json(nullptr);
-}
 
 std::string millimetres(double mm) {
   return base::shortText(mm, 2) + " mm";
@@ -45,11 +42,9 @@ nlohmann::ordered_json edgeJson(const EdgeReport& report) {
   json["contrast"] = report.scene.edge.contrast;
   json["points"] = edges.points;
   json["without_edge"] = edges.without;
-  json["half_within_mm"] = numberOrNull(edges.within50);
-  json["90_percent_within_mm"] = numberOrNull(edges.within90);
-  json["offset_mm"] = {{"5_percent", numberOrNull(edges.low)},
-                       {"median", numberOrNull(edges.median)},
-                       {"95_percent", numberOrNull(edges.high)}};
+  json["half_within_mm"] = edges.within50;
+  json["90_percent_within_mm"] = edges.within90;
+  json["offset_mm"] = {{"5_percent", edges.low}, {"median", edges.median}, {"95_percent", edges.high}};
   json["median_strength"] = edges.strength;
   return json;
 }

@@ -27,13 +27,6 @@ struct InfoOptions {
   bool json = false, pieces = false, edge = false, series = false, anonymous = false;
 };
 
-ordered_json vectorJson(glm::dvec3 v) {
-  return ordered_json::array({v.x, v.y, v.z});
-}
-ordered_json vectorJson(glm::ivec3 v) {
-  return ordered_json::array({v.x, v.y, v.z});
-}
-
 std::size_t activeBlocksAt(const PreparedVolume& prepared, double isovalue) {
   std::vector<std::uint8_t> flags;
   return prepared.blocks->activeBlocks(static_cast<float>(prepared.grid().storedOfValue(isovalue)), flags);
@@ -50,16 +43,16 @@ ordered_json infoJson(const PreparedVolume& prepared, const InfoMeasures& measur
   const volume::GridGeometry& geometry = grid.geometry();
   const double isovalue = prepared.facts.suggestedIsovalue;
   ordered_json directions = ordered_json::array();
-  for (int axis = 0; axis < 3; ++axis) directions.push_back(vectorJson(geometry.directions()[axis]));
+  for (int axis = 0; axis < 3; ++axis) directions.push_back(geometry.directions()[axis]);
 
   ordered_json json;
   json["name"] = v.name;
   json["format"] = v.format;
-  json["dims"] = vectorJson(grid.dims());
+  json["dims"] = grid.dims();
   json["type"] = volume::nameOf(v.fileType);
   json["stored_type"] = volume::nameOf(grid.storedType());
-  json["spacing_mm"] = vectorJson(geometry.spacingMm());
-  json["origin_mm"] = vectorJson(geometry.originMm());
+  json["spacing_mm"] = geometry.spacingMm();
+  json["origin_mm"] = geometry.originMm();
   json["directions"] = directions;                                      // one unit vector per voxel axis
   json["orientation_stated"] = v.axes == scene::WorldAxes::anatomical;  // then the world is LPS
   json["unit"] = v.unit;
@@ -67,7 +60,7 @@ ordered_json infoJson(const PreparedVolume& prepared, const InfoMeasures& measur
   json["kind_reason"] = prepared.kind.reason;
   json["slope"] = grid.slope();
   json["intercept"] = grid.intercept();
-  json["range"] = ordered_json::array({grid.minimum(), grid.maximum()});
+  json["range"] = {grid.minimum(), grid.maximum()};
   json["missing"] = grid.missingCount();
   json["labels"] = v.labels;
   json["suggested_isovalue"] = isovalue;
@@ -76,14 +69,14 @@ ordered_json infoJson(const PreparedVolume& prepared, const InfoMeasures& measur
   json["noise"] = {{"values", noise.values},
                    {"deviations", noise.deviations},
                    {"at_suggested", noise.at(isovalue)},
-                   {"blur_voxels", vectorJson(noise.correlation)}};
+                   {"blur_voxels", noise.correlation}};
   json["derivatives_at_suggested"] = choiceJson(measured.choice);
   json["histogram"] = {{"minimum", prepared.histogram.minimum},
                        {"maximum", prepared.histogram.maximum},
                        {"counts", prepared.histogram.counts},
                        {"peaks", prepared.histogram.peaks}};
   json["blocks"] = {{"cells", prepared.blocks->blockCells()},
-                    {"dims", vectorJson(prepared.blocks->dims())},
+                    {"dims", prepared.blocks->dims()},
                     {"total", prepared.blocks->count()},
                     {"active_at_suggested", activeBlocksAt(prepared, isovalue)}};
   json["components"] = v.components;

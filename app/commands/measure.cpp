@@ -3,23 +3,24 @@
 #include <filesystem>
 #include <iostream>
 #include <optional>
+#include <sstream>
 
 #include <glm/common.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/commands/command.h"
 #include "app/commands/curvature_report.h"
-#include "app/commands/measure_marks.h"
 #include "app/commands/measure_points.h"
 #include "app/commands/measure_report.h"
-#include "app/commands/piece_report.h"
 #include "app/commands/progress_bar.h"
 #include "app/files/files.h"
 #include "app/files/number_rows.h"
+#include "app/marks/mark_evaluator.h"
+#include "app/marks/markups_file.h"
 #include "base/error.h"
 #include "base/number_text.h"
+#include "base/printable.h"
 #include "scene/rules/automatic.h"
-#include "volume/measure/piece_measure.h"
 #include "volume/measure/surface_measure.h"
 #include "volume/measure/voxel_noise.h"
 #include "volume/pieces/shown_pieces.h"
@@ -33,7 +34,6 @@ using base::Error;
 using base::ErrorKind;
 using nlohmann::ordered_json;
 using volume::PreparedVolume;
-using volume::SurfaceOf;
 
 struct MeasureOptions {
   std::string path, box, marks, out;
@@ -63,47 +63,6 @@ void refuseWhatIsNoSurface(const MeasureOptions& options, const MeasuredSurface&
     base::throwInput(measured.file, at, volume::whyNoSurface(measured.prepared.grid()));
   if (options.closed && surface.open())
     base::throwInput(measured.file, at, "the surface is open: " + openReason(surface));
-}
-
-struct SizedSurface {
-  volume::SurfaceMeasure whole;
-  ordered_json pieces = ordered_json::array();  // those that are shown, not within a box
-};
-
-// Whether a piece that is shown has a corner of the cell.
-bool holdsShown(const volume::Pieces& pieces, const std::vector<bool>& shown, glm::ivec3 cell) {
-  for (int i = 0; i < 8; ++i) {
-    const std::uint32_t id = pieces.ofVoxel(cell + glm::ivec3(i & 1, i >> 1 & 1, i >> 2));
-    if (id < shown.size() && shown[id]) return true;
-  }
-  return false;
-}
-
-SizedSurface sizedSurface(const MeasureOptions& options, const scene::Scene& scene,
-                          const MeasuredSurface& measured, base::Progress& progress) {
-  const PreparedVolume& prepared = measured.prepared;
-  const SurfaceOf& of = measured.surface;
-  volume::SurfaceQuestion question{of.isovalue, of.inside, boxOf(options.box), of.noise, {}};
-  SizedSurface sized;
-  if (question.box && !volume::hidesPieces(scene.pieces)) {
-    sized.whole = measureSurface(prepared.grid(), *prepared.blocks, question, progress);
-    return sized;
-  }
-  const auto pieces = prepared.pieces->at(of.isovalue, of.inside, progress);
-  std::vector<bool> shown;
-  if (volume::hidesPieces(scene.pieces)) shown = prepared.pieces->shown(*pieces, scene.pieces, progress);
-  if (question.box) {
-    question.keeps = [&](glm::ivec3 cell) { return holdsShown(*pieces, shown, cell); };
-    sized.whole = measureSurface(prepared.grid(), *prepared.blocks, question, progress);
-    return sized;
-  }
-  const volume::PieceMeasures measures = measurePieces(*pieces, *prepared.blocks, question, shown, progress);
-  sized.whole = measures.whole;
-  for (std::size_t id = 0; id < measures.pieces.size(); ++id) {
-    if (!shown.empty() && !shown[id]) continue;
-    sized.pieces.push_back(pieceJson(id, measures.pieces[id]));
-  }
-  return sized;
 }
 
 // What of the surface counts, its curvature, and the files that were asked for of it.
@@ -143,20 +102,16 @@ ordered_json measure(const MeasureOptions& options, const scene::Scene& scene, c
   if (doubt && !options.anyway)
     base::throwInput(scene.source.path, "",
                      "lengths are doubtful: " + *doubt + "; --anyway measures all the same");
+  const volume::SurfaceQuestion question{isovalue,
+                                         scene.isosurface.inside,
+                                         boxOf(options.box),
+                                         volume::voxelNoise(prepared, scene, progress),
+                                         {}};
   MeasuredSurface measured{
-      scene.source.path,
-      prepared,
-      {prepared.grid(), isovalue, scene.isosurface.inside, volume::voxelNoise(prepared, scene, progress)}};
-  const SizedSurface sized = sizedSurface(options, scene, measured, progress);
-  const volume::SurfaceMeasure& surface = sized.whole;
-  refuseWhatIsNoSurface(options, measured, surface);
-  ordered_json json{{"isovalue", isovalue},
-                    {"unit", prepared.volume.unit},
-                    {"inside", scene.isosurface.inside == scene::Inside::above ? "above" : "below"},
-                    {"noise", measured.surface.noise.at(isovalue)}};
-  if (doubt) json["doubt"] = *doubt;
-  json.update(surfaceJson(surface));
-  if (options.box.empty()) json["pieces"] = sized.pieces;
+      scene.source.path, prepared, {prepared.grid(), isovalue, question.inside, question.noise}};
+  const SizedSurface sized = sizedSurface(prepared, scene, question, progress);
+  refuseWhatIsNoSurface(options, measured, sized.whole);
+  ordered_json json = surfaceJson(prepared, question, sized, doubt);
   if (options.wantsCurvature()) json["curvature"] = curvatureOf(options, scene, prepared, progress);
   for (const std::string& text : options.distances)
     json["distances"].push_back(distanceJson(measured, text, progress));
@@ -165,6 +120,21 @@ ordered_json measure(const MeasureOptions& options, const scene::Scene& scene, c
   for (const std::string& text : options.thicknesses)
     json["thicknesses"].push_back(thicknessJson(measured, text, progress));
   return json;
+}
+
+// Those of the Markups file, or, where its name is empty, of the scene (a session has them).
+ReadMarks marksToMeasure(const std::string& file, const scene::Scene& scene) {
+  if (file.empty()) return {scene.marks, {}};
+  ReadMarks read = readMarkups(file);
+  for (std::string& note : read.notes) note.insert(0, file + ": ");
+  return read;
+}
+
+void printMarks(const std::vector<scene::Mark>& marks, const std::vector<MarkReport>& reports) {
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    std::istringstream lines(fullText(marks[i], reports[i]));
+    for (std::string line; std::getline(lines, line);) std::cout << base::printable(line) << '\n';
+  }
 }
 
 void checkPoints(const MeasureOptions& options) {  // before the volume is read
@@ -244,30 +214,32 @@ Command makeMeasure(CLI::App& program) {
             const scene::Scene scene = sceneOf(options->path, *sceneOptions);
             checkCurvatureFiles(*options, *sceneOptions, scene);
             refuseCuts(scene, "isolux measure");
-            const WantedMarks wanted = marksToMeasure(options->marks, scene);
+            const ReadMarks wanted = marksToMeasure(options->marks, scene);
+            const std::vector<scene::Mark>& marks = wanted.marks;
             if (!options->out.empty()) {
-              if (wanted.marks.empty())
-                throw Error(ErrorKind::usage, "", "--out", "there are no marks to write");
+              if (marks.empty()) throw Error(ErrorKind::usage, "", "--out", "there are no marks to write");
               OutputGuard guard = outputGuard(options->path, *sceneOptions, scene);
               if (!options->marks.empty()) guard.reads(options->marks, "the file of marks");
               checkOutput(guard, options->out, "--out");
             }
             const auto prepared = loadWithProgressBar(scene.source, progress);
             ordered_json json;
-            MeasuredMarks marks;
+            std::vector<MarkReport> reports;
             {
               const ProgressBar bar(progress);
               const scene::Scene resolved = scene::resolve(scene, prepared->facts);
               json = measure(*options, resolved, *prepared, progress);
-              marks = measuredMarks(wanted.marks, prepared, resolved, options->anyway, progress);
+              MarkEvaluator evaluator(prepared, resolved, options->anyway);
+              for (const scene::Mark& mark : marks) reports.push_back(evaluator.evaluate(mark, progress));
             }
-            if (!marks.marks.empty()) json["marks"] = marksJson(marks);
-            if (!options->out.empty()) writeTextFile(options->out, marksCsv(marks.marks, marks.reports));
+            for (std::size_t i = 0; i < marks.size(); ++i)
+              json["marks"].push_back(markJson(marks[i], reports[i]));
+            if (!options->out.empty()) writeTextFile(options->out, marksCsv(marks, reports));
             if (options->json) {
               std::cout << jsonText(json);
             } else {
               printMeasures(json, std::cout);
-              printMarks(marks, std::cout);
+              printMarks(marks, reports);
             }
             if (json["open"].get<bool>())
               printNote("the surface is open: " + json["open_reason"].get<std::string>());

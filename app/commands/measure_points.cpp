@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/measure_report.h"
+#include "app/files/json_text.h"
 #include "app/files/number_rows.h"
 #include "base/error.h"
 #include "base/number_text.h"
@@ -54,9 +55,7 @@ ordered_json distanceJson(MeasuredSurface& measured, const std::string& text, ba
   const SurfaceOf& surface = measured.surface;
   const volume::Measured straight =
       straightDistance(uncertain(surface, points[0]), uncertain(surface, points[1]));
-  ordered_json json{{"from_mm", vectorOf(points[0])},
-                    {"to_mm", vectorOf(points[1])},
-                    {"straight_mm", measuredJson(straight)}};
+  ordered_json json{{"from_mm", points[0]}, {"to_mm", points[1]}, {"straight_mm", measuredJson(straight)}};
   const auto from = nearestPoint(surface, points[0]), to = nearestPoint(surface, points[1]);
   json["along_surface_mm"] = nullptr;
   if (!from || !to) {
@@ -69,10 +68,9 @@ ordered_json distanceJson(MeasuredSurface& measured, const std::string& text, ba
     return json;
   }
   json["along_surface_mm"] = measuredJson(way->lengthMm, way->parts);
-  json["along_surface_from_mm"] = vectorOf(from->world);
-  json["along_surface_to_mm"] = vectorOf(to->world);
-  ordered_json& path = json["path_mm"] = ordered_json::array();
-  for (const glm::dvec3& point : way->path) path.push_back(vectorOf(point));
+  json["along_surface_from_mm"] = from->world;
+  json["along_surface_to_mm"] = to->world;
+  json["path_mm"] = way->path;
   return json;
 }
 
@@ -84,7 +82,7 @@ ordered_json angleJson(const MeasuredSurface& measured, const std::string& text)
   const auto angle =
       at.size() == 3 ? angleDegrees(at[0], at[1], at[2]) : dihedralDegrees(at[0], at[1], at[2], at[3]);
   if (!angle) throw Error(ErrorKind::usage, "", "--angle", "has points on a line or in one place: " + text);
-  return {{"points_mm", vectorsOf(points)}, {"degrees", measuredJson(*angle)}};
+  return {{"points_mm", points}, {"degrees", measuredJson(*angle)}};
 }
 
 ordered_json circleJson(const MeasuredSurface& measured, const std::string& text) {
@@ -93,23 +91,24 @@ ordered_json circleJson(const MeasuredSurface& measured, const std::string& text
       circleThrough(uncertain(measured.surface, points[0]), uncertain(measured.surface, points[1]),
                     uncertain(measured.surface, points[2]));
   if (!circle) throw Error(ErrorKind::usage, "", "--circle", "has its points on a line: " + text);
-  return {{"points_mm", vectorsOf(points)},
+  return {{"points_mm", points},
           {"radius_mm", measuredJson(circle->radiusMm)},
-          {"centre_mm", vectorOf(circle->centre)},
-          {"normal", vectorOf(circle->normal)}};
+          {"centre_mm", circle->centre},
+          {"normal", circle->normal}};
 }
 
 ordered_json thicknessJson(MeasuredSurface& measured, const std::string& text, base::Progress& progress) {
   const glm::dvec3 world = parsePoints(text, "--thickness", 1, 1)[0];
   const SurfacePoint point = pointOfSurface(measured, world, "--thickness");
-  ordered_json json{{"point_mm", vectorOf(point.world)}, {"normal", vectorOf(point.normal)}};
+  ordered_json json{{"point_mm", point.world}, {"normal", point.normal}};
   const auto ray = thicknessByRay(measured.surface, *measured.prepared.blocks, point);
   const auto ball = inscribedBall(measured.surface, measured.graphOnce(progress), point);
-  json["ray_mm"] = ray ? measuredJson(ray->mm) : ordered_json();
-  json["exit_mm"] = ray ? vectorOf(ray->exit) : ordered_json();
-  json["ball_mm"] = ball ? measuredJson(ball->diameterMm) : ordered_json();
-  json["centre_mm"] = ball ? vectorOf(ball->centre) : ordered_json();
-  json["touches_mm"] = ball ? vectorOf(ball->touches) : ordered_json();
+  for (const char* key : {"ray_mm", "exit_mm", "ball_mm", "centre_mm", "touches_mm"}) json[key] = nullptr;
+  if (ray) json.update({{"ray_mm", measuredJson(ray->mm)}, {"exit_mm", ray->exit}});
+  if (ball)
+    json.update({{"ball_mm", measuredJson(ball->diameterMm)},
+                 {"centre_mm", ball->centre},
+                 {"touches_mm", ball->touches}});
   return json;
 }
 

@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "app/commands/curvature_report.h"
+#include "app/commands/piece_report.h"
 #include "base/number_text.h"
 #include "base/printable.h"
+#include "scene/setting/choice_names.h"
+#include "volume/pieces/shown_pieces.h"
 
 namespace isolux::app {
 
@@ -50,6 +54,15 @@ void printDistances(const ordered_json& distances, std::ostream& out) {
   }
 }
 
+// Whether a piece that is shown has a corner of the cell.
+bool holdsShown(const volume::Pieces& pieces, const std::vector<bool>& shown, glm::ivec3 cell) {
+  for (int i = 0; i < 8; ++i) {
+    const std::uint32_t id = pieces.ofVoxel(cell + glm::ivec3(i & 1, i >> 1 & 1, i >> 2));
+    if (id < shown.size() && shown[id]) return true;
+  }
+  return false;
+}
+
 constexpr std::size_t kListedPieces = 10;
 
 void printPieces(const ordered_json& pieces, std::ostream& out) {
@@ -62,16 +75,6 @@ void printPieces(const ordered_json& pieces, std::ostream& out) {
 }
 
 }  // namespace
-
-ordered_json vectorOf(glm::dvec3 v) {
-  return ordered_json::array({v.x, v.y, v.z});
-}
-
-ordered_json vectorsOf(const std::vector<glm::dvec3>& vectors) {
-  ordered_json json = ordered_json::array();
-  for (const glm::dvec3& v : vectors) json.push_back(vectorOf(v));
-  return json;
-}
 
 ordered_json measuredJson(const volume::Measured& measured) {
   return {{"value", measured.value}, {"error", measured.error}};
@@ -92,14 +95,42 @@ std::string openReason(const volume::SurfaceMeasure& surface) {
   return "the inside goes on where voxels are missing";
 }
 
-ordered_json surfaceJson(const volume::SurfaceMeasure& surface) {
-  ordered_json json;
+SizedSurface sizedSurface(const volume::PreparedVolume& prepared, const scene::Scene& scene,
+                          volume::SurfaceQuestion question, base::Progress& progress) {
+  const bool hides = volume::hidesPieces(scene.pieces);
+  if (question.box && !hides)
+    return {measureSurface(prepared.grid(), *prepared.blocks, question, progress), {}};
+  const auto pieces = prepared.pieces->at(question.isovalue, question.inside, progress);
+  std::vector<bool> shown;
+  if (hides) shown = prepared.pieces->shown(*pieces, scene.pieces, progress);
+  if (question.box) {
+    question.keeps = [&](glm::ivec3 cell) { return holdsShown(*pieces, shown, cell); };
+    return {measureSurface(prepared.grid(), *prepared.blocks, question, progress), {}};
+  }
+  const volume::PieceMeasures measures = measurePieces(*pieces, *prepared.blocks, question, shown, progress);
+  SizedSurface sized{measures.whole, {}};
+  for (std::size_t id = 0; id < measures.pieces.size(); ++id)
+    if (shown.empty() || shown[id]) sized.pieces.emplace(id, measures.pieces[id]);
+  return sized;
+}
+
+ordered_json surfaceJson(const volume::PreparedVolume& prepared, const volume::SurfaceQuestion& question,
+                         const SizedSurface& sized, const std::optional<std::string>& doubt) {
+  const volume::SurfaceMeasure& surface = sized.whole;
+  ordered_json json{{"isovalue", question.isovalue},
+                    {"unit", prepared.volume.unit},
+                    {"inside", scene::choiceName(question.inside)},
+                    {"noise", question.noise.at(question.isovalue)}};
+  if (doubt) json["doubt"] = *doubt;
   json["area_mm2"] = measuredJson(surface.areaMm2, surface.areaParts);
   json["volume_mm3"] = measuredJson(surface.volumeMm3, surface.volumeParts);
   json["volume_per_value_mm3"] = surface.volumePerValue;
   json["cells"] = surface.cells;
   json["open"] = surface.open();
   if (surface.open()) json["open_reason"] = openReason(surface);
+  if (question.box) return json;
+  json["pieces"] = ordered_json::array();
+  for (const auto& [id, piece] : sized.pieces) json["pieces"].push_back(pieceJson(id, piece));
   return json;
 }
 

@@ -32,7 +32,7 @@ ordered_json meshJson(const MeshOptions& options, const scene::Scene& scene,
   json["points"] = found.mesh.points.size();
   json["triangles"] = found.mesh.triangles.size();
   json["largest_distance_mm"] = found.largestDistanceMm;
-  json["farthest_mm"] = {found.farthest.x, found.farthest.y, found.farthest.z};
+  json["farthest_mm"] = found.farthest;
   json["places_beyond_tolerance"] = found.beyond;
   json["closed"] = found.openEdges == 0;
   json["open_edges"] = found.openEdges;

@@ -11,7 +11,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/measure_report.h"
+#include "app/files/json_text.h"
 #include "base/number_text.h"
+#include "scene/setting/choice_names.h"
 #include "volume/measure/voxel_noise.h"
 #include "volume/pieces/piece_seeds.h"
 
@@ -59,7 +61,7 @@ ordered_json pieceJson(std::size_t id, const volume::PieceMeasure& piece) {
   return {{"id", id},
           {"volume_mm3", measuredJson(piece.surface.volumeMm3)},
           {"area_mm2", measuredJson(piece.surface.areaMm2)},
-          {"bounds_mm", vectorsOf({piece.bounds.lowMm, piece.bounds.highMm})},
+          {"bounds_mm", {piece.bounds.lowMm, piece.bounds.highMm}},
           {"open", piece.surface.open()}};
 }
 
@@ -76,12 +78,12 @@ ordered_json piecesJson(const volume::PreparedVolume& prepared, const scene::Sce
   for (std::size_t id = 0; id < measures.pieces.size(); ++id) {
     ordered_json piece = pieceJson(id, measures.pieces[id]);
     piece["voxels"] = pieces->list()[id].voxels;
-    piece["seed_mm"] = vectorOf(volume::worldOf(prepared.grid().geometry(), seeds[id]));
+    piece["seed_mm"] = volume::worldOf(prepared.grid().geometry(), seeds[id]);
     piece["shown"] = static_cast<bool>(shown[id]);
     list.push_back(std::move(piece));
   }
   return {{"isovalue", isovalue},
-          {"inside", scene.isosurface.inside == scene::Inside::above ? "above" : "below"},
+          {"inside", scene::choiceName(scene.isosurface.inside)},
           {"count", list.size()},
           {"list", std::move(list)}};
 }

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/command.h"
-#include "app/commands/measure_report.h"
 #include "app/files/number_rows.h"
 #include "base/error.h"
 #include "base/number_text.h"
@@ -37,20 +36,23 @@ struct Probes {
 // What is unknown is null.
 void addPoint(ordered_json& json, const Probes& probes, glm::dvec3 world,
               const std::optional<volume::ProbedPoint>& point) {
-  json["position_mm"] = vectorOf(world);
-  json["voxel"] = point ? vectorOf(point->voxel) : ordered_json();
-  json["value"] = point ? ordered_json(point->value) : ordered_json();
-  json["gradient"] = point ? vectorOf(point->gradient) : ordered_json();
-  const bool shaped = point && point->curvature.normal != glm::dvec3(0.0);
-  json["normal"] = shaped ? vectorOf(point->curvature.normal) : ordered_json();
-  json["kappa"] =
-      shaped ? ordered_json::array({point->curvature.kappa1, point->curvature.kappa2}) : ordered_json();
-  json["flowline_curvature"] = shaped ? ordered_json(point->curvature.flowline) : ordered_json();
-  json["confidence"] = point ? ordered_json(point->confidence) : ordered_json();
-  json["scale_mm"] = point ? ordered_json(point->scaleMm) : ordered_json();
-  const volume::Edge edge = shaped ? probes.edges.at(point->voxel) : volume::Edge{};
-  json["edge_offset_mm"] = edge.offsetMm ? ordered_json(*edge.offsetMm) : ordered_json();
-  json["edge_strength"] = shaped ? ordered_json(edge.strength) : ordered_json();
+  json["position_mm"] = world;
+  for (const char* key : {"voxel", "value", "gradient", "normal", "kappa", "flowline_curvature", "confidence",
+                          "scale_mm", "edge_offset_mm", "edge_strength"})
+    json[key] = nullptr;
+  if (!point) return;
+  json["voxel"] = point->voxel;
+  json["value"] = point->value;
+  json["gradient"] = point->gradient;
+  json["confidence"] = point->confidence;
+  json["scale_mm"] = point->scaleMm;
+  if (point->curvature.normal == glm::dvec3(0.0)) return;
+  json["normal"] = point->curvature.normal;
+  json["kappa"] = {point->curvature.kappa1, point->curvature.kappa2};
+  json["flowline_curvature"] = point->curvature.flowline;
+  const volume::Edge edge = probes.edges.at(point->voxel);
+  json["edge_offset_mm"] = edge.offsetMm;
+  json["edge_strength"] = edge.strength;
 }
 
 // The first hit with what `cut` leaves of the trilinear isosurface, and how far along the ray it may be
@@ -165,7 +167,7 @@ Probed probed(const ProbeOptions& options, const scene::Scene& scene,
       base::throwInput(options.rays, "line " + std::to_string(row.line), "a ray needs a direction");
     ordered_json hit = hitJson(*prepared, surface, probes, cut, origin, glm::normalize(direction));
     if (hit.is_null() && missed++ == 0) firstMissed = row.line;
-    result.rays.add({{"origin_mm", vectorOf(origin)}, {"direction", vectorOf(direction)}, {"hit", hit}});
+    result.rays.add({{"origin_mm", origin}, {"direction", direction}, {"hit", hit}});
   }
   if (outside > 0)
     printNote(std::to_string(outside) + " of " + std::to_string(points.size()) +

@@ -55,7 +55,7 @@ ordered_json statsJson(const ReferenceOptions& options, const gi::ReferenceImage
   }
   ordered_json json;
   json["version"] = version();
-  json["size"] = {image.size.x, image.size.y};
+  json["size"] = image.size;
   json["samples"] = options.samples;
   json["pixels_hit"] = hits;
   json["pixels_traced"] = litPixels;

@@ -8,7 +8,6 @@
 
 #include <unistd.h>
 
-#include "app/accuracy/accuracy.h"
 #include "app/accuracy/error_images.h"
 #include "app/accuracy/error_overlay.h"
 #include "app/accuracy/hidden_structure.h"
@@ -25,17 +24,14 @@
 #include "app/documents/session_accuracy.h"
 #include "app/files/files.h"
 #include "app/files/image_io.h"
-#include "app/jobs/field_job.h"
-#include "app/jobs/rest_scene.h"
+#include "app/light/finished_picture.h"
 #include "app/light/light_picture.h"
 #include "app/light/light_report.h"
 #include "app/series/movie.h"
 #include "app/target/target_report.h"
 #include "base/error.h"
-#include "base/quantiles.h"
+#include "render/offscreen_renderer.h"
 #include "render/passes/processor.h"
-#include "render/renderer.h"
-#include "render/still_picture.h"
 #include "scene/rules/automatic.h"
 #include "scene/rules/whole_voxels.h"
 #include "scene/setting/assignment.h"
@@ -112,14 +108,7 @@ render::FrameRequest requestOf(const RenderOptions& options, const std::string& 
     throw Error(ErrorKind::usage, out, "", "--error-overlay requires a .png; use --aov for the numbers");
   if (!options.aov.empty()) {
     request.linear = false;
-    const WantedImages wanted = askedImages(options.aov).drawn;
-    request.aovs = wanted.aovs;
-    const auto has = [](const auto& list, auto image) {
-      return std::find(list.begin(), list.end(), image) != list.end();
-    };
-    if (has(wanted.errors, ErrorImage::light) && !has(wanted.aovs, render::Aov::irradiance))
-      request.aovs.push_back(render::Aov::irradiance);                       // so that light is stored
-    if (request.aovs.empty()) request.aovs = std::vector{render::Aov::hit};  // others alone are asked for
+    request.aovs = drawnFor(askedImages(options.aov).drawn);
     if (extension != ".exr") throw Error(ErrorKind::usage, options.out, "", "--aov writes .exr files only");
     request.color = false;
     request.supersampling = 1;
@@ -127,48 +116,30 @@ render::FrameRequest requestOf(const RenderOptions& options, const std::string& 
   return request;
 }
 
-// One picture; or, to measure, one to warm up and `repeat` in which every pass runs again.
-Drawn draw(render::Renderer& renderer, const scene::Scene& scene, const render::FrameRequest& request,
-           int repeat, base::Progress& progress) {
-  Drawn drawn;
-  drawn.repeat = repeat;
-  drawn.picture = render::drawStill(renderer, scene, request, progress);
-  drawn.milliseconds = drawn.picture.report.milliseconds;
-  std::vector<double> times;
-  for (int i = 0; i < repeat; ++i) {
-    progress.throwIfStopped();
-    progress.report(static_cast<double>(i) / repeat, "measuring");
-    renderer.invalidate();
-    drawn.picture = render::drawStill(renderer, scene, request, progress);
-    times.push_back(drawn.picture.report.milliseconds);
-  }
-  if (!times.empty()) drawn.milliseconds = base::median(std::move(times));
-  return drawn;
-}
-
-void writePicture(const render::StillPicture& picture, const render::FrameRequest& request,
-                  const std::string& name, const scene::Scene& scene, const WantedImages& images,
-                  const PictureErrors& errors, const std::optional<Accuracy>& accuracy,
-                  const std::vector<FloatChannel>& others) {
+// `session`: what the picture carries. `others`: further channels of an .exr.
+void writePicture(const FinishedPicture& picture, const std::string& name, const scene::Scene& session,
+                  const WantedImages& images, const std::vector<FloatChannel>& others) {
   const auto sessionIn = [&](const fs::path& folder) {
-    const std::string text = sessionText(scene, folder);
-    return accuracy ? sessionWithAccuracy(text, *accuracy) : text;
+    const std::string text = sessionText(session, folder);
+    return picture.accuracy ? sessionWithAccuracy(text, *picture.accuracy) : text;
   };
+  const render::StillPicture& still = picture.still;
   if (name == kStandardOutput) {
-    const std::string bytes = pngBytes(picture.color, sessionIn(fs::current_path()));
+    const std::string bytes = pngBytes(still.color, sessionIn(fs::current_path()));
     std::cout.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     return;
   }
   const fs::path out(name);
-  const std::string session = sessionIn(out.parent_path());
+  const std::string text = sessionIn(out.parent_path());
   if (out.extension() == ".png")
-    writePng(picture.color, out, session);
+    writePng(still.color, out, text);
   else if (images.errors.empty() && others.empty())
-    writeExr(request.linear ? &picture.linear : nullptr, picture.aovs, out, session);
+    writeExr(picture.inputs.request.linear ? &still.linear : nullptr, still.aovs, out, text);
   else {
-    std::vector<FloatChannel> channels = channelsOf(picture.aovs, images, errors);
+    std::vector<FloatChannel> channels =
+        channelsOf(still.aovs, images, picture.errors.value_or(PictureErrors{}));
     channels.insert(channels.end(), others.begin(), others.end());
-    writeExr(request.size, channels, out, session);
+    writeExr(picture.inputs.request.size, channels, out, text);
   }
 }
 
@@ -239,21 +210,14 @@ class RenderRun {
     if (prepared_ && source == source_) return;
     prepared_ = loadWithProgressBar(source, machine_, progress_);
     source_ = source;
-    if (!context_) makeRenderer();
-    renderer_->setVolume(prepared_);
+    if (!renderer_) renderer_.emplace(*options_.context, machine_);
+    (*renderer_)->setVolume(prepared_);
     findIndex(source, pictures);
   }
 
   scene::Source sweptSource(scene::Scene scene, int index) const {
     if (plan_.sweep) plan_.sweep->apply(scene, index);
     return scene.source;
-  }
-
-  void makeRenderer() {
-    context_ = render::OffscreenContext::create(*options_.context);
-    context_->makeCurrent();
-    renderer_.emplace(context_->gl());
-    renderer_->setMachine(machine_);
   }
 
   // Not resolved, but for the camera of a series and the isovalues of time steps: those of its first picture.
@@ -288,49 +252,41 @@ class RenderRun {
 
   void drawPicture(scene::Scene scene, const PlannedPicture& picture) {
     if (options_.target.any()) scene = withTarget(std::move(scene));
-    const scene::Scene given = scene;
-    scene = scene::resolve(std::move(scene), prepared_->facts);
-    request_.supersampling = request_.aovs.empty() ? scene.picture.supersampling : 1;
-    request_.pixelRatio = scene.picture.pixelRatio;
-    if (!prepared_->grid().isWhole()) refuseWithoutVoxels(scene);
-    Drawn drawn;
-    std::optional<PictureErrors> errors;
-    std::optional<Accuracy> accuracy;
+    PictureInputs inputs{prepared_,      scene::resolve(scene, prepared_->facts),
+                         request_,       options_.repeat,
+                         boundsErrors(), !overlay_.colors};  // the overlay has a legend of its own
+    inputs.request.supersampling = request_.aovs.empty() ? inputs.scene.picture.supersampling : 1;
+    inputs.request.pixelRatio = inputs.scene.picture.pixelRatio;
+    if (!prepared_->grid().isWhole()) refuseWithoutVoxels(inputs.scene);
+    FinishedPicture drawn;
     std::optional<HiddenStructure> structure;
     {
       progress_.report(0.0, "drawing");
       const ProgressBar bar(progress_);
       if (std::exchange(readsLight_, false)) {
-        light_.setScene(litScene(scene, request_), prepared_);
+        light_.setScene(litScene(inputs.scene, inputs.request), prepared_);
         light_.load(options_.light, progress_);
       }
-      completeFields(scene, *prepared_, !request_.aovs.empty(), progress_);
-      lightPicture(light_, *renderer_, scene, request_, prepared_, progress_);
-      scene::Scene shown = request_.aovs.empty() ? atRest(scene, *prepared_, progress_) : scene;
-      if (overlay_.colors) shown.look.legend = false;  // the overlay has its own
-      progress_.report(0.0, "drawing");
-      drawn = draw(*renderer_, shown, request_, options_.repeat, progress_);
-      progress_.throwIfStopped();
-      if (options_.accuracy || overlay_.asked || !images_.drawn.errors.empty())
-        errors =
-            measureErrors(*renderer_, shown, request_, *prepared_, progress_, {light_.light(), prepared_});
-      if (overlay_.asked) paintOverlay(*errors, scene, drawn.picture);
-      if (errors) accuracy = accuracyOf(*errors);
-      if (whole_) structure = hiddenStructure(*renderer_, shown, request_, *prepared_, *whole_, progress_);
+      drawn = app::drawPicture(**renderer_, light_, std::move(inputs), progress_);
+      const scene::Scene& shown = drawn.inputs.scene;
+      render::StillPicture& still = drawn.still;
+      if (overlay_.asked) paintOverlay(*drawn.errors, shown, still);
+      if (whole_)
+        structure =
+            hiddenStructure(**renderer_, drawn.shown, drawn.inputs.request, *prepared_, *whole_, progress_);
       if (structure && marksStructure(options_)) {
-        const auto legend = paintStructure(*structure, scene.look.legendCorner, drawn.picture.report.legend,
-                                           drawn.picture.color);
-        if (!drawn.picture.report.legend) drawn.picture.report.legend = legend;
+        const auto legend =
+            paintStructure(*structure, shown.look.legendCorner, still.report.legend, still.color);
+        if (!still.report.legend) still.report.legend = legend;
       }
-      if (request_.color && !request_.linear)
-        annotate(scene, *prepared_, drawn.picture.report, drawn.picture.color);
-      writePicture(drawn.picture, request_, picture.out,
-                   carriedScene(given, scene, exposureToCarry(light_, scene)), images_.drawn,
-                   errors.value_or(PictureErrors{}), accuracy, otherChannels(structure));
+      if (request_.color && !request_.linear) annotate(shown, *prepared_, still.report, still.color);
+      writePicture(drawn, picture.out, carriedScene(scene, shown, exposureToCarry(light_, shown)),
+                   images_.drawn, otherChannels(structure));
     }
-    report(given.derivatives, scene, drawn, picture, accuracy, structure);
+    report(scene.derivatives, drawn, picture, structure);
   }
 
+  bool boundsErrors() const { return options_.accuracy || overlay_.asked || !images_.drawn.errors.empty(); }
   bool asksStructure() const { return images_.structure || marksStructure(options_); }
 
   // Of a coarser level, where somebody asks: what is known of the volume itself.
@@ -358,8 +314,7 @@ class RenderRun {
 
   void refuseWithoutVoxels(const scene::Scene& scene) const {
     std::optional<std::string> needs = scene::needsWholeVoxels(scene);
-    if (!needs && (options_.accuracy || overlay_.asked || !images_.drawn.errors.empty()))
-      needs = "bounds of errors: without them it can be drawn";
+    if (!needs && boundsErrors()) needs = "bounds of errors: without them it can be drawn";
     if (!needs && options_.target.any()) needs = "choosing settings by error or time";
     if (needs)
       throw Error(
@@ -380,7 +335,7 @@ class RenderRun {
   scene::Scene withTarget(scene::Scene scene) {
     if (!std::exchange(isChosen_, true)) {
       const ProgressBar bar(progress_);
-      target_ = chosenTarget(options_.target, targetQuestion(scene), *renderer_, light_, progress_);
+      target_ = chosenTarget(options_.target, targetQuestion(scene), **renderer_, light_, progress_);
     }
     return target_ && !target_->measured.empty()
                ? applied(target_->measured[target_->chosen].candidate, std::move(scene))
@@ -388,23 +343,27 @@ class RenderRun {
   }
 
   TargetQuestion targetQuestion(const scene::Scene& given) const {
-    TargetQuestion question{
-        prepared_, given, request_, machine_, render::takesProcessor(machine_.executor, *context_->gl()), {}};
+    TargetQuestion question{prepared_,
+                            given,
+                            request_,
+                            machine_,
+                            render::takesProcessor(machine_.executor, *renderer_->context().gl()),
+                            {}};
     for (const std::string& assignment : options_.scene->assignments)
       question.fixed.push_back(std::string(scene::pathOf(assignment)));
     if (plan_.sweep) question.fixed.push_back(plan_.sweep->path);
     return question;
   }
 
-  void report(const scene::Derivatives& asked, const scene::Scene& scene, const Drawn& drawn,
-              const PlannedPicture& picture, const std::optional<Accuracy>& accuracy,
+  void report(const scene::Derivatives& asked, const FinishedPicture& drawn, const PlannedPicture& picture,
               const std::optional<HiddenStructure>& structure) {
+    const scene::Scene& scene = drawn.inputs.scene;
+    const render::FrameReport& frame = drawn.still.report;
     if (!picture.stats.empty() || options_.explain) {
-      const DerivativeFacts derivatives =
-          derivativeFacts(*renderer_, asked, scene, request_, drawn.picture.report, *prepared_);
+      const DerivativeFacts derivatives = derivativeFacts(**renderer_, asked, drawn);
       if (!picture.stats.empty()) {
-        nlohmann::ordered_json json = renderJson(scene, request_, *prepared_, context_->description(), drawn,
-                                                 light_, derivatives, accuracy);
+        nlohmann::ordered_json json =
+            renderJson(drawn, renderer_->context().description(), light_, derivatives);
         json["level"] = levelJson(scene.source.level, prepared_->grid(), structure);
         if (target_) json["target"] = targetJson(*target_);
         writeTextFile(picture.stats, jsonText(json));
@@ -412,20 +371,19 @@ class RenderRun {
       if (options_.explain) {
         if (target_)
           for (const std::string& line : targetLines(*target_)) std::printf("%s\n", line.c_str());
-        printPasses(drawn.picture.report);
+        printPasses(frame);
         printDerivatives(derivatives);
         printRest(scene, *prepared_);
         printBake(light_.state());
         printExposure(scene, light_.light().get());
-        if (accuracy) std::printf("%s\n", accuracyLine(*accuracy).c_str());
+        if (drawn.accuracy) std::printf("%s\n", accuracyLine(*drawn.accuracy).c_str());
         if (structure) std::printf("%s\n", structureLine(*structure).c_str());
       }
     }
     for (const std::string& warning : light_.state().warnings) printNote(warning);
-    noteOfPicture(scene, drawn.picture.report);
-    const render::BrickReport& bricks = drawn.picture.report.bricks;
-    if (bricks.lost > 0.0) {
-      if (!damage_) damage_ = Error(ErrorKind::input, picture.out, "", lostLine(bricks));
+    noteOfPicture(scene, frame);
+    if (frame.bricks.lost > 0.0) {
+      if (!damage_) damage_ = Error(ErrorKind::input, picture.out, "", lostLine(frame.bricks));
       ++damagedPictures_;
     }
     if (structure && structure->blocks > 0) printNote(structureLine(*structure));
@@ -446,8 +404,7 @@ class RenderRun {
   base::Progress& progress_;
   const scene::Machine machine_;
   const OverlayWish overlay_;
-  std::unique_ptr<render::OffscreenContext> context_;
-  std::optional<render::Renderer> renderer_;
+  std::optional<render::OffscreenRenderer> renderer_;
   LightController light_;
   std::shared_ptr<const volume::PreparedVolume> prepared_;
   scene::Source source_;  // of prepared_

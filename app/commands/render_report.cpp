@@ -41,12 +41,13 @@ ordered_json partsJson(const volume::Grid& grid) {
 
 }  // namespace
 
-ordered_json renderJson(const scene::Scene& scene, const render::FrameRequest& request,
-                        const volume::PreparedVolume& prepared, const render::ContextDescription& context,
-                        const Drawn& drawn, const LightController& light, const DerivativeFacts& derivatives,
-                        const std::optional<Accuracy>& accuracy) {
+ordered_json renderJson(const FinishedPicture& picture, const render::ContextDescription& context,
+                        const LightController& light, const DerivativeFacts& derivatives) {
+  const scene::Scene& scene = picture.inputs.scene;
+  const volume::PreparedVolume& prepared = *picture.inputs.volume;
+  const render::FrameReport& report = picture.still.report;
   ordered_json passes = ordered_json::array();
-  for (const render::PassReport& pass : drawn.picture.report.passes)
+  for (const render::PassReport& pass : report.passes)
     passes.push_back({{"name", pass.name},
                       {"state", render::nameOf(pass.state)},
                       {"reason", pass.reason},
@@ -56,30 +57,27 @@ ordered_json renderJson(const scene::Scene& scene, const render::FrameRequest& r
   ordered_json json;
   json["version"] = version();
   addContext(json, context);
-  json["size"] = {request.size.x, request.size.y};
-  json["supersampling"] = request.supersampling;
+  json["size"] = picture.inputs.request.size;
+  json["supersampling"] = picture.inputs.request.supersampling;
   json["isovalue"] = *scene.isosurface.value;
   json["passes"] = passes;
-  json["frame_milliseconds"] = drawn.milliseconds;
-  json["repeat"] = drawn.repeat;
-  json["blocks"] = {{"active", drawn.picture.report.blocksActive},
-                    {"total", drawn.picture.report.blocksTotal}};
-  const render::BrickReport& bricks = drawn.picture.report.bricks;
+  json["frame_milliseconds"] = picture.milliseconds;
+  json["repeat"] = picture.inputs.repeat;
+  json["blocks"] = {{"active", report.blocksActive}, {"total", report.blocksTotal}};
+  const render::BrickReport& bricks = report.bricks;
   json["bricks"] = {
       {"active", bricks.active},   {"resident", bricks.resident}, {"uploaded", bricks.uploaded},
       {"evicted", bricks.evicted}, {"slots", bricks.slots},       {"total", bricks.total},
       {"missing", bricks.missing}, {"lost", bricks.lost},         {"lost_bricks", bricks.lostBricks}};
-  const std::optional<render::EmptyPicture>& empty = drawn.picture.report.empty;
-  json["empty"] = empty ? ordered_json(empty->reason) : ordered_json(nullptr);
+  json["empty"] = report.empty ? ordered_json(report.empty->reason) : ordered_json();
   json["derivatives"] = derivativesJson(derivatives);
   json["hits"] = restJson(scene, prepared);
   json["bake"] = bakeJson(light.state());
   json["exposure"] = exposureJson(scene, light.light().get());
-  json["accuracy"] = accuracy ? accuracyJson(*accuracy) : ordered_json(nullptr);
-  const render::ProgramCounts& programs = drawn.picture.report.programs;
-  json["programs"] = {{"compiled", programs.compiled}, {"cached", programs.cached}};
-  json["image_bytes"] = drawn.picture.report.imageBytes;
-  json["gpu_bytes"] = drawn.picture.report.gpuBytes;
+  json["accuracy"] = picture.accuracy ? accuracyJson(*picture.accuracy) : ordered_json();
+  json["programs"] = {{"compiled", report.programs.compiled}, {"cached", report.programs.cached}};
+  json["image_bytes"] = report.imageBytes;
+  json["gpu_bytes"] = report.gpuBytes;
   json["peak_bytes"] = peakBytes();
   json["parts"] = partsJson(prepared.grid());
   json["data_hash"] = base::hexText(prepared.grid().hash());
@@ -123,16 +121,22 @@ std::string lostLine(const render::BrickReport& bricks) {
          " % of the image is hatched, because the volume cannot be read there: " + bricks.lostReason;
 }
 
+std::vector<std::string> notesOf(const render::FrameReport& report) {
+  std::vector<std::string> notes;
+  if (report.empty) notes.push_back("the image is empty: " + report.empty->reason);
+  for (const std::string& error : report.glErrors)
+    notes.push_back("the graphics driver reports an error: " + error);
+  if (report.bricks.missing > 0.0)
+    notes.push_back(base::shortText(100.0 * report.bricks.missing, 2) +
+                    " % of the image is missing: memory.gpu_budget_mb is too small for this view; raise it");
+  return notes;
+}
+
 void noteOfPicture(const scene::Scene& scene, const render::FrameReport& report) {
   if (const int missing = scene::ghostsWithoutRoom(scene))
     printNote("isosurface.ghost: " + std::to_string(missing) +
               " of the two ghosts is missing, because further isosurfaces are shown");
-  if (report.empty) printNote("the image is empty: " + report.empty->reason);
-  for (const std::string& error : report.glErrors)
-    printNote("the graphics driver reports an error: " + error);
-  if (report.bricks.missing > 0.0)
-    printNote(base::shortText(100.0 * report.bricks.missing, 2) +
-              " % of the image is missing: memory.gpu_budget_mb is too small for this view; raise it");
+  for (const std::string& note : notesOf(report)) printNote(note);
 }
 
 }  // namespace isolux::app

@@ -1,30 +1,18 @@
 // What `isolux render` says of a picture: --stats, --explain and notes.
 #pragma once
 
-#include "app/accuracy/accuracy.h"
+#include <string>
+#include <vector>
+
 #include "app/accuracy/hidden_structure.h"
 #include "app/commands/derivative_report.h"
-#include "app/light/light_controller.h"
 #include "render/gl/gl_context.h"
-#include "render/still_picture.h"
-#include "scene/scene.h"
-#include "volume/prepared_volume.h"
 
 namespace isolux::app {
 
-struct Drawn {
-  render::StillPicture picture;  // the last one
-  double milliseconds = 0.0;     // median of the measured pictures
-  int repeat = 0;                // how many were
-};
-
-// docs/reference/outputs.md has the keys. `scene`: as it was drawn, but for the hits of pictures at rest.
-// accuracy: none where nobody asked for it.
-nlohmann::ordered_json renderJson(const scene::Scene& scene, const render::FrameRequest& request,
-                                  const volume::PreparedVolume& prepared,
-                                  const render::ContextDescription& context, const Drawn& drawn,
-                                  const LightController& light, const DerivativeFacts& derivatives,
-                                  const std::optional<Accuracy>& accuracy);
+// docs/reference/outputs.md has the keys.
+nlohmann::ordered_json renderJson(const FinishedPicture& picture, const render::ContextDescription& context,
+                                  const LightController& light, const DerivativeFacts& derivatives);
 
 // Of a volume read at a coarser level; null at level 0. structure: none where the volume has no index.
 nlohmann::ordered_json levelJson(int level, const volume::Grid& grid,
@@ -33,6 +21,8 @@ nlohmann::ordered_json levelJson(int level, const volume::Grid& grid,
 void printPasses(const render::FrameReport& report);
 // Where bricks.lost > 0: how much of the picture that is, and why.
 std::string lostLine(const render::BrickReport& bricks);
+// What a note says of a picture: it is empty, parts of it are missing, the driver complains.
+std::vector<std::string> notesOf(const render::FrameReport& report);
 // Notes on stderr about a picture that has been written.
 void noteOfPicture(const scene::Scene& scene, const render::FrameReport& report);
 

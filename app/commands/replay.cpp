@@ -13,14 +13,11 @@
 #include "app/documents/session.h"
 #include "app/files/files.h"
 #include "app/files/image_io.h"
-#include "app/jobs/field_job.h"
-#include "app/jobs/rest_scene.h"
-#include "app/light/light_picture.h"
+#include "app/light/finished_picture.h"
 #include "app/series/movie.h"
 #include "base/error.h"
 #include "base/number_text.h"
-#include "render/renderer.h"
-#include "render/still_picture.h"
+#include "render/offscreen_renderer.h"
 #include "scene/rules/automatic.h"
 #include "scene/scene_diff.h"
 
@@ -60,12 +57,7 @@ int frameCount(const Recording& recording, double fps, const std::string& file) 
 // Draws scenes one after the other, loading a volume when the source changes.
 class FrameMaker {
  public:
-  FrameMaker(render::ContextChoice choice, glm::ivec2 size)
-      : context_(render::OffscreenContext::create(choice)) {
-    context_->makeCurrent();
-    renderer_.emplace(context_->gl());
-    request_.size = size;
-  }
+  FrameMaker(render::ContextChoice choice, glm::ivec2 size) : renderer_(choice) { request_.size = size; }
 
   void write(const scene::Scene& scene, const fs::path& file, base::Progress& progress) {
     if (!prepared_ || !(source_ == scene.source)) {
@@ -74,28 +66,26 @@ class FrameMaker {
       renderer_->setVolume(prepared_);
     }
     scene::Scene resolved = scene::resolve(scene, prepared_->facts);
-    completeFields(resolved, *prepared_, false, progress);
-    if (!image_ || !(resolved == drawn_)) {
+    if (!image_ || !(resolved == asked_)) {
+      asked_ = resolved;
       request_.supersampling = resolved.picture.supersampling;
       request_.pixelRatio = resolved.picture.pixelRatio;
-      lightPicture(light_, *renderer_, resolved, request_, prepared_, progress);
-      const scene::Scene shown = atRest(resolved, *prepared_, progress);
-      render::StillPicture still = render::drawStill(*renderer_, shown, request_, progress);
-      annotate(resolved, *prepared_, still.report, still.color);
-      image_ = std::move(still.color);
-      drawn_ = resolved;
+      FinishedPicture picture =
+          drawPicture(*renderer_, light_, {prepared_, std::move(resolved), request_}, progress);
+      drawn_ = std::move(picture.inputs.scene);
+      annotate(drawn_, *prepared_, picture.still.report, picture.still.color);
+      image_ = std::move(picture.still.color);
     }
-    writePng(*image_, file, sessionText(carriedScene(scene, resolved), file.parent_path()));
+    writePng(*image_, file, sessionText(carriedScene(scene, drawn_), file.parent_path()));
   }
 
  private:
-  std::unique_ptr<render::OffscreenContext> context_;
-  std::optional<render::Renderer> renderer_;
+  render::OffscreenRenderer renderer_;
   LightController light_{LightController::Options{}};
   render::FrameRequest request_;
   std::shared_ptr<const volume::PreparedVolume> prepared_;
   scene::Source source_;
-  scene::Scene drawn_;
+  scene::Scene asked_, drawn_;  // of image_: resolved, and complete
   std::optional<render::ColorImage> image_;
 };
 

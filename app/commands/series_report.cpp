@@ -76,7 +76,7 @@ ordered_json seriesJson(const DicomSeries& s, bool hidden) {
   json["slices"] = s.slices;
   json["time_steps"] = s.timeSteps;
   json["size"] = {s.columns, s.rows};
-  json["spacing_mm"] = {s.spacingMm.x, s.spacingMm.y, s.spacingMm.z};
+  json["spacing_mm"] = s.spacingMm;
   if (!hidden) json["folder"] = s.folder;
   json["problem"] = s.problem.empty() ? ordered_json(nullptr) : ordered_json(s.problem);
   json["warnings"] = s.warnings;

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/command.h"
-#include "app/commands/measure_report.h"
 #include "app/commands/progress_bar.h"
 #include "app/files/files.h"
 #include "app/files/image_io.h"
@@ -126,10 +125,10 @@ ordered_json statsJson(const SliceOptions& options, const scene::Scene& scene, c
   const volume::GridGeometry& geometry = prepared.grid().geometry();
   ordered_json json{{"version", version()},
                     {"file", options.out},
-                    {"size", {plane.size.x, plane.size.y}},
-                    {"origin_mm", vectorOf(plane.originMm)},
-                    {"right_mm", vectorOf(plane.rightMm)},
-                    {"down_mm", vectorOf(plane.downMm)},
+                    {"size", plane.size},
+                    {"origin_mm", plane.originMm},
+                    {"right_mm", plane.rightMm},
+                    {"down_mm", plane.downMm},
                     {"level", content.window.level},
                     {"width", content.window.width},
                     {"unit", prepared.volume.unit},

@@ -37,7 +37,7 @@ class StudyFolder {
     if (gnuplot_.empty()) note_ = "no plots: they need gnuplot, which was not found (Debian: gnuplot-nox)";
   }
 
-  void add(KnobStudy study, bool complete, base::Progress& progress) {
+  void add(KnobStudy study, std::size_t of, base::Progress& progress) {
     if (!gnuplot_.empty() && study.skipped.empty()) {
       const std::string name = std::string(study.knob.name) + ".svg";
       std::string reason;
@@ -48,6 +48,7 @@ class StudyFolder {
     }
     if (!study.skipped.empty()) skipped_ += (skipped_.empty() ? "" : ", ") + std::string(study.knob.name);
     studies_.push_back(std::move(study));
+    const bool complete = studies_.size() == of;
     writeTextFile(folder_ / "study.md", studyMarkdown(subject_, studies_, complete));
     writeTextFile(folder_ / "study.json", studyJson(subject_, studies_, complete));
   }
@@ -76,7 +77,6 @@ void runStudy(const StudyOptions& options, base::Progress& progress) {
   if (options.scene->camera.any())
     scene.camera = resolvedSceneOf(options.path, *options.scene, *prepared, size, progress).camera;
   const auto context = render::OffscreenContext::create(*options.context);
-  context->makeCurrent();
   const MadeFolder folder(options.out);
   StudyFolder output(folder.path(), {prepared, scene::resolve(scene, prepared->facts), context->description(),
                                      size, options.repeat});
@@ -84,13 +84,8 @@ void runStudy(const StudyOptions& options, base::Progress& progress) {
   {
     progress.report(0.0, "preparing");
     const ProgressBar bar(progress);
-    double all = 0.0, done = 0.0;
-    for (const Knob& knob : chosen) all += effortOf(knob, scene);
-    for (std::size_t i = 0; i < chosen.size(); ++i) {
-      const double from = done / all;
-      done += effortOf(chosen[i], scene);
-      output.add(studio.study(chosen[i], progress, from, done / all), i + 1 == chosen.size(), progress);
-    }
+    studio.study(chosen, progress,
+                 [&](KnobStudy study) { output.add(std::move(study), chosen.size(), progress); });
   }
   if (!output.note().empty()) printNote(output.note());
   if (!output.skipped().empty()) printNote("not studied (reasons in study.md): " + output.skipped());

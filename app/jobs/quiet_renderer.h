@@ -6,8 +6,7 @@
 #include <utility>
 
 #include "gi/picture_light.h"
-#include "render/gl/gl_context.h"
-#include "render/renderer.h"
+#include "render/offscreen_renderer.h"
 
 namespace isolux::app {
 
@@ -15,26 +14,15 @@ class QuietRenderer {
  public:
   // light: null where there is none.
   QuietRenderer(std::shared_ptr<const volume::PreparedVolume> volume,
-                std::shared_ptr<const gi::PictureLight> light)
-      : context_(current()), renderer_(context_->gl()) {
-    scene::Machine machine;
-    machine.executor = scene::Executor::cpu;
-    renderer_.setMachine(machine);
-    renderer_.setVolume(std::move(volume));
-    renderer_.setLight(std::move(light));
+                std::shared_ptr<const gi::PictureLight> light) {
+    renderer_->setVolume(std::move(volume));
+    renderer_->setLight(std::move(light));
   }
 
-  render::Renderer& renderer() { return renderer_; }
+  render::Renderer& renderer() { return *renderer_; }
 
  private:
-  static std::unique_ptr<render::OffscreenContext> current() {
-    auto context = render::OffscreenContext::create(render::ContextChoice::automatic);
-    context->makeCurrent();
-    return context;
-  }
-
-  std::unique_ptr<render::OffscreenContext> context_;
-  render::Renderer renderer_;
+  render::OffscreenRenderer renderer_{render::ContextChoice::automatic, {.executor = scene::Executor::cpu}};
 };
 
 }  // namespace isolux::app

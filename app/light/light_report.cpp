@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/version.h"
+#include "base/number_text.h"
 #include "scene/rules/needs.h"
 
 namespace isolux::app {
@@ -20,6 +22,10 @@ nlohmann::ordered_json bakeJson(const LightState& state) {
           {"seconds", counters.seconds},
           {"threads", counters.threads},
           {"notes", state.warnings}};
+}
+
+nlohmann::ordered_json bakeStats(const LightState& state, const volume::Grid& grid) {
+  return {{"version", version()}, {"bake", bakeJson(state)}, {"data_hash", base::hexText(grid.hash())}};
 }
 
 void printBake(const LightState& state) {
@@ -47,14 +53,13 @@ nlohmann::ordered_json exposureJson(const scene::Scene& resolved, const gi::Pict
 
 void printExposure(const scene::Scene& resolved, const gi::PictureLight* light) {
   if (!light || !scene::usesGi(resolved)) return;
-  if (resolved.picture.exposure) {
+  if (resolved.picture.exposure)
     std::printf("exposure: %+.2f stops, as set\n", *resolved.picture.exposure);
-  } else if (!light->seen) {
+  else if (!light->seen)
     std::printf("exposure: %+.2f stops, by the lights\n", static_cast<double>(light->automaticExposure));
-  } else {
+  else
     std::printf("exposure: %+.2f stops, by the surface: its median luminance is %.3g, its highlights %.3g\n",
                 static_cast<double>(light->automaticExposure), light->seen->median, light->seen->highlight);
-  }
   std::fflush(stdout);
 }
 

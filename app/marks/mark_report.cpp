@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/files/json_text.h"
 #include "app/marks/mark_kinds.h"
 #include "base/decimal_text.h"
 #include "base/number_text.h"
@@ -17,16 +18,6 @@ namespace isolux::app {
 namespace {
 
 using nlohmann::ordered_json;
-
-ordered_json numbersOf(glm::dvec3 v) {
-  return ordered_json::array({v.x, v.y, v.z});
-}
-
-ordered_json numbersOf(const std::vector<glm::dvec3>& points) {
-  ordered_json list = ordered_json::array();
-  for (const glm::dvec3& point : points) list.push_back(numbersOf(point));
-  return list;
-}
 
 // A field that holds what separates fields is quoted.
 std::string csvField(std::string text) {
@@ -94,16 +85,14 @@ std::string fullText(const scene::Mark& mark, const MarkReport& report) {
 }
 
 ordered_json markJson(const scene::Mark& mark, const MarkReport& report) {
-  ordered_json json{
-      {"name", mark.name}, {"kind", markKind(mark.kind).name}, {"points_mm", numbersOf(mark.points)}};
+  ordered_json json{{"name", mark.name}, {"kind", markKind(mark.kind).name}, {"points_mm", mark.points}};
   if (!report.place.empty()) json["place"] = report.place;
   ordered_json& quantities = json["quantities"] = ordered_json::object();
   for (const MarkQuantity& quantity : report.quantities)
-    quantities[quantity.name] = {{"value", quantity.value},
-                                 {"error", quantity.error ? ordered_json(*quantity.error) : ordered_json()},
-                                 {"unit", quantity.unit}};
-  if (report.centre) json["centre_mm"] = numbersOf(*report.centre);
-  if (!report.line.empty()) json["path_mm"] = numbersOf(report.line);
+    quantities[quantity.name] = {
+        {"value", quantity.value}, {"error", quantity.error}, {"unit", quantity.unit}};
+  if (report.centre) json["centre_mm"] = *report.centre;
+  if (!report.line.empty()) json["path_mm"] = report.line;
   json["notes"] = report.notes;
   json["problem"] = report.problem.empty() ? ordered_json() : ordered_json(report.problem);
   return json;

@@ -37,11 +37,10 @@ const char* markupTypeOf(const Mark& mark) {
 ordered_json markupOf(const Mark& mark) {
   ordered_json points = ordered_json::array();
   for (std::size_t i = 0; i < mark.points.size(); ++i) {
-    const glm::dvec3& p = mark.points[i];
     points.push_back(
         {{"id", std::to_string(i + 1)},
          {"label", mark.points.size() == 1 ? mark.name : mark.name + '-' + std::to_string(i + 1)},
-         {"position", {p.x, p.y, p.z}},
+         {"position", mark.points[i]},
          {"selected", true},
          {"visibility", true},
          {"positionStatus", "defined"}});

@@ -181,6 +181,17 @@ KnobStudy Studio::studyPicture(const Knob& knob, base::Progress& progress, doubl
   return picture_->study(knob, progress, from, to);
 }
 
+void Studio::study(const std::vector<Knob>& knobs, base::Progress& progress,
+                   const std::function<void(KnobStudy)>& each) {
+  double all = 0.0, done = 0.0;
+  for (const Knob& knob : knobs) all += effortOf(knob, scene_);
+  for (const Knob& knob : knobs) {
+    const double from = done / all;
+    done += effortOf(knob, scene_);
+    each(study(knob, progress, from, done / all));
+  }
+}
+
 KnobStudy Studio::study(const Knob& knob, base::Progress& progress, double from, double to) {
   scene::Scene first = turned(knob, knob.values.front(), scene_, volume_->facts);
   completeFields(first, *volume_, true, progress);

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -34,6 +35,10 @@ class Studio {
          scene::Scene scene, const scene::Machine& machine, glm::ivec2 size, int repeat);
   ~Studio();
 
+  // Studies one knob after the other; `each` takes a study as soon as it is finished. Throws
+  // Error{interrupted}.
+  void study(const std::vector<Knob>& knobs, base::Progress& progress,
+             const std::function<void(KnobStudy)>& each);
   // `from`, `to`: what part of the progress this is. Throws Error{interrupted}.
   KnobStudy study(const Knob& knob, base::Progress& progress, double from, double to);
 

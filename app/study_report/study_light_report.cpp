@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/files/json_text.h"
 #include "app/study_report/study_table.h"
 
 namespace isolux::app {
@@ -78,7 +79,6 @@ ordered_json lightCostJson(const LightCost& cost) {
 }
 
 ordered_json lightErrorsJson(const LightErrors& errors, glm::ivec2 size) {
-  const glm::ivec2 place = placeOf(errors.maximumPixel, size);
   return {{"pixels", errors.pixels},
           {"mean_irradiance", errors.mean},
           {"truth_noise", errors.truthNoise},
@@ -91,7 +91,7 @@ ordered_json lightErrorsJson(const LightErrors& errors, glm::ivec2 size) {
           {"quantile_99", errors.most99},
           {"maximum", errors.maximum},
           {"maximum_z", errors.maximumZ},
-          {"maximum_pixel", {place.x, place.y}}};
+          {"maximum_pixel", placeOf(errors.maximumPixel, size)}};
 }
 
 void writeLightTable(std::ostream& out, const KnobStudy& study) {

@@ -205,7 +205,6 @@ std::string markdownText(const std::string& text) {
 
 std::string studyJson(const StudySubject& subject, const std::vector<KnobStudy>& studies, bool complete) {
   const volume::Grid& grid = subject.volume->grid();
-  const glm::dvec3 spacing = grid.geometry().spacingMm();
   const render::ContextDescription& context = subject.context;
   ordered_json json;
   json["isolux_study"] = 1;
@@ -215,9 +214,9 @@ std::string studyJson(const StudySubject& subject, const std::vector<KnobStudy>&
   addContext(json, context);
   json["volume"] = {{"name", subject.volume->volume.name},
                     {"data_hash", base::hexText(grid.hash())},
-                    {"dims", {grid.dims().x, grid.dims().y, grid.dims().z}},
-                    {"spacing_mm", {spacing.x, spacing.y, spacing.z}}};
-  json["size"] = {subject.size.x, subject.size.y};
+                    {"dims", grid.dims()},
+                    {"spacing_mm", grid.geometry().spacingMm()}};
+  json["size"] = subject.size;
   json["repeat"] = subject.repeat;
   json["units"] = {{"milliseconds", "ms, median"},
                    {"quartiles", "the same unit, 25 and 75 %"},

@@ -12,10 +12,6 @@ using nlohmann::ordered_json;
 
 namespace {
 
-ordered_json numberOrNull(double number) {
-  return std::isfinite(number) ? ordered_json(number) : ordered_json(nullptr);
-}
-
 // Two digits and no exponent: "1200", "0.57".
 std::string roundText(double milliseconds) {
   return base::shortText(milliseconds < 100.0 ? milliseconds : 10.0 * std::round(milliseconds / 10.0),
@@ -46,7 +42,7 @@ ordered_json errorsJson(const TargetErrors& errors) {
   for (const Quantity quantity : kAllQuantities) {
     const ErrorBound& error = errors[indexOf(quantity)];
     if (!std::isnan(error.value))
-      json[keyOf(quantity)] = {{"measured", error.value}, {"at_most", numberOrNull(error.bound)}};
+      json[keyOf(quantity)] = {{"measured", error.value}, {"at_most", error.bound}};
   }
   return json;
 }
@@ -94,13 +90,13 @@ ordered_json targetJson(const TargetAnswer& answer) {
   const MeasuredCandidate& chosen = answer.measured[answer.chosen];
   json["chosen"] = {{"settings", settingsJson(chosen.candidate)}, {"reason", answer.reason}};
   json["expected_error"] = errorsJson(chosen.errors);
-  json["expected_milliseconds"] = numberOrNull(answer.expectedMilliseconds);
+  json["expected_milliseconds"] = answer.expectedMilliseconds;
   ordered_json alternatives = ordered_json::array();
   for (const MeasuredCandidate& one : answer.measured)
     alternatives.push_back({{"settings", settingsJson(one.candidate)},
                             {"work", one.candidate.cost},
                             {"errors", errorsJson(one.errors)},
-                            {"milliseconds", numberOrNull(one.milliseconds)}});
+                            {"milliseconds", one.milliseconds}});
   json["alternatives"] = alternatives;
   return json;
 }
