@@ -22,25 +22,16 @@ double bounded(double from, double to, double part) {
   return from + (to - from) * std::min(part, 1.0);
 }
 
-// Light that stands still, baked as irradiance: what the truth is traced of.
-scene::Scene still(scene::Scene scene, int bounces) {
-  scene.gi.mode = scene::GiMode::irradiance;
-  scene.light.environment.moves = false;
-  scene.gi.bounces = bounces;
-  scene.gi.sequence = scene::DirectionSequence::sobol_owen;
-  return scene;
-}
-
 }  // namespace
 
 struct LightStudio::Alternative {
-  std::string value;
+  StudySetting setting;  // its value, and times and costs as they are measured
   scene::Scene scene;
   std::shared_ptr<const gi::PictureLight> light{};
-  std::vector<double> bakes{}, lookups{}, frames{};  // seconds; ms
-  LightCost cost{};
   std::vector<float> irradiance{};
   ComparedPicture picture{};
+
+  LightCost& cost() { return setting.light.value(); }
 };
 
 LightStudio::LightStudio(render::Renderer& renderer, SurfaceTruth& truth,
@@ -61,24 +52,10 @@ void LightStudio::prepareHits(base::Progress& progress) {
     hitVoxels_.push_back(hit.hit ? glm::vec3(hit.voxel) : glm::vec3(std::numeric_limits<float>::quiet_NaN()));
 }
 
-const LightTruth& LightStudio::truthOf(const scene::Scene& lit, int bounces, base::Progress& progress) {
+const LightTruth& LightStudio::truthOf(scene::Scene lit, int bounces, base::Progress& progress) {
   if (const auto found = truths_.find(bounces); found != truths_.end()) return found->second;
-  const scene::Scene scene = still(lit, bounces);
-  if (!environment_) environment_ = gi::loadEnvironment(scene.light.environment);
-  if (!tracer_) tracer_ = gi::lightTracerOf(scene, volume_, progress);
-  const auto light = gi::makeLightScene(scene, volume_, tracer_, environment_);
-  const double exposure = std::exp2(scene.light.environment.exposure);
-  const glm::dvec3 skyScale = light->choice.unitSky ? exposure * environment_->mean() : glm::dvec3(exposure);
-
-  std::vector<bool> isHit;
-  isHit.reserve(hits_.size());
-  for (const TrueHit& hit : hits_) isHit.push_back(hit.hit && hit.fromOutside);
-  const std::vector<std::size_t> pixels = chosenPixels(isHit, kTruthPixels);
-  std::vector<glm::vec3> voxels;
-  voxels.reserve(pixels.size());
-  for (const std::size_t pixel : pixels) voxels.push_back(hitVoxels_[pixel]);
-  const auto isovalue = static_cast<float>(volume_->grid().storedOfValue(*scene.isosurface.value));
-  return truths_.emplace(bounces, lightTruthAt(light, skyScale, isovalue, voxels, pixels, {}, progress))
+  lit.gi.bounces = bounces;
+  return truths_.emplace(bounces, lightTruthOf(lit, volume_, hits_, kTruthPixels, {}, progress))
       .first->second;
 }
 
@@ -96,13 +73,14 @@ void LightStudio::bake(Alternative& alternative, bool anew, bool timed, base::Pr
   if (!controller_.finish(inner)) progress.throwIfStopped();
   const LightState state = controller_.state();
   alternative.light = controller_.light();
-  alternative.cost.texels = state.counters.texelsWanted;
-  alternative.cost.latticeBytes = 0;
+  LightCost& cost = alternative.cost();
+  cost.texels = state.counters.texelsWanted;
+  cost.latticeBytes = 0;
   for (const auto& lattice : {alternative.light->sky, alternative.light->lamps})
-    if (lattice) alternative.cost.latticeBytes += lattice->bytes();
+    if (lattice) cost.latticeBytes += lattice->bytes();
   if (!timed) return;
-  alternative.bakes.push_back(state.counters.seconds);
-  alternative.cost.rays = state.counters.rays;
+  cost.bakeTimes.push_back(state.counters.seconds);
+  cost.rays = state.counters.rays;
 }
 
 std::vector<float> LightStudio::draw(Alternative& alternative) {
@@ -112,7 +90,7 @@ std::vector<float> LightStudio::draw(Alternative& alternative) {
   request.aovs = {render::Aov::depth, render::Aov::irradiance};
   renderer_.setLight(alternative.light);
   const render::FrameReport& report = renderer_.render(alternative.scene, request);
-  alternative.cost.gpuBytes = report.light.bytes;
+  alternative.cost().gpuBytes = report.light.bytes;
   const std::vector<float> depthMm = renderer_.readAov(render::Aov::depth).values;
   std::vector<float> irradiance = renderer_.readAov(render::Aov::irradiance).values;
   for (std::size_t i = 0; i < hits_.size(); ++i)
@@ -135,10 +113,10 @@ void LightStudio::time(Alternative& alternative, int frames, base::Progress& pro
     progress.throwIfStopped();
     renderer_.invalidate();
     const render::FrameReport& report = renderer_.render(alternative.scene, request);
-    alternative.frames.push_back(report.milliseconds);
+    alternative.setting.frameTimes.push_back(report.milliseconds);
     for (const render::PassReport& pass : report.passes)
       if (pass.name == render::pass::irradiance && pass.state == render::PassState::ran)
-        alternative.lookups.push_back(pass.milliseconds);
+        alternative.cost().lookupTimes.push_back(pass.milliseconds);
   }
 }
 
@@ -146,7 +124,8 @@ KnobStudy LightStudio::study(const Knob& knob, base::Progress& progress, double 
   prepareHits(progress);
   std::vector<Alternative> alternatives;
   for (const char* const value : knob.values)
-    alternatives.push_back({value, turned(knob, value, scene_, volume_->facts)});
+    alternatives.push_back({{.value = value, .isDefault = value == defaultValue(knob), .light = LightCost{}},
+                            turned(knob, value, scene_, volume_->facts)});
   const bool bakes = knob.cost == Cost::bakeSeconds;
   const scene::Scene& lit = alternatives.front().scene;
   const scene::Scene given = scene::resolve(scene_, volume_->facts);
@@ -176,20 +155,14 @@ KnobStudy LightStudio::study(const Knob& knob, base::Progress& progress, double 
   renderer_.setLight(nullptr);
 
   const auto reference = std::find_if(alternatives.begin(), alternatives.end(), [&](const Alternative& a) {
-    return a.value == pictureReference(knob);
+    return a.setting.value == pictureReference(knob);
   });
   for (Alternative& alternative : alternatives) {
-    StudySetting setting;
-    setting.value = alternative.value;
-    setting.isDefault = alternative.value == defaultValue(knob);
-    setting.frameMilliseconds = base::median(alternative.frames);
-    setting.frameTimes = alternative.frames;
-    alternative.cost.bakeSeconds =
-        bakes ? base::median(alternative.bakes) : std::numeric_limits<double>::quiet_NaN();
-    alternative.cost.lookupMilliseconds = base::median(alternative.lookups);
-    alternative.cost.bakeTimes = alternative.bakes;
-    alternative.cost.lookupTimes = alternative.lookups;
-    setting.light = alternative.cost;
+    StudySetting& setting = alternative.setting;
+    LightCost& cost = alternative.cost();
+    setMedians(setting);
+    cost.bakeSeconds = bakes ? base::median(cost.bakeTimes) : std::numeric_limits<double>::quiet_NaN();
+    cost.lookupMilliseconds = base::median(cost.lookupTimes);
     setting.errors.pixels = hits_.size();
     setting.errors.light = lightErrorsOf(alternative.irradiance, truth);
     setting.errors.picture = pictureErrorsOf(alternative.picture, reference->picture);

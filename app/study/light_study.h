@@ -34,7 +34,7 @@ class LightStudio {
  private:
   struct Alternative;
   void prepareHits(base::Progress& progress);
-  const LightTruth& truthOf(const scene::Scene& lit, int bounces, base::Progress& progress);
+  const LightTruth& truthOf(scene::Scene lit, int bounces, base::Progress& progress);
   // anew: nothing of earlier light is kept; timed: what it takes counts.
   void bake(Alternative& alternative, bool anew, bool timed, base::Progress& progress);
   // E of every pixel; NaN where the picture does not show the truth's first crossing.
@@ -50,8 +50,6 @@ class LightStudio {
   LightController controller_;
   std::vector<TrueHit> hits_;
   std::vector<glm::vec3> hitVoxels_;  // NaN where there is none
-  std::shared_ptr<const gi::Environment> environment_;
-  std::shared_ptr<const volume::IsosurfaceTracer> tracer_;
   std::map<int, LightTruth> truths_;  // of bounces
 };
 

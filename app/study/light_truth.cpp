@@ -128,6 +128,30 @@ LightTruth lightTruthAt(const std::shared_ptr<const gi::LightScene>& light, glm:
   }
 }
 
+bool canBeJudged(const TrueHit& hit) {
+  return hit.hit && hit.fromOutside;
+}
+
+LightTruth lightTruthOf(scene::Scene scene, const std::shared_ptr<const volume::PreparedVolume>& volume,
+                        const std::vector<TrueHit>& hits, std::size_t count, const TruthOptions& options,
+                        base::Progress& progress) {
+  scene.gi.mode = scene::GiMode::irradiance;
+  scene.light.environment.moves = false;
+  scene.gi.sequence = scene::DirectionSequence::sobol_owen;
+  const auto environment = gi::loadEnvironment(scene.light.environment);
+  const auto light =
+      gi::makeLightScene(scene, volume, gi::lightTracerOf(scene, volume, progress), environment);
+  const double exposure = std::exp2(scene.light.environment.exposure);
+  const glm::dvec3 skyScale = light->choice.unitSky ? exposure * environment->mean() : glm::dvec3(exposure);
+  std::vector<bool> isHit;
+  for (const TrueHit& hit : hits) isHit.push_back(canBeJudged(hit));
+  const std::vector<std::size_t> pixels = chosenPixels(isHit, count);
+  std::vector<glm::vec3> voxels;
+  for (const std::size_t pixel : pixels) voxels.emplace_back(hits[pixel].voxel);
+  const auto isovalue = static_cast<float>(volume->grid().storedOfValue(*scene.isosurface.value));
+  return lightTruthAt(light, skyScale, isovalue, voxels, pixels, options, progress);
+}
+
 std::vector<std::size_t> chosenPixels(const std::vector<bool>& hit, std::size_t count) {
   std::vector<std::size_t> all;
   for (std::size_t i = 0; i < hit.size(); ++i)

@@ -12,6 +12,7 @@
 #include <glm/vec3.hpp>
 
 #include "app/study/light_errors.h"
+#include "app/study/study_errors.h"
 #include "base/progress.h"
 #include "gi/light_scene.h"
 
@@ -32,6 +33,13 @@ struct TruthOptions {
 LightTruth lightTruthAt(const std::shared_ptr<const gi::LightScene>& light, glm::dvec3 skyScale,
                         float isovalue, std::span<const glm::vec3> voxels,
                         std::span<const std::size_t> pixels, const TruthOptions& options,
+                        base::Progress& progress);
+
+bool canBeJudged(const TrueHit& hit);  // by its light: the surface is seen there, and from outside
+// The same at `count` of the hits that can be judged, for the scene's light as it stands still, whatever is
+// stored of it.
+LightTruth lightTruthOf(scene::Scene scene, const std::shared_ptr<const volume::PreparedVolume>& volume,
+                        const std::vector<TrueHit>& hits, std::size_t count, const TruthOptions& options,
                         base::Progress& progress);
 
 // At most `count` of `hits` hits (those for which hit(i)), evenly spread in their order, each part's one by

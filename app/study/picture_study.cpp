@@ -4,7 +4,6 @@
 
 #include "app/compare/flip.h"
 #include "app/jobs/field_job.h"
-#include "base/quantiles.h"
 #include "render/still_picture.h"
 
 namespace isolux::app {
@@ -17,11 +16,9 @@ ImageErrors pictureErrorsOf(const ComparedPicture& picture, const ComparedPictur
 }
 
 struct PictureStudio::Alternative {
-  std::string value;
+  StudySetting setting;  // its value, and its times as they are measured
   scene::Scene scene;
   int supersampling;
-  std::vector<double> frames{}, processor{};
-  std::map<std::string, std::vector<double>> passes{};
   ComparedPicture picture{};
 };
 
@@ -48,10 +45,11 @@ void PictureStudio::draw(Alternative& alternative, bool timed) {
   renderer_.invalidate();
   const double before = processorMilliseconds();
   const render::FrameReport& report = renderer_.render(alternative.scene, request);
-  alternative.frames.push_back(report.milliseconds);
-  if (software_) alternative.processor.push_back(processorMilliseconds() - before);
+  StudySetting& setting = alternative.setting;
+  setting.frameTimes.push_back(report.milliseconds);
+  if (software_) setting.processorTimes.push_back(processorMilliseconds() - before);
   for (const render::PassReport& pass : report.passes)
-    if (pass.state == render::PassState::ran) alternative.passes[pass.name].push_back(pass.milliseconds);
+    if (pass.state == render::PassState::ran) setting.passTimes[pass.name].push_back(pass.milliseconds);
 }
 
 ComparedPicture PictureStudio::manyRays(const scene::Scene& scene, base::Progress& progress) {
@@ -71,7 +69,8 @@ KnobStudy PictureStudio::study(const Knob& knob, base::Progress& progress, doubl
     scene::Scene scene = turned(knob, value, scene_, volume_->facts);
     completeFields(scene, *volume_, true, progress);
     const int rays = knob.measure == Measure::edges ? scene.picture.supersampling : 1;
-    alternatives.push_back({value, std::move(scene), rays});
+    const bool isDefault = value == defaultValue(knob);
+    alternatives.push_back({{.value = value, .isDefault = isDefault}, std::move(scene), rays});
   }
   const double steps = static_cast<double>(alternatives.size()) * (repeat_ + 1) + 1.0;
   double done = 0.0;
@@ -90,19 +89,13 @@ KnobStudy PictureStudio::study(const Knob& knob, base::Progress& progress, doubl
     edges = edgePixels(fine, kReferenceBlock, kEdgeContrast);
   } else {
     for (const Alternative& alternative : alternatives)
-      if (alternative.value == pictureReference(knob)) reference = alternative.picture;
+      if (alternative.setting.value == pictureReference(knob)) reference = alternative.picture;
   }
 
   KnobStudy result{.knob = knob, .settings = {}, .plot = {}};
   for (Alternative& alternative : alternatives) {
-    StudySetting setting;
-    setting.value = alternative.value;
-    setting.isDefault = alternative.value == defaultValue(knob);
-    setting.frameMilliseconds = base::median(alternative.frames);
-    for (const auto& [name, times] : alternative.passes) setting.passMilliseconds[name] = base::median(times);
-    setting.frameTimes = std::move(alternative.frames);
-    setting.processorTimes = std::move(alternative.processor);
-    setting.passTimes = std::move(alternative.passes);
+    StudySetting& setting = alternative.setting;
+    setMedians(setting);
     setting.errors.pixels = alternative.picture.linear.size();
     setting.errors.picture = pictureErrorsOf(alternative.picture, reference);
     if (!edges.empty()) {

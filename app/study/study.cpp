@@ -9,18 +9,14 @@
 #include "app/study/picture_study.h"
 #include "app/study/scale_study.h"
 #include "base/error.h"
-#include "base/quantiles.h"
 #include "render/gl/gl.h"
 #include "scene/rules/needs.h"
 
 namespace isolux::app {
 
 struct Studio::Alternative {
-  std::string value;
-  bool comparison;
+  StudySetting setting;  // its value, and its times as they are measured
   scene::Scene scene;
-  std::vector<double> frames{}, processor{};
-  std::map<std::string, std::vector<double>> passes{};
   DrawnImages images{};
   ComparedPicture picture{};
 };
@@ -68,9 +64,9 @@ void Studio::drawOnce(Alternative& alternative, bool timed) {
   const double frame = collect(renderer_.render(scene, picture));
   const double worked = processorMilliseconds() - before;
   if (!timed) return;
-  alternative.frames.push_back(frame);
-  if (software_) alternative.processor.push_back(worked);
-  for (const auto& [name, time] : passes) alternative.passes[name].push_back(time);
+  alternative.setting.frameTimes.push_back(frame);
+  if (software_) alternative.setting.processorTimes.push_back(worked);
+  for (const auto& [name, time] : passes) alternative.setting.passTimes[name].push_back(time);
 }
 
 DrawnImages Studio::imagesOf(const scene::Scene& scene) {
@@ -142,19 +138,13 @@ StudySetting Studio::judge(const Knob& knob, const Alternative& alternative, bas
     return errorsOf(alternative.images, truth,
                     [&](std::size_t pixel) { return truth_.undecided(hitField, pixel); });
   };
-  StudySetting setting;
-  setting.value = alternative.value;
+  StudySetting setting = alternative.setting;
+  setMedians(setting);
   // A knob of sampled hits has no effect in what the program does by default, where hits are exact.
-  const bool chosen = !alternative.comparison && alternative.value == defaultValue(knob);
+  const bool chosen = !setting.comparison && setting.value == defaultValue(knob);
   const bool sampled = knob.sampled && scene::Scene{}.hit.method == scene::HitMethod::exact;
-  setting.isDefault = sampled ? alternative.comparison : chosen;
+  setting.isDefault = sampled ? setting.comparison : chosen;
   setting.settingDefault = sampled && chosen;
-  setting.comparison = alternative.comparison;
-  setting.frameTimes = alternative.frames;
-  setting.passTimes = alternative.passes;
-  setting.processorTimes = alternative.processor;
-  setting.frameMilliseconds = base::median(alternative.frames);
-  for (const auto& [name, times] : alternative.passes) setting.passMilliseconds[name] = base::median(times);
   if (knob.measure == Measure::scale) {
     judgeScale(alternative, setting, progress);
     return setting;
@@ -210,18 +200,18 @@ KnobStudy Studio::study(const Knob& knob, base::Progress& progress, double from,
 KnobStudy Studio::studySurface(const Knob& knob, base::Progress& progress, double from, double to) {
   std::vector<Alternative> alternatives;
   for (const char* const value : knob.values)
-    alternatives.push_back({value, false, turned(knob, value, scene_, volume_->facts)});
+    alternatives.push_back({{.value = value}, turned(knob, value, scene_, volume_->facts)});
   if (knob.sampled) {
     scene::Scene exact = alternatives.front().scene;
     exact.hit.method = scene::HitMethod::exact;
-    alternatives.push_back({kExactHits, true, std::move(exact)});
+    alternatives.push_back({{.value = kExactHits, .comparison = true}, std::move(exact)});
   }
   const double measured = from + 0.6 * (to - from);
   measure(alternatives, progress, from, measured);
   KnobStudy result{.knob = knob, .settings = {}, .plot = {}};
   result.eightBitVoxels = volume::bytesOf(volume_->grid().storedType()) == 1;
   const auto reference = std::find_if(alternatives.begin(), alternatives.end(), [&](const Alternative& a) {
-    return a.value == pictureReference(knob);
+    return a.setting.value == pictureReference(knob);
   });
   for (const Alternative& alternative : alternatives) {
     result.settings.push_back(judge(knob, alternative, progress));

@@ -24,6 +24,11 @@ bool variesTooMuch(const TimeSpread& spread) {
   return spread.high >= 2.0 * spread.low;
 }
 
+void setMedians(StudySetting& setting) {
+  setting.frameMilliseconds = base::median(setting.frameTimes);
+  for (const auto& [name, times] : setting.passTimes) setting.passMilliseconds[name] = base::median(times);
+}
+
 double processorMilliseconds() {
   return 1000.0 * static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
 }

@@ -49,16 +49,19 @@ struct StudySetting {
   bool settingDefault = false;     // the default of the knob's setting, which by default has no effect
   bool comparison = false;         // exact hits beside a knob of sampled ones
   double frameMilliseconds = 0.0;  // the picture of the scene's look, every pass run again
-  std::map<std::string, double> passMilliseconds;  // with gradient and hessian each run for themselves
-  std::vector<double> frameTimes{};                // ms, in the order of the frames, which medians are of
+  std::map<std::string, double> passMilliseconds{};  // with gradient and hessian each run for themselves
+  std::vector<double> frameTimes{};                  // ms, in the order of the frames, which medians are of
   std::map<std::string, std::vector<double>> passTimes{};
   // ms of processorMilliseconds() of the same frames, where a software driver draws; empty on a GPU.
   std::vector<double> processorTimes{};
-  Errors errors;                      // against double precision on the same fields
-  std::optional<Errors> fieldErrors;  // of a field: against cubic_interpolating in double precision
-  std::optional<ScaleCost> scale{};   // of the knob of the scale; then only errors.noise is defined
-  std::optional<LightCost> light;     // of a knob of light; then only errors.light is defined
+  Errors errors{};                      // against double precision on the same fields
+  std::optional<Errors> fieldErrors{};  // of a field: against cubic_interpolating in double precision
+  std::optional<ScaleCost> scale{};     // of the knob of the scale; then only errors.noise is defined
+  std::optional<LightCost> light{};     // of a knob of light; then only errors.light is defined
 };
+
+// Sets the medians of the times that the setting has by now.
+void setMedians(StudySetting& setting);
 
 struct KnobStudy {
   Knob knob;

@@ -9,7 +9,6 @@
 #include "app/study/light_truth.h"
 #include "app/target/drawn_images.h"
 #include "base/progress.h"
-#include "gi/light_scene.h"
 
 namespace isolux::app {
 
@@ -25,10 +24,6 @@ TruthOptions pathsFor(double noise) {
           .relativeNoise = noise};
 }
 
-bool canBeJudged(const TrueHit& hit) {
-  return hit.hit && hit.fromOutside;
-}
-
 }  // namespace
 
 LightJudge::LightJudge(render::Renderer& renderer, SurfaceTruth& truth,
@@ -42,29 +37,10 @@ LightJudge::LightJudge(render::Renderer& renderer, SurfaceTruth& truth,
       noise_(noise),
       controller_({.threads = machine.threads}) {}
 
-// Light that stands still, whatever is stored of it.
 const LightTruth& LightJudge::truthOf(Measuring measuring, base::Progress& progress) {
   const std::size_t count = std::min(judgedPixels(measuring), seen_);
   if (const auto known = truths_.find(count); known != truths_.end()) return known->second;
-  scene::Scene still = *reference_;
-  still.gi.mode = scene::GiMode::irradiance;
-  still.light.environment.moves = false;
-  still.gi.sequence = scene::DirectionSequence::sobol_owen;
-  const auto environment = gi::loadEnvironment(still.light.environment);
-  const auto light =
-      gi::makeLightScene(still, volume_, gi::lightTracerOf(still, volume_, progress), environment);
-  const double exposure = std::exp2(still.light.environment.exposure);
-  const glm::dvec3 skyScale = light->choice.unitSky ? exposure * environment->mean() : glm::dvec3(exposure);
-  std::vector<bool> isHit;
-  isHit.reserve(hits_->size());
-  for (const TrueHit& hit : *hits_) isHit.push_back(canBeJudged(hit));
-  const std::vector<std::size_t> pixels = chosenPixels(isHit, count);
-  std::vector<glm::vec3> voxels;
-  voxels.reserve(pixels.size());
-  for (const std::size_t pixel : pixels) voxels.emplace_back((*hits_)[pixel].voxel);
-  const auto isovalue = static_cast<float>(volume_->grid().storedOfValue(still.isosurface.value.value()));
-  return truths_
-      .emplace(count, lightTruthAt(light, skyScale, isovalue, voxels, pixels, pathsFor(noise_), progress))
+  return truths_.emplace(count, lightTruthOf(*reference_, volume_, *hits_, count, pathsFor(noise_), progress))
       .first->second;
 }
 
