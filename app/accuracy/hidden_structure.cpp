@@ -86,13 +86,6 @@ HiddenStructure hiddenStructure(render::Renderer& renderer, const scene::Scene& 
   return out;
 }
 
-HiddenStructure hiddenStructure(render::Renderer& renderer, const scene::Scene& drawn,
-                                const render::FrameRequest& request, const volume::PreparedVolume& level,
-                                const volume::IndexedVolume& whole, base::Progress& progress) {
-  const volume::LevelGaps gaps(whole, level.grid(), scene::seenIsovalues(drawn), progress);
-  return hiddenStructure(renderer, drawn, request, level, whole, gaps, progress);
-}
-
 std::string structureLine(const HiddenStructure& structure) {
   return "the level may hide structure thinner than " + thinText(structure.thinnestMm) + " in " +
          base::shortText(100.0 * structure.share(), 3) + " % of the image (" +

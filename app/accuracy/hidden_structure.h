@@ -36,10 +36,6 @@ HiddenStructure hiddenStructure(render::Renderer& renderer, const scene::Scene& 
                                 const render::FrameRequest& request, const volume::PreparedVolume& level,
                                 const volume::IndexedVolume& whole, const volume::LevelGaps& gaps,
                                 base::Progress& progress);
-// The same with gaps that nobody else wants.
-HiddenStructure hiddenStructure(render::Renderer& renderer, const scene::Scene& drawn,
-                                const render::FrameRequest& request, const volume::PreparedVolume& level,
-                                const volume::IndexedVolume& whole, base::Progress& progress);
 
 std::string structureLine(const HiddenStructure& structure);
 

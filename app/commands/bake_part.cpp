@@ -1,11 +1,10 @@
 #include "app/commands/bake_part.h"
 
 #include <algorithm>
-#include <charconv>
 
 #include <nlohmann/json.hpp>
 
-#include "base/error.h"
+#include "app/commands/command.h"
 #include "base/number_text.h"
 #include "scene/settings.h"
 
@@ -13,16 +12,8 @@ namespace isolux::app {
 
 std::optional<gi::LatticePart> partOf(const std::string& text) {
   if (text.empty()) return std::nullopt;
-  gi::LatticePart part;
-  const char* const end = text.data() + text.size();
-  const auto index = std::from_chars(text.data(), end, part.index);
-  const bool slash = index.ec == std::errc() && index.ptr != end && *index.ptr == '/';
-  const auto count = slash ? std::from_chars(index.ptr + 1, end, part.count) : index;
-  if (!slash || count.ec != std::errc() || count.ptr != end || part.index < 1 || part.index > part.count ||
-      part.count > gi::kMostParts)
-    throw base::Error(base::ErrorKind::usage, "", "--part",
-                      "\"" + text + "\" is not i/n, such as 2/5: part i of n, 1 <= i <= n");
-  return part;
+  const auto [index, count] = parsePart(text, gi::kMostParts);
+  return gi::LatticePart{index, count};
 }
 
 std::filesystem::path fileOf(const std::filesystem::path& out, const std::optional<gi::LatticePart>& part) {

@@ -401,6 +401,12 @@ void printWarnings(const volume::Volume& volume) {
   for (const std::string& warning : volume.warnings) printNote(warning);
 }
 
+void printRow(std::ostream& out, std::string_view name, const std::string& text) {
+  constexpr std::size_t column = 14;
+  out << name << std::string(name.size() < column ? column - name.size() : 1, ' ') << base::printable(text)
+      << '\n';
+}
+
 void printNote(const std::string& text) {
   std::cerr << "isolux: note: " << base::printable(text) << '\n';
 }
@@ -417,6 +423,19 @@ glm::ivec2 parseSize(const std::string& text) {
       return size;
   }
   throw Error(ErrorKind::usage, "", "--size", '"' + text + "\" is not WxH, 1 to 16384 pixels each");
+}
+
+std::pair<int, int> parsePart(const std::string& text, int most) {
+  std::pair<int, int> part;
+  const char* const end = text.data() + text.size();
+  const auto index = std::from_chars(text.data(), end, part.first);
+  const bool slash = index.ec == std::errc() && index.ptr != end && *index.ptr == '/';
+  const auto count = slash ? std::from_chars(index.ptr + 1, end, part.second) : index;
+  if (!slash || count.ec != std::errc() || count.ptr != end || part.first < 1 || part.first > part.second ||
+      part.second > most)
+    throw Error(ErrorKind::usage, "", "--part",
+                "\"" + text + "\" is not i/n, such as 2/5: part i of n, 1 <= i <= n");
+  return part;
 }
 
 glm::ivec2 pictureSize(const std::optional<std::string>& text, const std::string& path,

@@ -11,7 +11,10 @@
 #include <initializer_list>
 #include <memory>
 #include <optional>
+#include <ostream>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -130,6 +133,8 @@ std::shared_ptr<const volume::PreparedVolume> loadWithProgressBar(const scene::S
 std::shared_ptr<const volume::PreparedVolume> loadWithProgressBar(const scene::Source& source,
                                                                   const scene::Machine& machine,
                                                                   base::Progress& progress);
+// Prints a row of a report: the name in a column, and the text on one line.
+void printRow(std::ostream& out, std::string_view name, const std::string& text);
 // Prints "isolux: note: TEXT" on stderr, always one line.
 void printNote(const std::string& text);
 // Prints the import warnings as notes on stderr: only after success, so that a failure stays one line.
@@ -137,6 +142,8 @@ void printWarnings(const volume::Volume& volume);
 
 // Parses "WxH", 1 to 16384 each. Throws Error{usage}.
 glm::ivec2 parseSize(const std::string& text);
+// Parses "i/n" of --part, 1 <= i <= n <= most. Throws Error{usage}.
+std::pair<int, int> parsePart(const std::string& text, int most);
 // Returns the size of --size; without it that of the image that the session comes from, else 1024x768.
 glm::ivec2 pictureSize(const std::optional<std::string>& text, const std::string& path,
                        const SceneOptions& options);

@@ -1,6 +1,7 @@
 #include "app/commands/derivative_report.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include <glm/common.hpp>
@@ -8,6 +9,7 @@
 
 #include "app/files/json_text.h"
 #include "app/jobs/rest_scene.h"
+#include "app/study/study_errors.h"
 #include "base/number_text.h"
 #include "render/graph/pass_declarations.h"
 #include "scene/looks.h"
@@ -30,15 +32,11 @@ double unknownShareOf(render::Renderer& renderer, const scene::Scene& scene, ren
   while (std::max(request.size.x, request.size.y) > most)
     request.size = glm::max(request.size / 2, glm::ivec2(1));
   renderer.render(scene, request);
-  const render::AovImage hit = renderer.readAov(render::Aov::hit);
-  const render::AovImage confidence = renderer.readAov(render::Aov::curvature_confidence);
-  std::size_t seen = 0, unknown = 0;
-  for (std::size_t i = 0; i < hit.values.size(); ++i) {
-    if (hit.values[i] != 1.0f) continue;
-    ++seen;
-    if (!(confidence.values[i] >= 0.5f)) ++unknown;
-  }
-  return seen > 0 ? static_cast<double>(unknown) / static_cast<double>(seen) : 0.0;
+  DrawnImages drawn;
+  drawn.hit = renderer.readAov(render::Aov::hit).values;
+  drawn.confidence = renderer.readAov(render::Aov::curvature_confidence).values;
+  const double share = unknownShare(drawn);
+  return std::isnan(share) ? 0.0 : share;  // nothing is seen
 }
 
 // "0.8 mm, chosen: curvature stands clear of the noise there" of an automatic number.

@@ -31,10 +31,6 @@ namespace isolux::app {
 
 namespace {
 
-void row(std::ostream& out, const std::string& name, const std::string& text) {
-  out << name << std::string(name.size() < 14 ? 14 - name.size() : 1, ' ') << text << '\n';
-}
-
 std::string memoryText() {
   const auto page = static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
   const auto pages = [page](int name) {
@@ -130,20 +126,20 @@ void printExecutors(std::ostream& out, const std::shared_ptr<const render::Gl>& 
 }  // namespace
 
 void printDoctor(std::ostream& out, const std::string& window, base::Progress& progress) {
-  row(out, "isolux", std::string(version()));
-  row(out, "compiler", __VERSION__);
-  row(out, "CPU threads", std::to_string(tbb::info::default_concurrency()));
-  row(out, "memory", memoryText());
-  row(out, "memory budget", bytesText(base::machineMemory().limit()));
-  for (const std::string& version : volume::readerVersions(progress)) row(out, "file reader", version);
-  row(out, "oneTBB", TBB_runtime_version());
-  row(out, "GLM", dotted(GLM_VERSION_MAJOR, GLM_VERSION_MINOR, GLM_VERSION_PATCH));
-  row(out, "JSON",
-      dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH));
-  row(out, "CLI11", CLI11_VERSION);
-  row(out, "ffmpeg", movieText(progress));
-  if (!window.empty()) row(out, "window", window);
-  row(out, "shader cache", storedProgramsText());
+  printRow(out, "isolux", std::string(version()));
+  printRow(out, "compiler", __VERSION__);
+  printRow(out, "CPU threads", std::to_string(tbb::info::default_concurrency()));
+  printRow(out, "memory", memoryText());
+  printRow(out, "memory budget", bytesText(base::machineMemory().limit()));
+  for (const std::string& version : volume::readerVersions(progress)) printRow(out, "file reader", version);
+  printRow(out, "oneTBB", TBB_runtime_version());
+  printRow(out, "GLM", dotted(GLM_VERSION_MAJOR, GLM_VERSION_MINOR, GLM_VERSION_PATCH));
+  printRow(out, "JSON",
+           dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH));
+  printRow(out, "CLI11", CLI11_VERSION);
+  printRow(out, "ffmpeg", movieText(progress));
+  if (!window.empty()) printRow(out, "window", window);
+  printRow(out, "shader cache", storedProgramsText());
 
   out << "\nGraphics contexts without a window (OpenGL 4.5 core), in the order they are tried:\n";
   std::string chosen;

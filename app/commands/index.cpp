@@ -1,7 +1,7 @@
 // isolux index PATH: the index beside a volume of which only parts are in memory.
-#include <charconv>
 #include <cstdio>
 #include <optional>
+#include <tuple>
 
 #include "app/commands/command.h"
 #include "app/commands/progress_bar.h"
@@ -22,25 +22,12 @@ struct IndexOptions {
   std::shared_ptr<SceneOptions> scene;
 };
 
-volume::IndexPart indexPartOf(const std::string& text) {
-  volume::IndexPart part;
-  if (text.empty()) return part;
-  const char* const end = text.data() + text.size();
-  const auto i = std::from_chars(text.data(), end, part.i);
-  const bool slash = i.ec == std::errc() && i.ptr != end && *i.ptr == '/';
-  const auto n = slash ? std::from_chars(i.ptr + 1, end, part.n) : i;
-  if (!slash || n.ec != std::errc() || n.ptr != end || part.i < 1 || part.i > part.n ||
-      part.n > kMostIndexParts)
-    throw base::Error(base::ErrorKind::usage, "", "--part",
-                      "\"" + text + "\" is not i/n, such as 2/5: part i of n, 1 <= i <= n");
-  return part;
-}
-
 void runIndex(const IndexOptions& options, base::Progress& progress) {
   requireSource(options.path, *options.scene);
   const scene::Scene scene = sceneOf(options.path, *options.scene);
   const scene::Source& source = scene.source;
-  const volume::IndexPart part = indexPartOf(options.part);
+  volume::IndexPart part;
+  if (!options.part.empty()) std::tie(part.i, part.n) = parsePart(options.part, kMostIndexParts);
   OutputGuard guard = outputGuard(options.path, *options.scene, scene);
   checkOutput(guard, options.out, "--out");
   std::string reason;

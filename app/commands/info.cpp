@@ -11,7 +11,6 @@
 #include "app/commands/progress_bar.h"
 #include "app/commands/series_report.h"
 #include "base/number_text.h"
-#include "base/printable.h"
 #include "scene/rules/automatic.h"
 #include "scene/setting/choice_names.h"
 
@@ -162,10 +161,7 @@ void printText(const PreparedVolume& prepared, const InfoMeasures& measured, std
   const glm::ivec3 dims = grid.dims();
   const double isovalue = prepared.facts.suggestedIsovalue;
   const std::string unit = v.unit.empty() ? "" : " " + v.unit;
-  const auto row = [&out](const char* name, const std::string& text) {
-    out << name << std::string(std::max<std::size_t>(14 - std::string_view(name).size(), 1), ' ')
-        << base::printable(text) << '\n';
-  };
+  const auto row = [&out](std::string_view name, const std::string& text) { printRow(out, name, text); };
   row("name", v.name);
   row("format", v.format);
   row("dims", std::to_string(dims.x) + " x " + std::to_string(dims.y) + " x " + std::to_string(dims.z));
@@ -175,7 +171,7 @@ void printText(const PreparedVolume& prepared, const InfoMeasures& measured, std
   row("origin", vectorText(geometry.originMm()) + (anatomical ? " mm (LPS)" : " mm"));
   for (int axis = 0; axis < 3; ++axis) {
     const std::string name = std::string("direction ") + "xyz"[axis];
-    row(name.c_str(), vectorText(geometry.directions()[axis]));
+    row(name, vectorText(geometry.directions()[axis]));
   }
   if (geometry.leftHanded()) row("", "left-handed");
   row("orientation", orientationText(v));
@@ -205,29 +201,6 @@ void printText(const PreparedVolume& prepared, const InfoMeasures& measured, std
   for (const std::string& warning : v.warnings) row("warning", warning);
 }
 
-InfoMeasures measuredWithProgressBar(const PreparedVolume& prepared, scene::Field field,
-                                     base::Progress& progress) {
-  progress.report(0.0, "measuring noise");
-  const ProgressBar bar(progress);
-  const volume::DerivativeChoices& choices = *prepared.derivativeChoices;
-  return {choices.noise(progress), choices.choose({prepared.facts.suggestedIsovalue, field}, progress)};
-}
-
-ordered_json piecesWithProgressBar(const PreparedVolume& prepared, const scene::Scene& scene,
-                                   base::Progress& progress) {
-  progress.report(0.0, "finding pieces");
-  const ProgressBar bar(progress);
-  return piecesJson(prepared, scene::resolve(scene, prepared.facts), progress);
-}
-
-EdgeReport edgesWithProgressBar(const scene::Scene& scene,
-                                const std::shared_ptr<const PreparedVolume>& prepared,
-                                base::Progress& progress) {
-  progress.report(0.0, "looking for edges");
-  const ProgressBar bar(progress);
-  return measureEdges(scene, prepared, progress);
-}
-
 }  // namespace
 
 Command makeInfo(CLI::App& program) {
@@ -255,12 +228,25 @@ Command makeInfo(CLI::App& program) {
             if (options->series)
               return printSeries(scene.source.path, options->json, options->anonymous, progress, std::cout);
             const auto prepared = loadWithProgressBar(scene.source, progress);
-            const InfoMeasures measured =
-                measuredWithProgressBar(*prepared, scene.derivatives.field, progress);
+            InfoMeasures measured;
             ordered_json pieces;
-            if (options->pieces) pieces = piecesWithProgressBar(*prepared, scene, progress);
             std::optional<EdgeReport> edges;
-            if (options->edge) edges = edgesWithProgressBar(scene, prepared, progress);
+            {
+              const ProgressBar bar(progress);
+              progress.report(0.0, "measuring noise");
+              const volume::DerivativeChoices& choices = *prepared->derivativeChoices;
+              measured = {
+                  choices.noise(progress),
+                  choices.choose({prepared->facts.suggestedIsovalue, scene.derivatives.field}, progress)};
+              if (options->pieces) {
+                progress.report(0.0, "finding pieces");
+                pieces = piecesJson(*prepared, scene::resolve(scene, prepared->facts), progress);
+              }
+              if (options->edge) {
+                progress.report(0.0, "looking for edges");
+                edges = measureEdges(scene, prepared, progress);
+              }
+            }
             if (options->json) {
               ordered_json json = infoJson(*prepared, measured);
               if (options->pieces) json["pieces"] = pieces;
@@ -269,7 +255,7 @@ Command makeInfo(CLI::App& program) {
               return;
             }
             printText(*prepared, measured, std::cout);
-            if (edges) std::cout << "edge          " << base::printable(edgeText(*edges)) << '\n';
+            if (edges) printRow(std::cout, "edge", edgeText(*edges));
             if (options->pieces) printPieceTable(pieces, *prepared, std::cout);
           }};
 }

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "app/commands/command.h"
 #include "app/commands/curvature_report.h"
 #include "app/commands/piece_report.h"
 #include "base/number_text.h"
-#include "base/printable.h"
 #include "scene/setting/choice_names.h"
 #include "volume/pieces/shown_pieces.h"
 
@@ -19,10 +18,6 @@ namespace isolux::app {
 namespace {
 
 using nlohmann::ordered_json;
-
-void printRow(std::ostream& out, std::string_view name, const std::string& text) {
-  out << name << std::string(name.size() < 14 ? 14 - name.size() : 1, ' ') << base::printable(text) << '\n';
-}
 
 std::string positionText(const ordered_json& position) {
   std::string text;

@@ -33,6 +33,7 @@
 #include "render/offscreen_renderer.h"
 #include "render/passes/processor.h"
 #include "scene/rules/automatic.h"
+#include "scene/rules/ghosts.h"
 #include "scene/rules/whole_voxels.h"
 #include "scene/setting/assignment.h"
 
@@ -271,9 +272,12 @@ class RenderRun {
       const scene::Scene& shown = drawn.inputs.scene;
       render::StillPicture& still = drawn.still;
       if (overlay_.asked) paintOverlay(*drawn.errors, shown, still);
-      if (whole_)
-        structure =
-            hiddenStructure(**renderer_, drawn.shown, drawn.inputs.request, *prepared_, *whole_, progress_);
+      if (whole_) {
+        const volume::LevelGaps gaps(*whole_, prepared_->grid(), scene::seenIsovalues(drawn.shown),
+                                     progress_);
+        structure = hiddenStructure(**renderer_, drawn.shown, drawn.inputs.request, *prepared_, *whole_, gaps,
+                                    progress_);
+      }
       if (structure && marksStructure(options_)) {
         const auto legend =
             paintStructure(*structure, shown.look.legendCorner, still.report.legend, still.color);

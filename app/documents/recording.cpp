@@ -1,6 +1,7 @@
 #include "app/documents/recording.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <system_error>
@@ -8,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/documents/session.h"
 #include "app/documents/stored_scene.h"
 #include "app/files/files.h"
 #include "app/version.h"
@@ -23,8 +25,8 @@ using nlohmann::json;
 namespace {
 
 constexpr int recordingVersion = 6;
-constexpr int withoutCurve = 5, withoutSetup = 4, withoutFrames = 3, withoutScales = 2,
-              withoutBuiltInLights = 1;  // the last version
+// The version of sessions whose scenes a version of recordings has.
+constexpr std::array<int, recordingVersion> kSessionVersions{3, 4, 6, 7, 8, sessionVersion};
 constexpr double longestSeconds = 1e6;
 constexpr std::size_t longestFile = std::size_t{1} << 30;  // bytes
 
@@ -39,12 +41,8 @@ scene::Scene startOf(const json& header, const std::string& file, const StoredFo
   if (found == header.end()) throwInput(file, place, "is not a recording: \"isolux_recording\" is missing");
   if (!found->is_number_integer() || *found < 1 || *found > recordingVersion)
     throwInput(file, place, "this Isolux reads recordings of versions 1 to 6 only");
-  json scene = header.value("scene", json::object());
-  if (*found <= withoutBuiltInLights) scene = lightAsBefore(std::move(scene));
-  if (*found <= withoutScales) scene = derivativesAsBefore(std::move(scene));
-  if (*found <= withoutFrames) scene = firstPictureAsBefore(std::move(scene));
-  if (*found <= withoutSetup) scene = looksAsBefore(std::move(scene));
-  if (*found <= withoutCurve) scene = exposureAsBefore(std::move(scene));
+  const int written = kSessionVersions.at(found->get<std::size_t>() - 1);
+  const json scene = sceneOfVersion(written, header.value("scene", json::object()));
   return sceneFromStored(scene, file, place + ", scene", folders);
 }
 

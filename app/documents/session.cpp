@@ -1,6 +1,5 @@
 #include "app/documents/session.h"
 
-#include <array>
 #include <string_view>
 #include <utility>
 
@@ -42,55 +41,6 @@ json upgradeFrom1(json session, const std::string& file) {
   return session;
 }
 
-// Version 2 knew no "places".
-json upgradeFrom2(json session, const std::string& file) {
-  checkKeys(session, {versionKey, "program", "scene"}, file, "");
-  return session;
-}
-
-// Version 3 knew no built-in lights.
-json upgradeFrom3(json session, const std::string& file) {
-  checkKeys(session, {versionKey, "program", "scene", "places"}, file, "");
-  session["scene"] = lightAsBefore(session.value("scene", json::object()));
-  return session;
-}
-
-// Version 4 knew no derivatives at a scale.
-json upgradeFrom4(json session, const std::string& file) {
-  checkKeys(session, {versionKey, "program", "scene", "places"}, file, "");
-  session["scene"] = derivativesAsBefore(session.value("scene", json::object()));
-  return session;
-}
-
-// Version 5 did not say that a picture's accuracy may stand in it, though some of its pictures carry it.
-json upgradeFrom5(json session, const std::string&) {
-  return session;
-}
-
-// Version 6 knew one automatic isovalue and camera.
-json upgradeFrom6(json session, const std::string&) {
-  session["scene"] = firstPictureAsBefore(session.value("scene", json::object()));
-  return session;
-}
-
-// Version 7 lit looks by a key light alone.
-json upgradeFrom7(json session, const std::string&) {
-  session["scene"] = looksAsBefore(session.value("scene", json::object()));
-  return session;
-}
-
-// Version 8 knew no tone curve.
-json upgradeFrom8(json session, const std::string&) {
-  session["scene"] = exposureAsBefore(session.value("scene", json::object()));
-  return session;
-}
-
-// upgrades[i] turns version i+1 into version i+2.
-using Upgrade = json (*)(json session, const std::string& file);
-constexpr std::array<Upgrade, sessionVersion - 1> upgrades{upgradeFrom1, upgradeFrom2, upgradeFrom3,
-                                                           upgradeFrom4, upgradeFrom5, upgradeFrom6,
-                                                           upgradeFrom7, upgradeFrom8};
-
 int versionOf(const json& session, const std::string& file) {
   const auto found = session.find(versionKey);
   if (found == session.end()) throwInput(file, "", "is not a session: \"isolux_session\" is missing");
@@ -130,9 +80,16 @@ std::string pictureSessionText(const scene::Scene& scene, const fs::path& folder
 scene::Scene parseSession(const std::string& text, const std::string& file, const StoredFolders& folders) {
   json session = parseJson(text, file, "");
   if (!session.is_object()) throwInput(file, "", "is not a session: it should be a JSON object");
-  for (int from = versionOf(session, file); from < sessionVersion; ++from)
-    session = upgrades[static_cast<std::size_t>(from - 1)](std::move(session), file);
-  checkKeys(session, {versionKey, "program", "scene", "places", "accuracy"}, file, "");
+  const int written = versionOf(session, file);
+  if (written == 1) session = upgradeFrom1(std::move(session), file);
+  if (written <= 2)
+    checkKeys(session, {versionKey, "program", "scene"}, file, "");
+  else if (written <= 4)
+    checkKeys(session, {versionKey, "program", "scene", "places"}, file, "");
+  else
+    checkKeys(session, {versionKey, "program", "scene", "places", "accuracy"}, file, "");
+  if (written < sessionVersion)
+    session["scene"] = sceneOfVersion(written, session.value("scene", json::object()));
   const auto found = session.find("scene");
   scene::Scene scene =
       found == session.end() ? scene::Scene{} : sceneFromStored(*found, file, "scene", folders);

@@ -164,41 +164,31 @@ scene::Scene sceneFromStored(const json& stored, const std::string& file, const 
   }
 }
 
-json lightAsBefore(json stored) {
-  addMissing(stored, {{"light", {{"environment", {{"constant", {1.0, 1.0, 1.0}}}}}},
-                      {"picture", {{"metering", "lights"}}}});
-  return stored;
-}
-
-json derivativesAsBefore(json stored) {
-  addMissing(
-      stored,
-      {{"derivatives", {{"scale", 0.0}, {"normal_scale", 0.0}}},
-       {"picture", {{"rest_hits", "same"}}},
-       {"look", {{"contours", 0.0}, {"tone_cool", {0.08, 0.12, 0.35}}, {"tone_warm", {0.95, 0.72, 0.38}}}}});
-  return stored;
-}
-
-json firstPictureAsBefore(json stored) {
-  addMissing(stored, {{"camera", {{"frames", "volume"}}}, {"isosurface", {{"suggestion", "contrast"}}}});
-  return stored;
-}
-
-json looksAsBefore(json stored) {
-  addMissing(stored, {{"light", {{"setup", "key"}, {"direction", {-0.5, 0.7, 0.9}}}},
-                      {"look", {{"ambient_variation", 0.0}}}});
-  return stored;
-}
-
-json exposureAsBefore(json stored) {
-  addMissing(stored, {{"picture", {{"curve", "linear"}, {"metering", "surface"}}},
-                      {"light", {{"environment", {{"builtin", "studio"}}}}}});
+json sceneOfVersion(int written, json stored) {
   const auto rename = [&](const char* pointer, const char* then, const char* now) {
     const json::json_pointer place(pointer);
     if (stored.contains(place) && stored[place] == then) stored[place] = now;
   };
-  rename("/picture/metering", "surface", "brightness");
-  rename("/light/environment/builtin", "studio", "dark_studio");
+  if (written <= 3)  // before built-in lights, and exposure by the surface
+    addMissing(stored, {{"light", {{"environment", {{"constant", {1.0, 1.0, 1.0}}}}}},
+                        {"picture", {{"metering", "lights"}}}});
+  if (written <= 4)  // before derivatives at a scale, hits at rest, and outlines that go with tone
+    addMissing(stored,
+               {{"derivatives", {{"scale", 0.0}, {"normal_scale", 0.0}}},
+                {"picture", {{"rest_hits", "same"}}},
+                {"look",
+                 {{"contours", 0.0}, {"tone_cool", {0.08, 0.12, 0.35}}, {"tone_warm", {0.95, 0.72, 0.38}}}}});
+  if (written <= 6)  // before cameras framed the surface, and isovalues were of the whole object
+    addMissing(stored, {{"camera", {{"frames", "volume"}}}, {"isosurface", {{"suggestion", "contrast"}}}});
+  if (written <= 7)  // before looks were lit by more than a key light
+    addMissing(stored, {{"light", {{"setup", "key"}, {"direction", {-0.5, 0.7, 0.9}}}},
+                        {"look", {{"ambient_variation", 0.0}}}});
+  if (written <= 8) {  // before the tone curve
+    addMissing(stored, {{"picture", {{"curve", "linear"}, {"metering", "surface"}}},
+                        {"light", {{"environment", {{"builtin", "studio"}}}}}});
+    rename("/picture/metering", "surface", "brightness");
+    rename("/light/environment/builtin", "studio", "dark_studio");
+  }
   return stored;
 }
 

@@ -49,23 +49,8 @@ void applyPlaces(scene::Scene& scene, const nlohmann::json& places, const std::s
 scene::Scene sceneFromStored(const nlohmann::json& stored, const std::string& file, const std::string& place,
                              const StoredFolders& folders);
 
-// A stored scene of before there were built-in lights and exposure by the surface, which left unsaid what
-// there was no choice of: a white sky, and exposure by the lights.
-nlohmann::json lightAsBefore(nlohmann::json stored);
-
-// Of before there were derivatives at a scale, hits of pictures at rest, and outlines that go with tone: none
-// of them, and the colours of tone as they were.
-nlohmann::json derivativesAsBefore(nlohmann::json stored);
-
-// Keeps what a stored scene meant before automatic cameras framed the surface and automatic isovalues were
-// those of the whole object.
-nlohmann::json firstPictureAsBefore(nlohmann::json stored);
-
-// Keeps what a stored scene meant before looks were lit by more than a key light.
-nlohmann::json looksAsBefore(nlohmann::json stored);
-
-// Keeps what a stored scene meant before pictures had a tone curve.
-nlohmann::json exposureAsBefore(nlohmann::json stored);
+// Keeps what the stored scene of a session of an older version meant: says what then went without saying.
+nlohmann::json sceneOfVersion(int written, nlohmann::json stored);
 
 // `stored` must be an object with no other keys than the `known` ones; `place` as above.
 void checkKeys(const nlohmann::json& stored, std::initializer_list<std::string_view> known,

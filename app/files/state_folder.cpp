@@ -26,28 +26,26 @@ fs::path homeFolder() {
   return found->pw_dir != nullptr && *found->pw_dir == '/' ? fs::path(found->pw_dir) : fs::path();
 }
 
+// A relative path is to be ignored, says the specification.
+fs::path folderOfKind(const char* variable, const char* belowHome) {
+  if (const char* folder = std::getenv(variable); folder != nullptr && *folder == '/')
+    return fs::path(folder) / "isolux";
+  const fs::path home = homeFolder();
+  return home.empty() ? fs::path() : home / belowHome / "isolux";
+}
+
 }  // namespace
 
 fs::path stateFolder() {
-  // A relative path is to be ignored, says the specification.
-  if (const char* state = std::getenv("XDG_STATE_HOME"); state != nullptr && *state == '/')
-    return fs::path(state) / "isolux";
-  const fs::path home = homeFolder();
-  return home.empty() ? fs::path() : home / ".local" / "state" / "isolux";
+  return folderOfKind("XDG_STATE_HOME", ".local/state");
 }
 
 fs::path configFolder() {
-  if (const char* config = std::getenv("XDG_CONFIG_HOME"); config != nullptr && *config == '/')
-    return fs::path(config) / "isolux";
-  const fs::path home = homeFolder();
-  return home.empty() ? fs::path() : home / ".config" / "isolux";
+  return folderOfKind("XDG_CONFIG_HOME", ".config");
 }
 
 fs::path cacheFolder() {
-  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache != nullptr && *cache == '/')
-    return fs::path(cache) / "isolux";
-  const fs::path home = homeFolder();
-  return home.empty() ? fs::path() : home / ".cache" / "isolux";
+  return folderOfKind("XDG_CACHE_HOME", ".cache");
 }
 
 void makePrivateFolder(const fs::path& folder) {

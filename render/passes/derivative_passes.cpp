@@ -178,11 +178,8 @@ std::optional<LookInput> EdgePass::forLook(const scene::Scene& scene) const {
 
 void EdgePass::run(FrameState& frame) {
   Target& target = frame.target(image::edge, {GL_RG32F});
-  if (frame.empty()) {
-    const float none[4] = {kNoEdge, 0.0f, 0.0f, 0.0f};
-    frame.clear(target, {none});
-    return;
-  }
+  const float none[4] = {kNoEdge, 0.0f, 0.0f, 0.0f};
+  if (frame.clearIfEmpty(target, {none})) return;
   const FieldAt field = frame.edgeField();
   const volume::EdgeSearch<double> search = frame.edgeSearch();
   if (frame.onProcessor.all) {

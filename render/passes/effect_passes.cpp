@@ -60,10 +60,7 @@ std::optional<LookInput> ShadowPass::forLook(const scene::Scene& scene) const {
 
 void ShadowPass::run(FrameState& frame) {
   Target& target = frame.target(image::shadow, {GL_R8});
-  if (frame.empty()) {
-    frame.clear(target, {kZero});
-    return;
-  }
+  if (frame.clearIfEmpty(target, {kZero})) return;
   int opaque = 0;
   for (std::size_t i = 0; i < frame.surfaces.size(); ++i)
     if (frame.surfaces[i].opaque()) opaque |= 1 << i;
@@ -99,10 +96,7 @@ void OpennessPass::declare(Declaring& d) const {
 void OpennessPass::run(FrameState& frame) {
   const glm::ivec2 cells = occlusionCells(frame.request);
   Target& target = frame.images.make(frame.gl, image::openness + frame.layer, cells, {GL_RGBA16F});
-  if (frame.empty()) {
-    frame.clear(target, {kZero});
-    return;
-  }
+  if (frame.clearIfEmpty(target, {kZero})) return;
   Program& p = frame.program(shader);
   frame.setView(p);
   frame.setPoint(p, 0);
@@ -182,10 +176,7 @@ void FlowFieldPass::declare(Declaring& d) const {
 
 void FlowFieldPass::run(FrameState& frame) {
   Target& target = frame.target(image::flowField, {GL_RGBA32F, GL_RGBA16F});
-  if (frame.empty()) {
-    frame.clear(target, {kNoField, kZero});
-    return;
-  }
+  if (frame.clearIfEmpty(target, {kNoField, kZero})) return;
   const scene::Flow& flow = frame.scene->flow;
   Program& p =
       frame.program(shader, flow.direction == scene::FlowDirection::minimum ? "#define MINIMUM\n" : "");

@@ -173,6 +173,11 @@ struct FrameState {
   void drawStarts(const Program& program) const;
   // Fills each of the images with its value.
   void clear(Target& target, std::initializer_list<const float*> values) const;
+  // The same, and returns true, if there is nothing to draw.
+  bool clearIfEmpty(Target& target, std::initializer_list<const float*> values) const {
+    if (empty()) clear(target, values);
+    return empty();
+  }
   void copy(const Target& from, Target& to) const;  // copies the first image
   // Draws `program` in area(), or another area, outside which it would write the value for nothing. Outside,
   // the target is left unchanged, or drawn over where it shows another area.

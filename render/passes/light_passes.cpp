@@ -348,10 +348,7 @@ std::optional<LookInput> IrradiancePass::forLook(const scene::Scene& scene) cons
 
 void IrradiancePass::run(FrameState& frame) {
   Target& target = frame.target(image::irradiance, {GL_RGBA32F});
-  if (frame.empty()) {
-    frame.clear(target, {kZero});
-    return;
-  }
+  if (frame.clearIfEmpty(target, {kZero})) return;
   Program& p = frame.program(shader, frame.lighting->defines(frame));
   frame.setView(p);
   frame.setPoint(p, 0);

@@ -107,10 +107,7 @@ void ExtremaPass::declare(Declaring& d) const {
 
 void ExtremaPass::run(FrameState& frame) {
   Target& target = frame.target(image::extrema, {GL_RG32F});
-  if (frame.empty()) {
-    frame.clear(target, {kUnknown});
-    return;
-  }
+  if (frame.clearIfEmpty(target, {kUnknown})) return;
   Program& p = frame.program(shader);
   setNeighbours(frame, p, 0);
   frame.drawHits(target, p);
@@ -161,10 +158,7 @@ std::optional<LookInput> LinesPass::forLook(const scene::Scene& scene) const {
 
 void LinesPass::run(FrameState& frame) {
   Target& target = frame.target(image::lines, {GL_RGBA8});
-  if (frame.empty()) {
-    frame.clear(target, {kZero});
-    return;
-  }
+  if (frame.clearIfEmpty(target, {kZero})) return;
   const scene::Look& look = frame.scene->look;
   Program& p = frame.program(shader, definesOfLines(*frame.scene));
   setPoints(frame, p, 0);
