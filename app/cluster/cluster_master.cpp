@@ -69,11 +69,11 @@ void ClusterMaster::hear(const RankMessage& message) {
       peer.hello.host = message.bytes;
       return;
     case ClusterMessage::hello:
-      return welcome(message.from, helloFrom(message.bytes));
+      return welcome(message.from, messageFrom<ClusterHello>(message.bytes));
     case ClusterMessage::light:
-      return takeLight(message.from, tileFrom(message.bytes));
+      return takeLight(message.from, messageFrom<TileMessage>(message.bytes));
     case ClusterMessage::bye:
-      peer.work = workFrom(message.bytes);
+      peer.work = messageFrom<RankWork>(message.bytes);
       peer.left = true;
       return;
     case ClusterMessage::failed: {
@@ -229,7 +229,7 @@ bool farewellTo(Ranks& ranks, std::vector<RankReport>& peers, double seconds) {
     if (message) {
       RankReport& peer = peers.at(static_cast<std::size_t>(message->from));
       const auto kind = static_cast<ClusterMessage>(message->kind);
-      if (kind == ClusterMessage::bye) peer.work = workFrom(message->bytes);
+      if (kind == ClusterMessage::bye) peer.work = messageFrom<RankWork>(message->bytes);
       if (kind == ClusterMessage::bye || kind == ClusterMessage::failed) peer.left = true;
     }
     pause.after(message.has_value());

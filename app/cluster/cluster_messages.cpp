@@ -1,6 +1,10 @@
 #include "app/cluster/cluster_messages.h"
 
 #include <cstring>
+#include <limits>
+#include <tuple>
+#include <type_traits>
+#include <utility>
 
 #include "volume/read/process/wire.h"
 
@@ -10,152 +14,93 @@ namespace {
 
 using volume::WireReader;
 using volume::WireWriter;
+using Points = std::vector<glm::vec3>;
 
 constexpr std::uint64_t kLargestCount = std::uint64_t{1} << 30;
 
-void putPoints(WireWriter& out, const std::vector<glm::vec3>& points) {
-  out.put(std::string_view(reinterpret_cast<const char*>(points.data()), points.size() * sizeof(glm::vec3)));
+// The fields of a message in the order in which they are sent.
+template <class Message>
+auto fieldsOf(Message& m) {
+  using Kind = std::remove_const_t<Message>;
+  if constexpr (std::is_same_v<Kind, ClusterSetup>)
+    return std::tie(m.failed, m.version, m.path, m.scene, m.seen.outer, m.seen.inner, m.ofOneIsovalue,
+                    m.resumes, m.sendsVolume, m.probeWidth, m.probeHeight);
+  else if constexpr (std::is_same_v<Kind, ClusterHello>)
+    return std::tie(m.host, m.version, m.skyKey, m.lampsKey, m.arithmetic, m.target, m.volumeHash, m.threads,
+                    m.bound, m.coresOfMachine);
+  else if constexpr (std::is_same_v<Kind, TileMessage>)
+    return std::tie(m.tile, m.sky, m.lamps, m.work.tiles, m.work.paths, m.work.rays, m.work.seconds,
+                    m.work.idleSeconds);
+  else
+    return std::tie(m.tiles, m.paths, m.rays, m.seconds, m.idleSeconds);
 }
 
-std::vector<glm::vec3> pointsFrom(WireReader& in) {
-  const std::string bytes = in.text();
+template <class Field>
+void put(WireWriter& out, const Field& field) {
+  if constexpr (std::is_same_v<Field, Points>)
+    out.put(std::string_view(reinterpret_cast<const char*>(field.data()), field.size() * sizeof(glm::vec3)));
+  else if constexpr (std::is_same_v<Field, std::string>)
+    out.put(std::string_view(field));
+  else if constexpr (std::is_same_v<Field, double>)
+    out.put(field);
+  else
+    out.put(static_cast<std::uint64_t>(field));
+}
+
+Points pointsFrom(const std::string& bytes) {
   if (bytes.size() % sizeof(glm::vec3) != 0) volume::throwBadAnswer("points are cut off");
-  std::vector<glm::vec3> points(bytes.size() / sizeof(glm::vec3));
+  Points points(bytes.size() / sizeof(glm::vec3));
   if (!points.empty()) std::memcpy(static_cast<void*>(points.data()), bytes.data(), bytes.size());
   return points;
 }
 
-void putFlag(WireWriter& out, bool flag) {
-  out.put(std::uint64_t{flag ? 1u : 0u});
-}
-
-bool flagFrom(WireReader& in) {
-  return in.number(0, 1) == 1;
-}
-
-int countFrom(WireReader& in) {
-  return static_cast<int>(in.number(0, kLargestCount));
-}
-
-void putWork(WireWriter& out, const RankWork& work) {
-  out.put(work.tiles);
-  out.put(work.paths);
-  out.put(work.rays);
-  out.put(work.seconds);
-  out.put(work.idleSeconds);
-}
-
-RankWork workFrom(WireReader& in) {
-  RankWork work;
-  work.tiles = in.number();
-  work.paths = in.number();
-  work.rays = in.number();
-  work.seconds = in.finite();
-  work.idleSeconds = in.finite();
-  return work;
+template <class Field>
+void take(WireReader& in, Field& field) {
+  if constexpr (std::is_same_v<Field, Points>)
+    field = pointsFrom(in.text());
+  else if constexpr (std::is_same_v<Field, std::string>)
+    field = in.text();
+  else if constexpr (std::is_same_v<Field, double>)
+    field = in.finite();
+  else if constexpr (std::is_same_v<Field, bool>)
+    field = in.number(0, 1) == 1;
+  else if constexpr (std::is_same_v<Field, int>)
+    field = static_cast<int>(in.number(0, kLargestCount));
+  else
+    field = static_cast<Field>(in.number(0, std::numeric_limits<Field>::max()));
 }
 
 }  // namespace
 
-std::string bytesOf(const ClusterSetup& setup) {
+template <class Message>
+std::string bytesOf(const Message& message) {
   WireWriter out;
-  putFlag(out, setup.failed);
-  out.put(std::string_view(setup.version));
-  out.put(std::string_view(setup.path));
-  out.put(std::string_view(setup.scene));
-  putPoints(out, setup.seen.outer);
-  putPoints(out, setup.seen.inner);
-  putFlag(out, setup.ofOneIsovalue);
-  putFlag(out, setup.resumes);
-  putFlag(out, setup.sendsVolume);
-  out.put(static_cast<std::uint64_t>(setup.probeWidth));
-  out.put(static_cast<std::uint64_t>(setup.probeHeight));
+  std::apply([&](const auto&... field) { (put(out, field), ...); }, fieldsOf(message));
   return out.bytes();
 }
 
-ClusterSetup setupFrom(std::string_view bytes) {
+template <class Message>
+Message messageFrom(std::string_view bytes) {
   WireReader in(bytes);
-  ClusterSetup setup;
-  setup.failed = flagFrom(in);
-  setup.version = in.text();
-  setup.path = in.text();
-  setup.scene = in.text();
-  setup.seen.outer = pointsFrom(in);
-  setup.seen.inner = pointsFrom(in);
-  setup.ofOneIsovalue = flagFrom(in);
-  setup.resumes = flagFrom(in);
-  setup.sendsVolume = flagFrom(in);
-  setup.probeWidth = countFrom(in);
-  setup.probeHeight = countFrom(in);
-  in.end();
-  return setup;
-}
-
-std::string bytesOf(const ClusterHello& hello) {
-  WireWriter out;
-  for (const std::string* text :
-       {&hello.host, &hello.version, &hello.skyKey, &hello.lampsKey, &hello.arithmetic, &hello.target})
-    out.put(std::string_view(*text));
-  out.put(hello.volumeHash);
-  out.put(static_cast<std::uint64_t>(hello.threads));
-  putFlag(out, hello.bound);
-  out.put(static_cast<std::uint64_t>(hello.coresOfMachine));
-  return out.bytes();
-}
-
-ClusterHello helloFrom(std::string_view bytes) {
-  WireReader in(bytes);
-  ClusterHello hello;
-  for (std::string* text :
-       {&hello.host, &hello.version, &hello.skyKey, &hello.lampsKey, &hello.arithmetic, &hello.target})
-    *text = in.text();
-  hello.volumeHash = in.number();
-  hello.threads = countFrom(in);
-  hello.bound = flagFrom(in);
-  hello.coresOfMachine = countFrom(in);
-  in.end();
-  return hello;
-}
-
-std::string bytesOf(const TileMessage& message) {
-  WireWriter out;
-  out.put(std::uint64_t{message.tile});
-  out.put(std::string_view(message.sky));
-  out.put(std::string_view(message.lamps));
-  putWork(out, message.work);
-  return out.bytes();
-}
-
-TileMessage tileFrom(std::string_view bytes) {
-  WireReader in(bytes);
-  TileMessage message;
-  message.tile = static_cast<std::uint32_t>(in.number(0, 0xffffffffu));
-  message.sky = in.text();
-  message.lamps = in.text();
-  message.work = workFrom(in);
+  Message message;
+  std::apply([&](auto&... field) { (take(in, field), ...); }, fieldsOf(message));
   in.end();
   return message;
 }
 
-std::string bytesOf(const RankWork& work) {
-  WireWriter out;
-  putWork(out, work);
-  return out.bytes();
-}
-
-RankWork workFrom(std::string_view bytes) {
-  WireReader in(bytes);
-  const RankWork work = workFrom(in);
-  in.end();
-  return work;
-}
+template std::string bytesOf(const ClusterSetup&);
+template std::string bytesOf(const ClusterHello&);
+template std::string bytesOf(const TileMessage&);
+template std::string bytesOf(const RankWork&);
+template ClusterSetup messageFrom(std::string_view);
+template ClusterHello messageFrom(std::string_view);
+template TileMessage messageFrom(std::string_view);
+template RankWork messageFrom(std::string_view);
 
 std::string bytesOf(const base::Error& error) {
   WireWriter out;
   out.put(static_cast<std::uint64_t>(error.kind()));
-  out.put(std::string_view(error.file()));
-  out.put(std::string_view(error.place()));
-  out.put(std::string_view(error.reason()));
+  for (const std::string& text : {error.file(), error.place(), error.reason()}) put(out, text);
   return out.bytes();
 }
 

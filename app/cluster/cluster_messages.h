@@ -38,8 +38,6 @@ struct ClusterSetup {
   bool sendsVolume = false;
   int probeWidth = 0, probeHeight = 0;  // of the light probe that follows; 0: none
 };
-std::string bytesOf(const ClusterSetup& setup);
-ClusterSetup setupFrom(std::string_view bytes);
 
 struct ClusterHello {
   std::string host, version, skyKey, lampsKey, arithmetic, target;
@@ -48,19 +46,18 @@ struct ClusterHello {
   bool bound = false;  // it may use one core, its machine has more, and nobody asked for one thread
   int coresOfMachine = 1;
 };
-std::string bytesOf(const ClusterHello& hello);
-ClusterHello helloFrom(std::string_view bytes);
 
 struct TileMessage {
   std::uint32_t tile = 0;
   std::string sky, lamps;  // tileBytes()
   RankWork work{};         // of the sender so far
 };
-std::string bytesOf(const TileMessage& message);
-TileMessage tileFrom(std::string_view bytes);
 
-std::string bytesOf(const RankWork& work);
-RankWork workFrom(std::string_view bytes);
+// Of the messages above and of RankWork.
+template <class Message>
+std::string bytesOf(const Message& message);
+template <class Message>
+Message messageFrom(std::string_view bytes);
 
 std::string bytesOf(const base::Error& error);
 base::Error errorFrom(std::string_view bytes);

@@ -27,7 +27,7 @@ void tell(Ranks& ranks, ClusterMessage kind, std::string bytes) {
 bool receiveScene(Ranks& ranks, const LoadVolume& load, ClusterScene& scene, base::Progress& progress) {
   std::string bytes;
   broadcastText(ranks, bytes, progress);
-  const ClusterSetup setup = setupFrom(bytes);
+  const ClusterSetup setup = messageFrom<ClusterSetup>(bytes);
   if (setup.failed) return false;
   scene.scene = scene::fromJson(nlohmann::json::parse(setup.scene));
   scene.seen = setup.seen;
@@ -77,7 +77,7 @@ class Worker {
     const auto kind = static_cast<ClusterMessage>(message.kind);
     if (kind == ClusterMessage::stop) stopped_ = true;
     if (kind != ClusterMessage::work && kind != ClusterMessage::drop) return;
-    const TileMessage tile = tileFrom(message.bytes);
+    const TileMessage tile = messageFrom<TileMessage>(message.bytes);
     if (kind == ClusterMessage::drop) return light_.baker().drop(tile.tile);
     takeTile(tile, light_.baker().wishOf(tile.tile), light_.working());
     light_.baker().begin(tile.tile);

@@ -122,14 +122,15 @@ TEST(ClusterMessages, ArriveAsTheyWereSentOrAreRefused) {
   setup.sendsVolume = true;
   setup.probeWidth = 4;
   const std::string bytes = bytesOf(setup);
-  const ClusterSetup read = setupFrom(bytes);
+  const ClusterSetup read = messageFrom<ClusterSetup>(bytes);
   EXPECT_EQ(read.path, setup.path);
   EXPECT_EQ(read.seen.outer, setup.seen.outer);
   EXPECT_TRUE(read.sendsVolume && !read.failed && !read.resumes);
   EXPECT_EQ(read.probeWidth, 4);
   for (std::size_t cut = 1; cut < bytes.size(); ++cut)
-    EXPECT_THROW(setupFrom(std::string_view(bytes).substr(0, bytes.size() - cut)), base::Error);
-  EXPECT_THROW(setupFrom(bytes + "x"), base::Error);
+    EXPECT_THROW(messageFrom<ClusterSetup>(std::string_view(bytes).substr(0, bytes.size() - cut)),
+                 base::Error);
+  EXPECT_THROW(messageFrom<ClusterSetup>(bytes + "x"), base::Error);
   const base::Error error = errorFrom(bytesOf(base::Error(base::ErrorKind::memory, "f", "p", "r")));
   EXPECT_EQ(error.kind(), base::ErrorKind::memory);
   EXPECT_EQ(error.file() + error.place() + error.reason(), "fpr");
