@@ -11,10 +11,8 @@
 
 #include "app/files/files.h"
 #include "app/files/json_text.h"
+#include "app/study/scale_study.h"
 #include "app/study_report/study_advice.h"
-#include "app/study_report/study_light_report.h"
-#include "app/study_report/study_scale_report.h"
-#include "app/study_report/study_surface_report.h"
 #include "app/study_report/study_table.h"
 #include "app/version.h"
 #include "base/number_text.h"
@@ -65,6 +63,60 @@ ordered_json pictureJson(const ImageErrors& errors) {
   ordered_json json{{"flip_mean", errors.flip}, {"rms", errors.rms}};
   if (errors.edgePixels > 0) json.update({{"edge_rms", errors.edgeRms}, {"edge_pixels", errors.edgePixels}});
   return json;
+}
+
+// [25 %, 75 %]; null without times.
+ordered_json quartilesJson(const std::vector<double>& times) {
+  if (times.empty()) return nullptr;
+  const TimeSpread spread = spreadOfTimes(times);
+  return {spread.low, spread.high};
+}
+
+ordered_json lightCostJson(const LightCost& cost) {
+  return {{"bake_seconds", cost.bakeSeconds},
+          {"bake_seconds_quartiles", quartilesJson(cost.bakeTimes)},
+          {"rays", cost.rays},
+          {"texels", cost.texels},
+          {"lookup_milliseconds", cost.lookupMilliseconds},
+          {"lookup_milliseconds_quartiles", quartilesJson(cost.lookupTimes)},
+          {"lattice_bytes", cost.latticeBytes},
+          {"gpu_bytes", cost.gpuBytes}};
+}
+
+glm::ivec2 placeOf(std::size_t pixel, glm::ivec2 size) {
+  const auto width = static_cast<std::size_t>(size.x);
+  return {static_cast<int>(pixel % width), static_cast<int>(pixel / width)};
+}
+
+// `size` of the picture, for the place of the largest error.
+ordered_json lightErrorsJson(const LightErrors& errors, glm::ivec2 size) {
+  return {{"pixels", errors.pixels},
+          {"mean_irradiance", errors.mean},
+          {"truth_noise", errors.truthNoise},
+          {"rmse", errors.rmse},
+          {"rmse_standard_error", errors.rmseStandardError},
+          {"rmse_relative", errors.relative(errors.rmse)},
+          {"bias", errors.bias},
+          {"bias_standard_error", errors.biasStandardError},
+          {"bias_relative", errors.relative(errors.bias)},
+          {"quantile_99", errors.most99},
+          {"maximum", errors.maximum},
+          {"maximum_z", errors.maximumZ},
+          {"maximum_pixel", placeOf(errors.maximumPixel, size)}};
+}
+
+ordered_json scaleJson(const StudySetting& setting) {
+  const ScaleCost& cost = setting.scale.value();
+  const NoiseErrors& errors = setting.errors.noise;
+  return {{"scale_mm", cost.scaleMm},
+          {"build_seconds", cost.buildSeconds},
+          {"unknown_share", cost.unknown},
+          {"points", errors.curvature.pixels / kNoiseSeeds},
+          {"seeds", kNoiseSeeds},
+          {"curvature_median_relative", errors.curvature.median},
+          {"curvature_99_relative", errors.curvature.most99},
+          {"normal_rms_degrees", errors.normalDegrees.rms},
+          {"normal_99_degrees", errors.normalDegrees.most99}};
 }
 
 ordered_json settingJson(const Knob& knob, const StudySetting& setting, glm::ivec2 size) {
@@ -145,22 +197,6 @@ ordered_json knobJson(const KnobStudy& study, glm::ivec2 size) {
 }
 
 // ---- Markdown
-
-void writeKnobTable(std::ostream& out, const KnobStudy& study) {
-  switch (study.knob.measure) {
-    case Measure::light:
-      return writeLightTable(out, study);
-    case Measure::scale:
-      return writeScaleTable(out, study);
-    case Measure::edges:
-    case Measure::shadow:
-      return writePictureTable(out, study);
-    case Measure::hits:
-    case Measure::shape:
-      break;
-  }
-  writeSurfaceTables(out, study);
-}
 
 void reachLine(std::ostream& out, const KnobStudy& study) {
   const Panel& panel = panelsOf(study.knob)[0];

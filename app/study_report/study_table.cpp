@@ -4,6 +4,7 @@
 #include <cmath>
 #include <ostream>
 
+#include "app/study/scale_study.h"
 #include "base/number_text.h"
 
 namespace isolux::app {
@@ -12,16 +13,6 @@ std::string tableNumber(double value, int digits) {
   if (!std::isfinite(value)) return "–";
   if (std::abs(value) >= 1000.0 && std::abs(value) < 1e6) return std::to_string(std::lround(value));
   return base::shortText(value, digits);
-}
-
-std::string tableTime(const TimeSpread& spread) {
-  if (!std::isfinite(spread.median)) return "–";
-  return tableNumber(spread.median) + " (" + tableNumber(spread.low) + "–" + tableNumber(spread.high) + ')';
-}
-
-std::string markedValue(const StudySetting& setting) {
-  if (setting.isDefault) return "**" + setting.value + "** (default)";
-  return setting.settingDefault ? setting.value + " (default where sampled)" : setting.value;
 }
 
 std::string costText(const Knob& knob, double cost) {
@@ -35,36 +26,233 @@ std::string errorText(const Panel& panel, double error) {
   return tableNumber(panel.shown * error) + panel.unit;
 }
 
-std::vector<TableColumn> processorColumn(const KnobStudy& study) {
-  if (study.settings.empty() || study.settings.front().processorTimes.empty()) return {};
-  return {{"processor, ms (quartiles)",
-           [](const StudySetting& setting) { return tableTime(spreadOfTimes(setting.processorTimes)); }}};
+namespace {
+
+// "22.8 (21.9–24)": median and quartiles.
+std::string tableTime(const TimeSpread& spread) {
+  if (!std::isfinite(spread.median)) return "–";
+  return tableNumber(spread.median) + " (" + tableNumber(spread.low) + "–" + tableNumber(spread.high) + ')';
 }
 
-void writeTable(std::ostream& out, const KnobStudy& study, const std::vector<TableColumn>& columns) {
-  out << "| " << study.knob.label;
-  for (const TableColumn& column : columns) out << " | " << column.head;
-  out << " |\n|---|";
-  for (std::size_t i = 0; i < columns.size(); ++i) out << "---:|";
-  out << '\n';
-  for (const StudySetting& setting : study.settings) {
-    out << "| " << markedValue(setting);
-    for (const TableColumn& column : columns) out << " | " << column.cell(setting);
-    out << " |\n";
+// The value, marked where it is the default.
+std::string markedValue(const StudySetting& setting) {
+  if (setting.isDefault) return "**" + setting.value + "** (default)";
+  return setting.settingDefault ? setting.value + " (default where sampled)" : setting.value;
+}
+
+std::string cellText(const std::string& text) {
+  return text;
+}
+std::string cellText(double number) {
+  return tableNumber(number);
+}
+
+// A row per setting, its value first.
+class StudyTable {
+ public:
+  explicit StudyTable(const KnobStudy& study) : study_(study), heads_("| " + std::string(study.knob.label)) {
+    for (const StudySetting& setting : study.settings) rows_.push_back("| " + markedValue(setting));
+  }
+
+  // A column: `cell` of a setting is a text or a number.
+  template <class Cell>
+  void add(const std::string& head, const Cell& cell) {
+    heads_ += " | " + head;
+    rule_ += "---:|";
+    for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i] += " | " + cellText(cell(study_.settings[i]));
+  }
+  void addCost(const std::string& head, const Panel& panel) {
+    add(head, [&](const StudySetting& s) { return tableTime(costSpread(study_.knob, s, panel)); });
+  }
+  // The processor's own time of a frame; no column where none was measured.
+  void addProcessor() {
+    if (study_.settings.empty() || study_.settings.front().processorTimes.empty()) return;
+    add("processor, ms (quartiles)",
+        [](const StudySetting& s) { return tableTime(spreadOfTimes(s.processorTimes)); });
+  }
+  // FLIP and root mean square of the whole picture, in steps of 255; their heads say against what. None where
+  // all rows have the same picture: the look does not show what the knob changes.
+  void addPicture() {
+    if (std::all_of(study_.settings.begin(), study_.settings.end(),
+                    [](const StudySetting& s) { return s.errors.picture.rms == 0.0; }))
+      return;
+    const std::string reference = pictureReference(study_.knob);
+    add("FLIP to " + (reference.empty() ? "256 rays" : '`' + reference + '`'),
+        [](const StudySetting& s) { return tableNumber(s.errors.picture.flip, 2); });
+    add("RMS, of 255", [](const StudySetting& s) { return tableNumber(255.0 * s.errors.picture.rms, 2); });
+  }
+
+  void write(std::ostream& out) const {
+    out << heads_ << " |\n|---|" << rule_ << '\n';
+    for (const std::string& row : rows_) out << row << " |\n";
+  }
+
+ private:
+  const KnobStudy& study_;
+  std::string heads_, rule_;
+  std::vector<std::string> rows_;
+};
+
+void addErrors(StudyTable& table, Measure measure, const Errors& (*errorsIn)(const StudySetting&)) {
+  const auto add = [&](const char* head, auto cell) {
+    table.add(head, [&](const StudySetting& setting) { return cell(errorsIn(setting)); });
+  };
+  if (measure == Measure::hits) {
+    add("missed pixels", [](const Errors& e) { return std::to_string(e.missed); });
+    add("depth RMS, voxels", [](const Errors& e) { return e.depthVoxels.rms; });
+    add("largest", [](const Errors& e) { return e.depthVoxels.maximum; });
+  } else {
+    add("normal RMS, °", [](const Errors& e) { return e.normalDegrees.rms; });
+    add("curvature median, %", [](const Errors& e) { return 100.0 * e.curvature.median; });
   }
 }
 
-std::vector<TableColumn> pictureColumns(const KnobStudy& study) {
-  // A look that does not show what the knob changes has one picture, and no columns.
-  if (std::all_of(study.settings.begin(), study.settings.end(),
-                  [](const StudySetting& setting) { return setting.errors.picture.rms == 0.0; }))
-    return {};
-  const std::string reference = pictureReference(study.knob);
-  const std::string against = reference.empty() ? "256 rays" : '`' + reference + '`';
-  return {{"FLIP to " + against,
-           [](const StudySetting& setting) { return tableNumber(setting.errors.picture.flip, 2); }},
-          {"RMS, of 255",
-           [](const StudySetting& setting) { return tableNumber(255.0 * setting.errors.picture.rms, 2); }}};
+const Errors& ownErrors(const StudySetting& setting) {
+  return setting.errors;
+}
+
+std::string costHead(const Panel& panel) {
+  std::string names;
+  for (const char* const pass : panel.passes) names += (names.empty() ? "" : " + ") + std::string(pass);
+  return names + ", ms (quartiles)";
+}
+
+// Of a field a second table, against `cubic_interpolating`.
+void writeSurfaceTables(std::ostream& out, const KnobStudy& study) {
+  if (study.normalScaleMm > 0.0 || study.curvatureScaleMm > 0.0)
+    out << "At the scales of the scene: normals " << tableNumber(study.normalScaleMm) << " mm, curvature "
+        << tableNumber(study.curvatureScaleMm) << " mm.\n\n";
+  const auto& panels = panelsOf(study.knob);
+  StudyTable table(study);
+  table.add("frame, ms", [](const StudySetting& s) { return s.frameMilliseconds; });
+  table.addProcessor();
+  table.addCost(costHead(panels[0]), panels[0]);
+  if (panels[0].passes != panels[1].passes) table.addCost(costHead(panels[1]), panels[1]);
+  addErrors(table, study.knob.measure, ownErrors);
+  table.addPicture();
+  table.write(out);
+  if (!study.knob.field) return;
+  out << "\nAgainst `cubic_interpolating` in double precision, the field that passes through every "
+         "sample:\n\n";
+  StudyTable ofField(study);
+  addErrors(ofField, study.knob.measure, judged);
+  ofField.write(out);
+}
+
+// Of a knob that is judged by the picture alone: rays per pixel, or the shadow.
+void writePictureTable(std::ostream& out, const KnobStudy& study) {
+  StudyTable table(study);
+  table.addCost("frame, ms (quartiles)", panelsOf(study.knob)[0]);
+  table.addProcessor();
+  if (study.knob.measure == Measure::shadow)
+    table.add("shadow, ms (quartiles)", [](const StudySetting& s) {
+      const auto found = s.passTimes.find("shadow");
+      return found == s.passTimes.end() ? "–" : tableTime(spreadOfTimes(found->second));
+    });
+  else
+    table.add("edges RMS, of 255", [](const StudySetting& s) { return 255.0 * s.errors.picture.edgeRms; });
+  table.addPicture();
+  table.write(out);
+}
+
+std::string percent(double part, int digits = 3) {
+  return tableNumber(100.0 * part, digits);
+}
+
+std::string withError(const LightErrors& errors, double value, double standardError) {
+  return percent(errors.relative(value)) + " ± " + percent(errors.relative(standardError), 2);
+}
+
+bool isLight(const KnobStudy& study) {
+  return study.knob.measure == Measure::light && !study.settings.empty();
+}
+
+// What was compared with what, then a row per value.
+void writeLightTable(std::ostream& out, const KnobStudy& study) {
+  const Knob& knob = study.knob;
+  const Panel& panel = panelsOf(knob)[0];
+  const LightErrors& first = study.settings.front().errors.light;
+  out << "Against path tracing at " << first.pixels << " pixels, " << study.truthSamples
+      << " paths each, at most " << study.truthBounces << (study.truthBounces == 1 ? " bounce" : " bounces")
+      << ": mean E " << tableNumber(first.mean, 4) << ", standard error of a pixel "
+      << percent(first.relative(first.truthNoise), 2) << " % of it.\n\n";
+  StudyTable table(study);
+  if (knob.cost == Cost::gpuMegabytes)
+    table.add("GPU, MiB", [&](const StudySetting& s) { return costOf(knob, s, panel); });
+  else
+    table.addCost(knob.cost == Cost::bakeSeconds ? "bake, s (quartiles)" : "lookup, ms (quartiles)", panel);
+  const auto add = [&](const char* head, auto text) {
+    table.add(head, [&](const StudySetting& s) { return text(s.errors.light); });
+  };
+  add("RMSE, % of mean E", [](const LightErrors& e) { return withError(e, e.rmse, e.rmseStandardError); });
+  add("bias, %", [](const LightErrors& e) { return withError(e, e.bias, e.biasStandardError); });
+  add("largest, %", [](const LightErrors& e) { return percent(e.relative(e.maximum)); });
+  table.addPicture();
+  table.write(out);
+}
+
+void writeScaleTable(std::ostream& out, const KnobStudy& study) {
+  out << "Noise of deviation " << tableNumber(study.addedNoise) << " data units is added, " << kNoiseSeeds
+      << " times. ";
+  if (study.knowsTruth)
+    out << "Errors are relative to the phantom without noise at scale 0: the effects of noise and of "
+           "smoothing.";
+  else
+    out << "The volume's own noise has that deviation, and its reference is unknown. Errors are the change "
+           "due to added noise at the same scale, as between two scans of one object. They exclude the "
+           "effect of smoothing on the shape.";
+  out << "\n\n";
+  StudyTable table(study);
+  table.add("scale, mm", [](const StudySetting& s) { return s.scale.value().scaleMm; });
+  table.add("field, s", [](const StudySetting& s) { return s.scale.value().buildSeconds; });
+  table.addCost("hessian, ms (quartiles)", panelsOf(study.knob)[0]);
+  table.add("curvature median, %",
+            [](const StudySetting& s) { return 100.0 * s.errors.noise.curvature.median; });
+  table.add("normal RMS, °", [](const StudySetting& s) { return s.errors.noise.normalDegrees.rms; });
+  table.add("no confidence, %", [](const StudySetting& s) { return 100.0 * s.scale.value().unknown; });
+  table.addPicture();
+  table.write(out);
+}
+
+}  // namespace
+
+void writeKnobTable(std::ostream& out, const KnobStudy& study) {
+  switch (study.knob.measure) {
+    case Measure::light:
+      return writeLightTable(out, study);
+    case Measure::scale:
+      return writeScaleTable(out, study);
+    case Measure::edges:
+    case Measure::shadow:
+      return writePictureTable(out, study);
+    case Measure::hits:
+    case Measure::shape:
+      break;
+  }
+  writeSurfaceTables(out, study);
+}
+
+void writeLightReach(std::ostream& out, const std::vector<KnobStudy>& studies) {
+  if (std::none_of(studies.begin(), studies.end(), isLight)) return;
+  const auto& errors = errorsToReach(Measure::light);
+  out << "\n## Which setting of light reaches an error\n\nThe cheapest value with at most this RMSE in parts "
+         "of the mean irradiance, all other settings as the scene has them.\n\n| setting |";
+  for (const double error : errors) out << ' ' << percent(error) << " % |";
+  out << "\n|---|---|---|---|\n";
+  for (const KnobStudy& study : studies) {
+    if (!isLight(study)) continue;
+    const Panel& panel = panelsOf(study.knob)[0];
+    out << "| `" << study.knob.setting << "` |";
+    for (const double error : errors) {
+      const StudySetting* const setting = cheapest(study, error);
+      if (setting)
+        out << " `" << setting->value << "` (" << costText(study.knob, costOf(study.knob, *setting, panel))
+            << ") |";
+      else
+        out << " none |";
+    }
+    out << '\n';
+  }
 }
 
 }  // namespace isolux::app
