@@ -9,13 +9,13 @@
 #include "app/cluster/cluster_bake.h"
 #include "app/cluster/mpi_ranks.h"
 #include "app/cluster/rank_facts.h"
-#include "app/commands/bake_part.h"
 #include "app/commands/command.h"
 #include "app/commands/progress_bar.h"
 #include "app/files/files.h"
 #include "app/light/light_report.h"
 #include "app/light/light_resume.h"
 #include "base/error.h"
+#include "base/number_text.h"
 #include "gi/arithmetic.h"
 #include "gi/file/bake_file.h"
 #include "render/offscreen_renderer.h"
@@ -40,6 +40,45 @@ struct BakeOptions {
   std::shared_ptr<render::ContextChoice> context;
   std::shared_ptr<SceneOptions> scene;
 };
+
+// "2/5"; empty: none.
+std::optional<gi::LatticePart> partOf(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  const auto [index, count] = parsePart(text, gi::kMostParts);
+  return gi::LatticePart{index, count};
+}
+
+// L.vti, or of a part L.part-2-of-5.vti.
+fs::path fileOf(const fs::path& out, const std::optional<gi::LatticePart>& part) {
+  if (!part) return out;
+  std::string words = gi::partWords(*part);
+  std::replace(words.begin(), words.end(), ' ', '-');
+  fs::path file = out;
+  return file.replace_extension(words + ".vti");
+}
+
+// Which texels, in words that are the same for every part of a bake. `size`: of the view, "WxH"; `scene` is
+// resolved.
+std::string texelsText(const std::string& size, const scene::Scene& scene) {
+  if (scene.gi.extent == scene::GiExtent::full) return "full";
+  std::string text;
+  if (scene.gi.extent == scene::GiExtent::band) {
+    text = "band " + base::shortText(scene.gi.band->x, 17) + " " + base::shortText(scene.gi.band->y, 17);
+  } else {
+    text = "view " + size + " of";
+    for (const glm::dvec3& point : {*scene.camera.eye, *scene.camera.target, *scene.camera.up})
+      for (int a = 0; a < 3; ++a) text += " " + base::shortText(point[a], 17);
+    text += scene.camera.projection == scene::Projection::orthographic ? " orthographic " : " ";
+    text += base::shortText(scene.camera.fov, 17);
+  }
+  // What lookups read around a surface, and whose surface it is.
+  const nlohmann::json settings = scene::toJson(scene);
+  text += ", " + settings.at("gi").at("interpolation").dump() + " " + settings.at("hit").at("field").dump();
+  text += ", surfaces " + base::shortText(*scene.isosurface.value, 17);
+  for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces)
+    if (extra.shown) text += " " + base::shortText(*extra.value, 17);
+  return text;
+}
 
 // A bake is asked for: it needs no look that reads it, and where nobody has said which texels, it is all.
 scene::Scene bakeScene(const BakeOptions& options, scene::Scene scene) {
