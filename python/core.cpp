@@ -244,8 +244,9 @@ std::shared_ptr<Picture> Core::draw(const PictureWish& wish, base::Progress& pro
       Graphics::load(light, wish.light, app::litScene(scene, request), prepared_, progress);
     light.controller->meterView(!app::startsFromSession(path_, wish.scene));
     const bool errors = request.color ? wish.accuracy : !wanted.errors.empty();
-    app::FinishedPicture drawn =
-        app::drawPicture(*own.renderer, *light.controller, {prepared_, scene, request, 0, errors}, progress);
+    app::FinishedPicture drawn = app::drawPicture(
+        *own.renderer, *light.controller,
+        {.volume = prepared_, .scene = scene, .request = request, .errors = errors}, progress);
     scene = drawn.inputs.scene;
     exposure = app::exposureToCarry(*light.controller, scene);
     if (errors && !request.color) {

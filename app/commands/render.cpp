@@ -200,7 +200,7 @@ class RenderRun {
       progress_.throwIfStopped();
       const scene::Scene scene = sceneOfPicture(base, picture);
       load(scene.source, pictures);
-      drawPicture(scene, picture);
+      drawPlanned(scene, picture);
     }
     printWarnings(prepared_->volume);
     noteMovie(pictures);
@@ -251,11 +251,14 @@ class RenderRun {
     return scene;
   }
 
-  void drawPicture(scene::Scene scene, const PlannedPicture& picture) {
+  void drawPlanned(scene::Scene scene, const PlannedPicture& picture) {
     if (options_.target.any()) scene = withTarget(std::move(scene));
-    PictureInputs inputs{prepared_,      scene::resolve(scene, prepared_->facts),
-                         request_,       options_.repeat,
-                         boundsErrors(), !overlay_.colors};  // the overlay has a legend of its own
+    PictureInputs inputs{.volume = prepared_,
+                         .scene = scene::resolve(scene, prepared_->facts),
+                         .request = request_,
+                         .repeat = options_.repeat,
+                         .errors = boundsErrors(),
+                         .legend = !overlay_.colors};  // the overlay has its own
     inputs.request.supersampling = request_.aovs.empty() ? inputs.scene.picture.supersampling : 1;
     inputs.request.pixelRatio = inputs.scene.picture.pixelRatio;
     if (!prepared_->grid().isWhole()) refuseWithoutVoxels(inputs.scene);
@@ -268,7 +271,7 @@ class RenderRun {
         light_.setScene(litScene(inputs.scene, inputs.request), prepared_);
         light_.load(options_.light, progress_);
       }
-      drawn = app::drawPicture(**renderer_, light_, std::move(inputs), progress_);
+      drawn = drawPicture(**renderer_, light_, std::move(inputs), progress_);
       const scene::Scene& shown = drawn.inputs.scene;
       render::StillPicture& still = drawn.still;
       if (overlay_.asked) paintOverlay(*drawn.errors, shown, still);

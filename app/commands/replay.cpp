@@ -71,7 +71,8 @@ class FrameMaker {
       request_.supersampling = resolved.picture.supersampling;
       request_.pixelRatio = resolved.picture.pixelRatio;
       FinishedPicture picture =
-          drawPicture(*renderer_, light_, {prepared_, std::move(resolved), request_}, progress);
+          drawPicture(*renderer_, light_,
+                      {.volume = prepared_, .scene = std::move(resolved), .request = request_}, progress);
       drawn_ = std::move(picture.inputs.scene);
       annotate(drawn_, *prepared_, picture.still.report, picture.still.color);
       image_ = std::move(picture.still.color);
