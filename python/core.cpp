@@ -251,10 +251,10 @@ std::shared_ptr<Picture> Core::draw(const PictureWish& wish, base::Progress& pro
     exposure = app::exposureToCarry(*light.controller, scene);
     if (errors && !request.color) {
       picture->exr = app::channelsOf(drawn.still.aovs, wanted, *drawn.errors);
-      for (const app::ErrorImage image : wanted.errors)
-        for (const app::ErrorImageInfo& info : app::errorImages())
-          if (info.image == image)
-            picture->errors.push_back({info.name, app::boundsOf(image, *drawn.errors)});
+      for (const app::ErrorImage image : wanted.errors) {
+        const app::ErrorImageInfo& info = app::errorImage(image);
+        picture->errors.push_back({info.name, *drawn.errors.*info.bounds});
+      }
     }
     const app::DerivativeFacts facts =
         wish.explain ? app::derivativeFacts(*own.renderer, given.derivatives, drawn)

@@ -8,33 +8,21 @@
 
 namespace isolux::app {
 
-const std::vector<float>& boundsOf(ErrorImage image, const PictureErrors& errors) {
-  switch (image) {
-    case ErrorImage::depth:
-      return errors.depthMm;
-    case ErrorImage::normal:
-      return errors.normalDegrees;
-    case ErrorImage::light:
-      return errors.light;
-    case ErrorImage::noise:
-      return errors.depthNoiseMm;
-    case ErrorImage::normalNoise:
-      return errors.normalNoiseDegrees;
-    case ErrorImage::kappaNoise:
-      return errors.curvatureNoise;
-    case ErrorImage::kappa:
-      break;
-  }
-  return errors.curvature;
-}
-
 const std::vector<ErrorImageInfo>& errorImages() {
   static const std::vector<ErrorImageInfo> images{
-      {ErrorImage::depth, "error_depth"},           {ErrorImage::normal, "error_normal"},
-      {ErrorImage::kappa, "error_kappa"},           {ErrorImage::light, "error_light"},
-      {ErrorImage::noise, "error_noise"},           {ErrorImage::normalNoise, "error_normal_noise"},
-      {ErrorImage::kappaNoise, "error_kappa_noise"}};
+      {ErrorImage::depth, "error_depth", &PictureErrors::depthMm},
+      {ErrorImage::normal, "error_normal", &PictureErrors::normalDegrees},
+      {ErrorImage::kappa, "error_kappa", &PictureErrors::curvature},
+      {ErrorImage::light, "error_light", &PictureErrors::light},
+      {ErrorImage::noise, "error_noise", &PictureErrors::depthNoiseMm},
+      {ErrorImage::normalNoise, "error_normal_noise", &PictureErrors::normalNoiseDegrees},
+      {ErrorImage::kappaNoise, "error_kappa_noise", &PictureErrors::curvatureNoise}};
   return images;
+}
+
+const ErrorImageInfo& errorImage(ErrorImage image) {
+  return *std::find_if(errorImages().begin(), errorImages().end(),
+                       [&](const ErrorImageInfo& info) { return info.image == image; });
 }
 
 std::string imageNames() {
@@ -91,13 +79,11 @@ std::vector<FloatChannel> channelsOf(const std::vector<render::AovImage>& drawn,
     }
   }
   const auto pixels = static_cast<std::size_t>(errors.size.x) * static_cast<std::size_t>(errors.size.y);
-  for (const ErrorImage image : wanted.errors)
-    for (const ErrorImageInfo& info : errorImages())
-      if (info.image == image) {
-        FloatChannel channel{info.name, boundsOf(image, errors)};
-        channel.values.resize(pixels, std::numeric_limits<float>::quiet_NaN());  // light: none
-        channels.push_back(std::move(channel));
-      }
+  for (const ErrorImage image : wanted.errors) {
+    const ErrorImageInfo& info = errorImage(image);
+    channels.push_back({info.name, errors.*info.bounds});
+    channels.back().values.resize(pixels, std::numeric_limits<float>::quiet_NaN());  // light: none
+  }
   return channels;
 }
 

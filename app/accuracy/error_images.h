@@ -14,12 +14,11 @@ namespace isolux::app {
 enum class ErrorImage { depth, normal, kappa, light, noise, normalNoise, kappaNoise };
 struct ErrorImageInfo {
   ErrorImage image;
-  const char* name;  // as on the command line
+  const char* name;                           // as on the command line
+  std::vector<float> PictureErrors::*bounds;  // those of light are empty where none is stored
 };
 const std::vector<ErrorImageInfo>& errorImages();
-
-// Its bounds; those of light are empty where none is stored.
-const std::vector<float>& boundsOf(ErrorImage image, const PictureErrors& errors);
+const ErrorImageInfo& errorImage(ErrorImage image);
 
 // What --aov asks for, in its order but for the errors, which come last.
 struct WantedImages {

@@ -43,7 +43,7 @@ const Overlaid& overlaidOf(ErrorImage image) {
 }
 
 std::vector<double> shownBounds(const PictureErrors& errors, ErrorImage image) {
-  const std::vector<float>& bounds = boundsOf(image, errors);
+  const std::vector<float>& bounds = errors.*errorImage(image).bounds;
   const double factor = image == ErrorImage::light ? 100.0 / errors.meanIrradiance : 1.0;
   std::vector<double> shown;
   shown.reserve(bounds.size());

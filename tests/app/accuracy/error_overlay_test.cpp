@@ -142,8 +142,8 @@ TEST(ErrorOverlay, NoiseAndArithmeticAreKindsOfTheirOwn) {
       errors.normalNoiseDegrees[i] = 3.0f;
       errors.curvatureNoise[i] = 0.2f;
     }
-  EXPECT_EQ(&boundsOf(ErrorImage::normalNoise, errors), &errors.normalNoiseDegrees);
-  EXPECT_EQ(&boundsOf(ErrorImage::kappaNoise, errors), &errors.curvatureNoise);
+  EXPECT_EQ(&(errors.*errorImage(ErrorImage::normalNoise).bounds), &errors.normalNoiseDegrees);
+  EXPECT_EQ(&(errors.*errorImage(ErrorImage::kappaNoise).bounds), &errors.curvatureNoise);
   for (const char* overlay : {"normal_noise", "kappa_noise"}) {
     render::ColorImage image = grey();
     ASSERT_TRUE(paint(errors, overlay, "normal=0.001deg,curvature=1%", image).has_value());
