@@ -123,7 +123,7 @@ void LightStudio::time(Alternative& alternative, int frames, base::Progress& pro
 KnobStudy LightStudio::study(const Knob& knob, base::Progress& progress, double from, double to) {
   prepareHits(progress);
   std::vector<Alternative> alternatives;
-  for (const char* const value : knob.values)
+  for (const std::string& value : knob.values)
     alternatives.push_back({{.value = value, .isDefault = value == defaultValue(knob), .light = LightCost{}},
                             turned(knob, value, scene_, volume_->facts)});
   const bool bakes = knob.cost == Cost::bakeSeconds;
@@ -155,7 +155,7 @@ KnobStudy LightStudio::study(const Knob& knob, base::Progress& progress, double 
   renderer_.setLight(nullptr);
 
   const auto reference = std::find_if(alternatives.begin(), alternatives.end(), [&](const Alternative& a) {
-    return a.setting.value == pictureReference(knob);
+    return a.setting.value == knob.reference;
   });
   for (Alternative& alternative : alternatives) {
     StudySetting& setting = alternative.setting;

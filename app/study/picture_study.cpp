@@ -65,7 +65,7 @@ ComparedPicture PictureStudio::manyRays(const scene::Scene& scene, base::Progres
 
 KnobStudy PictureStudio::study(const Knob& knob, base::Progress& progress, double from, double to) {
   std::vector<Alternative> alternatives;
-  for (const char* const value : knob.values) {
+  for (const std::string& value : knob.values) {
     scene::Scene scene = turned(knob, value, scene_, volume_->facts);
     completeFields(scene, *volume_, true, progress);
     const int rays = knob.measure == Measure::edges ? scene.picture.supersampling : 1;
@@ -89,7 +89,7 @@ KnobStudy PictureStudio::study(const Knob& knob, base::Progress& progress, doubl
     edges = edgePixels(fine, kReferenceBlock, kEdgeContrast);
   } else {
     for (const Alternative& alternative : alternatives)
-      if (alternative.setting.value == pictureReference(knob)) reference = alternative.picture;
+      if (alternative.setting.value == knob.reference) reference = alternative.picture;
   }
 
   KnobStudy result{.knob = knob, .settings = {}, .plot = {}};

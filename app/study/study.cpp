@@ -199,7 +199,7 @@ KnobStudy Studio::study(const Knob& knob, base::Progress& progress, double from,
 
 KnobStudy Studio::studySurface(const Knob& knob, base::Progress& progress, double from, double to) {
   std::vector<Alternative> alternatives;
-  for (const char* const value : knob.values)
+  for (const std::string& value : knob.values)
     alternatives.push_back({{.value = value}, turned(knob, value, scene_, volume_->facts)});
   if (knob.sampled) {
     scene::Scene exact = alternatives.front().scene;
@@ -211,7 +211,7 @@ KnobStudy Studio::studySurface(const Knob& knob, base::Progress& progress, doubl
   KnobStudy result{.knob = knob, .settings = {}, .plot = {}};
   result.eightBitVoxels = volume::bytesOf(volume_->grid().storedType()) == 1;
   const auto reference = std::find_if(alternatives.begin(), alternatives.end(), [&](const Alternative& a) {
-    return a.setting.value == pictureReference(knob);
+    return a.setting.value == knob.reference;
   });
   for (const Alternative& alternative : alternatives) {
     result.settings.push_back(judge(knob, alternative, progress));

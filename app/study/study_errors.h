@@ -81,7 +81,7 @@ struct Errors {
   Spread curvature;     // max |error of kappa1, kappa2| / max(|kappa1|, |kappa2|, flatCurvature)
   NoiseErrors noise;    // of the knob of the scale, beside the above
   LightErrors light;    // of knobs of light, which have nothing of the above
-  ImageErrors picture;  // of the scene's look, against the picture of pictureReference()
+  ImageErrors picture;  // of the scene's look, against the picture of Knob::reference
 
   double missedPpm() const;  // of the picture's pixels
   double inventedPpm() const;

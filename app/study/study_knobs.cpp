@@ -80,7 +80,7 @@ std::string defaultValue(const Knob& knob) {
   if (knob.name == kThreshold) return "1";
   if (knob.name == kScale) return std::string(kAutomatic);
   const scene::Setting& setting = scene::setting(knob.setting);
-  for (const char* const value : knob.values) {
+  for (const std::string& value : knob.values) {
     scene::Scene scene;
     scene::applyAssignment(scene, std::string(knob.setting) + '=' + value);
     if (setting.get(scene) == setting.defaultValue()) return value;

@@ -21,10 +21,10 @@ enum class Cost { passes, frameMilliseconds, bakeSeconds, lookupMilliseconds, gp
 struct Panel {
   const char *key, *label;          // "depth_rms_voxels"; with unit, for tables and plots
   std::vector<const char*> passes;  // render/graph/pass.h; of the cost that is their time
+  const char* noun;                 // what is wrong, in sentences: "depth error"
+  const char* unit;                 // "voxels", " %"
+  double shown;                     // times this in that unit
   double (*error)(const Errors&);
-  const char* noun;    // what is wrong, in sentences: "depth error"
-  const char* unit;    // "voxels", " %"
-  double shown = 1.0;  // times this in that unit
 };
 struct Knob;
 // What a knob is plotted by; the first decides which setting reaches an error.
@@ -35,11 +35,14 @@ struct Knob {
   const char* setting;  // its path
   const char* label;    // with unit, for tables and plots
   Measure measure;
-  bool field;    // it chooses a field: also compared with cubic_interpolating
-  bool sampled;  // acts on hit.method sampled only
   // Of the setting; near_threshold: multiples of the automatic one; derivatives_scale: of the mean spacing.
-  std::vector<const char*> values;
+  std::vector<std::string> values;
+  // The value, or comparison, whose picture those of the others are compared with; of the rays per pixel "",
+  // which have a picture of their own for that (app/study/picture_study.h).
+  const char* reference = "";
   Cost cost = Cost::passes;
+  bool field = false;     // it chooses a field: also compared with cubic_interpolating
+  bool sampled = false;   // acts on hit.method sampled only
   bool ordered = false;   // its values are numbers in order, joined by a line in plots
   bool transfer = false;  // acts on stored transfer: turned where the environment moves
 };
@@ -56,9 +59,6 @@ scene::Scene turned(const Knob& knob, const std::string& value, scene::Scene sce
 // The one of its values that the default scene has; "" for none.
 std::string defaultValue(const Knob& knob);
 
-// The value, or comparison, whose picture those of the others are compared with; of the rays per pixel "",
-// which have a picture of their own for that (app/study/picture_study.h).
-std::string pictureReference(const Knob& knob);
 inline constexpr const char* kExactHits = "exact hits";
 
 // Why a knob of light, shadow or fetches has no effect in this scene, resolved where its scales count, as one

@@ -1,5 +1,5 @@
 // The knobs.
-#include <map>
+#include <sstream>
 
 #include "app/study/study_knobs.h"
 
@@ -7,225 +7,83 @@ namespace isolux::app {
 
 namespace {
 
-const std::vector<const char*> kFields{"trilinear", "cubic", "cubic_interpolating"};
+constexpr unsigned kSampled = 1, kField = 2, kOrdered = 4, kTransfer = 8;
 
-const std::vector<Knob>& surfaceKnobs() {
-  static const std::vector<Knob> list{
-      {"rate",
-       "hit.rate",
-       "sampling rate, samples per voxel",
-       Measure::hits,
-       false,
-       true,
-       {"0.5", "1", "2", "4", "8", "16"}},
-      {"near_factor",
-       "hit.near_factor",
-       "near factor r1/r0",
-       Measure::hits,
-       false,
-       true,
-       {"1", "2", "4", "8", "16"}},
-      {"near_threshold",
-       "hit.near_threshold",
-       "near threshold, multiples of automatic",
-       Measure::hits,
-       false,
-       true,
-       {"0", "0.25", "0.5", "1", "2", "4", "8"}},
-      {"refinements",
-       "hit.refinements",
-       "refinement steps",
-       Measure::hits,
-       false,
-       true,
-       {"0", "1", "2", "3", "4", "5", "6", "7", "8"}},
-      {"method", "hit.method", "hit method", Measure::hits, false, false, {"sampled", "exact"}},
-      {"hit_field", "hit.field", "interpolant of hits", Measure::hits, true, false, kFields},
-      {"derivatives_field", "derivatives.field", "interpolant of derivatives", Measure::shape, true, false,
-       kFields},
-      {"fetch",
-       "derivatives.fetch",
-       "voxel access of derivatives",
-       Measure::shape,
-       false,
-       false,
-       {"fast", "exact"}},
-      {"derivatives_scale",
-       "derivatives.scale",
-       "scale σ, multiples of the mean spacing",
-       Measure::scale,
-       false,
-       false,
-       {"0", "0.5", "0.7", "1", "1.4", "2", "2.8", "4", "auto"}},
-      {"supersampling",
-       "picture.supersampling",
-       "rays per pixel and axis",
-       Measure::edges,
-       false,
-       false,
-       {"1", "2", "3", "4"},
-       Cost::frameMilliseconds,
-       true},
-      {"shadow",
-       "look.shadow",
-       "strength of the key light's shadow",
-       Measure::shadow,
-       false,
-       false,
-       {"0", "1"},
-       Cost::frameMilliseconds},
-  };
-  return list;
-}
+struct KnobRow {
+  const char *name, *setting, *label;
+  Measure measure;
+  const char *values, *reference;
+  Cost cost = Cost::passes;
+  unsigned traits = 0;
+};
 
-// Knobs that share a bake follow one another, and what reads the most texels of it is the last of them.
-const std::vector<Knob>& lightKnobs() {
-  constexpr Measure light = Measure::light;
-  static const std::vector<Knob> list{
-      {"samples",
-       "gi.samples",
-       "paths per texel",
-       light,
-       false,
-       false,
-       {"4", "16", "64", "100", "256"},
-       Cost::bakeSeconds,
-       true},
-      {"sequence",
-       "gi.sequence",
-       "directions",
-       light,
-       false,
-       false,
-       {"random", "r2", "sobol_owen"},
-       Cost::bakeSeconds},
-      {"environment_share",
-       "gi.environment_share",
-       "fraction of directions from the environment",
-       light,
-       false,
-       false,
-       {"0", "0.25", "0.5", "auto", "0.9"},
-       Cost::bakeSeconds},
-      {"bounces",
-       "gi.bounces",
-       "bounces",
-       light,
-       false,
-       false,
-       {"0", "1", "2", "4", "8"},
-       Cost::bakeSeconds,
-       true},
-      {"lattice_scale",
-       "gi.lattice_scale",
-       "texels per voxel and axis",
-       light,
-       false,
-       false,
-       {"0.25", "0.5", "1", "2"},
-       Cost::bakeSeconds,
-       true},
-      {"texels",
-       "gi.texels",
-       "where texels are lit",
-       light,
-       false,
-       false,
-       {"own", "auto"},
-       Cost::bakeSeconds},
-      {"precision",
-       "gi.precision",
-       "number format on the graphics card",
-       light,
-       false,
-       false,
-       {"r11g11b10", "half"},
-       Cost::gpuMegabytes},
-      {"interpolation",
-       "gi.interpolation",
-       "interpolation between texels",
-       light,
-       false,
-       false,
-       {"nearest", "closest_isovalue", "trilinear", "weighted", "tricubic"},
-       Cost::lookupMilliseconds},
-      {"sh_order",
-       "gi.sh_order",
-       "bands of spherical harmonics",
-       light,
-       false,
-       false,
-       {"1", "2", "3", "4", "5", "6", "8"},
-       Cost::bakeSeconds,
-       true,
-       true},
-      {"sh_window",
-       "gi.sh_window",
-       "window of spherical harmonics",
-       light,
-       false,
-       false,
-       {"0", "0.25", "0.5", "0.75", "1"},
-       Cost::lookupMilliseconds,
-       false,
-       true},
-      {"components",
-       "gi.components",
-       "components of compressed transfer",
-       light,
-       false,
-       false,
-       {"4", "8", "12", "16", "24", "32", "48", "75"},
-       Cost::gpuMegabytes,
-       true,
-       true},
-      {"component_bits",
-       "gi.component_bits",
-       "bits per component, on average",
-       light,
-       false,
-       false,
-       {"2", "3", "4", "6", "8"},
-       Cost::gpuMegabytes,
-       false,
-       true},
-  };
-  return list;
-}
+constexpr const char *kFields = "trilinear cubic cubic_interpolating", *kSpline = "cubic_interpolating";
 
-std::vector<Knob> allKnobs() {
-  std::vector<Knob> list = surfaceKnobs();
-  list.insert(list.end(), lightKnobs().begin(), lightKnobs().end());
-  return list;
+// Knobs of light that share a bake follow one another, and what reads the most texels of it is the last of
+// them.
+constexpr KnobRow kRows[] = {
+    {"rate", "hit.rate", "sampling rate, samples per voxel", Measure::hits, "0.5 1 2 4 8 16", kExactHits,
+     Cost::passes, kSampled},
+    {"near_factor", "hit.near_factor", "near factor r1/r0", Measure::hits, "1 2 4 8 16", kExactHits,
+     Cost::passes, kSampled},
+    {"near_threshold", "hit.near_threshold", "near threshold, multiples of automatic", Measure::hits,
+     "0 0.25 0.5 1 2 4 8", kExactHits, Cost::passes, kSampled},
+    {"refinements", "hit.refinements", "refinement steps", Measure::hits, "0 1 2 3 4 5 6 7 8", kExactHits,
+     Cost::passes, kSampled},
+    {"method", "hit.method", "hit method", Measure::hits, "sampled exact", "exact"},
+    {"hit_field", "hit.field", "interpolant of hits", Measure::hits, kFields, kSpline, Cost::passes, kField},
+    {"derivatives_field", "derivatives.field", "interpolant of derivatives", Measure::shape, kFields, kSpline,
+     Cost::passes, kField},
+    {"fetch", "derivatives.fetch", "voxel access of derivatives", Measure::shape, "fast exact", "exact"},
+    {"derivatives_scale", "derivatives.scale", "scale σ, multiples of the mean spacing", Measure::scale,
+     "0 0.5 0.7 1 1.4 2 2.8 4 auto", "auto"},
+    {"supersampling", "picture.supersampling", "rays per pixel and axis", Measure::edges, "1 2 3 4", "",
+     Cost::frameMilliseconds, kOrdered},
+    {"shadow", "look.shadow", "strength of the key light's shadow", Measure::shadow, "0 1", "1",
+     Cost::frameMilliseconds},
+    {"samples", "gi.samples", "paths per texel", Measure::light, "4 16 64 100 256", "256", Cost::bakeSeconds,
+     kOrdered},
+    {"sequence", "gi.sequence", "directions", Measure::light, "random r2 sobol_owen", "sobol_owen",
+     Cost::bakeSeconds},
+    {"environment_share", "gi.environment_share", "fraction of directions from the environment",
+     Measure::light, "0 0.25 0.5 auto 0.9", "auto", Cost::bakeSeconds},
+    {"bounces", "gi.bounces", "bounces", Measure::light, "0 1 2 4 8", "8", Cost::bakeSeconds, kOrdered},
+    {"lattice_scale", "gi.lattice_scale", "texels per voxel and axis", Measure::light, "0.25 0.5 1 2", "2",
+     Cost::bakeSeconds, kOrdered},
+    {"texels", "gi.texels", "where texels are lit", Measure::light, "own auto", "auto", Cost::bakeSeconds},
+    {"precision", "gi.precision", "number format on the graphics card", Measure::light, "r11g11b10 half",
+     "half", Cost::gpuMegabytes},
+    {"interpolation", "gi.interpolation", "interpolation between texels", Measure::light,
+     "nearest closest_isovalue trilinear weighted tricubic", "weighted", Cost::lookupMilliseconds},
+    {"sh_order", "gi.sh_order", "bands of spherical harmonics", Measure::light, "1 2 3 4 5 6 8", "8",
+     Cost::bakeSeconds, kOrdered | kTransfer},
+    {"sh_window", "gi.sh_window", "window of spherical harmonics", Measure::light, "0 0.25 0.5 0.75 1", "0",
+     Cost::lookupMilliseconds, kTransfer},
+    {"components", "gi.components", "components of compressed transfer", Measure::light,
+     "4 8 12 16 24 32 48 75", "75", Cost::gpuMegabytes, kOrdered | kTransfer},
+    {"component_bits", "gi.component_bits", "bits per component, on average", Measure::light, "2 3 4 6 8",
+     "8", Cost::gpuMegabytes, kTransfer},
+};
+
+Knob knobOf(const KnobRow& row) {
+  Knob knob{row.name, row.setting, row.label, row.measure, {}, row.reference, row.cost};
+  knob.field = (row.traits & kField) != 0;
+  knob.sampled = (row.traits & kSampled) != 0;
+  knob.ordered = (row.traits & kOrdered) != 0;
+  knob.transfer = (row.traits & kTransfer) != 0;
+  std::istringstream words(row.values);
+  for (std::string word; words >> word;) knob.values.push_back(word);
+  return knob;
 }
 
 }  // namespace
 
-std::string pictureReference(const Knob& knob) {
-  if (knob.sampled) return kExactHits;
-  if (knob.field) return "cubic_interpolating";
-  static const std::map<std::string, std::string> references{{"method", "exact"},
-                                                             {"fetch", "exact"},
-                                                             {"derivatives_scale", "auto"},
-                                                             {"shadow", "1"},
-                                                             {"samples", "256"},
-                                                             {"sequence", "sobol_owen"},
-                                                             {"environment_share", "auto"},
-                                                             {"bounces", "8"},
-                                                             {"lattice_scale", "2"},
-                                                             {"texels", "auto"},
-                                                             {"precision", "half"},
-                                                             {"interpolation", "weighted"},
-                                                             {"sh_order", "8"},
-                                                             {"sh_window", "0"},
-                                                             {"components", "75"},
-                                                             {"component_bits", "8"}};
-  const auto found = references.find(knob.name);
-  return found == references.end() ? std::string() : found->second;
-}
-
 const std::vector<Knob>& knobs() {
-  static const std::vector<Knob> list = allKnobs();
+  static const std::vector<Knob> list = [] {
+    std::vector<Knob> all;
+    for (const KnobRow& row : kRows) all.push_back(knobOf(row));
+    return all;
+  }();
   return list;
 }
 

@@ -177,7 +177,7 @@ ordered_json knobJson(const KnobStudy& study, glm::ivec2 size) {
     return json;
   }
   json.update(truthJson(study));
-  const std::string reference = pictureReference(study.knob);
+  const std::string reference = study.knob.reference;
   json["picture_reference"] = reference.empty() ? "256 rays per pixel" : reference;
   json["settings"] = ordered_json::array();
   for (const StudySetting& setting : study.settings)

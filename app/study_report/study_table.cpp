@@ -76,7 +76,7 @@ class StudyTable {
     if (std::all_of(study_.settings.begin(), study_.settings.end(),
                     [](const StudySetting& s) { return s.errors.picture.rms == 0.0; }))
       return;
-    const std::string reference = pictureReference(study_.knob);
+    const std::string reference = study_.knob.reference;
     add("FLIP to " + (reference.empty() ? "256 rays" : '`' + reference + '`'),
         [](const StudySetting& s) { return tableNumber(s.errors.picture.flip, 2); });
     add("RMS, of 255", [](const StudySetting& s) { return tableNumber(255.0 * s.errors.picture.rms, 2); });

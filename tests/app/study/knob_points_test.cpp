@@ -79,7 +79,7 @@ TEST(KnobPoints, AKnobChangesItsSettingAloneAndItsDefaultStaysAutomatic) {
   const scene::Scene scene;
   for (const Knob& knob : knobs()) {
     EXPECT_EQ(withKnobAt(knob, defaultValue(knob), scene, {}), scene) << knob.name;
-    for (const char* const value : knob.values) {
+    for (const std::string& value : knob.values) {
       const scene::Scene turnedOne = withKnobAt(knob, value, scene, {});
       const scene::SceneDiff changed = scene::difference(scene, turnedOne, "");
       EXPECT_LE(changed.changes.size(), 1u) << knob.name << ' ' << value;
