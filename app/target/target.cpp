@@ -17,16 +17,18 @@ using base::Error;
 using base::ErrorKind;
 
 struct UnitOfError {
-  const char *quantity, *unit;
+  const char *quantity, *unit, *key;
   Quantity measured;
   double scale;  // times the number as it is written
 };
 // The first unit of a quantity is the one that texts have.
-constexpr UnitOfError kUnits[] = {
-    {"depth", "mm", Quantity::depthMm, 1.0},  {"depth", "vox", Quantity::depthVoxels, 1.0},
-    {"missed", "%", Quantity::missed, 0.01},  {"missed", "", Quantity::missed, 1.0},
-    {"normal", "deg", Quantity::normal, 1.0}, {"curvature", "%", Quantity::curvature, 0.01},
-    {"light", "%", Quantity::light, 0.01}};
+constexpr UnitOfError kUnits[] = {{"depth", "mm", "depth_mm", Quantity::depthMm, 1.0},
+                                  {"depth", "vox", "depth_voxels", Quantity::depthVoxels, 1.0},
+                                  {"missed", "%", "missed", Quantity::missed, 0.01},
+                                  {"missed", "", "missed", Quantity::missed, 1.0},
+                                  {"normal", "deg", "normal_degrees", Quantity::normal, 1.0},
+                                  {"curvature", "%", "curvature", Quantity::curvature, 0.01},
+                                  {"light", "%", "light", Quantity::light, 0.01}};
 
 [[noreturn]] void refuse(const char* option, const std::string& reason) {
   throw Error(ErrorKind::usage, "", option, reason);
@@ -101,6 +103,10 @@ const UnitOfError& unitOf(Quantity quantity) {
 
 const char* nameOf(Quantity quantity) {
   return unitOf(quantity).quantity;
+}
+
+const char* keyOf(Quantity quantity) {
+  return unitOf(quantity).key;
 }
 
 std::vector<Limit> parseErrorTarget(const std::string& text) {

@@ -27,6 +27,7 @@ constexpr std::size_t indexOf(Quantity quantity) {
   return static_cast<std::size_t>(quantity);
 }
 const char* nameOf(Quantity quantity);  // "depth", as in --error
+const char* keyOf(Quantity quantity);   // "depth_mm", as in JSON
 
 struct Limit {
   Quantity quantity;

@@ -18,25 +18,6 @@ std::string roundText(double milliseconds) {
                          milliseconds < 100.0 ? 2 : 12);
 }
 
-// "depth_mm", with the unit as a part of the name.
-const char* keyOf(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::depthMm:
-      return "depth_mm";
-    case Quantity::depthVoxels:
-      return "depth_voxels";
-    case Quantity::missed:
-      return "missed";
-    case Quantity::normal:
-      return "normal_degrees";
-    case Quantity::curvature:
-      return "curvature";
-    case Quantity::light:
-      break;
-  }
-  return "light";
-}
-
 ordered_json errorsJson(const TargetErrors& errors) {
   ordered_json json = ordered_json::object();
   for (const Quantity quantity : kAllQuantities) {
