@@ -2,6 +2,7 @@
 #include <cmath>
 #include <functional>
 #include <iostream>
+#include <iterator>
 
 #include <nlohmann/json.hpp>
 
@@ -25,34 +26,12 @@ struct SettingsOptions {
 };
 
 std::string typeName(const SettingInfo& setting) {
-  switch (setting.type) {
-    case SettingType::number:
-      return "number";
-    case SettingType::integer:
-      return "integer";
-    case SettingType::text:
-      return "text";
-    case SettingType::choice:
-      return "choice";
-    case SettingType::toggle:
-      return "true or false";
-    case SettingType::points:
-    case SettingType::color_points:
-      return "list of points";
-    case SettingType::positions:
-      return "list of x,y,z";
-    case SettingType::planes:
-      return "list of planes";
-    case SettingType::marks:
-      return "list of marks";
-    case SettingType::pair:
-      return "two numbers";
-    case SettingType::quaternion:
-      return "four numbers";
-    case SettingType::vector:
-      break;
-  }
-  return "three numbers";
+  static constexpr const char* names[] = {
+      "number",        "integer",        "text",          "choice",         "two numbers",
+      "three numbers", "four numbers",   "true or false", "list of points", "list of points",
+      "list of x,y,z", "list of planes", "list of marks"};
+  static_assert(std::size(names) == static_cast<std::size_t>(SettingType::marks) + 1);
+  return names[static_cast<std::size_t>(setting.type)];
 }
 
 // Whole numbers without an exponent, others as short as possible.
