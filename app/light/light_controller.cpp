@@ -14,6 +14,7 @@
 #include "base/retire.h"
 #include "gi/arithmetic.h"
 #include "gi/file/bake_file.h"
+#include "scene/setting/choice_names.h"
 
 namespace isolux::app {
 
@@ -71,9 +72,8 @@ base::Error described(const std::exception_ptr& failure) {
 }  // namespace
 
 std::string modeName(const scene::GiChoice& choice) {
-  static constexpr const char* names[] = {"auto", "off", "irradiance", "transfer", "vicinity", "shadow"};
   const bool sky = choice.sky != scene::GiMode::off;
-  std::string name = sky ? names[static_cast<int>(choice.sky)] : choice.lamps ? "" : "off";
+  std::string name(sky ? scene::choiceName(choice.sky) : choice.lamps ? "" : "off");
   if (choice.lamps) name += sky ? " + lamps" : "lamps";
   return name;
 }

@@ -6,6 +6,7 @@
 
 #include "app/target/work.h"
 #include "base/number_text.h"
+#include "scene/setting/choice_names.h"
 #include "scene/settings.h"
 
 namespace isolux::app {
@@ -20,12 +21,6 @@ constexpr double kLargestLight = 1100.0;  // paths per texel times texels: beyon
 
 bool isFixed(const Turning& turning, const char* path) {
   return std::find(turning.fixed.begin(), turning.fixed.end(), path) != turning.fixed.end();
-}
-
-std::string nameOfField(Field field) {
-  scene::Scene scene;
-  scene.hit.field = field;
-  return scene::setting("hit.field").get(scene).get<std::string>();
 }
 
 // The values of a knob, or the scene's own where it is fixed.
@@ -63,7 +58,7 @@ Changes hitsOf(const Turning& turning, HitMethod method, Field field) {
   const bool asAtRest = method == HitMethod::exact && turning.given.hit.method == HitMethod::exact &&
                         field == turning.drawnField;
   if (asAtRest) return changes;
-  changes.set("hit.field", nameOfField(field));
+  changes.set("hit.field", std::string(scene::choiceName(field)));
   if (method == HitMethod::exact && field == Field::trilinear) changes.set("picture.rest_hits", "same");
   return changes;
 }

@@ -12,6 +12,7 @@
 #include <QFile>
 
 #include "base/quantiles.h"
+#include "volume/read/input/convert.h"
 
 namespace isolux::ui {
 
@@ -29,29 +30,7 @@ double decode(const char* bytes, bool swap) {
 }
 
 double decodeVoxel(const char* bytes, VoxelType type, bool swap) {
-  switch (type) {
-    case VoxelType::int8:
-      return decode<std::int8_t>(bytes, swap);
-    case VoxelType::uint8:
-      return decode<std::uint8_t>(bytes, swap);
-    case VoxelType::int16:
-      return decode<std::int16_t>(bytes, swap);
-    case VoxelType::uint16:
-      return decode<std::uint16_t>(bytes, swap);
-    case VoxelType::int32:
-      return decode<std::int32_t>(bytes, swap);
-    case VoxelType::uint32:
-      return decode<std::uint32_t>(bytes, swap);
-    case VoxelType::int64:
-      return decode<std::int64_t>(bytes, swap);
-    case VoxelType::uint64:
-      return decode<std::uint64_t>(bytes, swap);
-    case VoxelType::float32:
-      return decode<float>(bytes, swap);
-    case VoxelType::float64:
-      return decode<double>(bytes, swap);
-  }
-  return 0.0;
+  return volume::withType(type, [&](auto zero) { return decode<decltype(zero)>(bytes, swap); });
 }
 
 // Values at the given fractions of the sorted finite values.
