@@ -65,18 +65,7 @@ ordered_json albedoJson(const scene::Scene& resolved, const LightScene& light) {
 }
 
 ordered_json lampJson(const LampLight& lamp) {
-  ordered_json json;
-  switch (lamp.kind) {
-    case scene::LampKind::point:
-      json["kind"] = "point";
-      break;
-    case scene::LampKind::directional:
-      json["kind"] = "directional";
-      break;
-    case scene::LampKind::sphere:
-      json["kind"] = "sphere";
-      break;
-  }
+  ordered_json json{{"kind", scene::choiceName(lamp.kind)}};
   if (lamp.kind == scene::LampKind::directional) {
     json["toward"] = arrayOf(lamp.toward);
     json["cos_half_angle"] = lamp.cosHalfAngle;
