@@ -119,7 +119,7 @@ TEST(StudyAdvice, IsASentenceForEveryKnob) {
   for (const Knob& knob : knobs()) {
     if (knob.measure == Measure::light || knob.measure == Measure::scale) continue;
     std::vector<Row> rows;
-    for (const std::string& value : knob.values) rows.push_back({value, 10, 1, 0.5});
+    for (const std::string& value : knob.values) rows.push_back({value.c_str(), 10, 1, 0.5});
     EXPECT_THAT(adviceOf(studyOf(knob.name, rows, defaultValue(knob))), testing::EndsWith(".")) << knob.name;
   }
 }
