@@ -6,11 +6,11 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <vector>
+#include <utility>
 
 #include "base/progress.h"
+#include "base/recent.h"
 #include "scene/scene.h"
 #include "volume/field/coefficients.h"
 #include "volume/field/scaled_field.h"
@@ -47,13 +47,9 @@ class CubicFields {
   void makeFor(const scene::Scene& scene, base::Progress& progress);
 
  private:
-  bool forgetOldestScale();  // false: none is kept
-  std::shared_ptr<const ScaledField> scaledFound(scene::Field field, double scaleMm) const;  // while locked
-
   std::shared_ptr<const Grid> grid_;
-  mutable std::mutex mutex_;  // held for moments
-  std::shared_ptr<const CubicField> cubic_, interpolating_;
-  mutable std::vector<std::shared_ptr<const ScaledField>> scaled_;  // the last one asked for is last
+  mutable base::Once<std::shared_ptr<const CubicField>> cubic_, interpolating_;
+  mutable base::Recent<std::pair<scene::Field, double>, std::shared_ptr<const ScaledField>> scaled_{2};
 };
 
 }  // namespace isolux::volume
