@@ -1,13 +1,13 @@
 #include "gi/light_key.h"
 
-#include <stdexcept>
-
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include "base/number_text.h"
 #include "gi/sampling/built_in_light.h"
 #include "scene/rules/environment.h"
+#include "scene/setting/choice_names.h"
+#include "scene/shown_surfaces.h"
 
 namespace isolux::gi {
 
@@ -25,34 +25,6 @@ ordered_json arrayOf(const Vector& v) {
   return array;
 }
 
-const char* nameOf(scene::DirectionSequence sequence) {
-  switch (sequence) {
-    case scene::DirectionSequence::sobol_owen:
-      return "sobol_owen";
-    case scene::DirectionSequence::r2:
-      return "r2";
-    case scene::DirectionSequence::random:
-      return "random";
-  }
-  throw std::logic_error("a sequence without a name");
-}
-
-const char* nameOf(scene::BuiltInLight light) {
-  switch (light) {
-    case scene::BuiltInLight::studio:
-      return "studio";
-    case scene::BuiltInLight::window:
-      return "window";
-    case scene::BuiltInLight::overcast:
-      return "overcast";
-    case scene::BuiltInLight::sunset:
-      return "sunset";
-    case scene::BuiltInLight::dark_studio:
-      return "dark_studio";
-  }
-  throw std::logic_error("a built-in light without a name");
-}
-
 // q and -q, and those of any length, are one rotation.
 glm::dvec4 canonicalRotation(glm::dvec4 wxyz) {
   const double length = glm::length(wxyz);
@@ -68,7 +40,7 @@ ordered_json environmentJson(const scene::Scene& resolved, const LightScene& lig
   const scene::Environment& settings = resolved.light.environment;
   if (scene::kindOf(settings) == scene::EnvironmentKind::builtIn) {
     // By its name: its numbers may differ in the last digits from machine to machine.
-    json["built_in"] = nameOf(settings.builtIn);
+    json["built_in"] = scene::choiceName(settings.builtIn);
     json["version"] = kBuiltInLightVersion;
   } else {
     json["hash"] = base::hexText(light.environment ? light.environment->hash() : 0);
@@ -86,10 +58,8 @@ ordered_json albedoJson(const scene::Scene& resolved, const LightScene& light) {
             {"low", resolved.isosurface.albedoLow.value()},
             {"high", resolved.isosurface.albedoHigh.value()}};
   ordered_json json = ordered_json::array();
-  json.push_back(
-      {{"isovalue", resolved.isosurface.value.value()}, {"albedo", arrayOf(resolved.isosurface.albedo)}});
-  for (const scene::ExtraIsosurface& extra : resolved.extraIsosurfaces)
-    if (extra.shown) json.push_back({{"isovalue", extra.value.value()}, {"albedo", arrayOf(extra.albedo)}});
+  for (const auto& surface : scene::shownSurfaces(resolved))
+    json.push_back({{"isovalue", surface.value.value()}, {"albedo", arrayOf(surface.albedo)}});
   return json;
 }
 
@@ -143,7 +113,7 @@ std::string lightKey(const scene::Scene& resolved, const LightScene& light, Ligh
   if (const std::uint64_t hidden = hiddenKey(resolved, light); hidden != 0)
     json["hidden"] = base::hexText(hidden);
   if (light.tracer && light.tracer->cut().cuts()) json["cut"] = base::hexText(light.tracer->cut().key());
-  json["sequence"] = nameOf(light.sequence);
+  json["sequence"] = scene::choiceName(light.sequence);
   json["bounces"] = light.bounces;
   if (light.bounces > 0) {
     json["albedo"] = albedoJson(resolved, light);

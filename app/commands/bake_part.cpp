@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "scene/settings.h"
+#include "scene/shown_surfaces.h"
 
 namespace isolux::app {
 
@@ -48,9 +49,8 @@ std::string texelsText(const std::string& size, const scene::Scene& scene) {
   // What lookups read around a surface, and whose surface it is.
   const nlohmann::json settings = scene::toJson(scene);
   text += ", " + settings.at("gi").at("interpolation").dump() + " " + settings.at("hit").at("field").dump();
-  text += ", surfaces " + base::shortText(*scene.isosurface.value, 17);
-  for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces)
-    if (extra.shown) text += " " + base::shortText(*extra.value, 17);
+  text += ", surfaces";
+  for (const auto& surface : scene::shownSurfaces(scene)) text += " " + base::shortText(*surface.value, 17);
   return text;
 }
 

@@ -77,7 +77,7 @@ const LightTruth& LightStudio::truthOf(const scene::Scene& lit, int bounces, bas
   std::vector<glm::vec3> voxels;
   voxels.reserve(pixels.size());
   for (const std::size_t pixel : pixels) voxels.push_back(hitVoxels_[pixel]);
-  const auto isovalue = static_cast<float>(volume_->grid().storedOfValue(*scene.isosurface.value));
+  const auto isovalue = volume_->grid().storedIsovalue(*scene.isosurface.value);
   return truths_.emplace(bounces, lightTruthAt(light, skyScale, isovalue, voxels, pixels, {}, progress))
       .first->second;
 }

@@ -62,7 +62,7 @@ const LightTruth& LightJudge::truthOf(Measuring measuring, base::Progress& progr
   std::vector<glm::vec3> voxels;
   voxels.reserve(pixels.size());
   for (const std::size_t pixel : pixels) voxels.emplace_back((*hits_)[pixel].voxel);
-  const auto isovalue = static_cast<float>(volume_->grid().storedOfValue(still.isosurface.value.value()));
+  const auto isovalue = volume_->grid().storedIsovalue(still.isosurface.value.value());
   return truths_
       .emplace(count, lightTruthAt(light, skyScale, isovalue, voxels, pixels, pathsFor(noise_), progress))
       .first->second;

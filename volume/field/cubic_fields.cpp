@@ -13,11 +13,11 @@ CubicField made(const Grid& grid, scene::Field field, base::Progress& progress) 
   if (field == scene::Field::cubic) {
     progress.report(0.0, "building blocks");
     MinMaxBlocks blocks = MinMaxBlocks::ofCubic(grid, kBlockCells, progress);
-    return {std::nullopt, std::move(blocks), BoxBounds::ofCubic(grid, progress)};
+    return {nullptr, std::move(blocks), BoxBounds::ofCubic(grid, progress)};
   }
-  Coefficients coefficients = interpolatingCoefficients(grid, progress);
-  MinMaxBlocks blocks = MinMaxBlocks::ofCubic(coefficients, grid, kBlockCells, progress);
-  BoxBounds boxes = BoxBounds::ofCubic(coefficients, grid, progress);
+  auto coefficients = std::make_shared<const Coefficients>(interpolatingCoefficients(grid, progress));
+  MinMaxBlocks blocks = MinMaxBlocks::ofCubic(*coefficients, grid, kBlockCells, progress);
+  BoxBounds boxes = BoxBounds::ofCubic(*coefficients, grid, progress);
   return {std::move(coefficients), std::move(blocks), std::move(boxes)};
 }
 

@@ -6,7 +6,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include "base/progress.h"
@@ -21,8 +20,8 @@
 namespace isolux::volume {
 
 struct CubicField {
-  std::optional<Coefficients> coefficients;  // of cubic_interpolating; `cubic` takes the voxels
-  MinMaxBlocks blocks;                       // of kBlockCells; as the coefficients, without their offset
+  std::shared_ptr<const Coefficients> coefficients;  // of cubic_interpolating; null: `cubic` takes the voxels
+  MinMaxBlocks blocks;  // of kBlockCells; as the coefficients, without their offset
   BoxBounds boxes;
 };
 

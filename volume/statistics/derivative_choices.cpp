@@ -153,9 +153,8 @@ struct LeastScale {
 // this part of it they do not. 0 where voxels are alike, more or less.
 LeastScale scaleOfThickSlices(const GridGeometry& geometry) {
   constexpr double alike = 1.5, part = 0.8;
-  const glm::dvec3 spacing = geometry.spacingMm();
-  const double most = std::max({spacing.x, spacing.y, spacing.z});
-  if (most <= alike * std::min({spacing.x, spacing.y, spacing.z})) return {};
+  const double most = geometry.mostSpacingMm();
+  if (most <= alike * geometry.leastSpacingMm()) return {};
   return {part * most, "four fifths of the distance between slices, which would show as terraces"};
 }
 
@@ -188,8 +187,7 @@ std::string noiseReason(double estimated, double believed) {
 // Pictures lose no detail: not a voxel's, and none that noise only may be.
 std::size_t normalStep(const ScaleLadder& ladder, const Search& search, const GridGeometry& geometry,
                        bool keepsAll) {
-  const glm::dvec3 spacing = geometry.spacingMm();
-  const double most = 1.001 * std::min({spacing.x, spacing.y, spacing.z});
+  const double most = 1.001 * geometry.leastSpacingMm();
   std::size_t step = keepsAll ? 0 : search.normal.step;
   while (ladder.scaleMm(step) > most) --step;
   return step;
