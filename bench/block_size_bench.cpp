@@ -65,7 +65,7 @@ void findActiveBlocks(benchmark::State& state) {
   const Subject& data = subject(state.range(0));
   base::Progress progress;
   const volume::MinMaxBlocks blocks(*data.grid, static_cast<int>(state.range(1)), progress);
-  const auto isovalue = static_cast<float>(data.grid->storedOfValue(data.isovalue));
+  const auto isovalue = data.grid->storedIsovalue(data.isovalue);
   std::vector<std::uint8_t> flags;
   std::size_t active = 0;
   for (auto run : state) benchmark::DoNotOptimize(active = blocks.activeBlocks(isovalue, flags));

@@ -58,7 +58,7 @@ class Drag {
 void printMasks(const Subject& subject, const std::shared_ptr<const volume::MinMaxBlocks>& blocks) {
   base::Progress progress;
   const volume::BoxBounds bounds(*subject.grid, progress);
-  const auto isovalue = static_cast<float>(subject.grid->storedOfValue(subject.isovalue));
+  const auto isovalue = subject.grid->storedIsovalue(subject.isovalue);
   volume::ActiveBlocks active(blocks);
   active.update({&isovalue, 1});
   std::vector<std::uint64_t> boxes, cells;

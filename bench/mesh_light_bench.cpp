@@ -44,8 +44,8 @@ void compare(const Subject& subject, const std::string& probe) {
   std::vector<glm::vec3> points;
   for (const std::size_t pixel : pixels) points.push_back(voxels[pixel]);
   const app::LightTruth ours =
-      app::lightTruthAt(light, glm::dvec3(1.0), static_cast<float>(grid->storedOfValue(subject.isovalue)),
-                        points, pixels, {.relativeNoise = 0.002}, progress);
+      app::lightTruthAt(light, glm::dvec3(1.0), grid->storedIsovalue(subject.isovalue), points, pixels,
+                        {.relativeNoise = 0.002}, progress);
 
   const MeshPathTracer mesh(light, trianglesOf(*grid, subject.isovalue), subject.isovalue);
   std::vector<MeshPathTracer::Estimate> theirs(points.size());

@@ -98,8 +98,7 @@ std::vector<TraceRay> surfaceRays(const volume::Grid& grid, const Triangles& mes
     const glm::ivec3 block(p / 16.0);
     const auto key = static_cast<std::uint64_t>((block.z * 256 + block.y) * 256 + block.x);
     starts.push_back(
-        {base::hash64(key),
-         {p + 0.1 * normal, direction(normal, i), static_cast<float>(grid.storedOfValue(isovalue))}});
+        {base::hash64(key), {p + 0.1 * normal, direction(normal, i), grid.storedIsovalue(isovalue)}});
   }
   std::stable_sort(starts.begin(), starts.end(),
                    [](const Start& a, const Start& b) { return a.block < b.block; });

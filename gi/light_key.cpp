@@ -7,6 +7,7 @@
 #include "gi/sampling/built_in_light.h"
 #include "scene/rules/environment.h"
 #include "scene/setting/choice_names.h"
+#include "scene/shown_surfaces.h"
 
 namespace isolux::gi {
 
@@ -57,10 +58,8 @@ ordered_json albedoJson(const scene::Scene& resolved, const LightScene& light) {
             {"low", resolved.isosurface.albedoLow.value()},
             {"high", resolved.isosurface.albedoHigh.value()}};
   ordered_json json = ordered_json::array();
-  json.push_back(
-      {{"isovalue", resolved.isosurface.value.value()}, {"albedo", arrayOf(resolved.isosurface.albedo)}});
-  for (const scene::ExtraIsosurface& extra : resolved.extraIsosurfaces)
-    if (extra.shown) json.push_back({{"isovalue", extra.value.value()}, {"albedo", arrayOf(extra.albedo)}});
+  for (const auto& surface : scene::shownSurfaces(resolved))
+    json.push_back({{"isovalue", surface.value.value()}, {"albedo", arrayOf(surface.albedo)}});
   return json;
 }
 

@@ -10,6 +10,7 @@
 #include "base/number_text.h"
 #include "scene/camera.h"
 #include "scene/rules/needs.h"
+#include "scene/shown_surfaces.h"
 
 namespace isolux::render {
 
@@ -26,13 +27,10 @@ struct Shown {
 
 Shown shownOf(const scene::Scene& scene) {
   Shown shown;
-  const auto add = [&](double value, double opacity) {
-    shown.values.push_back(value);
-    shown.visible = shown.visible || opacity >= kInvisible;
-  };
-  add(scene.isosurface.value.value_or(0.0), scene.isosurface.opacity);
-  for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces)
-    if (extra.shown) add(extra.value.value_or(0.0), extra.opacity);
+  for (const auto& surface : scene::shownSurfaces(scene)) {
+    shown.values.push_back(surface.value.value_or(0.0));
+    shown.visible = shown.visible || surface.opacity >= kInvisible;
+  }
   return shown;
 }
 
@@ -62,11 +60,8 @@ EmptyPicture notInView(const scene::Scene& scene, const volume::GridGeometry& ge
   const bool perspective = frame.projection == scene::Projection::perspective;
   int behind = 0;
   std::array<int, 4> beyond{};
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::ivec3 last = geometry.dims - 1;
-    const glm::dvec4 voxel((corner & 1) ? last.x : 0, (corner & 2) ? last.y : 0, (corner & 4) ? last.z : 0,
-                           1.0);
-    const glm::dvec3 v = glm::dvec3(geometry.worldFromVoxel * voxel) - frame.eye;
+  for (const glm::dvec3& corner : geometry.corners()) {
+    const glm::dvec3 v = corner - frame.eye;
     const double depth = -glm::dot(v, frame.back), reach = frame.halfHeight * (perspective ? depth : 1.0);
     const double x = glm::dot(v, frame.right), y = glm::dot(v, frame.up);
     behind += perspective && depth <= 0.0;

@@ -182,7 +182,7 @@ AovImage readAov(const FrameState& frame, const DrawnFrame& drawn, Aov aov) {
         put({s[0], s[1], s[2]});
         break;
       case Aov::position:
-        put(glm::dvec3(frame.volume->grid().geometry().worldFromVoxel * glm::dvec4(s[0], s[1], s[2], 1.0)));
+        put(frame.volume->grid().geometry().worldOf({s[0], s[1], s[2]}));
         break;
       case Aov::depth:
         out[0] = static_cast<float>(s[3] + rayStart(drawn, i));

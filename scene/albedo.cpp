@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 
 #include "scene/color_maps.h"
+#include "scene/shown_surfaces.h"
 
 namespace isolux::scene {
 
@@ -18,10 +19,9 @@ AlbedoOfIsovalue::AlbedoOfIsovalue(const Scene& scene) {
     high_ = scene.isosurface.albedoHigh.value();
     return;
   }
-  std::vector<std::pair<double, glm::vec3>> shown = {
-      {scene.isosurface.value.value(), glm::vec3(scene.isosurface.albedo)}};
-  for (const ExtraIsosurface& extra : scene.extraIsosurfaces)
-    if (extra.shown) shown.emplace_back(extra.value.value(), glm::vec3(extra.albedo));
+  std::vector<std::pair<double, glm::vec3>> shown;
+  for (const ShownSurface& surface : shownSurfaces(scene))
+    shown.emplace_back(surface.value.value(), glm::vec3(surface.albedo));
   std::stable_sort(shown.begin(), shown.end(), [](auto& a, auto& b) { return a.first < b.first; });
   const bool same = std::all_of(shown.begin(), shown.end(),
                                 [&](const auto& one) { return one.second == shown.front().second; });

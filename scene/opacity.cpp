@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/shown_surfaces.h"
+
 namespace isolux::scene {
 
 double meanOpacity(double opacity, double facingOpacity) {
@@ -16,9 +18,7 @@ double meanOpacity(double opacity, double facingOpacity) {
 }
 
 bool variesByAngle(const Scene& scene) {
-  return variesByAngle(scene.isosurface) ||
-         std::any_of(scene.extraIsosurfaces.begin(), scene.extraIsosurfaces.end(),
-                     [](const ExtraIsosurface& extra) { return extra.shown && variesByAngle(extra); });
+  return std::ranges::any_of(shownSurfaces(scene), variesByAngle<ShownSurface>);
 }
 
 }  // namespace isolux::scene

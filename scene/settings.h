@@ -31,7 +31,4 @@ void applyAssignment(Scene& scene, std::string_view assignment);
 nlohmann::json toJson(const Scene& scene);
 Scene fromJson(const nlohmann::json& json);
 
-// Returns a name for the change, derived from the settings that differ ("Change look.mode").
-std::string describeChange(const Scene& from, const Scene& to);
-
 }  // namespace isolux::scene

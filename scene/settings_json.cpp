@@ -100,16 +100,4 @@ Scene applied(Scene scene, const SceneDiff& diff) {
   return scene;
 }
 
-std::string describeChange(const Scene& from, const Scene& to) {
-  const SceneDiff diff = difference(from, to, "");
-  if (diff.changes.empty()) return {};
-  const std::string& first = diff.changes.front().path;
-  if (diff.changes.size() == 1) return "Change " + first;
-  const std::string group = first.substr(0, first.find('.') + 1);
-  const bool sameGroup = std::all_of(diff.changes.begin(), diff.changes.end(),
-                                     [&](const SceneChange& c) { return c.path.starts_with(group); });
-  if (sameGroup) return "Change " + group.substr(0, group.size() - 1);
-  return "Change " + std::to_string(diff.changes.size()) + " settings";
-}
-
 }  // namespace isolux::scene

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -44,19 +45,51 @@ glm::dvec3 GridGeometry::originMm() const {
   return glm::dvec3(worldFromVoxel[3]);
 }
 
+double GridGeometry::leastSpacingMm() const {
+  const glm::dvec3 spacing = spacingMm();
+  return std::min({spacing.x, spacing.y, spacing.z});
+}
+
+double GridGeometry::mostSpacingMm() const {
+  const glm::dvec3 spacing = spacingMm();
+  return std::max({spacing.x, spacing.y, spacing.z});
+}
+
+double GridGeometry::voxelMm3() const {
+  return std::abs(glm::determinant(glm::dmat3(worldFromVoxel)));
+}
+
+double GridGeometry::voxelMm() const {
+  return std::cbrt(voxelMm3());
+}
+
 bool GridGeometry::leftHanded() const {
   return glm::determinant(glm::dmat3(worldFromVoxel)) < 0.0;
+}
+
+bool GridGeometry::holds(const glm::dvec3& voxel, double slack) const {
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(voxel[axis] >= -slack && voxel[axis] <= dims[axis] - 1 + slack)) return false;  // NaN too
+  return true;
+}
+
+glm::ivec3 GridGeometry::cellOf(const glm::dvec3& voxel) const {
+  return glm::clamp(glm::ivec3(glm::floor(voxel)), glm::ivec3(0), glm::max(dims - 2, glm::ivec3(0)));
+}
+
+std::array<glm::dvec3, 8> GridGeometry::corners(const glm::dvec3& low, const glm::dvec3& high) const {
+  std::array<glm::dvec3, 8> corners;
+  for (std::size_t i = 0; i < 8; ++i)
+    corners[i] = worldOf({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
+  return corners;
 }
 
 void GridGeometry::worldBounds(glm::dvec3& minimumMm, glm::dvec3& maximumMm) const {
   minimumMm = glm::dvec3(std::numeric_limits<double>::infinity());
   maximumMm = -minimumMm;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec4 voxel((corner & 1) ? dims.x - 1 : 0, (corner & 2) ? dims.y - 1 : 0,
-                           (corner & 4) ? dims.z - 1 : 0, 1.0);
-    const glm::dvec3 world(worldFromVoxel * voxel);
-    minimumMm = glm::min(minimumMm, world);
-    maximumMm = glm::max(maximumMm, world);
+  for (const glm::dvec3& corner : corners()) {
+    minimumMm = glm::min(minimumMm, corner);
+    maximumMm = glm::max(maximumMm, corner);
   }
 }
 
@@ -207,6 +240,14 @@ VoxelType Grid::storedType() const {
   constexpr VoxelType types[] = {VoxelType::int8, VoxelType::uint8, VoxelType::int16, VoxelType::uint16,
                                  VoxelType::float32};
   return types[voxels_.index()];
+}
+
+bool Grid::cellHasMissing(glm::ivec3 cell) const {
+  for (int i = 0; i < 8; ++i) {
+    const glm::ivec3 at = glm::min(cell + glm::ivec3(i & 1, i >> 1 & 1, i >> 2), dims() - 1);
+    if (std::isnan(stored(at.x, at.y, at.z))) return true;
+  }
+  return false;
 }
 
 double Grid::stored(int x, int y, int z) const {

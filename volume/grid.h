@@ -5,6 +5,7 @@
 // Value (shown to the user, data units) = slope * stored + intercept. A Grid is immutable once shared.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -19,6 +20,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include "base/memory_budget.h"
 
@@ -44,10 +46,28 @@ struct GridGeometry {
            static_cast<std::size_t>(dims.z);
   }
   glm::dmat4 voxelFromWorld() const;
-  glm::dvec3 spacingMm() const;   // lengths of the columns
+  glm::dvec3 spacingMm() const;  // lengths of the columns
+  double leastSpacingMm() const;
+  double mostSpacingMm() const;
+  double voxelMm3() const;        // volume of a voxel
+  double voxelMm() const;         // edge of the cube of that volume
   glm::dmat3 directions() const;  // unit columns: world direction of each voxel axis
   glm::dvec3 originMm() const;    // world position of voxel (0,0,0)
   bool leftHanded() const;        // negative determinant
+  glm::dvec3 worldOf(const glm::dvec3& voxel) const {
+    return glm::dvec3(worldFromVoxel * glm::dvec4(voxel, 1.0));
+  }
+  glm::dvec3 voxelOf(const glm::dvec3& worldMm) const {
+    return glm::dvec3(voxelFromWorld() * glm::dvec4(worldMm, 1.0));
+  }
+  // Returns whether the point is in the domain [0, n-1]^3, or at most `slack` voxels outside.
+  bool holds(const glm::dvec3& voxel, double slack = 0.0) const;
+  // Returns the cell that a point is in, or the nearest one; its lower corner.
+  glm::ivec3 cellOf(const glm::dvec3& voxel) const;
+  // Return the world positions of the corners of a box of voxels, or of the domain. Corner i is at the high
+  // end of x if bit 0 of i is set, of y for bit 1, of z for bit 2.
+  std::array<glm::dvec3, 8> corners(const glm::dvec3& low, const glm::dvec3& high) const;
+  std::array<glm::dvec3, 8> corners() const { return corners(glm::dvec3(0.0), glm::dvec3(dims - 1)); }
   void worldBounds(glm::dvec3& minimumMm, glm::dvec3& maximumMm) const;  // of the domain [0, n-1]^3
 
   static GridGeometry make(glm::ivec3 dims, glm::dvec3 spacingMm, glm::dvec3 originMm = glm::dvec3(0.0),
@@ -97,6 +117,8 @@ class Grid {
   double intercept() const { return intercept_; }
   double valueOfStored(double stored) const { return slope_ * stored + intercept_; }
   double storedOfValue(double value) const { return (value - intercept_) / slope_; }
+  // Returns the stored isovalue that rays and blocks compare with: rounded to float.
+  float storedIsovalue(double isovalue) const { return static_cast<float>(storedOfValue(isovalue)); }
 
   std::size_t index(int x, int y, int z) const {
     return (static_cast<std::size_t>(z) * static_cast<std::size_t>(geometry_.dims.y) +
@@ -115,6 +137,8 @@ class Grid {
   double storedMinimum() const { return storedMinimum_; }
   double storedMaximum() const { return storedMaximum_; }
   std::size_t missingCount() const { return missing_; }
+  // Returns whether a corner of the cell is missing. Corners beyond the border repeat the border's.
+  bool cellHasMissing(glm::ivec3 cell) const;
   std::size_t bytes() const;                                         // of all voxels, in memory or not
   static constexpr std::size_t kHashedBytes = std::size_t{1} << 20;  // of voxels: a block of hash()
   // Returns a 64-bit hash of dims, worldFromVoxel, slope, intercept, type and voxels. It is FNV-1a over

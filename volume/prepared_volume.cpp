@@ -84,8 +84,8 @@ void setBounds(PreparedVolume& prepared, base::Progress& progress) {
   glm::ivec3 low(0), high = grid.dims() - 1;
   if (!histogram.counts.empty()) {
     const double background = mostFrequent(histogram);
-    const auto upper = static_cast<float>(grid.storedOfValue(facts.suggestedIsovalue));
-    const auto lower = static_cast<float>(grid.storedOfValue(0.5 * (background + facts.suggestedIsovalue)));
+    const auto upper = grid.storedIsovalue(facts.suggestedIsovalue);
+    const auto lower = grid.storedIsovalue(0.5 * (background + facts.suggestedIsovalue));
     const auto contrast =
         static_cast<float>(0.1 * (grid.maximum() - grid.minimum()) / std::abs(grid.slope()));
     const BlockBox box = boxOfBlocks(
@@ -103,16 +103,12 @@ void setBounds(PreparedVolume& prepared, base::Progress& progress) {
   }
   facts.boundsMinMm = glm::dvec3(std::numeric_limits<double>::infinity());
   facts.boundsMaxMm = -facts.boundsMinMm;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec4 voxel((corner & 1) ? high.x : low.x, (corner & 2) ? high.y : low.y,
-                           (corner & 4) ? high.z : low.z, 1.0);
-    const glm::dvec3 world(grid.geometry().worldFromVoxel * voxel);
-    facts.boundsMinMm = glm::min(facts.boundsMinMm, world);
-    facts.boundsMaxMm = glm::max(facts.boundsMaxMm, world);
+  for (const glm::dvec3& corner : grid.geometry().corners(glm::dvec3(low), glm::dvec3(high))) {
+    facts.boundsMinMm = glm::min(facts.boundsMinMm, corner);
+    facts.boundsMaxMm = glm::max(facts.boundsMaxMm, corner);
   }
-  const glm::dvec3 spacing = grid.geometry().spacingMm();
   const glm::dvec3 extent = facts.boundsMaxMm - facts.boundsMinMm;
-  const double least = std::min({spacing.x, spacing.y, spacing.z});
+  const double least = grid.geometry().leastSpacingMm();
   for (int axis = 0; axis < 3; ++axis) {
     if (extent[axis] >= least * 1e-6) continue;
     facts.boundsMinMm[axis] -= 0.5 * least;

@@ -18,6 +18,7 @@
 #include "render/still_picture.h"
 #include "scene/opacity.h"
 #include "scene/rules/ghosts.h"
+#include "scene/shown_surfaces.h"
 
 namespace isolux::app {
 
@@ -32,10 +33,7 @@ constexpr double kLeastPart = 0.2;             // of the picture's mean change c
 
 bool allOpaque(scene::Scene scene) {
   scene::addGhosts(scene);
-  const auto seenThrough = [](const auto& surface) { return scene::isSeenThrough(surface); };
-  return !seenThrough(scene.isosurface) &&
-         std::none_of(scene.extraIsosurfaces.begin(), scene.extraIsosurfaces.end(),
-                      [&](const auto& extra) { return extra.shown && seenThrough(extra); });
+  return std::ranges::none_of(scene::shownSurfaces(scene), scene::isSeenThrough<scene::ShownSurface>);
 }
 
 gi::StoredSide halfOf(const gi::StoredSide& side, gi::HalfOfTexels half) {

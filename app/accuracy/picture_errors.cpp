@@ -73,7 +73,8 @@ class PictureJudge {
         sampled_(scene.hit.method == scene::HitMethod::sampled),
         isovalues_(scene::seenIsovalues(scene)),
         cubic_(volume.cubicFields->make(scene.hit.field, progress)),
-        source_{volume.grid(), *volume.blocks, scene.hit.field, cubic_.get(), drawn.onProcessor},
+        source_{volume.grid(), cubic_ ? cubic_->blocks : *volume.blocks, scene.hit.field,
+                cubic_ ? cubic_->coefficients.get() : nullptr, drawn.onProcessor},
         hidden_(volume::hiddenOf(scene, *volume.pieces, progress)),
         cut_(scene, volume.grid().geometry()),
         inside_(scene.isosurface.inside),
@@ -146,9 +147,9 @@ class PictureJudge {
     const auto scaled = volume_.cubicFields->make(field, scaleMm, progress);
     return {cubic,
             scaled,
-            {volume_.grid(), field, cubic && cubic->coefficients ? &*cubic->coefficients : nullptr,
-             scaled.get(), scene.derivatives.fetch,
-             scene.isosurface.inside == scene::Inside::above ? -1.0 : 1.0, drawn_.onProcessor},
+            {volume_.grid(), field, cubic ? cubic->coefficients.get() : nullptr, scaled.get(),
+             scene.derivatives.fetch, scene.isosurface.inside == scene::Inside::above ? -1.0 : 1.0,
+             drawn_.onProcessor},
             volume::curvatureScale(volume_.grid().geometry(), field, noise, model.correlation, scaleMm)};
   }
 

@@ -12,6 +12,7 @@
 #include "base/number_text.h"
 #include "base/numbers.h"
 #include "scene/rules/needs.h"
+#include "scene/shown_surfaces.h"
 #include "volume/pieces/hidden_pieces.h"
 #include "volume/pieces/piece_sets.h"
 #include "volume/read/length_doubt.h"
@@ -169,13 +170,9 @@ Annotation annotationOf(const scene::Scene& resolved, const volume::PreparedVolu
     annotation.scaleBar = scaleBarOf(frame, size.y, AnnotationLayout::longestBar(size));
   if (resolved.picture.caveats) annotation.caveats = caveatsOf(resolved, volume).lines();
   if (!resolved.picture.isovalue) return annotation;
-  const auto add = [&](const std::optional<double>& value, const glm::dvec3& color, double opacity) {
-    if (value && opacity >= kInvisible)
-      annotation.values.push_back({valueText(*value, volume.volume.unit), color});
-  };
-  add(resolved.isosurface.value, resolved.isosurface.albedo, resolved.isosurface.opacity);
-  for (const scene::ExtraIsosurface& extra : resolved.extraIsosurfaces)
-    if (extra.shown) add(extra.value, extra.albedo, extra.opacity);
+  for (const auto& surface : scene::shownSurfaces(resolved))
+    if (surface.value && surface.opacity >= kInvisible)
+      annotation.values.push_back({valueText(*surface.value, volume.volume.unit), surface.albedo});
   return annotation;
 }
 

@@ -30,7 +30,7 @@ struct InfoOptions {
 
 std::size_t activeBlocksAt(const PreparedVolume& prepared, double isovalue) {
   std::vector<std::uint8_t> flags;
-  return prepared.blocks->activeBlocks(static_cast<float>(prepared.grid().storedOfValue(isovalue)), flags);
+  return prepared.blocks->activeBlocks(prepared.grid().storedIsovalue(isovalue), flags);
 }
 
 struct InfoMeasures {

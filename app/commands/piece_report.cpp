@@ -78,7 +78,7 @@ ordered_json piecesJson(const volume::PreparedVolume& prepared, const scene::Sce
   for (std::size_t id = 0; id < measures.pieces.size(); ++id) {
     ordered_json piece = pieceJson(id, measures.pieces[id]);
     piece["voxels"] = pieces->list()[id].voxels;
-    piece["seed_mm"] = volume::worldOf(prepared.grid().geometry(), seeds[id]);
+    piece["seed_mm"] = prepared.grid().geometry().worldOf(seeds[id]);
     piece["shown"] = static_cast<bool>(shown[id]);
     list.push_back(std::move(piece));
   }

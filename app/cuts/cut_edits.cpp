@@ -57,15 +57,6 @@ std::vector<glm::dvec3> keptBy(const glm::dvec4& face, const std::vector<glm::dv
 
 }  // namespace
 
-BoxCorners cornersOf(const volume::GridGeometry& geometry) {
-  BoxCorners corners;
-  for (int i = 0; i < 8; ++i) {
-    const glm::dvec3 voxel = glm::dvec3(i & 1, (i >> 1) & 1, i >> 2) * glm::dvec3(geometry.dims - 1);
-    corners[static_cast<std::size_t>(i)] = glm::dvec3(geometry.worldFromVoxel * glm::dvec4(voxel, 1.0));
-  }
-  return corners;
-}
-
 glm::dvec3 cutPoint(const scene::Scene& resolved, const scene::VolumeFacts& facts) {
   const glm::dvec3 middle = 0.5 * (facts.boundsMinMm + facts.boundsMaxMm);
   const glm::dvec3 wanted = resolved.slice.position.value_or(resolved.camera.target.value_or(middle));

@@ -13,7 +13,7 @@ std::optional<glm::dvec3> seedOfPick(const volume::PreparedVolume& volume, const
   const auto level = volume::InsideLevel::of(grid, pick.isovalue, inside);
   const auto voxel = volume::surfaceVoxel(grid, level, pick.voxel);
   if (!voxel) return std::nullopt;
-  return volume::worldOf(grid.geometry(), volume::seedAbove(grid, level, *voxel));
+  return grid.geometry().worldOf(volume::seedAbove(grid, level, *voxel));
 }
 
 scene::Pieces withHidden(scene::Pieces choice, const std::vector<glm::dvec3>& seedsMm) {

@@ -7,6 +7,7 @@
 
 #include "render/passes/view_uniforms.h"
 #include "scene/rules/needs.h"
+#include "scene/shown_surfaces.h"
 #include "volume/clip/cut_faces.h"
 #include "volume/field/reconstruct.h"
 #include "volume/hit/exact_cubic_hit.h"
@@ -16,30 +17,17 @@ namespace isolux::app {
 
 namespace {
 
-// Of the isosurfaces that can be seen.
-std::vector<double> isovaluesOf(const scene::Scene& scene) {
-  std::vector<double> values;
-  if (scene.isosurface.opacity > 0.0) values.push_back(scene.isosurface.value.value());
-  for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces)
-    if (extra.shown && extra.opacity > 0.0) values.push_back(extra.value.value());
-  return values;
-}
-
 std::optional<volume::RayHit> hitOf(const volume::PreparedVolume& volume, scene::Field field, double isovalue,
                                     volume::Ray ray, const volume::HiddenPieces& hidden,
                                     const volume::SurfaceCut& cut) {
-  const volume::Grid& grid = volume.grid();
   const auto cubic = volume.cubicFields->find(field);
   for (const auto& [begin, end] : cut.stretchesOf(isovalue, ray)) {
     ray.tMinimum = begin;
     ray.tMaximum = end;
-    const auto hit =
-        !cubic
-            ? volume::firstHit(grid, *volume.blocks, isovalue, ray.origin, ray.direction, begin, end, hidden)
-        : cubic->coefficients
-            ? volume::firstHitCubic(*cubic->coefficients, grid, cubic->blocks, isovalue, ray, hidden).hit
-            : volume::firstHitCubic(grid, cubic->blocks, isovalue, ray, hidden).hit;
-    if (hit) return hit;
+    const auto first = volume::firstHitOfField(volume.grid(), cubic ? field : scene::Field::trilinear,
+                                               cubic ? cubic->coefficients.get() : nullptr,
+                                               cubic ? cubic->blocks : *volume.blocks, isovalue, ray, hidden);
+    if (first.hit) return first.hit;
   }
   return std::nullopt;
 }
@@ -66,7 +54,8 @@ std::optional<Pick> pickSurface(const volume::PreparedVolume& volume, const scen
       ray.tMaximum = face->t;
   std::optional<volume::RayHit> nearest;
   double isovalueHit = 0.0;
-  for (const double isovalue : isovaluesOf(resolved)) {
+  for (const auto& surface : scene::visibleSurfaces(resolved)) {
+    const double isovalue = surface.value.value();
     const auto hit =
         hitOf(volume, resolved.hit.field, isovalue, ray, volume::hiddenAt(hidden, isovalue), cut);
     if (!hit || (nearest && hit->t >= nearest->t)) continue;
@@ -74,7 +63,7 @@ std::optional<Pick> pickSurface(const volume::PreparedVolume& volume, const scen
     isovalueHit = isovalue;
   }
   if (!nearest) return std::nullopt;
-  return Pick{glm::dvec3(grid.geometry().worldFromVoxel * glm::dvec4(nearest->voxel, 1.0)), nearest->voxel,
+  return Pick{grid.geometry().worldOf(nearest->voxel), nearest->voxel,
               volume::sampleTrilinear(grid, nearest->voxel).value, isovalueHit};
 }
 

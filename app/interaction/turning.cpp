@@ -67,10 +67,6 @@ glm::dvec4 rotationOf(const TurnAngles& angles) {
   return wxyzOf(about(axisZ, angles.heading) * about(axisX, angles.elevation) * about(axisY, angles.roll));
 }
 
-glm::dvec4 withHeadingTurned(const glm::dvec4& rotation, double degrees) {
-  return wxyzOf(about(axisZ, degrees) * quaternionOf(rotation));
-}
-
 glm::dvec4 turnedByDrag(const glm::dvec4& rotation, const scene::CameraFrame& frame, glm::dvec2 from,
                         glm::dvec2 to) {
   const auto toWorld = [&](const glm::dvec3& v) {

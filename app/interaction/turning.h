@@ -21,9 +21,6 @@ struct TurnAngles {
 TurnAngles anglesOf(const glm::dvec4& rotation);
 glm::dvec4 rotationOf(const TurnAngles& angles);
 
-// Turned about the world's vertical axis.
-glm::dvec4 withHeadingTurned(const glm::dvec4& rotation, double degrees);
-
 // Turned by a drag on a ball that fills the picture: the front of the ball follows the pointer. Positions are
 // relative to the picture's centre, x right, y up, in parts of half its smaller side. Beyond the ball lies a
 // hyperbolic sheet (Holroyd's arcball), so that no position is outside.

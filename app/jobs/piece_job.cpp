@@ -37,7 +37,7 @@ void PieceJob::find(Work& work) {
       work.isovalue, inside, std::nullopt, voxelNoise(volume, work.scene, work.progress), {}};
   work.found.measures = measurePieces(*work.found.pieces, *volume.blocks, question, {}, work.progress).pieces;
   for (const glm::ivec3& seed : pieceSeeds(*work.found.pieces, work.progress))
-    work.found.seedsMm.push_back(volume::worldOf(volume.grid().geometry(), seed));
+    work.found.seedsMm.push_back(volume.grid().geometry().worldOf(seed));
 }
 
 void PieceJob::run(Work& work) {

@@ -234,8 +234,7 @@ void LightPlanner::require(Part& part, const std::shared_ptr<const gi::LightScen
   part.before = std::move(before);
   part.keyOfAll = keyOfAll;
   std::optional<float> isovalue;
-  if (light->choice.onShown)
-    isovalue = static_cast<float>(volume_->grid().storedOfValue(scene::litIsovalue(scene_)));
+  if (light->choice.onShown) isovalue = volume_->grid().storedIsovalue(scene::litIsovalue(scene_));
   const auto lattice = gi::LatticeGeometry::make(volume_->grid().dims(), scene_.gi.latticeScale, isovalue);
   part.key = key;
   part.estimator = std::make_shared<gi::LatticeEstimator>(light, lattice, which);

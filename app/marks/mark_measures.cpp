@@ -120,8 +120,7 @@ void MarkEvaluator::piece(Surface& surface, const Placed& point, MarkReport& rep
   if (point.onSurface)
     for (const double depth : {0.0, 0.01, 0.1, 0.3, 0.6, 1.0}) {
       if (id != volume::Pieces::kNone) break;
-      const glm::dvec3 spacing = geometry.spacingMm();
-      const double least = std::min({spacing.x, spacing.y, spacing.z});
+      const double least = geometry.leastSpacingMm();
       id = pieceAt(point.onSurface->world - depth * least * point.onSurface->facet);
     }
   if (id == volume::Pieces::kNone) {

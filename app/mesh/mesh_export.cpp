@@ -21,7 +21,7 @@ volume::SurfaceMesh extracted(const MeshWish& wish, const scene::Scene& scene,
   request.inside = scene.isosurface.inside;
   request.field = scene.hit.field;
   const auto cubic = prepared.cubicFields->make(request.field, progress);
-  if (cubic && cubic->coefficients) request.coefficients = &*cubic->coefficients;
+  if (cubic) request.coefficients = cubic->coefficients.get();
   const auto hidden = volume::hiddenOf(scene, *prepared.pieces, progress);
   request.hidden = volume::hiddenAt(hidden, request.isovalue).voxels;
   request.closed = wish.closed;

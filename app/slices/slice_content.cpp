@@ -1,5 +1,6 @@
 #include "app/slices/slice_content.h"
 
+#include "scene/shown_surfaces.h"
 #include "volume/pieces/hidden_pieces.h"
 
 namespace isolux::app {
@@ -9,13 +10,10 @@ namespace {
 using scene::Scene;
 using volume::PreparedVolume;
 
-std::vector<SurfaceOnSlice> shownSurfaces(const Scene& scene) {
+std::vector<SurfaceOnSlice> surfacesOnSlice(const Scene& scene) {
   std::vector<SurfaceOnSlice> surfaces;
-  if (scene.isosurface.value && scene.isosurface.opacity > 0.0)
-    surfaces.push_back({*scene.isosurface.value, scene.isosurface.albedo, {}});
-  for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces)
-    if (extra.shown && extra.value && extra.opacity > 0.0)
-      surfaces.push_back({*extra.value, extra.albedo, {}});
+  for (const auto& surface : scene::visibleSurfaces(scene))
+    if (surface.value) surfaces.push_back({*surface.value, surface.albedo, {}});
   return surfaces;
 }
 
@@ -31,7 +29,7 @@ std::optional<std::pair<double, double>> noiseBand(const PreparedVolume& prepare
 
 glm::dvec3 slicePosition(const Scene& scene, const volume::GridGeometry& geometry) {
   if (scene.slice.position) return *scene.slice.position;
-  return glm::dvec3(geometry.worldFromVoxel * glm::dvec4(0.5 * glm::dvec3(geometry.dims - 1), 1.0));
+  return geometry.worldOf(0.5 * glm::dvec3(geometry.dims - 1));
 }
 
 SliceContent sliceContent(const PreparedVolume& prepared, const Scene& scene, const volume::SlicePlane& plane,
@@ -41,7 +39,7 @@ SliceContent sliceContent(const PreparedVolume& prepared, const Scene& scene, co
                           ? prepared.cubicFields->make(scene.slice.field, progress)
                           : nullptr;
   const volume::SliceField field{prepared.grid(), scene.slice.field,
-                                 spline ? &*spline->coefficients : nullptr};
+                                 spline ? spline->coefficients.get() : nullptr};
   SliceContent content;
   content.plane = plane;
   content.window = volume::greyWindow(scene.slice, prepared.histogram);
@@ -49,7 +47,7 @@ SliceContent sliceContent(const PreparedVolume& prepared, const Scene& scene, co
   content.values = sliceValues(field, plane, {scene.slice.slab, scene.slice.slabMode}, progress);
   if (scene.slice.contourWidth <= 0.0) return content;
   const auto hidden = volume::hiddenOf(scene, *prepared.pieces, progress);
-  content.surfaces = shownSurfaces(scene);
+  content.surfaces = surfacesOnSlice(scene);
   for (SurfaceOnSlice& surface : content.surfaces)
     surface.curves =
         sliceContours(field, plane, surface.isovalue, volume::hiddenAt(hidden, surface.isovalue), progress);

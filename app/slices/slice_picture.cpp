@@ -107,9 +107,7 @@ void paintCurves(const SurfaceOnSlice& surface, const volume::SlicePlane& plane,
   CurveDistances distances(image.size, reach);
   for (const volume::SliceCurve& curve : surface.curves.curves) {
     progress.throwIfStopped();
-    const auto pixel = [&](std::size_t i) {
-      return plane.pixelOf(glm::dvec3(geometry.worldFromVoxel * glm::dvec4(curve.points[i], 1.0)));
-    };
+    const auto pixel = [&](std::size_t i) { return plane.pixelOf(geometry.worldOf(curve.points[i])); };
     const std::size_t count = curve.points.size();
     glm::dvec2 before = pixel(curve.closed ? count - 1 : 0);
     for (std::size_t i = curve.closed ? 0 : 1; i < count; ++i) {

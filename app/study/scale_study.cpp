@@ -81,14 +81,10 @@ ScaleStudio::Shapes ScaleStudio::shapesOf(const Grid& grid, scene::Field field, 
   else if (field == scene::Field::cubic_interpolating)
     coefficients = volume::interpolatingCoefficients(grid, progress);
   seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
-  const auto sampleAt = [&](const glm::dvec3& point) {
-    return scaled         ? volume::sampleScaled(*scaled, grid, point)
-           : coefficients ? volume::sampleCubic(*coefficients, grid, point)
-                          : volume::sampleCubic(grid, point);
-  };
   Shapes shapes(points_.size());
   volume::parallelEach(points_.size(), [&](std::size_t i) {
-    const volume::FieldSample sample = sampleAt(points_[i]);
+    const volume::FieldSample sample = volume::sampleField(
+        grid, field, coefficients ? &*coefficients : nullptr, points_[i], scaled ? &*scaled : nullptr);
     const volume::PrincipalCurvature curvature =
         volume::principalCurvature(volume::worldGradient(grid.geometry(), sample.gradient),
                                    volume::worldHessian(grid.geometry(), sample.hessian), outward_);

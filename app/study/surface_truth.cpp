@@ -9,7 +9,6 @@
 #include "render/passes/view_uniforms.h"
 #include "volume/field/curvature.h"
 #include "volume/field/reconstruct.h"
-#include "volume/hit/exact_cubic_hit.h"
 #include "volume/parallel_loops.h"
 
 namespace isolux::app {
@@ -71,15 +70,10 @@ void SurfaceTruth::prepare(Field field, base::Progress& progress) {
   cubic_[indexOf(field)] = volume_->cubicFields->make(field, progress);
 }
 
-SurfaceTruth::Cast SurfaceTruth::cast(Field field, const volume::Ray& ray, double isovalue) const {
-  const volume::Grid& grid = volume_->grid();
-  if (field == Field::trilinear)
-    return {volume::firstHit(grid, *volume_->blocks, isovalue, ray.origin, ray.direction, ray.tMinimum)};
-  const volume::CubicField& cubic = *cubic_[indexOf(field)];
-  const volume::CubicHit hit =
-      field == Field::cubic ? volume::firstHitCubic(grid, cubic.blocks, isovalue, ray)
-                            : volume::firstHitCubic(*cubic.coefficients, grid, cubic.blocks, isovalue, ray);
-  return {hit.hit, hit.certain};
+volume::CubicHit SurfaceTruth::cast(Field field, const volume::Ray& ray, double isovalue) const {
+  const volume::CubicField* const cubic = cubic_[indexOf(field)].get();
+  return volume::firstHitOfField(volume_->grid(), field, cubic ? cubic->coefficients.get() : nullptr,
+                                 cubic ? cubic->blocks : *volume_->blocks, isovalue, ray);
 }
 
 TrueHit SurfaceTruth::hitOf(Field field, std::size_t pixel) const {
@@ -124,12 +118,10 @@ SurfaceTruth::ShapeSource SurfaceTruth::sourceOf(const scene::Derivatives& deriv
 SurfaceTruth::KnownSample SurfaceTruth::sampleAt(Field field, const volume::ScaledField* scaled,
                                                  const glm::dvec3& voxel) const {
   const volume::Grid& grid = volume_->grid();
-  if (scaled) return {volume::sampleScaled(*scaled, grid, voxel)};
+  const volume::CubicField* const cubic = cubic_[indexOf(field)].get();
   const volume::FieldSample sample =
-      field == Field::trilinear ? volume::sampleTrilinear(grid, voxel)
-      : field == Field::cubic   ? volume::sampleCubic(grid, voxel)
-                                : volume::sampleCubic(*cubic_[indexOf(field)]->coefficients, grid, voxel);
-  if (std::isfinite(sample.value)) return {sample};
+      volume::sampleField(grid, field, cubic ? cubic->coefficients.get() : nullptr, voxel, scaled);
+  if (scaled || std::isfinite(sample.value)) return {sample};
   return {volume::sampleTrilinear(grid, voxel), false};
 }
 
@@ -180,7 +172,7 @@ TrueSurface SurfaceTruth::of(Field hitField, const scene::Derivatives& derivativ
 bool SurfaceTruth::undecided(Field hitField, std::size_t pixel) const {
   const TrueHit& expected = hits_[indexOf(hitField)][pixel];
   const auto differs = [&](const volume::Ray& ray, double isovalue) {
-    const Cast found = cast(hitField, ray, isovalue);
+    const volume::CubicHit found = cast(hitField, ray, isovalue);
     if (!found.certain || found.hit.has_value() != expected.hit) return true;
     return expected.hit && !isFirstCrossing(found.hit->t, expected);
   };

@@ -18,8 +18,7 @@
 #include "scene/camera.h"
 #include "volume/field/curvature.h"
 #include "volume/field/reconstruct.h"
-#include "volume/hit/cell_walk.h"
-#include "volume/hit/exact_hit.h"
+#include "volume/hit/exact_cubic_hit.h"
 #include "volume/prepared_volume.h"
 
 namespace isolux::app {
@@ -49,11 +48,7 @@ class SurfaceTruth {
   using Shapes = std::vector<TrueShape>;
 
   volume::Ray rayOf(std::size_t pixel, glm::dvec2 offset = glm::dvec2(0.0)) const;
-  struct Cast {
-    std::optional<volume::RayHit> hit;
-    bool certain = true;
-  };
-  Cast cast(scene::Field field, const volume::Ray& ray, double isovalue) const;
+  volume::CubicHit cast(scene::Field field, const volume::Ray& ray, double isovalue) const;
   void prepare(scene::Field field, base::Progress& progress);
   TrueHit hitOf(scene::Field field, std::size_t pixel) const;
   struct ShapeSource {

@@ -64,7 +64,7 @@ std::optional<float> isovalueOf(const std::string& key, const volume::Grid& grid
   const json wanted = json::parse(key, nullptr, false);
   if (!wanted.is_object() || !wanted.contains("isovalue") || !wanted["isovalue"].is_number())
     return std::nullopt;
-  return static_cast<float>(grid.storedOfValue(wanted["isovalue"].get<double>()));
+  return grid.storedIsovalue(wanted["isovalue"].get<double>());
 }
 
 // What the key says of content and lattice must be what the file has.

@@ -15,6 +15,7 @@
 #include "gi/sampling/directions.h"
 #include "gi/sampling/lamp_sampling.h"
 #include "scene/opacity.h"
+#include "scene/shown_surfaces.h"
 #include "volume/parallel_steps.h"
 #include "volume/statistics/surface_reach.h"
 
@@ -51,15 +52,9 @@ struct Occluder {
 
 std::vector<Occluder> occludersOf(const scene::Scene& resolved, const volume::Grid& grid) {
   std::vector<Occluder> list;
-  const auto add = [&](const auto& surface) {
-    const double opacity = scene::meanOpacity(surface.opacity, surface.facingOpacity);
-    if (opacity > 0.0)
-      list.push_back(
-          {static_cast<float>(grid.storedOfValue(surface.value.value())), static_cast<float>(1.0 - opacity)});
-  };
-  add(resolved.isosurface);
-  for (const scene::ExtraIsosurface& extra : resolved.extraIsosurfaces)
-    if (extra.shown) add(extra);
+  for (const auto& surface : scene::shownSurfaces(resolved))
+    if (const double opacity = scene::meanOpacity(surface.opacity, surface.facingOpacity); opacity > 0.0)
+      list.push_back({grid.storedIsovalue(surface.value.value()), static_cast<float>(1.0 - opacity)});
   return list;
 }
 
@@ -86,8 +81,7 @@ bool putUnder(GroundShadow& ground, Bounds& bounds, const scene::Scene& resolved
   ground.rightMm = (halfWidth + margin) * right;
   ground.backMm = (halfDepth + margin) * back;
   // Between the crossings that the reach is measured at, a surface can be farther by less than a voxel.
-  const glm::dvec3 spacing = volume.grid().geometry().spacingMm();
-  const double voxel = std::max({spacing.x, spacing.y, spacing.z});
+  const double voxel = volume.grid().geometry().mostSpacingMm();
   bounds = {{-halfWidth - voxel, -halfDepth - voxel, 0.0},
             {halfWidth + voxel, halfDepth + voxel, height + voxel}};
   return true;

@@ -123,38 +123,6 @@ void evaluateSh(int order, glm::dvec3 d, double* out) {
   evaluateAny(order, d, out);
 }
 
-double reconstructSh(int order, std::span<const double> coefficients, glm::dvec3 d) {
-  Terms y;
-  evaluateSh(order, d, y.data());
-  return sumOfProducts(order, y, coefficients);
-}
-
-glm::dvec3 reconstructSh(int order, std::span<const glm::dvec3> coefficients, glm::dvec3 d) {
-  Terms y;
-  evaluateSh(order, d, y.data());
-  return sumOfProducts(order, y, coefficients);
-}
-
-double dotSh(int order, std::span<const double> a, std::span<const double> b) {
-  return sumOfProducts(order, a, b);
-}
-
-glm::dvec3 dotSh(int order, std::span<const double> a, std::span<const glm::dvec3> b) {
-  return sumOfProducts(order, a, b);
-}
-
-std::vector<double> projectSh(int order, const std::function<double(glm::dvec3)>& function, int degree) {
-  std::vector<double> coefficients(shTerms(order), 0.0);
-  Terms y;
-  const SphereQuadrature quadrature(degree);
-  for (const auto& [direction, weight] : quadrature.points()) {
-    evaluateSh(order, direction, y.data());
-    const double value = weight * function(direction);
-    for (int i = 0; i < shTerms(order); ++i) coefficients[i] += value * y[i];
-  }
-  return coefficients;
-}
-
 GaussLegendre::GaussLegendre(int count) : nodes(count), weights(count) {
   assert(count >= 1);
   for (int i = 0; i < count; ++i) {

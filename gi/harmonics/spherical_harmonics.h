@@ -11,7 +11,6 @@
 // Spans have at least order^2 values. Pure functions, safe from any thread.
 #pragma once
 
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -28,18 +27,6 @@ constexpr int shTerms(int order) {
 // direction.
 void evaluateSh(int order, glm::vec3 d, float* out);
 void evaluateSh(int order, glm::dvec3 d, double* out);
-
-// Return the sum of coefficients[i] * Y_i(d).
-double reconstructSh(int order, std::span<const double> coefficients, glm::dvec3 d);
-glm::dvec3 reconstructSh(int order, std::span<const glm::dvec3> coefficients, glm::dvec3 d);
-
-// Return the integral over the sphere of the product of two functions of the same order (eq. 15).
-double dotSh(int order, std::span<const double> a, std::span<const double> b);
-glm::dvec3 dotSh(int order, std::span<const double> a, std::span<const glm::dvec3> b);
-
-// Returns the integrals of function * Y_i by SphereQuadrature(degree). They are exact for a function of
-// degree at most degree - order + 1 in x, y, z.
-std::vector<double> projectSh(int order, const std::function<double(glm::dvec3)>& function, int degree = 127);
 
 // A quadrature of the sphere, exact for polynomials in x, y, z up to `degree`: Gauss-Legendre in z times
 // equal steps about z. The weights sum to 4 pi.

@@ -83,8 +83,7 @@ inline glm::vec2 concentricDisk(glm::vec2 u) {
   return radius * (wide ? glm::vec2(cosine, sine) : glm::vec2(sine, cosine));
 }
 
-// Return unit vectors about +z. Densities per steradian: z / pi, 1 / (4 pi) (uniformSphere), 1 / (2 pi
-// oneMinusCosine) (uniformCone).
+// Return unit vectors about +z. Densities per steradian: z / pi, 1 / (2 pi oneMinusCosine) (uniformCone).
 inline glm::vec3 cosineHemisphere(glm::vec2 u) {
   const glm::vec2 disk = concentricDisk(u);
   return {disk.x, disk.y, std::sqrt(std::max(0.0f, 1.0f - glm::dot(disk, disk)))};
@@ -97,10 +96,6 @@ inline glm::vec3 uniformCone(glm::vec2 u, float oneMinusCosine) {
   const float below = oneMinusCosine * std::min(1.0f, glm::dot(disk, disk));  // 1 - z, uniform
   const float scale = std::sqrt(oneMinusCosine * (2.0f - below));
   return {scale * disk.x, scale * disk.y, 1.0f - below};
-}
-
-inline glm::vec3 uniformSphere(glm::vec2 u) {
-  return uniformCone(u, 2.0f);
 }
 
 // Returns 1 - cos of the half angle that a ball subtends at `distance` from its centre; 2 (all directions)
@@ -124,9 +119,6 @@ struct Frame {
   }
   glm::vec3 toWorld(glm::vec3 local) const {
     return local.x * tangent + local.y * bitangent + local.z * normal;
-  }
-  glm::vec3 toLocal(glm::vec3 world) const {
-    return {glm::dot(world, tangent), glm::dot(world, bitangent), glm::dot(world, normal)};
   }
 };
 

@@ -27,8 +27,7 @@ float coneWeight(float cosine, float oneMinusCosine) {
 
 LampSampler::LampSampler(std::span<const LampLight> lamps, const volume::GridGeometry& geometry)
     : mmOfVoxels_(geometry.worldFromVoxel) {
-  const glm::dvec3 spacing = geometry.spacingMm();
-  nearestMm_ = static_cast<float>(1e-3 * std::min({spacing.x, spacing.y, spacing.z}));
+  nearestMm_ = static_cast<float>(1e-3 * geometry.leastSpacingMm());
   const glm::dmat4 voxelFromWorld = geometry.voxelFromWorld();
   for (const LampLight& light : lamps) {
     Lamp lamp{};

@@ -41,7 +41,7 @@ std::vector<LightPoint> pointsSeen(const PathTracer& paths, const PrimaryHits& h
       const PrimaryHits::Surface& surface = hits.surfaces()[static_cast<std::size_t>(hit->surface)];
       LightPoint& point = points.emplace_back();
       point.voxel = glm::vec3(hit->voxel);
-      point.isovalue = static_cast<float>(grid.storedOfValue(surface.isovalue));
+      point.isovalue = grid.storedIsovalue(surface.isovalue);
       point.seed = static_cast<std::uint32_t>(2 * (y * kRaysPerAxis + x));
       voxels.push_back(point.voxel);
     }

@@ -59,8 +59,7 @@ PathSetup::PathSetup(std::shared_ptr<const LightScene> lightScene)
   const glm::dmat3 inverse = glm::inverse(mmOfVoxels);
   voxelsOfMm = glm::mat3(inverse);
   const bool towardLess = (light->inside == scene::Inside::above) == (grid.slope() > 0.0);
-  const glm::dvec3 spacing = grid.geometry().spacingMm();
-  const double shortest = std::min({spacing.x, spacing.y, spacing.z});
+  const double shortest = grid.geometry().leastSpacingMm();
   normalOfGradient = glm::mat3(glm::transpose(inverse) * (towardLess ? -shortest : shortest));
   offsetMm = kOffsetVoxels * static_cast<float>(shortest);
   sky.environment = light->environment;

@@ -7,6 +7,7 @@
 
 #include "scene/albedo.h"
 #include "scene/rules/needs.h"
+#include "scene/shown_surfaces.h"
 #include "volume/field/reconstruct.h"
 #include "volume/hit/exact_cubic_hit.h"
 
@@ -18,11 +19,8 @@ namespace {
 double rayStart(const scene::CameraFrame& frame, const volume::GridGeometry& geometry) {
   if (frame.projection != scene::Projection::orthographic) return 0.0;
   double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::ivec3 last = geometry.dims - 1;
-    const glm::dvec4 voxel((corner & 1) ? last.x : 0, (corner & 2) ? last.y : 0, (corner & 4) ? last.z : 0,
-                           1.0);
-    const double depth = -glm::dot(glm::dvec3(geometry.worldFromVoxel * voxel) - frame.eye, frame.back);
+  for (const glm::dvec3& corner : geometry.corners()) {
+    const double depth = -glm::dot(corner - frame.eye, frame.back);
     nearest = std::min(nearest, depth);
     farthest = std::max(farthest, depth);
   }
@@ -42,15 +40,11 @@ PrimaryHits::PrimaryHits(std::shared_ptr<const volume::PreparedVolume> volume, c
       field_(resolved.hit.field) {
   const bool mapped = resolved.isosurface.albedoSource == scene::AlbedoSource::map;
   const scene::AlbedoOfIsovalue map(resolved);
-  const auto add = [&](const auto& surface) {
+  for (const auto& surface : scene::shownSurfaces(resolved)) {
     const double isovalue = surface.value.value();
     surfaces_.push_back({isovalue, mapped ? map.at(isovalue) : glm::vec3(surface.albedo), surface.specular,
                          surface.roughness});
-  };
-  add(resolved.isosurface);
-  for (const scene::ExtraIsosurface& extra : resolved.extraIsosurfaces)
-    if (extra.shown) add(extra);
-
+  }
   hidden_ = volume::hiddenOf(resolved, *volume_->pieces, progress);
   cubic_ = volume_->cubicFields->make(field_, progress);
   cut_ = volume::SurfaceCut(resolved, volume_->grid().geometry());
@@ -67,18 +61,14 @@ glm::dvec2 PrimaryHits::ndcOf(glm::ivec2 pixel) const {
 }
 
 std::optional<volume::RayHit> PrimaryHits::cast(double isovalue, volume::Ray ray) const {
-  const volume::Grid& grid = volume_->grid();
   const volume::HiddenPieces hidden = volume::hiddenAt(hidden_, isovalue);
   for (const auto& [begin, end] : cut_.stretchesOf(isovalue, ray)) {
     ray.tMinimum = begin;
     ray.tMaximum = end;
-    const std::optional<volume::RayHit> hit =
-        !cubic_ ? volume::firstHit(grid, *volume_->blocks, isovalue, ray.origin, ray.direction, begin, end,
-                                   hidden)
-        : field_ == scene::Field::cubic
-            ? volume::firstHitCubic(grid, cubic_->blocks, isovalue, ray, hidden).hit
-            : volume::firstHitCubic(*cubic_->coefficients, grid, cubic_->blocks, isovalue, ray, hidden).hit;
-    if (hit) return hit;
+    const volume::CubicHit first =
+        volume::firstHitOfField(volume_->grid(), field_, cubic_ ? cubic_->coefficients.get() : nullptr,
+                                cubic_ ? cubic_->blocks : *volume_->blocks, isovalue, ray, hidden);
+    if (first.hit) return first.hit;
   }
   return std::nullopt;
 }

@@ -15,6 +15,7 @@
 #include "gi/trace/parallel_tasks.h"
 #include "scene/opacity.h"
 #include "scene/rules/needs.h"
+#include "scene/shown_surfaces.h"
 #include "volume/field/reconstruct.h"
 
 namespace isolux::gi {
@@ -25,10 +26,7 @@ constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr std::size_t kFewestPointsOfTask = 16, kMostPointsOfTask = 256;
 
 scene::Scene checked(scene::Scene scene) {
-  bool opaque = scene::isOpaque(scene.isosurface);
-  for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces)
-    opaque = opaque && (!extra.shown || scene::isOpaque(extra));
-  if (!opaque)
+  if (!std::ranges::all_of(scene::shownSurfaces(scene), scene::isOpaque<scene::ShownSurface>))
     throw base::Error(
         base::ErrorKind::usage, "", "isosurface.opacity",
         "the reference is of opaque surfaces only: set it to 1, and isosurface.facing_opacity, too");
@@ -173,7 +171,7 @@ bool Reference::findHitsOfRow(std::size_t row, std::span<const std::uint32_t> wa
     const double value = scene_.hit.field == scene::Field::trilinear
                              ? hits_.surfaces()[static_cast<std::size_t>(hit.surface)].isovalue
                              : volume::sampleTrilinear(grid, hit.voxel).value;
-    point.isovalue = static_cast<float>(grid.storedOfValue(value));
+    point.isovalue = grid.storedIsovalue(value);
     const std::size_t side = hit.outer ? 0 : 1;
     found.points[side].push_back(point);
     if (side == 0)

@@ -8,6 +8,7 @@
 #include "render/passes/cut_faces_pass.h"
 #include "render/passes/light_passes.h"
 #include "scene/albedo.h"
+#include "scene/shown_surfaces.h"
 #include "volume/edge/surface_edges.h"
 #include "volume/field/curvature.h"
 
@@ -29,17 +30,14 @@ int nextBand(int rows, double milliseconds) {
 }  // namespace
 
 std::vector<Surface> surfacesOf(const scene::Scene& scene) {
-  const auto surfaceOf = [](const auto& s) {
-    return Surface{s.value.value(), s.albedo, s.opacity, s.facingOpacity, s.clipped, s.specular, s.roughness};
-  };
-  std::vector<Surface> surfaces = {surfaceOf(scene.isosurface)};
-  for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces)
-    if (extra.shown) surfaces.push_back(surfaceOf(extra));
+  std::vector<Surface> surfaces;
+  for (const auto& s : scene::visibleSurfaces(scene))
+    surfaces.push_back(
+        {s.value.value(), s.albedo, s.opacity, s.facingOpacity, s.clipped, s.specular, s.roughness});
   if (scene.isosurface.albedoSource == scene::AlbedoSource::map) {
     const scene::AlbedoOfIsovalue albedo(scene);
     for (Surface& surface : surfaces) surface.albedo = albedo.at(surface.value);
   }
-  std::erase_if(surfaces, [](const Surface& surface) { return !(surface.opacity > 0.0); });
   return surfaces;
 }
 

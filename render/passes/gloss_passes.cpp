@@ -237,7 +237,7 @@ void ReflectionsPass::trace(FrameState& frame, const Target& target, const Targe
                   tolerancePerDepth * (frame.view->orthographic ? 1.0f : depth),
                   normal,
                   std::min(kSharpnessOfExponent * exponent, kMostSharp)};
-      points[k] = {voxel,         static_cast<float>(grid.storedOfValue(value)),
+      points[k] = {voxel,         grid.storedIsovalue(value),
                    normal,        ray - 2.0f * std::min(glm::dot(ray, normal), 0.0f) * normal,
                    exponent,      seedOf(cell),
                    placeOf(cell), light.gloss->of(roughness)};

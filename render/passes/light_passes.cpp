@@ -11,6 +11,7 @@
 #include "scene/camera.h"
 #include "scene/opacity.h"
 #include "scene/rules/needs.h"
+#include "scene/shown_surfaces.h"
 
 namespace isolux::render {
 
@@ -66,8 +67,7 @@ struct LightThrough {
 
 // False without a volume.
 bool knowsIsovalues(const scene::Scene& scene) {
-  return scene.isosurface.value && std::all_of(scene.extraIsosurfaces.begin(), scene.extraIsosurfaces.end(),
-                                               [](const auto& extra) { return !extra.shown || extra.value; });
+  return std::ranges::all_of(scene::shownSurfaces(scene), [](const auto& s) { return s.value.has_value(); });
 }
 
 // Isosurfaces are nested: each encloses those further inside. One that is cut open lets all light in.
@@ -227,7 +227,7 @@ void FrameLight::setLattice(const FrameState& frame, Program& p) {
   glm::vec4 isovalues(0.0f), shadows(1.0f);
   for (std::size_t i = 0; i < frame.surfaces.size(); ++i) {
     const Surface& surface = frame.surfaces[i];
-    isovalues[static_cast<int>(i)] = static_cast<float>(frame.volume->grid().storedOfValue(surface.value));
+    isovalues[static_cast<int>(i)] = frame.volume->grid().storedIsovalue(surface.value);
     shadows[static_cast<int>(i)] = static_cast<float>(scene::shadowShown(surface));
   }
   p.set("uStoredIsovalues", isovalues);

@@ -55,8 +55,7 @@ int heightInRays(const FrameState& frame) {
 
 // Voxels, or the scale that curvature is taken at, mm: what varies faster is not the surface's doing.
 float detailOf(const FrameState& frame, double voxels) {
-  const glm::dvec3 spacing = frame.volume->grid().geometry().spacingMm();
-  const double voxel = std::min({spacing.x, spacing.y, spacing.z});
+  const double voxel = frame.volume->grid().geometry().leastSpacingMm();
   return static_cast<float>(std::max(voxels * voxel, 0.5 * scene::derivativesScale(*frame.scene)));
 }
 // Differences are taken over most of a voxel; gaps of lines are closed that are a little longer than two.

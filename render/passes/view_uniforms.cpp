@@ -20,11 +20,8 @@ ViewUniforms::ViewUniforms(const scene::Camera& camera, double aspect, const vol
   halfExtent = {frame.halfHeight * aspect, frame.halfHeight};
 
   double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::ivec3 last = geometry.dims - 1;
-    const glm::dvec4 voxel((corner & 1) ? last.x : 0, (corner & 2) ? last.y : 0, (corner & 4) ? last.z : 0,
-                           1.0);
-    const double depth = glm::dot(glm::dvec3(geometry.worldFromVoxel * voxel) - frame.eye, forwardWorld);
+  for (const glm::dvec3& corner : geometry.corners()) {
+    const double depth = glm::dot(corner - frame.eye, forwardWorld);
     nearest = std::min(nearest, depth);
     farthest = std::max(farthest, depth);
   }

@@ -64,7 +64,6 @@ class Bricks {
   void forgetWanted() { wanted_.clear(); }
   BrickCache::Round thisRound() const { return cache_.round(); }
   BrickCache::Round frameRound() const { return frameRound_; }  // the first of the frame
-  BrickCache::Round nextReplaced() const { return cache_.oldest(); }
 
   std::size_t uploaded() const { return uploaded_; }  // in this frame
   std::size_t evicted() const { return evicted_; }

@@ -164,7 +164,7 @@ void GpuVolume::require(const std::vector<FieldAt>& fields, const scene::Memory&
 }
 
 const volume::Coefficients* GpuVolume::coefficients(scene::Field field) const {
-  return field == scene::Field::cubic_interpolating ? &*cubic(field).coefficients : nullptr;
+  return field == scene::Field::cubic_interpolating ? cubic(field).coefficients.get() : nullptr;
 }
 
 const volume::ScaledField* GpuVolume::scaled(const FieldAt& of) const {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scene/shown_surfaces.h"
+
 namespace isolux::scene {
 
 void addGhosts(Scene& scene) {
@@ -31,9 +33,7 @@ int ghostsWithoutRoom(const Scene& scene) {
 std::vector<double> seenIsovalues(Scene scene) {
   addGhosts(scene);
   std::vector<double> values;
-  if (scene.isosurface.opacity > 0.0) values.push_back(scene.isosurface.value.value());
-  for (const ExtraIsosurface& extra : scene.extraIsosurfaces)
-    if (extra.shown && extra.opacity > 0.0) values.push_back(extra.value.value());
+  for (const ShownSurface& surface : visibleSurfaces(scene)) values.push_back(surface.value.value());
   return values;
 }
 

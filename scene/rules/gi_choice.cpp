@@ -7,6 +7,7 @@
 #include "scene/opacity.h"
 #include "scene/rules/environment.h"
 #include "scene/rules/relevance.h"
+#include "scene/shown_surfaces.h"
 
 namespace isolux::scene {
 
@@ -26,10 +27,7 @@ bool shines(const Lamp& lamp) {
 
 bool albedoIsGrey(const Scene& scene) {
   if (scene.isosurface.albedoSource == AlbedoSource::map) return scene.isosurface.albedoMap == ColorMap::gray;
-  bool grey = isGrey(scene.isosurface.albedo);
-  for (const ExtraIsosurface& extra : scene.extraIsosurfaces)
-    grey = grey && (!extra.shown || isGrey(extra.albedo));
-  return grey;
+  return std::ranges::all_of(shownSurfaces(scene), isGrey, &ShownSurface::albedo);
 }
 
 void addReason(GiChoice& choice, const char* clause) {
@@ -39,13 +37,10 @@ void addReason(GiChoice& choice, const char* clause) {
 // Isovalues of the shown isosurfaces whose light is baked; of all shown ones if all are too transparent.
 std::vector<std::optional<double>> litValues(const Scene& scene) {
   std::vector<std::optional<double>> lit, shown;
-  const auto add = [&](const auto& surface) {
+  for (const ShownSurface& surface : shownSurfaces(scene)) {
     shown.push_back(surface.value);
     if (bakesLight(surface)) lit.push_back(surface.value);
-  };
-  add(scene.isosurface);
-  for (const ExtraIsosurface& extra : scene.extraIsosurfaces)
-    if (extra.shown) add(extra);
+  }
   return lit.empty() ? shown : lit;
 }
 

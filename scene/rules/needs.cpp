@@ -1,9 +1,11 @@
 #include "scene/rules/needs.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "scene/looks.h"
 #include "scene/opacity.h"
+#include "scene/shown_surfaces.h"
 
 namespace isolux::scene {
 
@@ -58,13 +60,8 @@ bool showsOcclusion(const Scene& scene) {
 std::vector<GlossySurface> glossySurfaces(const Scene& scene) {
   std::vector<GlossySurface> list;
   if (!usesGi(scene) || isMeasure(scene.look.mode)) return list;
-  const auto add = [&](const auto& surface) {
-    if (surface.specular > 0.0 && surface.opacity > 0.0)
-      list.push_back({surface.specular, surface.roughness});
-  };
-  add(scene.isosurface);
-  for (const ExtraIsosurface& extra : scene.extraIsosurfaces)
-    if (extra.shown) add(extra);
+  for (const ShownSurface& surface : visibleSurfaces(scene))
+    if (surface.specular > 0.0) list.push_back({surface.specular, surface.roughness});
   return list;
 }
 
@@ -147,10 +144,8 @@ bool hasCuts(const Clip& clip) {
 }
 
 bool cutsSurfaces(const Scene& scene) {
-  if (!hasCuts(scene.clip)) return false;
-  const auto isCut = [](const ExtraIsosurface& extra) { return extra.shown && extra.clipped; };
-  return scene.isosurface.clipped ||
-         std::any_of(scene.extraIsosurfaces.begin(), scene.extraIsosurfaces.end(), isCut);
+  return hasCuts(scene.clip) &&
+         std::ranges::any_of(shownSurfaces(scene), std::identity{}, &ShownSurface::clipped);
 }
 
 bool showsCutFaces(const Scene& scene) {
@@ -158,10 +153,7 @@ bool showsCutFaces(const Scene& scene) {
 }
 
 bool isTransparent(const Scene& scene) {
-  if (isSeenThrough(scene.isosurface)) return true;
-  for (const ExtraIsosurface& extra : scene.extraIsosurfaces)
-    if (extra.shown && isSeenThrough(extra)) return true;
-  return false;
+  return std::ranges::any_of(shownSurfaces(scene), isSeenThrough<ShownSurface>);
 }
 
 }  // namespace isolux::scene

@@ -11,6 +11,7 @@
 #include "scene/rules/environment.h"
 #include "scene/rules/gi_choice.h"
 #include "scene/settings.h"
+#include "scene/shown_surfaces.h"
 
 namespace isolux::scene {
 
@@ -69,9 +70,7 @@ bool choosesPieces(const Scene& s) {
 }
 
 bool showsSurface(const Scene& s) {
-  return s.isosurface.opacity > 0.0 ||
-         std::any_of(s.extraIsosurfaces.begin(), s.extraIsosurfaces.end(),
-                     [](const ExtraIsosurface& extra) { return extra.shown && extra.opacity > 0.0; });
+  return !visibleSurfaces(s).empty();
 }
 
 struct Rule {

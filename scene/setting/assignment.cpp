@@ -95,17 +95,6 @@ std::string textOfPositions(const nlohmann::json& positions) {
   return text;
 }
 
-std::string textOfPlanes(const nlohmann::json& planes) {
-  std::string text;
-  for (const json& plane : planes)
-    for (std::size_t i = 0; i < 6; ++i)
-      text += (i == 0   ? (text.empty() ? "" : "; ")
-               : i == 3 ? " "
-                        : ",") +
-              base::shortestText(plane[i].get<double>());
-  return text;
-}
-
 nlohmann::json planesOf(std::string_view text) {
   json list = json::array();
   std::string_view rest = trimmed(text);

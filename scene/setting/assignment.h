@@ -15,8 +15,7 @@ nlohmann::json valueOf(const SettingInfo& target, std::string_view assignment);
 // stays text.
 std::string textOfPositions(const nlohmann::json& positions);
 nlohmann::json positionsOf(std::string_view text);
-// As above for planes, "px,py,pz nx,ny,nz; ...".
-std::string textOfPlanes(const nlohmann::json& planes);
+// Converts a list of planes, "px,py,pz nx,ny,nz; ...", likewise.
 nlohmann::json planesOf(std::string_view text);
 
 }  // namespace isolux::scene

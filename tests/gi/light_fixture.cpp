@@ -73,8 +73,7 @@ gi::LightPoint pointAt(const gi::PathTracer& tracer, glm::dvec3 world, std::uint
   const glm::dvec3 voxel(grid.geometry().voxelFromWorld() * glm::dvec4(world, 1.0));
   gi::LightPoint point;
   point.voxel = glm::vec3(voxel);
-  point.isovalue =
-      static_cast<float>(grid.storedOfValue(volume::sampleTrilinear(grid, glm::dvec3(point.voxel)).value));
+  point.isovalue = grid.storedIsovalue(volume::sampleTrilinear(grid, glm::dvec3(point.voxel)).value);
   glm::vec3 gradient;
   tracer.light().tracer->gradients(std::span(&point.voxel, 1), std::span(&gradient, 1));
   point.normal = tracer.normalOf(gradient);

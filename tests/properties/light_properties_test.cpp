@@ -55,7 +55,7 @@ LitCase litCase(const PropertyCase& made, double albedo, scene::Inside inside) {
     if (!hit) continue;
     gi::LightPoint point;
     point.voxel = glm::vec3(hit->voxel);
-    point.isovalue = static_cast<float>(grid.storedOfValue(isovalue));
+    point.isovalue = grid.storedIsovalue(isovalue);
     glm::vec3 gradient;
     tracer.light().tracer->gradients(std::span(&point.voxel, 1), std::span(&gradient, 1));
     point.normal = tracer.normalOf(gradient);

@@ -23,7 +23,7 @@ constexpr double kApart = 2e-4;
 std::string entriesAreClear(const PropertyCase& made) {
   const auto grid = std::make_shared<const volume::Grid>(made.grid());
   const auto inside = made.seed % 2 == 0 ? scene::Inside::above : scene::Inside::below;
-  const auto isovalue = static_cast<float>(grid->storedOfValue(made.isovalueIn(*grid)));
+  const auto isovalue = grid->storedIsovalue(made.isovalueIn(*grid));
   const bool rises = (inside == scene::Inside::above) == (grid->slope() > 0.0);
   const DoubleField field(*grid, scene::Field::trilinear);
   const double stored = static_cast<double>(isovalue);

@@ -101,16 +101,5 @@ TEST(SceneDiff, RefusesWhatIsNotAllowed) {
   EXPECT_THROW(applied(Scene{}, {"", {{"camera.nothing", 1}}}), base::Error);
 }
 
-TEST(SceneDiff, DescribesChanges) {
-  Scene next;
-  EXPECT_EQ(describeChange(Scene{}, next), "");
-  next.look.mode = LookMode::lambert;
-  EXPECT_EQ(describeChange(Scene{}, next), "Change look.mode");
-  next.look.ambient = 0.5;
-  EXPECT_EQ(describeChange(Scene{}, next), "Change look");
-  next.camera.fov = 50;
-  EXPECT_EQ(describeChange(Scene{}, next), "Change 3 settings");
-}
-
 }  // namespace
 }  // namespace isolux::scene

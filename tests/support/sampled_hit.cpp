@@ -72,7 +72,7 @@ std::optional<RayHit> firstHitSampled(const Grid& grid, const MinMaxBlocks& bloc
 
   const Sampler sampler(grid, isovalue, ray);
   const double step = 1.0 / (options.rate * glm::length(ray.direction));
-  const auto stored = static_cast<float>(grid.storedOfValue(isovalue));
+  const auto stored = grid.storedIsovalue(isovalue);
   double t = walk.tBegin();
   std::optional<Sample> before;
   for (bool more = true; more;) {

@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include "scene/rules/needs.h"
+#include "scene/shown_surfaces.h"
 #include "ui/editors/number_text.h"
 #include "volume/mesh/surface_mesh.h"
 
@@ -56,10 +57,8 @@ MeshDialog::MeshDialog(std::shared_ptr<const volume::PreparedVolume> volume, sce
   auto* form = new QFormLayout;
   const QString unit = QString::fromStdString(volume_->volume.unit);
   surface->setAccessibleName(tr("Isovalue"));
-  surface->addItem(valueText(resolved_.isosurface.value.value_or(0.0), unit),
-                   resolved_.isosurface.value.value_or(0.0));
-  for (const scene::ExtraIsosurface& extra : resolved_.extraIsosurfaces)
-    if (extra.shown) surface->addItem(valueText(extra.value.value_or(0.0), unit), extra.value.value_or(0.0));
+  for (const auto& shown : scene::shownSurfaces(resolved_))
+    surface->addItem(valueText(shown.value.value_or(0.0), unit), shown.value.value_or(0.0));
   form->addRow(tr("Isovalue"), surface);
   form->addRow(tr("Tolerance"), tolerance);
   form->addRow(QString(), closed);

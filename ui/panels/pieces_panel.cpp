@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include "app/interaction/piece_choice.h"
+#include "scene/shown_surfaces.h"
 #include "ui/editors/number_text.h"
 #include "ui/editors/setting_editor.h"
 #include "ui/viewport/pointed_piece.h"
@@ -315,9 +316,7 @@ void PiecesPanel::showState() {
   const auto hidden = std::count(shown.begin(), shown.end(), false);
   QString text = count == 1 ? tr("One piece at %1").arg(where) : tr("%1 pieces at %2").arg(count).arg(where);
   if (hidden > 0) text += tr(", %1 hidden").arg(hidden);
-  const bool several = std::any_of(resolved_.extraIsosurfaces.begin(), resolved_.extraIsosurfaces.end(),
-                                   [](const auto& extra) { return extra.shown; });
-  if (several) text += tr(" (of the first isosurface)");
+  if (scene::shownSurfaces(resolved_).size() > 1) text += tr(" (of the first isosurface)");
   if (job_) text += tr(" – measuring…");
   heading_->setText(text);
 }

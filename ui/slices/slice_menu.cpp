@@ -46,7 +46,7 @@ QAction* addChange(QMenu* menu, SliceView& view, const QString& text, const QStr
 // One more isosurface, of the value there.
 void addSurface(QMenu* menu, SliceView& view, glm::dvec3 worldMm) {
   const volume::PreparedVolume& volume = *view.volume();
-  const glm::dvec3 voxel(volume.grid().geometry().voxelFromWorld() * glm::dvec4(worldMm, 1.0));
+  const glm::dvec3 voxel = volume.grid().geometry().voxelOf(worldMm);
   const double value = volume::sampleTrilinear(volume.grid(), voxel).value;
   if (!std::isfinite(value)) return;
   const std::optional<scene::Scene> added = app::withSurface(view.scene(), volume, value);

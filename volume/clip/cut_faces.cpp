@@ -4,6 +4,7 @@
 
 #include "scene/opacity.h"
 #include "scene/rules/needs.h"
+#include "scene/shown_surfaces.h"
 #include "volume/field/reconstruct.h"
 
 namespace isolux::volume {
@@ -28,10 +29,9 @@ ClipRegion::Stretch stretchOfDomain(glm::ivec3 dims, const Ray& ray) {
 }  // namespace
 
 double CutFaces::Field::valueAt(const Grid& grid, const glm::dvec3& voxel) const {
-  if (field == scene::Field::trilinear) return sampleTrilinear(grid, voxel).value;
-  if (field == scene::Field::cubic || !cubic || !cubic->coefficients) return sampleCubic(grid, voxel).value;
-  if (std::isnan(sampleTrilinear(grid, voxel).value)) return std::numeric_limits<double>::quiet_NaN();
-  return sampleCubic(*cubic->coefficients, grid, voxel).value;
+  if (coefficients() && std::isnan(sampleTrilinear(grid, voxel).value))
+    return std::numeric_limits<double>::quiet_NaN();
+  return sampleField(grid, field, coefficients(), voxel).value;
 }
 
 CutFaces::CutFaces(const Grid& grid, const CubicFields& fields, const scene::Scene& resolved,
@@ -43,17 +43,14 @@ CutFaces::CutFaces(const Grid& grid, const CubicFields& fields, const scene::Sce
       values_{resolved.slice.field, fields.find(resolved.slice.field)} {
   if (!scene::showsCutFaces(resolved)) return;
   cut_ = SurfaceCut(resolved, grid.geometry());
-  const auto add = [&](double isovalue, bool opaque) {
-    if (!opaque || !cut_.cuts(isovalue)) return;
+  for (const auto& listed : scene::shownSurfaces(resolved)) {
+    const double isovalue = listed.value.value();
+    if (!scene::isOpaque(listed) || !cut_.cuts(isovalue)) continue;
     Surface& surface = surfaces_.emplace_back(Surface{isovalue, std::nullopt});
     if (const HiddenPieces pieces = hiddenAt(hidden, isovalue); pieces.voxels)
-      surface.shown.emplace(
-          grid, pieces.voxels, isovalue, pieces.inside, sides_.field,
-          sides_.cubic && sides_.cubic->coefficients ? &*sides_.cubic->coefficients : nullptr);
-  };
-  add(resolved.isosurface.value.value(), scene::isOpaque(resolved.isosurface));
-  for (const scene::ExtraIsosurface& extra : resolved.extraIsosurfaces)
-    if (extra.shown) add(extra.value.value(), scene::isOpaque(extra));
+      surface.shown.emplace(grid, pieces.voxels, isovalue, pieces.inside, sides_.field,
+                            sides_.coefficients());
+  }
 }
 
 bool CutFaces::isInside(const glm::dvec3& voxel) const {

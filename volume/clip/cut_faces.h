@@ -40,6 +40,7 @@ class CutFaces {
   struct Field {
     scene::Field field;
     std::shared_ptr<const CubicField> cubic;
+    const Coefficients* coefficients() const { return cubic ? cubic->coefficients.get() : nullptr; }
     double valueAt(const Grid& grid, const glm::dvec3& voxel) const;
   };
   struct Surface {

@@ -5,13 +5,13 @@
 
 #include "base/hash.h"
 #include "scene/rules/needs.h"
+#include "scene/shown_surfaces.h"
 
 namespace isolux::volume {
 
 SurfaceCut::SurfaceCut(const scene::Scene& resolved, const GridGeometry& geometry) {
-  surfaces_.push_back({resolved.isosurface.value.value(), resolved.isosurface.clipped});
-  for (const scene::ExtraIsosurface& extra : resolved.extraIsosurfaces)
-    if (extra.shown) surfaces_.push_back({extra.value.value(), extra.clipped});
+  for (const auto& surface : scene::shownSurfaces(resolved))
+    surfaces_.push_back({surface.value.value(), surface.clipped});
   const auto clipped = [](const Surface& surface) { return surface.clipped; };
   alike_ = std::all_of(surfaces_.begin(), surfaces_.end(), clipped);
   if (scene::cutsSurfaces(resolved)) region_ = ClipRegion(resolved.clip).inVoxels(geometry);

@@ -18,31 +18,19 @@ constexpr double kStepVoxels = 0.5;
 constexpr int kMostStepsBelow = 2000;
 constexpr double kSlack = 1e-6;  // voxels: a point on the border that rounding has put outside
 
-FieldSample sampled(const SecondVolume& volume, scene::Field field, const glm::dvec3& voxel) {
-  switch (field) {
-    case scene::Field::cubic:
-      return sampleCubic(volume.grid(), voxel);
-    case scene::Field::cubic_interpolating:
-      return sampleCubic(*volume.coefficients, volume.grid(), voxel);
-    case scene::Field::trilinear:
-      break;
-  }
-  return sampleTrilinear(volume.grid(), voxel);
-}
-
 }  // namespace
 
 SecondValues::SecondValues(std::shared_ptr<const SecondVolume> volume, scene::Field field)
     : volume_(std::move(volume)),
       field_(field),
-      voxelFromWorld_(volume_->grid().geometry().voxelFromWorld()),
-      last_(volume_->grid().dims() - 1) {}
+      voxelFromWorld_(volume_->grid().geometry().voxelFromWorld()) {}
 
 std::optional<SecondValue> SecondValues::at(const glm::dvec3& worldMm) const {
   const glm::dvec3 voxel(voxelFromWorld_ * glm::dvec4(worldMm, 1.0));
-  for (int axis = 0; axis < 3; ++axis)
-    if (!(voxel[axis] >= -kSlack && voxel[axis] <= last_[axis] + kSlack)) return std::nullopt;
-  const FieldSample sample = sampled(*volume_, field_, voxel);
+  if (!volume_->grid().geometry().holds(voxel, kSlack)) return std::nullopt;
+  const bool fromCoefficients = field_ == scene::Field::cubic_interpolating;
+  const FieldSample sample =
+      sampleField(volume_->grid(), field_, fromCoefficients ? volume_->coefficients.get() : nullptr, voxel);
   if (std::isnan(sample.value)) return std::nullopt;
   return SecondValue{sample.value, glm::transpose(glm::dmat3(voxelFromWorld_)) * sample.gradient};
 }

@@ -35,7 +35,6 @@ class SecondValues {
   std::shared_ptr<const SecondVolume> volume_;
   scene::Field field_;
   glm::dmat4 voxelFromWorld_;
-  glm::dvec3 last_;
 };
 
 // The 2 %, 50 % and 98 % quantiles of values; none without any.

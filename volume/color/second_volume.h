@@ -3,11 +3,11 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
-#include <optional>
 #include <string>
+#include <utility>
 
 #include "base/progress.h"
+#include "base/recent.h"
 #include "scene/scene.h"
 #include "volume/field/coefficients.h"
 #include "volume/grid.h"
@@ -37,15 +37,14 @@ class SecondVolumes {
   struct Key {
     std::string path, raw;
     int component = 0, timeStep = 0;
+    bool withCoefficients = false;
     bool operator==(const Key&) const = default;
   };
-  static Key keyOf(const scene::ColorVolume& color);
-  std::shared_ptr<const SecondVolume> fresh(const scene::ColorVolume& color, base::Progress& progress) const;
+  static Key keyOf(const scene::ColorVolume& color, bool withCoefficients);
+  Volume read(const scene::ColorVolume& color, base::Progress& progress) const;
 
   std::shared_ptr<const Grid> first_;
-  mutable std::mutex mutex_;  // held for moments
-  Key key_;
-  std::shared_ptr<const SecondVolume> kept_;
+  mutable base::Recent<Key, std::shared_ptr<const SecondVolume>> kept_;
 };
 
 }  // namespace isolux::volume

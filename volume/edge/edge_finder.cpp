@@ -31,23 +31,10 @@ glm::dmat3 smoothingOf(const GridGeometry& geometry, scene::Field field, double 
   return scaleMm * scaleMm * glm::dmat3(1.0) + world * diagonal(lacking) * glm::transpose(world);
 }
 
-// Whether all corners of the cell are there.
-bool cellIsKnown(const Grid& grid, const glm::dvec3& voxel) {
-  if (grid.missingCount() == 0) return true;
-  const glm::ivec3 last = grid.dims() - 1;
-  const glm::ivec3 low = glm::clamp(glm::ivec3(voxel), glm::ivec3(0), glm::max(last - 1, glm::ivec3(0)));
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::ivec3 at = glm::min(low + glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2), last);
-    if (std::isnan(grid.stored(at.x, at.y, at.z))) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 double automaticEdgeSearch(const GridGeometry& geometry, double scaleMm) {
-  const glm::dvec3 spacing = geometry.spacingMm();
-  return kSearchVoxels * std::max({spacing.x, spacing.y, spacing.z}) + kSearchScales * scaleMm;
+  return kSearchVoxels * geometry.mostSpacingMm() + kSearchScales * scaleMm;
 }
 
 EdgeSearch<double> edgeSearch(const Grid& grid, scene::Field field, double scaleMm,
@@ -97,10 +84,10 @@ EdgeFinder::EdgeFinder(const Grid& grid, const EdgeField& field, const EdgeQuest
 Edge EdgeFinder::at(const glm::dvec3& voxel) const {
   const double slope = grid_.slope();
   const auto sample = [&](const glm::dvec3& p) {
-    if (!cellIsKnown(grid_, p)) return EdgeSample<double>{};
-    const FieldSample field = field_.scaled         ? sampleScaled(*field_.scaled, grid_, p)
-                              : field_.coefficients ? sampleCubic(*field_.coefficients, grid_, p)
-                                                    : sampleCubic(grid_, p);
+    if (grid_.missingCount() > 0 && grid_.cellHasMissing(grid_.geometry().cellOf(p)))
+      return EdgeSample<double>{};
+    const FieldSample field =
+        sampleField(grid_, splineOf(field_.field), field_.coefficients, p, field_.scaled);
     const double unit = search_.unit / slope;
     return EdgeSample<double>{field.gradient * unit, field.hessian * unit, !std::isnan(field.value)};
   };

@@ -31,7 +31,7 @@ SurfaceEdges::SurfaceEdges(std::shared_ptr<const PreparedVolume> volume, const s
     field.scaled = scaled_.get();
   } else if (field.field == scene::Field::cubic_interpolating) {
     cubic_ = volume_->cubicFields->make(field.field, progress);
-    field.coefficients = &*cubic_->coefficients;
+    field.coefficients = cubic_->coefficients.get();
   }
   const Grid& grid = volume_->grid();
   const glm::dvec3 blur = volume_->derivativeChoices->noise(progress).correlation;

@@ -46,8 +46,7 @@ SampleSizes sizesOf(const DerivedShape& shape, const RoundingCounts& counts, con
                         : grid.stored(at.x, at.y, at.z);
   };
   const glm::ivec3 last = grid.dims() - 1;
-  const glm::ivec3 cell =
-      glm::clamp(glm::ivec3(glm::floor(voxel)), glm::ivec3(0), glm::max(last - 1, glm::ivec3(0)));
+  const glm::ivec3 cell = grid.geometry().cellOf(voxel);
   const double reference = sample(cell);
   const double lowest = lowestStored(grid);
   double spread = 0.0, size = 0.0;
@@ -87,17 +86,9 @@ ShapeChange changeOf(const ShapeAt& from, const ShapeAt& to) {
 
 ShapeAt shapeAt(const DerivedShape& shape, const glm::dvec3& voxel) {
   const Grid& grid = shape.grid;
-  bool known = true;
-  FieldSample sample;
-  if (shape.scaled) {
-    sample = sampleScaled(*shape.scaled, grid, voxel);
-  } else {
-    sample = shape.field == scene::Field::trilinear ? sampleTrilinear(grid, voxel)
-             : shape.coefficients                   ? sampleCubic(*shape.coefficients, grid, voxel)
-                                                    : sampleCubic(grid, voxel);
-    known = std::isfinite(sample.value);
-    if (!known) sample = sampleTrilinear(grid, voxel);
-  }
+  FieldSample sample = sampleField(grid, shape.field, shape.coefficients, voxel, shape.scaled);
+  const bool known = shape.scaled || std::isfinite(sample.value);
+  if (!known) sample = sampleTrilinear(grid, voxel);
   const glm::dvec3 gradient = worldGradient(grid.geometry(), sample.gradient);
   const glm::dmat3 hessian = worldHessian(grid.geometry(), sample.hessian);
   const PrincipalCurvature curvature = principalCurvature(gradient, hessian, shape.outward);
@@ -118,8 +109,7 @@ ShapeRounding shapeRounding(const DerivedShape& shape, const glm::dvec3& voxel, 
   const RoundingCounts counts = countsOf(shape);
   const SampleSizes sizes = sizesOf(shape, counts, voxel);
   const double weight = shape.fetch == scene::Fetch::fast && !shape.scaled ? kFilterRounding : kFloatRounding;
-  const glm::dvec3 spacing = shape.grid.geometry().spacingMm();
-  const double least = std::min({spacing.x, spacing.y, spacing.z});
+  const double least = shape.grid.geometry().leastSpacingMm();
   const double gradient = std::hypot(weight * counts.gradient * sizes.spread,
                                      kFloatRounding * counts.gradientOfSamples * sizes.size) /
                           least;

@@ -48,33 +48,20 @@ std::optional<FoundCrossing> nearestCrossing(const HitSource& source, std::span<
     part.tMaximum = std::min(ray.tMaximum, surface.end);
     if (!(part.tMinimum <= part.tMaximum)) continue;
     const double isovalue = surface.isovalue + offset;
-    CubicHit found;
-    if (!source.cubic)
-      found.hit = firstHit(source.grid, source.blocks, isovalue, part.origin, part.direction, part.tMinimum,
-                           part.tMaximum, surface.hidden);
-    else if (source.cubic->coefficients)
-      found = firstHitCubic(*source.cubic->coefficients, source.grid, source.cubic->blocks, isovalue, part,
-                            surface.hidden);
-    else
-      found = firstHitCubic(source.grid, source.cubic->blocks, isovalue, part, surface.hidden);
+    const CubicHit found = firstHitOfField(source.grid, source.field, source.coefficients, source.blocks,
+                                           isovalue, part, surface.hidden);
     if (!found.hit || (nearest && found.hit->t >= nearest->t)) continue;
     nearest = {found.hit->t, found.hit->voxel, found.hit->entering, found.certain, k};
   }
   return nearest;
 }
 
-FieldSample fieldAt(const HitSource& source, const glm::dvec3& voxel) {
-  if (!source.cubic) return sampleTrilinear(source.grid, voxel);
-  return source.cubic->coefficients ? sampleCubic(*source.cubic->coefficients, source.grid, voxel)
-                                    : sampleCubic(source.grid, voxel);
-}
-
 // The largest |corner - isovalue| of the cell, data units; of the samples, of which coefficients are not far.
 double spreadAbout(const HitSource& source, const glm::dvec3& voxel, double isovalue) {
   const Grid& grid = source.grid;
-  const glm::ivec3 last = grid.dims() - 1,
-                   cell = glm::clamp(glm::ivec3(glm::floor(voxel)), glm::ivec3(0), last - 1);
-  const int before = source.cubic ? -1 : 0, behind = source.cubic ? 2 : 1;
+  const glm::ivec3 last = grid.dims() - 1, cell = grid.geometry().cellOf(voxel);
+  const bool cubic = source.field != scene::Field::trilinear;
+  const int before = cubic ? -1 : 0, behind = cubic ? 2 : 1;
   double spread = 0.0;
   for (int z = before; z <= behind; ++z)
     for (int y = before; y <= behind; ++y)
@@ -103,9 +90,8 @@ double texelSize(const HitSource& source, double isovalue) {
 // Whether a voxel is missing in a cell as near to the point as rounding is.
 bool nearGap(const Grid& grid, const glm::dvec3& voxel, const glm::dvec3& reach) {
   if (grid.missingCount() == 0) return false;
-  const glm::ivec3 last = grid.dims() - 1;
-  const glm::ivec3 low = glm::clamp(glm::ivec3(glm::floor(voxel - reach)), glm::ivec3(0), last - 1),
-                   high = glm::clamp(glm::ivec3(glm::floor(voxel + reach)), glm::ivec3(0), last - 1) + 1;
+  const glm::ivec3 low = grid.geometry().cellOf(voxel - reach),
+                   high = grid.geometry().cellOf(voxel + reach) + 1;
   for (int z = low.z; z <= high.z; ++z)
     for (int y = low.y; y <= high.y; ++y)
       for (int x = low.x; x <= high.x; ++x)
@@ -127,9 +113,9 @@ bool isOneCrossing(const FoundCrossing& at, const std::optional<FoundCrossing>& 
 
 // What rounding makes of the field at the hit: `out` from its gradient to its randomPart.
 void roundField(const HitSource& source, double isovalue, HitEnclosure& out) {
-  out.gradient = fieldAt(source, out.voxel).gradient;
-  const double ofField =
-      (source.cubic ? kCubicRoundings : kTrilinearRoundings) * spreadAbout(source, out.voxel, isovalue);
+  out.gradient = sampleField(source.grid, source.field, source.coefficients, out.voxel).gradient;
+  const double ofField = (source.field == scene::Field::trilinear ? kTrilinearRoundings : kCubicRoundings) *
+                         spreadAbout(source, out.voxel, isovalue);
   const double ofValue = kFloatRounding * std::hypot(ofField, texelSize(source, isovalue));
   const double known = std::abs(glm::dot(out.gradient, out.rounding.shift));
   out.fieldError =

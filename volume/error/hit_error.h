@@ -14,7 +14,7 @@
 #include <glm/vec3.hpp>
 
 #include "volume/cast/picture_rays.h"
-#include "volume/field/cubic_fields.h"
+#include "volume/field/coefficients.h"
 #include "volume/hit/cell_walk.h"
 #include "volume/pieces/hidden_pieces.h"
 #include "volume/skip/min_max_blocks.h"
@@ -39,12 +39,12 @@ struct RayRounding {
 RayRounding rayRounding(const PictureRays& rays, glm::dvec2 fragment, const Ray& exact, double startMm,
                         double t, bool onProcessor);
 
-// What is hit. cubic: of the field, null for the trilinear one.
+// What is hit. coefficients: of cubic_interpolating.
 struct HitSource {
   const Grid& grid;
-  const MinMaxBlocks& blocks;  // of the trilinear field
+  const MinMaxBlocks& blocks;  // of the field
   scene::Field field = scene::Field::trilinear;
-  const CubicField* cubic = nullptr;
+  const Coefficients* coefficients = nullptr;
   bool onProcessor = false;  // which multiplies and adds in one rounding, and has integers as they are
 };
 // An isosurface, and between which t of this ray it is not cut away: one of its stretches.

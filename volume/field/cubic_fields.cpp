@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "base/make_room.h"
 #include "scene/rules/needs.h"
 #include "volume/prepared_volume.h"
 
@@ -14,15 +13,13 @@ CubicField made(const Grid& grid, scene::Field field, base::Progress& progress) 
   if (field == scene::Field::cubic) {
     progress.report(0.0, "building blocks");
     MinMaxBlocks blocks = MinMaxBlocks::ofCubic(grid, kBlockCells, progress);
-    return {std::nullopt, std::move(blocks), BoxBounds::ofCubic(grid, progress)};
+    return {nullptr, std::move(blocks), BoxBounds::ofCubic(grid, progress)};
   }
-  Coefficients coefficients = interpolatingCoefficients(grid, progress);
-  MinMaxBlocks blocks = MinMaxBlocks::ofCubic(coefficients, grid, kBlockCells, progress);
-  BoxBounds boxes = BoxBounds::ofCubic(coefficients, grid, progress);
+  auto coefficients = std::make_shared<const Coefficients>(interpolatingCoefficients(grid, progress));
+  MinMaxBlocks blocks = MinMaxBlocks::ofCubic(*coefficients, grid, kBlockCells, progress);
+  BoxBounds boxes = BoxBounds::ofCubic(*coefficients, grid, progress);
   return {std::move(coefficients), std::move(blocks), std::move(boxes)};
 }
-
-constexpr std::size_t kKeptScales = 2;
 
 // The scales that derivatives of the scene are read at, mm; 0 is none.
 std::vector<double> scalesOf(const scene::Scene& scene) {
@@ -51,62 +48,27 @@ void forEachNeeded(const scene::Scene& scene, const Visit& visit, const VisitSca
 
 std::shared_ptr<const CubicField> CubicFields::find(scene::Field field) const {
   if (field == scene::Field::trilinear) return nullptr;
-  const std::lock_guard lock(mutex_);
-  return field == scene::Field::cubic ? cubic_ : interpolating_;
+  return (field == scene::Field::cubic ? cubic_ : interpolating_).find({}).value_or(nullptr);
 }
 
 std::shared_ptr<const CubicField> CubicFields::make(scene::Field field, base::Progress& progress) {
   if (field == scene::Field::trilinear) return nullptr;
-  if (auto there = find(field)) return there;
-  auto fresh =
-      base::madeWithRoom([&] { return std::make_shared<const CubicField>(made(*grid_, field, progress)); },
-                         [this] { return forgetOldestScale(); });
-  const std::lock_guard lock(mutex_);
-  std::shared_ptr<const CubicField>& slot = field == scene::Field::cubic ? cubic_ : interpolating_;
-  if (!slot) slot = std::move(fresh);
-  return slot;
-}
-
-std::shared_ptr<const ScaledField> CubicFields::scaledFound(scene::Field field, double scaleMm) const {
-  const auto found = std::find_if(scaled_.begin(), scaled_.end(), [&](const auto& scaled) {
-    return scaled->field == field && scaled->scaleMm == scaleMm;
+  const auto make = [&] { return std::make_shared<const CubicField>(made(*grid_, field, progress)); };
+  return (field == scene::Field::cubic ? cubic_ : interpolating_).get({}, [&] {
+    return base::madeWithRoom(make, [this] { return scaled_.forgetOldest(); });
   });
-  if (found == scaled_.end()) return nullptr;
-  std::rotate(found, found + 1, scaled_.end());
-  return scaled_.back();
 }
 
 std::shared_ptr<const ScaledField> CubicFields::find(scene::Field field, double scaleMm) const {
-  const std::lock_guard lock(mutex_);
-  return scaledFound(field, scaleMm);
+  return scaled_.find({field, scaleMm}).value_or(nullptr);
 }
 
 std::shared_ptr<const ScaledField> CubicFields::make(scene::Field field, double scaleMm,
                                                      base::Progress& progress) {
   if (field == scene::Field::trilinear || !(scaleMm > 0.0)) return nullptr;
-  const auto leaveRoom = [&] {
-    if (scaled_.size() == kKeptScales) scaled_.erase(scaled_.begin());
-  };
-  {
-    const std::lock_guard lock(mutex_);
-    if (auto there = scaledFound(field, scaleMm)) return there;
-    leaveRoom();  // first, so that three never take memory at once
-  }
-  auto fresh = base::madeWithRoom(
-      [&] { return std::make_shared<const ScaledField>(scaledField(*grid_, field, scaleMm, progress)); },
-      [this] { return forgetOldestScale(); });
-  const std::lock_guard lock(mutex_);
-  if (auto there = scaledFound(field, scaleMm)) return there;
-  leaveRoom();
-  scaled_.push_back(fresh);
-  return fresh;
-}
-
-bool CubicFields::forgetOldestScale() {
-  const std::lock_guard lock(mutex_);
-  if (scaled_.empty()) return false;
-  scaled_.erase(scaled_.begin());
-  return true;
+  return scaled_.get({field, scaleMm}, [&] {
+    return std::make_shared<const ScaledField>(scaledField(*grid_, field, scaleMm, progress));
+  });
 }
 
 bool CubicFields::readyFor(const scene::Scene& scene) const {

@@ -6,11 +6,10 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
-#include <optional>
-#include <vector>
+#include <utility>
 
 #include "base/progress.h"
+#include "base/recent.h"
 #include "scene/scene.h"
 #include "volume/field/coefficients.h"
 #include "volume/field/scaled_field.h"
@@ -21,8 +20,8 @@
 namespace isolux::volume {
 
 struct CubicField {
-  std::optional<Coefficients> coefficients;  // of cubic_interpolating; `cubic` takes the voxels
-  MinMaxBlocks blocks;                       // of kBlockCells; as the coefficients, without their offset
+  std::shared_ptr<const Coefficients> coefficients;  // of cubic_interpolating; null: `cubic` takes the voxels
+  MinMaxBlocks blocks;  // of kBlockCells; as the coefficients, without their offset
   BoxBounds boxes;
 };
 
@@ -47,13 +46,9 @@ class CubicFields {
   void makeFor(const scene::Scene& scene, base::Progress& progress);
 
  private:
-  bool forgetOldestScale();  // false: none is kept
-  std::shared_ptr<const ScaledField> scaledFound(scene::Field field, double scaleMm) const;  // while locked
-
   std::shared_ptr<const Grid> grid_;
-  mutable std::mutex mutex_;  // held for moments
-  std::shared_ptr<const CubicField> cubic_, interpolating_;
-  mutable std::vector<std::shared_ptr<const ScaledField>> scaled_;  // the last one asked for is last
+  mutable base::Once<std::shared_ptr<const CubicField>> cubic_, interpolating_;
+  mutable base::Recent<std::pair<scene::Field, double>, std::shared_ptr<const ScaledField>> scaled_{2};
 };
 
 }  // namespace isolux::volume

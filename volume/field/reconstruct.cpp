@@ -1,36 +1,18 @@
 #include "volume/field/reconstruct.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include <glm/matrix.hpp>
 
 #include "volume/field/cubic_weights.h"
 #include "volume/field/quintic_weights.h"
+#include "volume/field/tensor_product.h"
 
 namespace isolux::volume {
 
 namespace {
 
-// Samples of one axis and what they weigh for the value and both derivatives.
-template <int taps>
-struct AxisTaps {
-  int count = taps;  // those behind are not there
-  std::array<int, taps> sample{};
-  std::array<double, taps> w{}, d1{}, d2{};
-};
-
-double clampedCoordinate(double x, int n) {
-  // A NaN coordinate stays NaN in std::clamp; max/min in this order turn it into 0.
-  return std::min(std::max(0.0, x), static_cast<double>(n - 1));
-}
-
-int cellOf(double x, int n) {
-  return std::clamp(static_cast<int>(std::floor(x)), 0, std::max(n - 2, 0));
-}
-
-template <int taps, class Weights>
+template <std::size_t taps, class Weights>
 void setWeights(AxisTaps<taps>& at, const Weights& weights) {
   std::copy_n(weights.w, taps, at.w.begin());
   std::copy_n(weights.d1, taps, at.d1.begin());
@@ -38,62 +20,21 @@ void setWeights(AxisTaps<taps>& at, const Weights& weights) {
 }
 
 AxisTaps<4> cubicTapsAt(double coordinate, int n) {
-  const double x = clampedCoordinate(coordinate, n);
-  const int cell = cellOf(x, n);
+  const auto [cell, t] = cellPosition(coordinate, n);
   AxisTaps<4> taps;
-  setWeights(taps, cubicWeights(x - cell));
+  setWeights(taps, cubicWeights(t));
   for (int k = 0; k < 4; ++k) taps.sample[static_cast<std::size_t>(k)] = std::clamp(cell - 1 + k, 0, n - 1);
   return taps;
 }
 
 AxisTaps<kQuinticTaps> quinticTapsAt(double coordinate, int n) {
-  const double x = clampedCoordinate(coordinate, n);
-  const int cell = cellOf(x, n);
-  const QuinticTaps<double> folded = quinticTaps(cell, x - cell, n);
+  const auto [cell, t] = cellPosition(coordinate, n);
+  const QuinticTaps<double> folded = quinticTaps(cell, t, n);
   AxisTaps<kQuinticTaps> taps;
   setWeights(taps, folded.weights);
-  taps.count = std::min(kQuinticTaps, n);
+  taps.count = static_cast<std::size_t>(std::min(kQuinticTaps, n));
   for (int k = 0; k < kQuinticTaps; ++k) taps.sample[static_cast<std::size_t>(k)] = folded.first + k;
   return taps;
-}
-
-// Tensor product of three axes: value, gradient and Hessian from the same samples.
-template <int taps, class Fetch>
-FieldSample tensorProduct(const AxisTaps<taps>& x, const AxisTaps<taps>& y, const AxisTaps<taps>& z,
-                          const Fetch& fetch) {
-  const auto count = [](const AxisTaps<taps>& axis) { return static_cast<std::size_t>(axis.count); };
-  FieldSample out;
-  for (std::size_t k = 0; k < count(z); ++k) {
-    // Of the plane: f, fx, fy, fxx, fxy, fyy.
-    double f = 0, fx = 0, fy = 0, fxx = 0, fxy = 0, fyy = 0;
-    for (std::size_t j = 0; j < count(y); ++j) {
-      double v = 0, vx = 0, vxx = 0;
-      for (std::size_t i = 0; i < count(x); ++i) {
-        const double s = fetch(x.sample[i], y.sample[j], z.sample[k]);
-        v += x.w[i] * s;
-        vx += x.d1[i] * s;
-        vxx += x.d2[i] * s;
-      }
-      f += y.w[j] * v;
-      fx += y.w[j] * vx;
-      fy += y.d1[j] * v;
-      fxx += y.w[j] * vxx;
-      fxy += y.d1[j] * vx;
-      fyy += y.d2[j] * v;
-    }
-    out.value += z.w[k] * f;
-    out.gradient += glm::dvec3(z.w[k] * fx, z.w[k] * fy, z.d1[k] * f);
-    out.hessian[0][0] += z.w[k] * fxx;
-    out.hessian[1][1] += z.w[k] * fyy;
-    out.hessian[2][2] += z.d2[k] * f;
-    out.hessian[1][0] += z.w[k] * fxy;
-    out.hessian[2][0] += z.d1[k] * fx;
-    out.hessian[2][1] += z.d1[k] * fy;
-  }
-  out.hessian[0][1] = out.hessian[1][0];
-  out.hessian[0][2] = out.hessian[2][0];
-  out.hessian[1][2] = out.hessian[2][1];
-  return out;
 }
 
 template <class Fetch>
@@ -115,10 +56,10 @@ FieldSample sampleTrilinear(const Grid& grid, glm::dvec3 voxel) {
   int low[3], high[3];
   double t[3];
   for (int axis = 0; axis < 3; ++axis) {
-    const double x = clampedCoordinate(voxel[axis], dims[axis]);
-    low[axis] = cellOf(x, dims[axis]);
+    const CellPosition at = cellPosition(voxel[axis], dims[axis]);
+    low[axis] = at.cell;
     high[axis] = std::min(low[axis] + 1, dims[axis] - 1);
-    t[axis] = x - low[axis];
+    t[axis] = at.t;
   }
   double c[2][2][2];
   std::visit(
@@ -185,6 +126,13 @@ FieldSample sampleScaled(const ScaledField& scaled, const Grid& grid, glm::dvec3
   out.value += scaled.coefficients.offset;
   toDataUnits(out, grid);
   return out;
+}
+
+FieldSample sampleField(const Grid& grid, scene::Field field, const Coefficients* coefficients,
+                        glm::dvec3 voxel, const ScaledField* scaled) {
+  if (scaled) return sampleScaled(*scaled, grid, voxel);
+  if (field == scene::Field::trilinear) return sampleTrilinear(grid, voxel);
+  return coefficients ? sampleCubic(*coefficients, grid, voxel) : sampleCubic(grid, voxel);
 }
 
 glm::dvec3 worldGradient(const GridGeometry& geometry, glm::dvec3 voxelGradient) {

@@ -10,6 +10,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
+#include "scene/choices.h"
 #include "volume/field/coefficients.h"
 #include "volume/field/scaled_field.h"
 #include "volume/grid.h"
@@ -30,6 +31,10 @@ FieldSample sampleCubic(const Coefficients& coefficients, const Grid& grid, glm:
 // Evaluates the field at a scale σ. Unlike the others it continues beyond the border by point reflection, and
 // is finite also where voxels are missing.
 FieldSample sampleScaled(const ScaledField& scaled, const Grid& grid, glm::dvec3 voxel);
+
+// Evaluates `field`, or `scaled` unless it is null. `coefficients`: of cubic_interpolating, else null.
+FieldSample sampleField(const Grid& grid, scene::Field field, const Coefficients* coefficients,
+                        glm::dvec3 voxel, const ScaledField* scaled = nullptr);
 
 glm::dvec3 worldGradient(const GridGeometry& geometry, glm::dvec3 voxelGradient);
 glm::dmat3 worldHessian(const GridGeometry& geometry, const glm::dmat3& voxelHessian);

@@ -27,8 +27,6 @@ class ShapeField {
   double scaleMm() const { return scaled_ ? scaleMm_ : 0.0; }
 
  private:
-  FieldSample perVoxel(const glm::dvec3& voxel) const;
-
   const Grid& grid_;
   scene::Field field_;
   double scaleMm_;

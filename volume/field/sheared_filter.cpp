@@ -21,49 +21,17 @@ struct KernelTap {
   double weight = 0.0;
 };
 
-struct Tap1D {
-  int at;
-  double weight;
-};
-
 // What the sample `k` of an axis of n samples is made of.
-std::vector<Tap1D> extendedSample(int k, int n, Beyond beyond) {
-  if (k >= 0 && k < n) return {{k, 1.0}};
-  if (beyond == Beyond::nothing) return {};
-  if (n == 1) return {{0, 1.0}};
-  std::vector<Tap1D> parts;
-  double sign = 1.0;
-  while (k < 0 || k > n - 1) {
-    const int border = k < 0 ? 0 : n - 1;
-    parts.push_back({border, 2.0 * sign});
-    sign = -sign;
-    k = 2 * border - k;
-  }
-  parts.push_back({k, sign});
-  return parts;
-}
-
-// Taps whose rows are the same.
-struct RowTaps {
-  int dy, dz;
-  std::vector<Tap1D> along;  // x
-};
-
-std::vector<RowTaps> byRow(const std::vector<KernelTap>& taps) {
-  std::vector<RowTaps> rows;
-  for (const KernelTap& tap : taps) {
-    if (rows.empty() || rows.back().dy != tap.offset.y || rows.back().dz != tap.offset.z)
-      rows.push_back({tap.offset.y, tap.offset.z, {}});
-    rows.back().along.push_back({tap.offset.x, tap.weight});
-  }
-  return rows;
+std::vector<ReflectedSample> extendedSample(int k, int n, Beyond beyond) {
+  if (beyond == Beyond::nothing && (k < 0 || k >= n)) return {};
+  return reflectedSample(k, n);
 }
 
 class DirectFilter {
  public:
   DirectFilter(const std::vector<float>& values, glm::ivec3 dims, const std::vector<KernelTap>& taps,
                Beyond beyond)
-      : values_(values), dims_(dims), beyond_(beyond), rows_(byRow(taps)) {
+      : values_(values), dims_(dims), beyond_(beyond), taps_(taps) {
     for (const KernelTap& tap : taps) reach_ = std::max(reach_, std::abs(tap.offset.x));
     for (int k = 1; k <= reach_; ++k) {
       before_.push_back(extendedSample(-k, dims.x, beyond));
@@ -74,12 +42,13 @@ class DirectFilter {
   void operator()(int y, int z, float* result) const {
     const auto width = static_cast<std::size_t>(dims_.x), reach = static_cast<std::size_t>(reach_);
     std::vector<double> sum(width), row(width + 2 * reach);
-    for (const RowTaps& taps : rows_) {
-      fetchRow(y + taps.dy, z + taps.dz, row);
-      for (const Tap1D& tap : taps.along) {
-        const double* const from = row.data() + reach_ + tap.at;
-        for (std::size_t x = 0; x < width; ++x) sum[x] += tap.weight * from[x];
-      }
+    const KernelTap* fetched = nullptr;
+    for (const KernelTap& tap : taps_) {
+      if (!fetched || fetched->offset.y != tap.offset.y || fetched->offset.z != tap.offset.z)
+        fetchRow(y + tap.offset.y, z + tap.offset.z, row);
+      fetched = &tap;
+      const double* const from = row.data() + reach_ + tap.offset.x;
+      for (std::size_t x = 0; x < width; ++x) sum[x] += tap.weight * from[x];
     }
     for (std::size_t x = 0; x < width; ++x) result[x] = static_cast<float>(sum[x]);
   }
@@ -89,27 +58,28 @@ class DirectFilter {
     const auto width = static_cast<std::size_t>(dims_.x), reach = static_cast<std::size_t>(reach_);
     std::fill(row.begin(), row.end(), 0.0);
     double* const middle = row.data() + reach;
-    for (const Tap1D& inZ : extendedSample(z, dims_.z, beyond_))
-      for (const Tap1D& inY : extendedSample(y, dims_.y, beyond_)) {
+    for (const ReflectedSample& inZ : extendedSample(z, dims_.z, beyond_))
+      for (const ReflectedSample& inY : extendedSample(y, dims_.y, beyond_)) {
         const float* const from =
             values_.data() + (static_cast<std::size_t>(inZ.at) * static_cast<std::size_t>(dims_.y) +
                               static_cast<std::size_t>(inY.at)) *
                                  width;
         for (std::size_t x = 0; x < width; ++x)
-          middle[x] += inZ.weight * inY.weight * static_cast<double>(from[x]);
+          middle[x] += inZ.factor * inY.factor * static_cast<double>(from[x]);
       }
     for (std::size_t k = 1; k <= reach; ++k) {
-      for (const Tap1D& part : before_[k - 1]) row[reach - k] += part.weight * middle[part.at];
-      for (const Tap1D& part : behind_[k - 1]) row[reach + width - 1 + k] += part.weight * middle[part.at];
+      for (const auto& [at, factor] : before_[k - 1]) row[reach - k] += factor * middle[at];
+      for (const auto& [at, factor] : behind_[k - 1]) row[reach + width - 1 + k] += factor * middle[at];
     }
   }
 
   const std::vector<float>& values_;
   glm::ivec3 dims_;
   Beyond beyond_;
-  std::vector<RowTaps> rows_;
+  std::vector<KernelTap> taps_;
   int reach_ = 0;
-  std::vector<std::vector<Tap1D>> before_, behind_;  // samples beyond the ends of a row, by their distance
+  // Samples beyond the ends of a row, by their distance.
+  std::vector<std::vector<ReflectedSample>> before_, behind_;
 };
 
 // Of a Gaussian with this variance: sampled, or, where sampling changes it, that of which the response has

@@ -12,6 +12,15 @@ namespace isolux::volume {
 // ramp and keep the border samples; or zeros.
 enum class Beyond { reflected, nothing };
 
+// A sample of an axis, and the factor by which it contributes.
+struct ReflectedSample {
+  int at;
+  double factor;
+};
+// Returns the contributions to sample k of an axis of n samples: itself, or, beyond the border, the sum that
+// point reflections make. An axis of one sample is constant.
+std::vector<ReflectedSample> reflectedSample(int k, int n);
+
 // Double arithmetic. A kernel of any length: reflections repeat after twice the line, where a longer kernel
 // is folded.
 class SymmetricFilter {

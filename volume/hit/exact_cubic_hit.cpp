@@ -186,12 +186,6 @@ SideChanges changesIn(const CellCoefficients& cell, glm::dvec3 from, glm::dvec3 
   return result;
 }
 
-bool hasMissingCorner(const Grid& grid, glm::ivec3 cell) {
-  for (int i = 0; i < 8; ++i)
-    if (std::isnan(grid.stored(cell.x + (i & 1), cell.y + (i >> 1 & 1), cell.z + (i >> 2)))) return true;
-  return false;
-}
-
 // `stored`: voxels or coefficients. `holdsSurface`: of a cell, beyond that none of its coefficients is
 // missing.
 template <class T, class HoldsSurface>
@@ -282,7 +276,16 @@ CubicHit firstHitCubic(const Coefficients& coefficients, const Grid& grid, const
   // Values and blocks lack the offset: so does what they are compared with.
   return firstHitOf(coefficients.values, grid, blocks, isovalue - grid.slope() * coefficients.offset, ray,
                     shown ? &*shown : nullptr,
-                    [&](glm::ivec3 cell) { return !gaps || !hasMissingCorner(grid, cell); });
+                    [&](glm::ivec3 cell) { return !gaps || !grid.cellHasMissing(cell); });
+}
+
+CubicHit firstHitOfField(const Grid& grid, scene::Field field, const Coefficients* coefficients,
+                         const MinMaxBlocks& blocks, double isovalue, const Ray& ray,
+                         const HiddenPieces& hidden) {
+  if (field == scene::Field::trilinear)
+    return {firstHit(grid, blocks, isovalue, ray.origin, ray.direction, ray.tMinimum, ray.tMaximum, hidden)};
+  return coefficients ? firstHitCubic(*coefficients, grid, blocks, isovalue, ray, hidden)
+                      : firstHitCubic(grid, blocks, isovalue, ray, hidden);
 }
 
 SideChanges sideChangesOfCell(const Grid& grid, double isovalue, glm::ivec3 cell, glm::dvec3 from,

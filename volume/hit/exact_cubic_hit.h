@@ -19,6 +19,7 @@
 #include <array>
 #include <optional>
 
+#include "scene/choices.h"
 #include "volume/field/coefficients.h"
 #include "volume/grid.h"
 #include "volume/hit/cell_walk.h"
@@ -42,6 +43,12 @@ CubicHit firstHitCubic(const Grid& grid, const MinMaxBlocks& blocks, double isov
 // `coefficients`: interpolatingCoefficients(grid).
 CubicHit firstHitCubic(const Coefficients& coefficients, const Grid& grid, const MinMaxBlocks& blocks,
                        double isovalue, const Ray& ray, const HiddenPieces& hidden = {});
+
+// The same of the field that is named, also of the trilinear one, whose hits are always certain. `blocks`: of
+// that field. `coefficients`: of cubic_interpolating, else null.
+CubicHit firstHitOfField(const Grid& grid, scene::Field field, const Coefficients* coefficients,
+                         const MinMaxBlocks& blocks, double isovalue, const Ray& ray,
+                         const HiddenPieces& hidden = {});
 
 // The polynomial of degree 9 along the straight line from `from` to `to`, both in [0,1]^3 of a cell, of the
 // spline with these coefficients (x fastest, the cell's own corners at 1 and 2 of each axis), Bernstein form.

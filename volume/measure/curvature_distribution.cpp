@@ -10,6 +10,7 @@
 #include <glm/vector_relational.hpp>
 
 #include "base/memory_budget.h"
+#include "base/numbers.h"
 #include "scene/looks.h"
 #include "volume/field/curvature.h"
 #include "volume/field/shape_field.h"
@@ -53,7 +54,7 @@ class AreaCurver {
   bool counts(const SurfacePatch& patch) const {
     if (!part_.shown.empty() && !(patch.piece < part_.shown.size() && part_.shown[patch.piece])) return false;
     if (!part_.box) return true;
-    const glm::dvec3 world(geometry_.worldFromVoxel * glm::dvec4(patch.voxel, 1.0));
+    const glm::dvec3 world = geometry_.worldOf(patch.voxel);
     return glm::all(glm::lessThanEqual(part_.box->lowMm, world)) &&
            glm::all(glm::lessThanEqual(world, part_.box->highMm));
   }
@@ -117,21 +118,13 @@ double weightedQuantile(const std::vector<WeightedValue>& sorted, double areaMm2
   return sorted.back().value;
 }
 
-// 1, 2 or 5 times a power of ten, the next above.
-double roundStep(double least) {
-  const double power = std::pow(10.0, std::floor(std::log10(least)));
-  for (const double digit : {1.0, 2.0, 5.0})
-    if (digit * power >= least) return digit * power;
-  return 10.0 * power;
-}
-
 void fillBins(CurvatureHistogram& histogram, const std::vector<WeightedValue>& sorted, double from,
               double to) {
   if (!(to > from)) {  // all the same, as far as numbers tell
     const double half = from != 0.0 ? 0.01 * std::abs(from) : 0.01;
     from -= half, to += half;
   }
-  histogram.step = roundStep((to - from) / kBins);
+  histogram.step = base::niceAbove((to - from) / kBins);
   const double first = std::floor(from / histogram.step), last = std::ceil(to / histogram.step);
   histogram.low = first * histogram.step;
   const auto bins = static_cast<std::size_t>(std::max(1.0, last - first));

@@ -127,8 +127,7 @@ std::optional<Geodesic> geodesic(const SurfaceOf& surface, const SurfaceGraph& g
   path.push_back(begin);
   path.insert(path.end(), way.begin(), way.end());
   path.push_back(end);
-  const double voxel =
-      std::cbrt(std::abs(glm::determinant(glm::dmat3(surface.grid.geometry().worldFromVoxel))));
+  const double voxel = surface.grid.geometry().voxelMm();
   double coarser = 0.0, length = 0.0;
   for (double spacing = kCoarsestVoxels; spacing >= kFinestVoxels; spacing *= 0.5) {
     path = resampled(surface, path, spacing * voxel);

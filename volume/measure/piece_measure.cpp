@@ -60,9 +60,7 @@ class PieceRow {
   void addCorners(glm::ivec3 cell, const CellCorners& corners, bool meetsMissing);
   void addParts(glm::ivec3 cell, const CellCorners& corners);
   void addInside(glm::ivec3 voxel, PieceSums& piece);
-  glm::dvec3 world(glm::dvec3 voxel) const {
-    return glm::dvec3(grid_.geometry().worldFromVoxel * glm::dvec4(voxel, 1.0));
-  }
+  glm::dvec3 world(glm::dvec3 voxel) const { return grid_.geometry().worldOf(voxel); }
 
   const Pieces& pieces_;
   const Grid& grid_;
@@ -77,7 +75,7 @@ class PieceRow {
 void PieceRow::addBlock(glm::ivec3 block) {
   const glm::ivec3 low = block * blocks_.blockCells(),
                    high = glm::min(low + blocks_.blockCells(), grid_.dims() - 1);
-  const auto isovalue = static_cast<float>(grid_.storedOfValue(question_.isovalue));
+  const auto isovalue = grid_.storedIsovalue(question_.isovalue);
   if (grid_.missingCount() > 0 || blocks_.active(blocks_.index(block), isovalue)) {
     visitCells(grid_, question_.isovalue, adder_.sign(), low, high,
                [&](glm::ivec3 cell, const CellCorners& corners, int inside, int missing) {
@@ -180,14 +178,11 @@ PieceMeasures measurePieces(const Pieces& pieces, const MinMaxBlocks& blocks, co
   if (blocks.count() == 0 || std::isnan(question.isovalue)) return result;
   const Grid& grid = pieces.grid();
   const bool allNodes = fewCells(grid, blocks, question.isovalue);
-  const auto rowsY = static_cast<std::size_t>(blocks.dims().y);
-  std::vector<SumsOfPieces> rows(rowsY * static_cast<std::size_t>(blocks.dims().z));
-  parallelSteps(rows.size(), progress, {0.0, 1.0, "measuring pieces"}, [&](std::size_t row) {
-    rows[row] = PieceRow(pieces, blocks, question, allNodes)
-                    .measure(static_cast<int>(row % rowsY), static_cast<int>(row / rowsY));
-  });
+  const auto measured = [&](int y, int z) {
+    return PieceRow(pieces, blocks, question, allNodes).measure(y, z);
+  };
   std::vector<PieceSums> sums(pieces.list().size() + 1);  // the last: of voxels that float levels put outside
-  for (const SumsOfPieces& row : rows)
+  for (const SumsOfPieces& row : ofBlockRows(blocks, "measuring pieces", progress, measured))
     for (const auto& [id, found] : row) sums[std::min<std::size_t>(id, sums.size() - 1)] += found;
   SurfaceSums whole;
   for (std::size_t i = 0; i < sums.size(); ++i)

@@ -9,13 +9,6 @@ namespace {
 
 constexpr double kBorderSlack = 1e-9;  // voxels: a point on the border is inside
 
-bool within(const GridGeometry& geometry, const glm::dvec3& voxel) {
-  for (int axis = 0; axis < 3; ++axis)
-    if (!(voxel[axis] >= -kBorderSlack && voxel[axis] <= geometry.dims[axis] - 1 + kBorderSlack))
-      return false;
-  return true;
-}
-
 }  // namespace
 
 PointProbe::PointProbe(std::shared_ptr<const PreparedVolume> volume, const scene::Scene& resolved,
@@ -35,8 +28,8 @@ std::optional<ProbedPoint> PointProbe::at(glm::dvec3 world) const {
   const GridGeometry& geometry = volume_->grid().geometry();
   ProbedPoint point;
   point.world = world;
-  point.voxel = glm::dvec3(geometry.voxelFromWorld() * glm::dvec4(world, 1.0));
-  if (!within(geometry, point.voxel)) return std::nullopt;
+  point.voxel = geometry.voxelOf(world);
+  if (!geometry.holds(point.voxel, kBorderSlack)) return std::nullopt;
   point.value = values_.atVoxel(point.voxel).value;
   const FieldSample shape = shape_.atVoxel(point.voxel);
   if (!std::isfinite(point.value) || !std::isfinite(shape.value)) return std::nullopt;

@@ -29,7 +29,7 @@ SamplingShifts::SamplingShifts(const Grid& grid, double isovalue, double sign)
       isovalue_(isovalue),
       sign_(sign),
       worldGradient_(glm::transpose(glm::inverse(glm::dmat3(grid.geometry().worldFromVoxel)))),
-      voxelMm_(std::cbrt(std::abs(glm::determinant(glm::dmat3(grid.geometry().worldFromVoxel))))) {}
+      voxelMm_(grid.geometry().voxelMm()) {}
 
 SamplingShift SamplingShifts::at(glm::ivec3 cell, const CellPoint& point) const {
   for (int axis = 0; axis < 3; ++axis) {

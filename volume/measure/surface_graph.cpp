@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "volume/hit/bernstein_cubic.h"
 #include "volume/measure/slice_measure.h"
+#include "volume/measure/surface_sums.h"
 #include "volume/parallel_steps.h"
 
 namespace isolux::volume {
@@ -109,32 +110,6 @@ void addLoops(const Grid& grid, glm::ivec3 cell, const CellCorners& corner, Loop
   }
 }
 
-Loops loopsOfRow(const Grid& grid, const MinMaxBlocks& blocks, double isovalue, int blockY, int blockZ) {
-  Loops loops;
-  const auto stored = static_cast<float>(grid.storedOfValue(isovalue));
-  for (int blockX = 0; blockX < blocks.dims().x; ++blockX) {
-    const glm::ivec3 block(blockX, blockY, blockZ);
-    if (!blocks.active(blocks.index(block), stored)) continue;
-    const glm::ivec3 low = block * blocks.blockCells(),
-                     high = glm::min(low + blocks.blockCells(), grid.dims() - 1);
-    for (int z = low.z; z < high.z; ++z)
-      for (int y = low.y; y < high.y; ++y)
-        for (int x = low.x; x < high.x; ++x) {
-          CellCorners corner;
-          int inside = 0, missing = 0;
-          for (std::size_t i = 0; i < 8; ++i) {
-            corner[i] = grid.value(x + static_cast<int>(i & 1), y + static_cast<int>(i >> 1 & 1),
-                                   z + static_cast<int>(i >> 2)) -
-                        isovalue;
-            inside += corner[i] >= 0.0;
-            missing += std::isnan(corner[i]);
-          }
-          if (missing == 0 && inside > 0 && inside < 8) addLoops(grid, {x, y, z}, corner, loops);
-        }
-  }
-  return loops;
-}
-
 glm::dvec3 crossingOf(const Grid& grid, double isovalue, EdgeKey key) {
   const glm::ivec3 dims = grid.dims();
   const auto index = static_cast<std::size_t>(key / 3);
@@ -148,7 +123,7 @@ glm::dvec3 crossingOf(const Grid& grid, double isovalue, EdgeKey key) {
                there = grid.value(to.x, to.y, to.z) - isovalue;
   glm::dvec3 voxel(from);
   voxel[axis] += here / (here - there);
-  return glm::dvec3(grid.geometry().worldFromVoxel * glm::dvec4(voxel, 1.0));
+  return grid.geometry().worldOf(voxel);
 }
 
 void addTrianglesOfPoints(SurfaceGraph& graph) {
@@ -171,11 +146,12 @@ SurfaceGraph surfaceGraph(const Grid& grid, const MinMaxBlocks& blocks, double i
                           base::Progress& progress) {
   SurfaceGraph graph;
   if (blocks.count() == 0 || std::isnan(isovalue)) return graph;
-  const auto rowsY = static_cast<std::size_t>(blocks.dims().y);
-  std::vector<Loops> rows(rowsY * static_cast<std::size_t>(blocks.dims().z));
-  parallelSteps(rows.size(), progress, {0.0, 1.0, "following the surface"}, [&](std::size_t row) {
-    rows[row] =
-        loopsOfRow(grid, blocks, isovalue, static_cast<int>(row % rowsY), static_cast<int>(row / rowsY));
+  const std::vector<Loops> rows = ofBlockRows(blocks, "following the surface", progress, [&](int y, int z) {
+    Loops loops;
+    visitCrossedCells(grid, blocks, isovalue, 1.0, y, z, [&](glm::ivec3 cell, const CellCorners& corners) {
+      addLoops(grid, cell, corners, loops);
+    });
+    return loops;
   });
   std::vector<EdgeKey> edges;
   for (const Loops& row : rows) edges.insert(edges.end(), row.keys.begin(), row.keys.end());

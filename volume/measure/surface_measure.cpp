@@ -46,7 +46,7 @@ class BlockRow {
 void BlockRow::addBlock(glm::ivec3 block) {
   const glm::ivec3 low = block * blocks_.blockCells(),
                    high = glm::min(low + blocks_.blockCells(), grid_.dims() - 1);
-  const auto isovalue = static_cast<float>(grid_.storedOfValue(question_.isovalue));
+  const auto isovalue = grid_.storedIsovalue(question_.isovalue);
   const bool walk = grid_.missingCount() > 0 || question_.keeps ||
                     blocks_.active(blocks_.index(block), isovalue) ||
                     (walls_ && walls_->side(low, high) == BoxWalls::Side::cut);
@@ -113,14 +113,11 @@ SurfaceMeasure measureSurface(const Grid& grid, const MinMaxBlocks& blocks, cons
                               base::Progress& progress) {
   if (blocks.count() == 0 || std::isnan(question.isovalue)) return {};
   const bool allNodes = fewCells(grid, blocks, question.isovalue);
-  const auto rowsY = static_cast<std::size_t>(blocks.dims().y);
-  std::vector<SurfaceSums> rows(rowsY * static_cast<std::size_t>(blocks.dims().z));
-  parallelSteps(rows.size(), progress, {0.0, 1.0, "measuring"}, [&](std::size_t row) {
-    rows[row] = BlockRow(grid, blocks, question, allNodes)
-                    .measure(static_cast<int>(row % rowsY), static_cast<int>(row / rowsY));
-  });
+  const auto measured = [&](int y, int z) {
+    return BlockRow(grid, blocks, question, allNodes).measure(y, z);
+  };
   SurfaceSums sums;
-  for (const SurfaceSums& row : rows) sums += row;
+  for (const SurfaceSums& row : ofBlockRows(blocks, "measuring", progress, measured)) sums += row;
   sums.meetsBorder = borderInside(grid, question, progress);
   return concluded(grid, question, sums);
 }

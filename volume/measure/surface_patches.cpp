@@ -57,16 +57,8 @@ PatchFinder::PatchFinder(const Pieces& pieces, const MinMaxBlocks& blocks)
       sign_(pieces.inside() == scene::Inside::above ? 1.0 : -1.0) {}
 
 void PatchFinder::appendRow(int blockY, int blockZ, std::vector<SurfacePatch>& patches) {
-  const Grid& grid = pieces_.grid();
-  const auto isovalue = static_cast<float>(grid.storedOfValue(pieces_.isovalue()));
-  for (int x = 0; x < blocks_.dims().x; ++x) {
-    const glm::ivec3 block(x, blockY, blockZ), low = block * blocks_.blockCells();
-    if (!blocks_.active(blocks_.index(block), isovalue)) continue;
-    visitCells(grid, pieces_.isovalue(), sign_, low, glm::min(low + blocks_.blockCells(), grid.dims() - 1),
-               [&](glm::ivec3 cell, const CellCorners& corners, int inside, int missing) {
-                 if (missing == 0 && inside < 8) appendCell(cell, corners, patches);
-               });
-  }
+  visitCrossedCells(pieces_.grid(), blocks_, pieces_.isovalue(), sign_, blockY, blockZ,
+                    [&](glm::ivec3 cell, const CellCorners& corners) { appendCell(cell, corners, patches); });
 }
 
 void PatchFinder::appendCell(glm::ivec3 cell, const CellCorners& corners,

@@ -23,22 +23,13 @@ glm::dmat3 worldGradientOf(const GridGeometry& geometry) {
   return glm::transpose(glm::inverse(glm::dmat3(geometry.worldFromVoxel)));
 }
 
-bool withinVolume(const Grid& grid, const glm::dvec3& voxel) {
-  const glm::dvec3 last(grid.dims() - 1);
-  for (int axis = 0; axis < 3; ++axis)
-    if (!(voxel[axis] >= 0.0 && voxel[axis] <= last[axis])) return false;
-  return true;
-}
-
 }  // namespace
 
 std::optional<glm::dvec3> ontoSurface(const SurfaceOf& surface, glm::dvec3 world, double reachMm) {
   const GridGeometry& geometry = surface.grid.geometry();
   const glm::dmat4 voxelFromWorld = geometry.voxelFromWorld();
   const glm::dmat3 worldGradient = worldGradientOf(geometry);
-  const glm::dvec3 spacing = geometry.spacingMm();
-  const double longest = std::min({spacing.x, spacing.y, spacing.z}),
-               enough = 1e-9 * std::max({spacing.x, spacing.y, spacing.z});
+  const double longest = geometry.leastSpacingMm(), enough = 1e-9 * geometry.mostSpacingMm();
   const glm::dvec3 last(surface.grid.dims() - 1);
   glm::dvec3 at = world;
   for (int step = 0; step < kMostSteps; ++step) {
@@ -51,7 +42,7 @@ std::optional<glm::dvec3> ontoSurface(const SurfaceOf& surface, glm::dvec3 world
     glm::dvec3 move = -gradient * (off / squared);
     const double length = glm::length(move);
     if (length > longest) move *= longest / length;
-    at = glm::dvec3(geometry.worldFromVoxel * glm::dvec4(voxel, 1.0)) + move;
+    at = geometry.worldOf(voxel) + move;
     if (glm::length(at - world) > reachMm) return std::nullopt;
     if (length < enough) return at;
   }
@@ -68,7 +59,7 @@ std::optional<SurfacePoint> surfacePoint(const SurfaceOf& surface, glm::dvec3 on
   const double sign = surface.inside == scene::Inside::above ? 1.0 : -1.0;
   SurfacePoint point;
   point.world = onSurface;
-  point.voxel = glm::dvec3(geometry.voxelFromWorld() * glm::dvec4(onSurface, 1.0));
+  point.voxel = geometry.voxelOf(onSurface);
   const FieldSample facet = sampleTrilinear(surface.grid, point.voxel),
                     spline = sampleCubic(surface.grid, point.voxel);
   const glm::dvec3 flat = sign * worldGradient(geometry, facet.gradient),
@@ -86,7 +77,7 @@ std::optional<SurfacePoint> surfacePoint(const SurfaceOf& surface, glm::dvec3 on
     lacks -= 0.5 * x * (1.0 - x) * spline.hessian[axis][axis];
   }
   // Where the gradient nearly vanishes the leading order says nothing: no more than a voxel.
-  const double voxelMm = std::cbrt(std::abs(glm::determinant(glm::dmat3(geometry.worldFromVoxel))));
+  const double voxelMm = geometry.voxelMm();
   point.samplingMm = std::clamp(sign * lacks / steepness, -voxelMm, voxelMm);
   double most = 0.0;
   for (int axis = 0; axis < 3; ++axis) most += std::abs(spline.hessian[axis][axis]) / 8.0;
@@ -102,26 +93,33 @@ std::optional<SurfacePoint> surfacePoint(const SurfaceOf& surface, glm::dvec3 on
 
 std::optional<SurfacePoint> nearestPoint(const SurfaceOf& surface, glm::dvec3 world) {
   const GridGeometry& geometry = surface.grid.geometry();
-  const glm::dvec3 voxel(geometry.voxelFromWorld() * glm::dvec4(world, 1.0));
-  if (!withinVolume(surface.grid, voxel)) return std::nullopt;
-  const glm::dvec3 spacing = geometry.spacingMm();
-  const double widest = std::max({spacing.x, spacing.y, spacing.z});
+  const glm::dvec3 voxel = geometry.voxelOf(world);
+  if (!geometry.holds(voxel)) return std::nullopt;
+  const double widest = geometry.mostSpacingMm();
   const auto near = nearestSurfacePoint(surface.grid, glm::vec3(voxel), glm::vec3(kNearVoxels),
-                                        static_cast<float>(surface.grid.storedOfValue(surface.isovalue)));
+                                        surface.grid.storedIsovalue(surface.isovalue));
   if (!near) return std::nullopt;
-  glm::dvec3 at(geometry.worldFromVoxel * glm::dvec4(glm::dvec3(*near), 1.0));
+  const glm::dvec3 at = geometry.worldOf(glm::dvec3(*near));
   const auto exact = ontoSurface(surface, at, widest);
   if (!exact) return std::nullopt;
-  at = *exact;
-  for (int slide = 0; slide < 8; ++slide) {  // the search was in voxels: now in mm
-    const auto point = surfacePoint(surface, at);
-    if (!point) return std::nullopt;
-    const glm::dvec3 foot = world + point->facet * glm::dot(at - world, point->facet);
-    const auto closer = ontoSurface(surface, foot, widest);
-    if (!closer || glm::length(*closer - world) >= glm::length(at - world) - 1e-9 * widest) return point;
-    at = *closer;
+  const auto start = surfacePoint(surface, *exact);
+  if (!start) return std::nullopt;
+  return slideNearest(surface, world, *start, widest, 8,
+                      1e-9 * widest);  // the search was in voxels: now in mm
+}
+
+SurfacePoint slideNearest(const SurfaceOf& surface, glm::dvec3 world, const SurfacePoint& start,
+                          double reachMm, int mostSlides, double leastGainMm) {
+  SurfacePoint at = start;
+  for (int slide = 0; slide < mostSlides; ++slide) {
+    const glm::dvec3 foot = world + at.facet * glm::dot(at.world - world, at.facet);
+    const auto closer = ontoSurface(surface, foot, reachMm);
+    if (!closer || glm::length(*closer - world) >= glm::length(at.world - world) - leastGainMm) break;
+    const auto point = surfacePoint(surface, *closer);
+    if (!point) break;
+    at = *point;
   }
-  return surfacePoint(surface, at);
+  return at;
 }
 
 double offsetError(const SurfacePoint& point) {

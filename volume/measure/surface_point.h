@@ -45,6 +45,11 @@ std::optional<SurfacePoint> surfacePoint(const SurfaceOf& surface, glm::dvec3 on
 // The surface's point nearest to a position, within some voxels about it; nothing where none is there.
 std::optional<SurfacePoint> nearestPoint(const SurfaceOf& surface, glm::dvec3 world);
 
+// The same from a point of the surface that is near: slides along the surface while that brings it closer by
+// more than `leastGainMm`. reachMm: of each step back onto the surface.
+SurfacePoint slideNearest(const SurfaceOf& surface, glm::dvec3 world, const SurfacePoint& start,
+                          double reachMm, int mostSlides, double leastGainMm = 0.0);
+
 // How far a point's position may be wrong along the normal, mm: what sampling costs with its factor of
 // safety, two standard deviations of the noise, and what lies between slices that were resampled.
 double offsetError(const SurfacePoint& point);

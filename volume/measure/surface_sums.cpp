@@ -124,7 +124,7 @@ void CellAdder::addPoints(glm::ivec3 cell, std::vector<CellPoint>& points, Surfa
 
 bool fewCells(const Grid& grid, const MinMaxBlocks& blocks, double isovalue) {
   std::vector<std::uint8_t> flags;
-  const std::size_t active = blocks.activeBlocks(static_cast<float>(grid.storedOfValue(isovalue)), flags);
+  const std::size_t active = blocks.activeBlocks(grid.storedIsovalue(isovalue), flags);
   const auto side = static_cast<std::size_t>(blocks.blockCells());
   return active * side * side < kFewCells;
 }

@@ -14,6 +14,7 @@
 #include "volume/measure/cell_measure.h"
 #include "volume/measure/sampling_error.h"
 #include "volume/measure/surface_measure.h"
+#include "volume/parallel_steps.h"
 #include "volume/skip/min_max_blocks.h"
 
 namespace isolux::volume {
@@ -86,6 +87,33 @@ void visitCells(const Grid& grid, double isovalue, double sign, glm::ivec3 low, 
           }
       },
       grid.voxels());
+}
+
+// Returns ofRow(y, z) of each row of blocks along x, layer by layer; on all cores. Throws Error{interrupted}.
+template <class OfRow>
+auto ofBlockRows(const MinMaxBlocks& blocks, const char* stage, base::Progress& progress,
+                 const OfRow& ofRow) {
+  const auto rowsY = static_cast<std::size_t>(blocks.dims().y);
+  std::vector<decltype(ofRow(0, 0))> rows(rowsY * static_cast<std::size_t>(blocks.dims().z));
+  parallelSteps(rows.size(), progress, {0.0, 1.0, stage}, [&](std::size_t row) {
+    rows[row] = ofRow(static_cast<int>(row % rowsY), static_cast<int>(row / rowsY));
+  });
+  return rows;
+}
+
+// Calls visit(cell, corners) for the cells of a row of blocks along x that the surface crosses, but for those
+// with a missing corner.
+template <class Visit>
+void visitCrossedCells(const Grid& grid, const MinMaxBlocks& blocks, double isovalue, double sign, int blockY,
+                       int blockZ, const Visit& visit) {
+  for (int x = 0; x < blocks.dims().x; ++x) {
+    const glm::ivec3 block(x, blockY, blockZ), low = block * blocks.blockCells();
+    if (!blocks.active(blocks.index(block), grid.storedIsovalue(isovalue))) continue;
+    visitCells(grid, isovalue, sign, low, glm::min(low + blocks.blockCells(), grid.dims() - 1),
+               [&](glm::ivec3 cell, const CellCorners& corners, int inside, int missing) {
+                 if (missing == 0 && inside < 8) visit(cell, corners);
+               });
+  }
 }
 
 }  // namespace isolux::volume

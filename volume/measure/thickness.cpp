@@ -16,10 +16,6 @@ namespace {
 constexpr double kLeastCosine = 0.05;  // of a ray with the surface it leaves through
 constexpr int kRefinements = 12, kTolerancePasses = 4;
 
-double voxelMm(const Grid& grid) {
-  return std::cbrt(std::abs(glm::determinant(glm::dmat3(grid.geometry().worldFromVoxel))));
-}
-
 // What a ball may cut into the surface without being smaller for it: ripples, and what a doubtful normal
 // makes of points that lie to the side.
 struct Tolerance {
@@ -54,21 +50,6 @@ Ball ballTouching(const SurfacePoint& p, glm::dvec3 q, const Tolerance& toleranc
   return {radius, radius * aside / deep};
 }
 
-// The surface's point nearest to a position, from one that is near to it.
-SurfacePoint slideNearest(const SurfaceOf& surface, glm::dvec3 world, const SurfacePoint& start,
-                          double reach) {
-  SurfacePoint at = start;
-  for (int i = 0; i < kRefinements; ++i) {
-    const glm::dvec3 foot = world + at.facet * glm::dot(at.world - world, at.facet);
-    const auto closer = ontoSurface(surface, foot, reach);
-    if (!closer || glm::length(*closer - world) >= glm::length(at.world - world)) break;
-    const auto point = surfacePoint(surface, *closer);
-    if (!point) break;
-    at = *point;
-  }
-  return at;
-}
-
 }  // namespace
 
 std::optional<ThicknessByRay> thicknessByRay(const SurfaceOf& surface, const MinMaxBlocks& blocks,
@@ -76,7 +57,7 @@ std::optional<ThicknessByRay> thicknessByRay(const SurfaceOf& surface, const Min
   const glm::dmat4 voxelFromWorld = surface.grid.geometry().voxelFromWorld();
   const glm::dvec3 direction(voxelFromWorld * glm::dvec4(-point.normal, 0.0));
   const bool above = surface.inside == scene::Inside::above;
-  double from = 1e-6 * voxelMm(surface.grid);
+  double from = 1e-6 * surface.grid.geometry().voxelMm();
   for (int crossing = 0; crossing < 3; ++crossing) {  // a point just outside is entered first
     const auto hit = firstHit(surface.grid, blocks, surface.isovalue, point.voxel, direction, from);
     if (!hit) return std::nullopt;
@@ -115,9 +96,8 @@ Touch smallestTouch(const SurfaceGraph& graph, const SurfacePoint& point, const 
 
 std::optional<InscribedBall> inscribedBall(const SurfaceOf& surface, const SurfaceGraph& graph,
                                            const SurfacePoint& point) {
-  const double voxel = voxelMm(surface.grid);
-  const glm::dvec3 spacing = surface.grid.geometry().spacingMm();
-  const double thickest = std::max({spacing.x, spacing.y, spacing.z});
+  const GridGeometry& geometry = surface.grid.geometry();
+  const double voxel = geometry.voxelMm(), thickest = geometry.mostSpacingMm();
   Tolerance tolerance = toleranceAt(point, thickest);
   Ball found;
   std::optional<SurfacePoint> touched;
@@ -133,7 +113,7 @@ std::optional<InscribedBall> inscribedBall(const SurfaceOf& surface, const Surfa
   }
   for (int i = 0; i < kRefinements; ++i) {
     const SurfacePoint closer =
-        slideNearest(surface, point.world - found.radius * point.normal, *touched, 4.0 * voxel);
+        slideNearest(surface, point.world - found.radius * point.normal, *touched, 4.0 * voxel, kRefinements);
     const Ball refined = ballTouching(point, closer.world, tolerance);
     if (!(refined.radius < found.radius)) break;
     const bool settled = found.radius - refined.radius < 1e-9 * found.radius;
@@ -147,10 +127,7 @@ std::optional<InscribedBall> inscribedBall(const SurfaceOf& surface, const Surfa
   ball.diameterMm.error = 1.2 * (tolerance.mm + found.doubt) + offsetError(point) + offsetError(*touched);
   ball.centre = point.world - 0.5 * ball.diameterMm.value * point.normal;
   ball.touches = touched->world;
-  const glm::dvec3 voxelCentre(surface.grid.geometry().voxelFromWorld() * glm::dvec4(ball.centre, 1.0));
-  const glm::dvec3 last(surface.grid.dims() - 1);
-  for (int axis = 0; axis < 3; ++axis)
-    if (!(voxelCentre[axis] >= 0.0 && voxelCentre[axis] <= last[axis])) return std::nullopt;
+  if (!geometry.holds(geometry.voxelOf(ball.centre))) return std::nullopt;
   return ball;
 }
 

@@ -107,9 +107,7 @@ class Resampled {
     if (direct_) return grid_.value(x, y, z);
     constexpr double slack = 1e-6;  // voxels: borders that meet
     const glm::dvec3 p(voxelFromVoxel_ * glm::dvec4(x, y, z, 1.0));
-    for (int axis = 0; axis < 3; ++axis)
-      if (!(p[axis] >= -slack && p[axis] <= grid_.dims()[axis] - 1 + slack))
-        return std::numeric_limits<double>::quiet_NaN();
+    if (!grid_.geometry().holds(p, slack)) return std::numeric_limits<double>::quiet_NaN();
     return sampleTrilinear(grid_, p).value;
   }
 

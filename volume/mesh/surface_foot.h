@@ -22,12 +22,6 @@ class SurfaceFoot {
   std::optional<glm::dvec3> of(const glm::dvec3& voxel) const;
 
  private:
-  struct Sample {
-    double off;
-    glm::dvec3 gradient;
-  };
-  Sample at(const glm::dvec3& voxel) const;
-
   const Grid& grid_;
   scene::Field field_;
   const Coefficients* coefficients_;

@@ -48,16 +48,6 @@ void fillSamples(const Grid& grid, const SurfaceMeshRequest& request, int pad, s
   });
 }
 
-bool missingNear(const Grid& grid, const glm::dvec3& middle) {
-  const glm::ivec3 cell =
-      glm::clamp(glm::ivec3(glm::floor(middle)), glm::ivec3(0), glm::max(grid.dims() - 2, 0));
-  for (int i = 0; i < 8; ++i) {
-    const glm::ivec3 corner = glm::min(cell + glm::ivec3(i & 1, i >> 1 & 1, i >> 2), grid.dims() - 1);
-    if (!std::isfinite(grid.value(corner.x, corner.y, corner.z))) return true;
-  }
-  return false;
-}
-
 // A crossed edge of the grid, from its voxel inside to the one outside.
 struct CrossedEdge {
   glm::dvec3 inside, outside;
@@ -132,7 +122,9 @@ class Maker {
         request_.budgetBytes, progress);
     for (glm::dvec3& point : mesh_.points) point -= static_cast<double>(pad);
     if (grid_.missingCount() > 0)
-      std::erase_if(mesh_.triangles, [&](const Triangle& t) { return missingNear(grid_, middle(t)); });
+      std::erase_if(mesh_.triangles, [&](const Triangle& t) {
+        return grid_.cellHasMissing(grid_.geometry().cellOf(middle(t)));
+      });
   }
 
   glm::dvec3 middle(const Triangle& t) const {

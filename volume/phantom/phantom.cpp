@@ -48,7 +48,7 @@ struct Placement {
 
   explicit Placement(const GridGeometry& geometry) {
     const glm::dvec3 middle = glm::dvec3(geometry.dims - 1) * 0.5;
-    centre = glm::dvec3(geometry.worldFromVoxel * glm::dvec4(middle, 1.0));
+    centre = geometry.worldOf(middle);
     const glm::dvec3 lengths = glm::dvec3(glm::max(geometry.dims - 1, glm::ivec3(1))) * geometry.spacingMm();
     edge = std::min({lengths.x, lengths.y, lengths.z});
     // Voxel z = dot(row, p) + constant, where the row is that of the inverse: its length is layers per mm.
@@ -56,8 +56,7 @@ struct Placement {
     const glm::dvec3 row(inverse[0][2], inverse[1][2], inverse[2][2]);
     layerSpacing = 1.0 / glm::length(row);
     layerNormal = row * layerSpacing;
-    const glm::dvec3 onLayer(geometry.worldFromVoxel *
-                             glm::dvec4(middle.x, middle.y, std::floor(middle.z), 1.0));
+    const glm::dvec3 onLayer = geometry.worldOf({middle.x, middle.y, std::floor(middle.z)});
     layerOffset = glm::dot(layerNormal, onLayer);
   }
 };

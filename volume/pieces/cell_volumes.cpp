@@ -1,7 +1,6 @@
 #include "volume/pieces/cell_volumes.h"
 
 #include <algorithm>
-#include <atomic>
 #include <bit>
 #include <cmath>
 
@@ -64,24 +63,11 @@ std::array<double, 8> cornerShares(const CellCorners& values) {
   return shares;
 }
 
-void CellVolumes::add(std::uint32_t node, std::uint64_t volume) {
-  if (node != node_) {
-    handOn();
-    node_ = node;
-  }
-  sum_ += volume;
-}
-
-void CellVolumes::handOn() {
-  if (sum_ != 0) std::atomic_ref(volumes_[node_]).fetch_add(sum_, std::memory_order_relaxed);
-  sum_ = 0;
-}
-
 void CellVolumes::addUncrossed(glm::ivec3 block) {
   const PieceBlocks::View view = blocks_.view(block);
   if (!view.bits) return;
   const glm::ivec3 cells = glm::max(glm::min(blocks_.voxelDims() - 1 - block * kPieceBlock, kPieceBlock), 0);
-  add(view.firstNode, static_cast<std::uint64_t>(cells.x * cells.y * cells.z) * kWholeCell);
+  volumes_.add(view.firstNode, static_cast<std::uint64_t>(cells.x * cells.y * cells.z) * kWholeCell);
 }
 
 void CellVolumes::addSlice(glm::ivec3 block, const BlockCells& cells, const BlockCells::Slice& slice, int z,
@@ -110,12 +96,12 @@ bool CellVolumes::hasMissing(const std::array<float, 8>& depths) const {
 void CellVolumes::addWhole(const PieceBlocks::View& view, std::uint64_t whole, int z) {
   if (whole == 0) return;
   if (!view.labels) {
-    add(view.firstNode, static_cast<std::uint64_t>(std::popcount(whole)) * kWholeCell);
+    volumes_.add(view.firstNode, static_cast<std::uint64_t>(std::popcount(whole)) * kWholeCell);
     return;
   }
   for (; whole != 0; whole &= whole - 1) {
     const int bit = std::countr_zero(whole);
-    add(view.nodeOf({bit % 8, bit / 8, z}), kWholeCell);
+    volumes_.add(view.nodeOf({bit % 8, bit / 8, z}), kWholeCell);
   }
 }
 
@@ -135,7 +121,7 @@ void CellVolumes::addCrossed(glm::ivec3 block, const PieceBlocks::View& view, co
     const std::uint32_t node =
         own ? view.nodeOf(cell + step)
             : blocks_.nodeOf(glm::min(kPieceBlock * block + cell + step, blocks_.voxelDims() - 1));
-    add(node, unitsOf(partInside(depths)));
+    volumes_.add(node, unitsOf(partInside(depths)));
   }
 }
 
@@ -146,7 +132,7 @@ void CellVolumes::addAmbiguous(glm::ivec3 cell, const std::array<float, 8>& dept
   for (std::size_t corner = 0; corner < 8; ++corner) {
     if (!(shares[corner] > 0.0)) continue;
     const glm::ivec3 voxel = glm::min(cell + cornerStep(static_cast<int>(corner)), blocks_.voxelDims() - 1);
-    add(blocks_.nodeOf(voxel), unitsOf(static_cast<float>(shares[corner])));
+    volumes_.add(blocks_.nodeOf(voxel), unitsOf(static_cast<float>(shares[corner])));
   }
 }
 

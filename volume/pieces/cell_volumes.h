@@ -9,6 +9,7 @@
 #include "volume/hit/bernstein_cubic.h"
 #include "volume/pieces/block_cells.h"
 #include "volume/pieces/piece_blocks.h"
+#include "volume/pieces/running_sums.h"
 
 namespace isolux::volume {
 
@@ -28,9 +29,6 @@ class CellVolumes {
  public:
   CellVolumes(const PieceBlocks& blocks, bool anyMissing, NodeVolumes& volumes)
       : blocks_(blocks), anyMissing_(anyMissing), volumes_(volumes) {}
-  ~CellVolumes() { handOn(); }
-  CellVolumes(const CellVolumes&) = delete;
-  CellVolumes& operator=(const CellVolumes&) = delete;
 
   // A block whose cells are all whole, or all empty.
   void addUncrossed(glm::ivec3 block);
@@ -39,8 +37,6 @@ class CellVolumes {
                 std::uint64_t ambiguous);
 
  private:
-  void add(std::uint32_t node, std::uint64_t volume);
-  void handOn();
   void addWhole(const PieceBlocks::View& view, std::uint64_t whole, int z);
   void addCrossed(glm::ivec3 block, const PieceBlocks::View& view, const BlockCells& cells, int corner,
                   std::uint64_t crossed, int z);
@@ -49,10 +45,7 @@ class CellVolumes {
 
   const PieceBlocks& blocks_;
   bool anyMissing_;
-  NodeVolumes& volumes_;
-  // What comes is mostly of the node before: its sum is handed on when another one comes.
-  std::uint32_t node_ = PieceBlocks::kNoNode;
-  std::uint64_t sum_ = 0;
+  RunningSums volumes_;
 };
 
 }  // namespace isolux::volume

@@ -1,21 +1,11 @@
 #include "volume/pieces/hidden_pieces.h"
 
 #include "base/hash.h"
+#include "scene/shown_surfaces.h"
 #include "volume/pieces/piece_sets.h"
 #include "volume/pieces/shown_pieces.h"
 
 namespace isolux::volume {
-
-namespace {
-
-std::vector<double> isovaluesThere(const scene::Scene& resolved) {
-  std::vector<double> values{resolved.isosurface.value.value()};
-  for (const scene::ExtraIsosurface& extra : resolved.extraIsosurfaces)
-    if (extra.shown) values.push_back(extra.value.value());
-  return values;
-}
-
-}  // namespace
 
 namespace {
 
@@ -31,19 +21,20 @@ std::vector<HiddenOfSurface> hiddenOf(const scene::Scene& resolved, const PieceS
   std::vector<HiddenOfSurface> result;
   if (!hidesPieces(resolved.pieces)) return result;
   const scene::Inside inside = resolved.isosurface.inside;
-  for (const double isovalue : isovaluesThere(resolved))
-    if (auto voxels = pieces.hidden(resolved.pieces, isovalue, inside, progress); hidesOf(resolved, voxels))
-      result.push_back({isovalue, std::move(voxels), inside});
+  for (const auto& surface : scene::shownSurfaces(resolved))
+    if (auto voxels = pieces.hidden(resolved.pieces, *surface.value, inside, progress);
+        hidesOf(resolved, voxels))
+      result.push_back({*surface.value, std::move(voxels), inside});
   return result;
 }
 
 std::vector<HiddenOfSurface> knownHidden(const scene::Scene& resolved, const PieceSets& pieces) {
   std::vector<HiddenOfSurface> result;
   const scene::Inside inside = resolved.isosurface.inside;
-  for (const double isovalue : isovaluesThere(resolved))
-    if (const auto voxels = pieces.findHidden(resolved.pieces, isovalue, inside);
+  for (const auto& surface : scene::shownSurfaces(resolved))
+    if (const auto voxels = pieces.findHidden(resolved.pieces, *surface.value, inside);
         voxels && hidesOf(resolved, *voxels))
-      result.push_back({isovalue, *voxels, inside});
+      result.push_back({*surface.value, *voxels, inside});
   return result;
 }
 
@@ -59,7 +50,7 @@ HiddenPieces hiddenAt(std::span<const HiddenOfSurface> surfaces, double isovalue
 
 HiddenPieces hiddenAt(std::span<const HiddenOfSurface> surfaces, const Grid& grid, float storedIsovalue) {
   for (const HiddenOfSurface& surface : surfaces)
-    if (static_cast<float>(grid.storedOfValue(surface.isovalue)) == storedIsovalue)
+    if (grid.storedIsovalue(surface.isovalue) == storedIsovalue)
       return {surface.voxels.get(), surface.inside};
   return {};
 }

@@ -13,8 +13,7 @@ struct InsideLevel {
   bool high = true;  // inside is stored >= level; else stored <= level
 
   static InsideLevel of(const Grid& grid, double isovalue, scene::Inside inside) {
-    return {static_cast<float>(grid.storedOfValue(isovalue)),
-            (inside == scene::Inside::above) == (grid.slope() > 0.0)};
+    return {grid.storedIsovalue(isovalue), (inside == scene::Inside::above) == (grid.slope() > 0.0)};
   }
   bool holds(float stored) const { return high ? stored >= level : stored <= level; }
   // >= 0 inside; |stored - isovalue|, exact for stored integers.

@@ -73,8 +73,4 @@ glm::ivec3 seedAbove(const Grid& grid, InsideLevel level, glm::ivec3 voxel) {
   }
 }
 
-glm::dvec3 worldOf(const GridGeometry& geometry, glm::ivec3 voxel) {
-  return glm::dvec3(geometry.worldFromVoxel * glm::dvec4(glm::dvec3(voxel), 1.0));
-}
-
 }  // namespace isolux::volume

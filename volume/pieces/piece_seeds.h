@@ -20,6 +20,4 @@ std::vector<glm::ivec3> pieceSeeds(const Pieces& pieces, base::Progress& progres
 // isovalue breaks the piece, it is in the part that was pointed at.
 glm::ivec3 seedAbove(const Grid& grid, InsideLevel level, glm::ivec3 voxel);
 
-glm::dvec3 worldOf(const GridGeometry& geometry, glm::ivec3 voxel);  // mm
-
 }  // namespace isolux::volume

@@ -5,11 +5,13 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
 #include <optional>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "base/progress.h"
+#include "base/recent.h"
 #include "scene/scene.h"
 #include "volume/pieces/body.h"
 #include "volume/pieces/hidden_voxels.h"
@@ -45,22 +47,14 @@ class PieceSets {
                                                                 scene::Inside inside) const;
 
  private:
-  bool forgetOldest() const;  // false: no pieces are kept
-
-  // Four isosurfaces, before and after a change.
-  static constexpr std::size_t kMostKept = 8, kMostBodies = 2;
-  struct Hidden {
-    scene::Pieces choice;
-    double isovalue;
-    scene::Inside inside;
-    std::shared_ptr<const HiddenVoxels> voxels;  // null: nothing is hidden
-  };
+  static constexpr std::size_t kMostKept = 8;  // four isosurfaces, before and after a change
   std::shared_ptr<const Grid> grid_;
   std::shared_ptr<const MinMaxBlocks> blocks_;
-  mutable std::mutex mutex_;                                   // held for moments
-  mutable std::vector<std::shared_ptr<const Pieces>> pieces_;  // the latest last
-  mutable std::vector<Hidden> hidden_;
-  mutable std::vector<std::shared_ptr<const Body>> bodies_;
+  mutable base::Recent<std::pair<double, scene::Inside>, std::shared_ptr<const Pieces>> pieces_{kMostKept};
+  // Null where nothing is hidden.
+  mutable base::Recent<std::tuple<scene::Pieces, double, scene::Inside>, std::shared_ptr<const HiddenVoxels>>
+      hidden_{kMostKept};
+  mutable base::Recent<double, std::shared_ptr<const Body>> bodies_{2};
 };
 
 }  // namespace isolux::volume

@@ -1,24 +1,21 @@
 #include "volume/pieces/piece_sizes.h"
 
-#include <atomic>
 #include <bit>
 #include <cmath>
 
 #include <glm/matrix.hpp>
 
 #include "volume/parallel_steps.h"
+#include "volume/pieces/running_sums.h"
 
 namespace isolux::volume {
 
 namespace {
 
-// The voxels of the pieces in a row of blocks, handed on whenever another piece comes.
+// The voxels of the pieces in a row of blocks.
 class VoxelCounts {
  public:
-  VoxelCounts(const Pieces& pieces, std::vector<std::uint64_t>& all) : pieces_(pieces), all_(all) {}
-  ~VoxelCounts() { handOn(); }
-  VoxelCounts(const VoxelCounts&) = delete;
-  VoxelCounts& operator=(const VoxelCounts&) = delete;
+  VoxelCounts(const Pieces& pieces, std::vector<std::uint64_t>& all) : pieces_(pieces), counts_(all) {}
 
   void addBlock(glm::ivec3 b) {
     const PieceBlocks& blocks = pieces_.blocks();
@@ -44,22 +41,11 @@ class VoxelCounts {
 
  private:
   void add(std::uint32_t node, int voxels) {
-    const std::uint32_t piece = pieces_.ofNode(node);
-    if (piece != piece_) {
-      handOn();
-      piece_ = piece;
-    }
-    sum_ += static_cast<std::uint64_t>(voxels);
-  }
-  void handOn() {
-    if (sum_ != 0) std::atomic_ref(all_[piece_]).fetch_add(sum_, std::memory_order_relaxed);
-    sum_ = 0;
+    counts_.add(pieces_.ofNode(node), static_cast<std::uint64_t>(voxels));
   }
 
   const Pieces& pieces_;
-  std::vector<std::uint64_t>& all_;
-  std::uint32_t piece_ = Pieces::kNone;
-  std::uint64_t sum_ = 0;
+  RunningSums counts_;
 };
 
 }  // namespace
@@ -76,7 +62,7 @@ std::vector<Piece> pieceSizes(const Pieces& pieces, std::size_t count, const Nod
                 });
   for (std::uint32_t node = 0; node < pieces.blocks().nodes(); ++node)
     volumes[pieces.ofNode(node)] += nodeVolumes[node];
-  const double cellMm3 = std::abs(glm::determinant(glm::dmat3(pieces.grid().geometry().worldFromVoxel)));
+  const double cellMm3 = pieces.grid().geometry().voxelMm3();
   std::vector<Piece> result(count);
   for (std::size_t i = 0; i < count; ++i)
     result[i] = {static_cast<double>(volumes[i]) / kVolumeUnits * cellMm3, voxels[i]};

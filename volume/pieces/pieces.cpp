@@ -71,7 +71,7 @@ std::uint32_t Pieces::ofPoint(glm::dvec3 voxel) const {
     return kNone;
   if (glm::all(glm::lessThan(glm::abs(voxel - nearest), glm::dvec3(near))))
     return ofVoxel(glm::ivec3(nearest));
-  const glm::ivec3 cell = glm::clamp(glm::ivec3(glm::floor(voxel)), glm::ivec3(0), glm::max(dims - 2, 0));
+  const glm::ivec3 cell = grid_->geometry().cellOf(voxel);
   const auto corner = [&](std::size_t i) {
     const auto bits = static_cast<int>(i);
     return glm::min(cell + glm::ivec3(bits & 1, bits >> 1 & 1, bits >> 2), dims - 1);

@@ -127,8 +127,7 @@ ShownWay ShownCells::along(glm::ivec3 cell, const glm::dvec3& from, const glm::d
 }
 
 bool ShownCells::hiddenAt(const glm::dvec3& voxel) const {
-  const glm::ivec3 cell =
-      glm::clamp(glm::ivec3(glm::floor(voxel)), glm::ivec3(0), glm::max(grid_.dims() - 2, glm::ivec3(0)));
+  const glm::ivec3 cell = grid_.geometry().cellOf(voxel);
   const glm::dvec3 local = glm::clamp(voxel - glm::dvec3(cell), 0.0, 1.0);
   return field_ == scene::Field::trilinear ? cellAt(cell).hiddenAt(local) : hiddenNear(cell, local);
 }

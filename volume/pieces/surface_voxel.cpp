@@ -42,8 +42,7 @@ std::optional<glm::ivec3> surfaceVoxel(const Grid& grid, InsideLevel level, glm:
 }
 
 std::optional<glm::ivec3> surfaceVoxel(const Grid& grid, InsideLevel level, const glm::dvec3& voxel) {
-  const glm::ivec3 cell =
-      glm::clamp(glm::ivec3(glm::floor(voxel)), glm::ivec3(0), glm::max(grid.dims() - 2, glm::ivec3(0)));
+  const glm::ivec3 cell = grid.geometry().cellOf(voxel);
   return surfaceVoxel(grid, level, cell, glm::clamp(voxel - glm::dvec3(cell), 0.0, 1.0));
 }
 

@@ -29,7 +29,7 @@ PlaneLattice::PlaneLattice(const GridGeometry& geometry, const SlicePlane& plane
     if (std::abs(normal[axis]) > std::abs(normal[c_]) + 1e-12) c_ = axis;
   a_ = (c_ + 1) % 3;
   b_ = (c_ + 2) % 3;
-  const glm::dvec3 origin(geometry.voxelFromWorld() * glm::dvec4(plane.originMm, 1.0));
+  const glm::dvec3 origin = geometry.voxelOf(plane.originMm);
   cA_ = -normal[a_] / normal[c_];
   cB_ = -normal[b_] / normal[c_];
   if (std::abs(cA_) < kLevelPlane) cA_ = 0.0;

@@ -18,11 +18,8 @@ struct Outline {
 
 Outline outlineOf(const GridGeometry& geometry, const SliceFrame& frame) {
   Outline outline;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec3 voxel = glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2 & 1) *
-                             glm::dvec3(glm::max(geometry.dims - 1, glm::ivec3(0)));
-    const glm::dvec3 world(geometry.worldFromVoxel * glm::dvec4(voxel, 1.0));
-    const glm::dvec2 at(glm::dot(world, frame.right), glm::dot(world, frame.down));
+  for (const glm::dvec3& corner : geometry.corners()) {
+    const glm::dvec2 at(glm::dot(corner, frame.right), glm::dot(corner, frame.down));
     outline.low = glm::min(outline.low, at);
     outline.high = glm::max(outline.high, at);
   }

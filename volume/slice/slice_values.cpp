@@ -27,11 +27,8 @@ SlabWay slabWay(const GridGeometry& geometry, const SlicePlane& plane, double mm
   if (!(mm > 0.0)) return {};
   const glm::dvec3 normal = plane.frame().normal();
   double low = 1e300, high = -1e300;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec3 voxel =
-        glm::dvec3(geometry.dims - 1) * glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2 & 1);
-    const glm::dvec3 world(geometry.worldFromVoxel * glm::dvec4(voxel, 1.0));
-    const double at = glm::dot(world - plane.originMm, normal);
+  for (const glm::dvec3& corner : geometry.corners()) {
+    const double at = glm::dot(corner - plane.originMm, normal);
     low = std::min(low, at);
     high = std::max(high, at);
   }
@@ -75,14 +72,11 @@ bool cornerMissing(const Grid& grid, glm::dvec3 voxel) {
 }  // namespace
 
 double SliceField::value(glm::dvec3 voxel) const {
-  const glm::dvec3 last(grid.dims() - 1);
-  for (int axis = 0; axis < 3; ++axis)
-    if (!(voxel[axis] >= -kBorderVoxels && voxel[axis] <= last[axis] + kBorderVoxels)) return kNan;
-  voxel = glm::clamp(voxel, glm::dvec3(0.0), last);
-  if (field == scene::Field::trilinear) return sampleTrilinear(grid, voxel).value;
-  if (field == scene::Field::cubic) return sampleCubic(grid, voxel).value;
-  if (grid.missingCount() > 0 && cornerMissing(grid, voxel)) return kNan;
-  return sampleCubic(*coefficients, grid, voxel).value;
+  if (!grid.geometry().holds(voxel, kBorderVoxels)) return kNan;
+  voxel = glm::clamp(voxel, glm::dvec3(0.0), glm::dvec3(grid.dims() - 1));
+  const bool fromCoefficients = field == scene::Field::cubic_interpolating;
+  if (fromCoefficients && grid.missingCount() > 0 && cornerMissing(grid, voxel)) return kNan;
+  return sampleField(grid, field, fromCoefficients ? coefficients : nullptr, voxel).value;
 }
 
 SliceValues sliceValues(const SliceField& field, const SlicePlane& plane, const Slab& slab,

@@ -16,15 +16,15 @@ Quantiles quantilesOf(std::vector<double>& values) {
   return {lowerQuantile(values, 0.05), lowerQuantile(values, 0.5), lowerQuantile(values, 0.95)};
 }
 
-template <class SampleAt>
+// Of the field at a scale unless `scaled` is null.
 CurvatureStatistics statisticsOf(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
-                                 double outward, const SampleAt& sampleAt, std::size_t wanted,
-                                 const HiddenPieces& hidden) {
+                                 double outward, const Coefficients* coefficients, const ScaledField* scaled,
+                                 std::size_t wanted, const HiddenPieces& hidden) {
   CurvatureStatistics result;
   std::vector<glm::dvec2> kappas;
   std::vector<double> flowlines;
   for (const VisiblePoint& point : visiblePoints(grid, blocks, isovalue, wanted, hidden)) {
-    const FieldSample field = sampleAt(point.voxel);
+    const FieldSample field = sampleField(grid, scene::Field::cubic, coefficients, point.voxel, scaled);
     const PrincipalCurvature k = principalCurvature(worldGradient(grid.geometry(), field.gradient),
                                                     worldHessian(grid.geometry(), field.hessian), outward);
     if (k.normal == glm::dvec3(0.0)) continue;
@@ -54,17 +54,13 @@ Quantiles CurvatureStatistics::of(scene::LookMode look) const {
 CurvatureStatistics curvatureStatistics(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
                                         double outward, const Coefficients* coefficients, std::size_t wanted,
                                         const HiddenPieces& hidden) {
-  const auto sampleAt = [&](glm::dvec3 voxel) {
-    return coefficients ? sampleCubic(*coefficients, grid, voxel) : sampleCubic(grid, voxel);
-  };
-  return statisticsOf(grid, blocks, isovalue, outward, sampleAt, wanted, hidden);
+  return statisticsOf(grid, blocks, isovalue, outward, coefficients, nullptr, wanted, hidden);
 }
 
 CurvatureStatistics curvatureStatistics(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
                                         double outward, const ScaledField& scaled, std::size_t wanted,
                                         const HiddenPieces& hidden) {
-  const auto sampleAt = [&](glm::dvec3 voxel) { return sampleScaled(scaled, grid, voxel); };
-  return statisticsOf(grid, blocks, isovalue, outward, sampleAt, wanted, hidden);
+  return statisticsOf(grid, blocks, isovalue, outward, nullptr, &scaled, wanted, hidden);
 }
 
 }  // namespace isolux::volume

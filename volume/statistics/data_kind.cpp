@@ -110,9 +110,8 @@ FoundKind dataKindOf(const Volume& volume, const Histogram& histogram, const sce
     if (!isBoxRoundTheOrigin(grid.geometry()))
       return {Kind::mr, "it is a scan of a patient, and its values are not those of a CT"};
   }
-  const glm::dvec3 spacing = grid.geometry().spacingMm();
   constexpr double smallestMm = 0.002;
-  if (std::min({spacing.x, spacing.y, spacing.z}) < smallestMm)
+  if (grid.geometry().leastSpacingMm() < smallestMm)
     return {Kind::microscopy, "its voxels are smaller than 2 micrometres"};
   // Rounding is a noise of 0.29 of a step; floats have some, too, of which a millionth of their range is
   // none.

@@ -28,7 +28,6 @@ constexpr double kMostUnknown = 0.2, kHardlyMore = 1.15;
 // Terraces of interpolated slices: the power that shows them (by chance once in e^12), and the scale that
 // leaves exp(-2 pi^2 0.6^2) = 0.001 of them, in parts of the distance.
 constexpr double kShownTerraces = 12.0, kTerraces = 0.6;
-constexpr std::size_t kMostKept = 8;
 
 // Away from the border, where samples are repeated.
 std::vector<glm::dvec3> pointsWithin(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
@@ -154,9 +153,8 @@ struct LeastScale {
 // this part of it they do not. 0 where voxels are alike, more or less.
 LeastScale scaleOfThickSlices(const GridGeometry& geometry) {
   constexpr double alike = 1.5, part = 0.8;
-  const glm::dvec3 spacing = geometry.spacingMm();
-  const double most = std::max({spacing.x, spacing.y, spacing.z});
-  if (most <= alike * std::min({spacing.x, spacing.y, spacing.z})) return {};
+  const double most = geometry.mostSpacingMm();
+  if (most <= alike * geometry.leastSpacingMm()) return {};
   return {part * most, "four fifths of the distance between slices, which would show as terraces"};
 }
 
@@ -189,8 +187,7 @@ std::string noiseReason(double estimated, double believed) {
 // Pictures lose no detail: not a voxel's, and none that noise only may be.
 std::size_t normalStep(const ScaleLadder& ladder, const Search& search, const GridGeometry& geometry,
                        bool keepsAll) {
-  const glm::dvec3 spacing = geometry.spacingMm();
-  const double most = 1.001 * std::min({spacing.x, spacing.y, spacing.z});
+  const double most = 1.001 * geometry.leastSpacingMm();
   std::size_t step = keepsAll ? 0 : search.normal.step;
   while (ladder.scaleMm(step) > most) --step;
   return step;
@@ -242,25 +239,7 @@ DerivativeChoice choiceWithoutVoxels(const DerivativeQuestion& question) {
 
 scene::NoiseModel DerivativeChoices::noise(base::Progress& progress) const {
   if (knownNoise_ || !grid_->isWhole()) return {{0.0}, {knownNoise_.value_or(0.0)}, glm::dvec3(0.0)};
-  {
-    const std::lock_guard lock(mutex_);
-    if (noise_) return *noise_;
-  }
-  scene::NoiseModel model = estimateNoise(*grid_, progress);
-  const std::lock_guard lock(mutex_);
-  if (!noise_) noise_ = std::move(model);
-  return *noise_;
-}
-
-glm::dvec3 DerivativeChoices::slices(base::Progress& progress) const {
-  {
-    const std::lock_guard lock(mutex_);
-    if (slices_) return *slices_;
-  }
-  const glm::dvec3 found = interpolatedSlices(*grid_, progress);
-  const std::lock_guard lock(mutex_);
-  slices_ = found;
-  return found;
+  return noise_.get({}, [&] { return estimateNoise(*grid_, progress); });
 }
 
 std::optional<DerivativeChoice> DerivativeChoices::find(const DerivativeQuestion& question) const {
@@ -269,16 +248,18 @@ std::optional<DerivativeChoice> DerivativeChoices::find(const DerivativeQuestion
     choice.noiseReason = choice.scaleReason = choice.normalReason = "the source has no noise";
     return choice;
   }
-  const std::lock_guard lock(mutex_);
-  for (const Kept& kept : kept_)
-    if (kept.question == question) return kept.choice;
-  return std::nullopt;
+  return choices_.find(question);
 }
 
 DerivativeChoice DerivativeChoices::choose(const DerivativeQuestion& question,
                                            base::Progress& progress) const {
   if (const auto found = find(question)) return *found;
   if (!grid_->isWhole()) return choiceWithoutVoxels(question);
+  return choices_.get(question, [&] { return measured(question, progress); });
+}
+
+DerivativeChoice DerivativeChoices::measured(const DerivativeQuestion& question,
+                                             base::Progress& progress) const {
   const scene::NoiseModel model = noise(progress);
   const double noise = question.noise.value_or(model.at(question.isovalue));
   DerivativeChoice choice;
@@ -294,14 +275,13 @@ DerivativeChoice DerivativeChoices::choose(const DerivativeQuestion& question,
     ScaleLadder ladder(*grid_, pointsWithin(*grid_, *blocks_, question.isovalue, kPoints), model.correlation);
     const Search search = searchScales(ladder, question, noise, progress);
     LeastScale least;
-    if (question.noise != 0.0 && !isMesh_ && search.measures.points >= kFewest)
-      least = scaleOfInterpolatedSlices(*grid_, *blocks_, question.isovalue, slices(progress),
-                                        model.correlation, progress);
+    if (question.noise != 0.0 && !isMesh_ && search.measures.points >= kFewest) {
+      const glm::dvec3 slices = slices_.get({}, [&] { return interpolatedSlices(*grid_, progress); });
+      least =
+          scaleOfInterpolatedSlices(*grid_, *blocks_, question.isovalue, slices, model.correlation, progress);
+    }
     choice = choiceOf(ladder, search, *grid_, noise, std::move(least), kept);
   }
-  const std::lock_guard lock(mutex_);
-  if (kept_.size() >= kMostKept) kept_.erase(kept_.begin());
-  kept_.push_back({question, choice});
   return choice;
 }
 

@@ -6,12 +6,11 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "base/progress.h"
+#include "base/recent.h"
 #include "scene/noise.h"
 #include "scene/scene.h"
 #include "volume/grid.h"
@@ -58,20 +57,15 @@ class DerivativeChoices {
   void complete(scene::Scene& scene, base::Progress& progress) const;
 
  private:
-  struct Kept {
-    DerivativeQuestion question;
-    DerivativeChoice choice;
-  };
-  glm::dvec3 slices(base::Progress& progress) const;  // interpolatedSlices(), found once
+  DerivativeChoice measured(const DerivativeQuestion& question, base::Progress& progress) const;
 
   std::shared_ptr<const Grid> grid_;
   std::shared_ptr<const MinMaxBlocks> blocks_;
   std::optional<double> knownNoise_;
   bool isMesh_;
-  mutable std::mutex mutex_;  // held for moments
-  mutable std::optional<scene::NoiseModel> noise_;
-  mutable std::optional<glm::dvec3> slices_;
-  mutable std::vector<Kept> kept_;  // the latest last
+  mutable base::Once<scene::NoiseModel> noise_;
+  mutable base::Once<glm::dvec3> slices_;  // interpolatedSlices()
+  mutable base::Recent<DerivativeQuestion, DerivativeChoice> choices_{8};
 };
 
 }  // namespace isolux::volume

@@ -9,6 +9,8 @@
 #include "volume/field/cubic_weights.h"
 #include "volume/field/curvature.h"
 #include "volume/field/reconstruct.h"
+#include "volume/field/symmetric_filter.h"
+#include "volume/field/tensor_product.h"
 #include "volume/parallel_loops.h"
 
 namespace isolux::volume {
@@ -32,87 +34,43 @@ std::vector<double> smoothingKernel(double variance) {
   return kernel;
 }
 
-// What each sample of one axis contributes to value, first and second derivative.
-struct AxisWeights {
-  std::vector<std::size_t> offsets;  // of samples, elements
-  std::vector<std::array<double, 3>> weights;
+// As AxisTaps, of any number.
+struct LongAxisTaps {
+  std::size_t count = 0;
+  std::vector<int> sample;
+  std::vector<double> w, d1, d2;
 
-  // Samples beyond the border continue by point reflection, f(-k) = 2 f(0) - f(k).
-  void add(int at, int length, std::size_t stride, std::array<double, 3> weight) {
-    const auto twice = [&](int border) {
-      push(border, stride, {2.0 * weight[0], 2.0 * weight[1], 2.0 * weight[2]});
-    };
-    while (length > 1 && (at < 0 || at >= length)) {
-      const int border = at < 0 ? 0 : length - 1;
-      twice(border);
-      at = 2 * border - at;
-      for (double& part : weight) part = -part;
+  // Folds samples beyond the border.
+  void add(int at, int length, double weight, double slope, double bend) {
+    for (const ReflectedSample& part : reflectedSample(at, length)) {
+      sample.push_back(part.at);
+      w.push_back(part.factor * weight);
+      d1.push_back(part.factor * slope);
+      d2.push_back(part.factor * bend);
+      ++count;
     }
-    push(std::clamp(at, 0, length - 1), stride, weight);
   }
-
- private:
-  void push(int at, std::size_t stride, const std::array<double, 3>& weight) {
-    offsets.push_back(static_cast<std::size_t>(at) * stride);
-    weights.push_back(weight);
-  }
+  int middle() const { return sample[count / 2]; }
 };
 
-AxisWeights weightsAlong(const std::vector<double>& kernel, double position, int length, std::size_t stride) {
-  const double at = std::clamp(position, 0.0, static_cast<double>(length - 1));
-  const int cell = std::min(static_cast<int>(at), std::max(length - 2, 0));
-  const CubicWeights<double> spline = cubicWeights(at - cell);
+LongAxisTaps tapsAlong(const std::vector<double>& kernel, double position, int length) {
+  const auto [cell, t] = cellPosition(position, length);
+  const CubicWeights<double> spline = cubicWeights(t);
   const int reach = static_cast<int>(kernel.size()) - 1;
-  AxisWeights out;
+  LongAxisTaps out;
   for (int tap = -1 - reach; tap <= 2 + reach; ++tap) {
-    std::array<double, 3> sums{};
+    double w = 0.0, d1 = 0.0, d2 = 0.0;
     for (int k = 0; k < 4; ++k) {
       const int apart = std::abs(tap - (k - 1));
       if (apart > reach) continue;
       const double weight = kernel[static_cast<std::size_t>(apart)];
-      sums[0] += weight * spline.w[k];
-      sums[1] += weight * spline.d1[k];
-      sums[2] += weight * spline.d2[k];
+      w += weight * spline.w[k];
+      d1 += weight * spline.d1[k];
+      d2 += weight * spline.d2[k];
     }
-    out.add(cell + tap, length, stride, sums);
+    out.add(cell + tap, length, w, d1, d2);
   }
   return out;
-}
-
-struct VoxelDerivatives {
-  glm::dvec3 gradient{0.0};
-  glm::dmat3 hessian{0.0};
-};
-
-// Stored units. Sums over x, then y, then z. What the middle has is taken off first: nothing is lost of
-// values like 1e6.
-template <class T>
-VoxelDerivatives sumAround(const std::vector<T>& voxels, const std::array<AxisWeights, 3>& along) {
-  const AxisWeights &x = along[0], &y = along[1], &z = along[2];
-  const auto middle =
-      static_cast<double>(voxels[x.offsets[x.offsets.size() / 2] + y.offsets[y.offsets.size() / 2] +
-                                 z.offsets[z.offsets.size() / 2]]);
-  double v100 = 0, v010 = 0, v001 = 0, v200 = 0, v020 = 0, v002 = 0, v110 = 0, v101 = 0, v011 = 0;
-  for (std::size_t k = 0; k < z.offsets.size(); ++k) {
-    double p00 = 0, p10 = 0, p01 = 0, p20 = 0, p02 = 0, p11 = 0;
-    for (std::size_t j = 0; j < y.offsets.size(); ++j) {
-      const T* const row = voxels.data() + y.offsets[j] + z.offsets[k];
-      double s0 = 0, s1 = 0, s2 = 0;
-      for (std::size_t i = 0; i < x.offsets.size(); ++i) {
-        const double value = static_cast<double>(row[x.offsets[i]]) - middle;
-        s0 += x.weights[i][0] * value;
-        s1 += x.weights[i][1] * value;
-        s2 += x.weights[i][2] * value;
-      }
-      const auto& w = y.weights[j];
-      p00 += w[0] * s0, p10 += w[0] * s1, p20 += w[0] * s2;
-      p01 += w[1] * s0, p11 += w[1] * s1, p02 += w[2] * s0;
-    }
-    const auto& w = z.weights[k];
-    v100 += w[0] * p10, v010 += w[0] * p01, v200 += w[0] * p20, v020 += w[0] * p02, v110 += w[0] * p11;
-    v001 += w[1] * p00, v101 += w[1] * p10, v011 += w[1] * p01, v002 += w[2] * p00;
-  }
-  return {{v100, v010, v001}, glm::dmat3(v200, v110, v101, v110, v020, v011, v101, v011, v002)};
 }
 
 // What is left of the variance of noise with this blur, voxels.
@@ -158,12 +116,17 @@ std::vector<PointDerivatives> derivativesAtScale(const Grid& grid, std::span<con
   std::vector<PointDerivatives> out(points.size());
   const auto sum = [&](const auto& voxels) {
     parallelEach(points.size(), [&](std::size_t i) {
-      std::array<AxisWeights, 3> along;
-      std::size_t stride = 1;
-      for (int axis = 0; axis < 3; stride *= static_cast<std::size_t>(geometry.dims[axis++]))
-        along[static_cast<std::size_t>(axis)] = weightsAlong(kernels[static_cast<std::size_t>(axis)],
-                                                             points[i][axis], geometry.dims[axis], stride);
-      const VoxelDerivatives around = sumAround(voxels, along);
+      const auto along = [&](int axis) {
+        return tapsAlong(kernels[static_cast<std::size_t>(axis)], points[i][axis], geometry.dims[axis]);
+      };
+      const LongAxisTaps x = along(0), y = along(1), z = along(2);
+      const auto stored = [&](int sx, int sy, int sz) {
+        return static_cast<double>(voxels[grid.index(sx, sy, sz)]);
+      };
+      // Nothing is lost of values like 1e6.
+      const double middle = stored(x.middle(), y.middle(), z.middle());
+      const FieldSample around =
+          tensorProduct(x, y, z, [&](int sx, int sy, int sz) { return stored(sx, sy, sz) - middle; });
       out[i] = {worldGradient(geometry, grid.slope() * around.gradient),
                 worldHessian(geometry, grid.slope() * around.hessian)};
     });

@@ -35,8 +35,7 @@ double squareSum(const glm::dmat3& m) {
 
 ScaleLadder::ScaleLadder(const Grid& grid, std::vector<glm::dvec3> points, const glm::dvec3& noiseBlur)
     : grid_(grid), points_(std::move(points)), noiseBlur_(noiseBlur), scalesMm_{0.0} {
-  const glm::dvec3 spacing = grid.geometry().spacingMm();
-  const double least = std::min({spacing.x, spacing.y, spacing.z});
+  const double least = grid.geometry().leastSpacingMm();
   for (int i = 0; i < kScales; ++i) scalesMm_.push_back(kFirstVoxels * least * std::pow(2.0, 0.5 * i));
 }
 

@@ -1,7 +1,6 @@
 #include "volume/statistics/spline_gap.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 
@@ -9,6 +8,7 @@
 
 #include "volume/field/cubic_weights.h"
 #include "volume/field/reconstruct.h"
+#include "volume/field/tensor_product.h"
 #include "volume/parallel_loops.h"
 
 namespace isolux::volume {
@@ -17,26 +17,21 @@ namespace {
 
 constexpr int kTail = 7;  // samples beyond the spline's own four: the prefilter's response falls by 0.27 each
 constexpr int kTaps = 2 * kTail + 4;
-
-// What each sample along an axis weighs for the interpolating spline's value and slope.
-struct CardinalTaps {
-  std::array<int, kTaps> sample{};
-  std::array<double, kTaps> value{}, slope{};
-};
+using CardinalTaps = AxisTaps<kTaps>;
 
 // Coefficients are samples convolved with 6 z / (z^2 - 1) z^|k|, z = sqrt(3) - 2 (Unser 1999, box 2); the
-// border is a mirror half a sample beyond, as in interpolatingCoefficients().
+// border is a mirror half a sample beyond, as in interpolatingCoefficients(). No second derivatives.
 CardinalTaps cardinalTaps(double coordinate, int count) {
   const double pole = std::sqrt(3.0) - 2.0;
-  const int cell = std::clamp(static_cast<int>(std::floor(coordinate)), 0, std::max(count - 2, 0));
-  const CubicWeights<double> spline = cubicWeights(coordinate - cell);
+  const auto [cell, t] = cellPosition(coordinate, count);
+  const CubicWeights<double> spline = cubicWeights(t);
   CardinalTaps taps;
   for (int i = 0; i < kTaps; ++i) {
     const auto at = static_cast<std::size_t>(i);
     for (int k = 0; k < 4; ++k) {
       const double response = 6.0 * pole / (pole * pole - 1.0) * std::pow(pole, std::abs(i - kTail - k));
-      taps.value[at] += response * spline.w[k];
-      taps.slope[at] += response * spline.d1[k];
+      taps.w[at] += response * spline.w[k];
+      taps.d1[at] += response * spline.d1[k];
     }
     const int period = 2 * count, sample = ((cell - 1 - kTail + i) % period + period) % period;
     taps.sample[at] = std::min(sample, period - 1 - sample);
@@ -44,35 +39,17 @@ CardinalTaps cardinalTaps(double coordinate, int count) {
   return taps;
 }
 
-struct Gap {
-  double value = 0.0;  // spline less trilinear
-  glm::dvec3 gradient{0.0};
-};
-
-Gap gapAt(const Grid& grid, glm::dvec3 voxel, double trilinear) {
+// The spline less `trilinear`, stored units.
+FieldSample gapAt(const Grid& grid, glm::dvec3 voxel, double trilinear) {
   const glm::ivec3 dims = grid.dims();
-  const CardinalTaps x = cardinalTaps(voxel.x, dims.x), y = cardinalTaps(voxel.y, dims.y),
-                     z = cardinalTaps(voxel.z, dims.z);
-  Gap gap;
-  std::visit(
-      [&](const auto& voxels) {
-        for (std::size_t k = 0; k < kTaps; ++k)
-          for (std::size_t j = 0; j < kTaps; ++j) {
-            double value = 0.0, slope = 0.0;
-            for (std::size_t i = 0; i < kTaps; ++i) {
-              const std::size_t index = grid.index(x.sample[i], y.sample[j], z.sample[k]);
-              const double sample =
-                  static_cast<double>(voxels[index]) - trilinear;  // the weights sum to 1 but for the tail
-              value += x.value[i] * sample;
-              slope += x.slope[i] * sample;
-            }
-            gap.value += y.value[j] * z.value[k] * value;
-            gap.gradient += glm::dvec3(y.value[j] * z.value[k] * slope, y.slope[j] * z.value[k] * value,
-                                       y.value[j] * z.slope[k] * value);
-          }
-      },
-      grid.voxels());
-  return gap;
+  const auto sum = [&](const auto& voxels) {
+    return tensorProduct(cardinalTaps(voxel.x, dims.x), cardinalTaps(voxel.y, dims.y),
+                         cardinalTaps(voxel.z, dims.z),
+                         [&](int x, int y, int z) {  // the weights sum to 1 but for the tail
+                           return static_cast<double>(voxels[grid.index(x, y, z)]) - trilinear;
+                         });
+  };
+  return std::visit(sum, grid.voxels());
 }
 
 }  // namespace
@@ -81,7 +58,7 @@ double shareBesideSpline(const Grid& grid, std::span<const glm::dvec3> points, d
   std::atomic<std::size_t> counted{0}, beside{0};
   parallelEach(points.size(), [&](std::size_t i) {
     const double stored = grid.storedOfValue(sampleTrilinear(grid, points[i]).value);
-    const Gap gap = gapAt(grid, points[i], stored);
+    const FieldSample gap = gapAt(grid, points[i], stored);
     if (!std::isfinite(gap.value)) return;
     ++counted;
     if (std::abs(gap.value) > gapVoxels * glm::length(gap.gradient)) ++beside;

@@ -1,6 +1,6 @@
 #include "volume/statistics/still_hits.h"
 
-#include <algorithm>
+#include <vector>
 
 #include "volume/statistics/spline_gap.h"
 #include "volume/statistics/visible_points.h"
@@ -9,7 +9,7 @@ namespace isolux::volume {
 
 namespace {
 
-constexpr std::size_t kPointsRead = 800, kKept = 64;
+constexpr std::size_t kPointsRead = 800;
 
 }  // namespace
 
@@ -19,24 +19,20 @@ bool StillHits::gains(double share) const {
 
 std::optional<double> StillHits::find(double isovalue) const {
   if (!grid_->isWhole()) return 0.0;  // no spline is made of voxels that stay in their file
-  const std::lock_guard lock(mutex_);
-  const auto found =
-      std::find_if(kept_.begin(), kept_.end(), [&](const Kept& kept) { return kept.isovalue == isovalue; });
-  return found == kept_.end() ? std::nullopt : std::optional(found->share);
+  return shares_.find(isovalue);
 }
 
 double StillHits::measure(double isovalue, base::Progress& progress) const {
-  if (const auto share = find(isovalue)) return *share;
-  std::vector<glm::dvec3> points;
-  for (const VisiblePoint& point : visiblePoints(*grid_, *blocks_, isovalue, kPointsRead))
-    points.push_back(point.voxel);
-  progress.throwIfStopped();
-  const double share = shareBesideSpline(*grid_, points);
-  progress.throwIfStopped();
-  const std::lock_guard lock(mutex_);
-  if (kept_.size() == kKept) kept_.erase(kept_.begin());
-  kept_.push_back({isovalue, share});
-  return share;
+  if (!grid_->isWhole()) return 0.0;
+  return shares_.get(isovalue, [&] {
+    std::vector<glm::dvec3> points;
+    for (const VisiblePoint& point : visiblePoints(*grid_, *blocks_, isovalue, kPointsRead))
+      points.push_back(point.voxel);
+    progress.throwIfStopped();
+    const double share = shareBesideSpline(*grid_, points);
+    progress.throwIfStopped();
+    return share;
+  });
 }
 
 }  // namespace isolux::volume

@@ -6,11 +6,10 @@
 
 #include <atomic>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <vector>
 
 #include "base/progress.h"
+#include "base/recent.h"
 #include "volume/grid.h"
 #include "volume/skip/min_max_blocks.h"
 
@@ -32,14 +31,10 @@ class StillHits {
   bool gains(double share) const;
 
  private:
-  struct Kept {
-    double isovalue, share;
-  };
   std::shared_ptr<const Grid> grid_;
   std::shared_ptr<const MinMaxBlocks> blocks_;
   mutable std::atomic<bool> givenUp_{false};
-  mutable std::mutex mutex_;        // held for moments
-  mutable std::vector<Kept> kept_;  // the latest last
+  mutable base::Recent<double, double> shares_{64};  // by isovalue
 };
 
 }  // namespace isolux::volume

@@ -1,18 +1,15 @@
 #include "volume/statistics/surface_crossings.h"
 
+#include "scene/shown_surfaces.h"
+
 namespace isolux::volume {
 
 std::vector<ShownSurface> shownSurfaces(const PreparedVolume& volume, const scene::Scene& resolved,
                                         base::Progress& progress) {
-  std::vector<double> values;
-  if (resolved.isosurface.opacity > 0.0) values.push_back(resolved.isosurface.value.value());
-  for (const scene::ExtraIsosurface& extra : resolved.extraIsosurfaces)
-    if (extra.shown && extra.opacity > 0.0) values.push_back(extra.value.value());
   std::vector<ShownSurface> surfaces;
-  surfaces.reserve(values.size());
-  for (const double value : values)
-    surfaces.push_back(
-        {value, volume.pieces->hidden(resolved.pieces, value, resolved.isosurface.inside, progress)});
+  for (const scene::ShownSurface& surface : scene::visibleSurfaces(resolved))
+    surfaces.push_back({*surface.value, volume.pieces->hidden(resolved.pieces, *surface.value,
+                                                              resolved.isosurface.inside, progress)});
   return surfaces;
 }
 

@@ -114,7 +114,7 @@ class OutlineSearch {
 
   void add(const ShownSurface& surface, bool withSamples, base::Progress& progress) {
     std::vector<std::uint8_t> active;
-    blocks_.activeBlocks(static_cast<float>(grid_.storedOfValue(surface.isovalue)), active);
+    blocks_.activeBlocks(grid_.storedIsovalue(surface.isovalue), active);
     dropSpecks(blocks_, active);
     const auto count = static_cast<std::size_t>(std::count(active.begin(), active.end(), 1));
     const std::size_t every = withSamples ? std::max<std::size_t>(1, count * kOfBlock / kSamplesWanted) : 0;

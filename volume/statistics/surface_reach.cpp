@@ -30,7 +30,7 @@ bool foldCrossings(const PreparedVolume& volume, const scene::Scene& resolved, V
   bool any = false;
   for (const ShownSurface& surface : shownSurfaces(volume, resolved, progress)) {
     std::vector<std::uint8_t> active;
-    blocks.activeBlocks(static_cast<float>(grid.storedOfValue(surface.isovalue)), active);
+    blocks.activeBlocks(grid.storedIsovalue(surface.isovalue), active);
     parallelSteps(blocks.count(), progress, {}, [&](std::size_t index) {
       if (!active[index]) return;
       const int b = static_cast<int>(index);

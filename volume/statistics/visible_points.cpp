@@ -44,11 +44,8 @@ class Beam {
     up_ = glm::cross(right_, direction);
     least_ = glm::dvec3(std::numeric_limits<double>::infinity());
     most_ = -least_;
-    for (int corner = 0; corner < 8; ++corner) {
-      const glm::dvec4 voxel((corner & 1) ? high.x : low.x, (corner & 2) ? high.y : low.y,
-                             (corner & 4) ? high.z : low.z, 1.0);
-      const glm::dvec3 world(geometry.worldFromVoxel * voxel);
-      const glm::dvec3 at(glm::dot(world, right_), glm::dot(world, up_), glm::dot(world, direction));
+    for (const glm::dvec3& corner : geometry.corners(low, high)) {
+      const glm::dvec3 at(glm::dot(corner, right_), glm::dot(corner, up_), glm::dot(corner, direction));
       least_ = glm::min(least_, at);
       most_ = glm::max(most_, at);
     }
@@ -75,7 +72,7 @@ struct VoxelBox {
 
 VoxelBox boxOfSurface(const Grid& grid, const MinMaxBlocks& blocks, double isovalue) {
   VoxelBox box;
-  const auto stored = static_cast<float>(grid.storedOfValue(isovalue));
+  const auto stored = grid.storedIsovalue(isovalue);
   const glm::ivec3 dims = blocks.dims();
   std::size_t i = 0;
   for (int z = 0; z < dims.z; ++z)

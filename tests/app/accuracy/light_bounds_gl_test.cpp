@@ -87,8 +87,7 @@ class LightBoundsGlTest : public test::RenderGlTest {
     pixels.erase(std::unique(pixels.begin(), pixels.end()), pixels.end());
     std::vector<glm::vec3> voxels;
     for (const std::size_t i : pixels) voxels.emplace_back(hits[i].voxel);
-    const auto isovalue =
-        static_cast<float>(lit.volume->grid().storedOfValue(still.isosurface.value.value()));
+    const auto isovalue = lit.volume->grid().storedIsovalue(still.isosurface.value.value());
     const LightTruth truth = lightTruthAt(light, sky, isovalue, voxels, pixels,
                                           {.firstSamples = replicate, .mostSamples = replicate}, progress_);
     JudgedLight judged;

@@ -125,8 +125,7 @@ TEST_F(BakeFile, PlacesOnAnIsosurfaceComeBack) {
   const volume::Grid grid(grid_.geometry(), std::move(ramp));
   const double isovalue = 4.0;
   const std::string key = R"({"lattice_scale":1.5,"isovalue":4.0})";
-  const LatticeGeometry geometry =
-      LatticeGeometry::make({12, 9, 11}, 1.5, static_cast<float>(grid.storedOfValue(isovalue)));
+  const LatticeGeometry geometry = LatticeGeometry::make({12, 9, 11}, 1.5, grid.storedIsovalue(isovalue));
   auto lattice = std::make_shared<LightLattice>(geometry, kIrradiance, key);
   for (std::uint32_t b = 0; b < geometry.blockCount(); ++b) {
     LatticeBlock block = lattice->dark();

@@ -9,6 +9,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "gi/sampling/directions.h"
+#include "tests/support/spherical_functions.h"
 
 namespace isolux::gi {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 using std::numbers::pi;
 
 glm::dvec3 randomDirection(std::uint32_t i) {
-  return glm::normalize(glm::dvec3(uniformSphere(samplePair(DirectionSequence::random, 5, i, 0))));
+  return glm::normalize(glm::dvec3(test::uniformSphere(samplePair(DirectionSequence::random, 5, i, 0))));
 }
 
 glm::dmat3 turn(double angle, glm::dvec3 axis) {
@@ -40,8 +41,8 @@ double someFunction(glm::dvec3 d) {
 
 void expectRotationOf(const glm::dmat3& rotation, double tolerance) {
   for (const int order : {1, 2, 3, 5, maxShOrder}) {
-    const auto projected = projectSh(order, someFunction, 60);
-    const auto expected = projectSh(
+    const auto projected = test::projectSh(order, someFunction, 60);
+    const auto expected = test::projectSh(
         order, [&](glm::dvec3 d) { return someFunction(glm::transpose(rotation) * d); }, 60);
     std::vector<double> turned(projected.size());
     ShRotation(order, rotation).apply(projected, turned);
@@ -91,7 +92,7 @@ TEST(ShRotation, MatricesAreOrthogonalAndComposeAsRotationsDo) {
 // The coefficients turned a thousand times, and those turned once by the product of the thousand matrices,
 // are those of the function turned as the product of quaternions says.
 TEST(ShRotation, ThousandComposedRotationsStayExact) {
-  const auto start = projectSh(maxShOrder, someFunction, 60);
+  const auto start = test::projectSh(maxShOrder, someFunction, 60);
   std::vector<double> stepped = start, once(start.size());
   glm::dmat3 product(1.0);
   glm::dquat exact(1, 0, 0, 0);
@@ -105,7 +106,7 @@ TEST(ShRotation, ThousandComposedRotationsStayExact) {
   }
   ShRotation(maxShOrder, product).apply(start, once);
   const glm::dmat3 inverse = glm::transpose(glm::mat3_cast(exact));
-  const auto expected = projectSh(
+  const auto expected = test::projectSh(
       maxShOrder, [&](glm::dvec3 d) { return someFunction(inverse * d); }, 60);
   for (std::size_t i = 0; i < start.size(); ++i) {
     EXPECT_NEAR(stepped[i], expected[i], 1e-10);

@@ -13,6 +13,7 @@
 #include "base/random.h"
 #include "gi/sampling/directions.h"
 #include "gi/sampling/environment.h"
+#include "tests/support/spherical_functions.h"
 
 namespace isolux::gi {
 namespace {
@@ -82,7 +83,8 @@ TEST(SamplingBatch, LooksUpWhatTheEnvironmentHas) {
     EnvironmentBatch found;
     int differ = 0;  // by rounding, at the edge of a pixel
     for (std::uint32_t first = 0; first < 40 * kBatch; first += kBatch) {
-      for (std::uint32_t i = 0; i < kBatch; ++i) found.direction.set(i, uniformSphere(numbers(first + i)));
+      for (std::uint32_t i = 0; i < kBatch; ++i)
+        found.direction.set(i, test::uniformSphere(numbers(first + i)));
       for (int axis = 0; axis < 3 && first == 0; ++axis)
         for (const float sign : {-1.0f, 1.0f}) {
           glm::vec3 direction(0.0f);
@@ -111,7 +113,7 @@ TEST(SamplingBatch, CosineDirectionsAreRight) {
     for (std::uint32_t i = 0; i < kBatch; ++i) {
       u.x[i] = numbers(first + i).x;
       u.y[i] = numbers(first + i).y;
-      glm::vec3 normal = uniformSphere({noise(5, first + i), noise(6, first + i)});
+      glm::vec3 normal = test::uniformSphere({noise(5, first + i), noise(6, first + i)});
       if (i % 16 == 0) normal = glm::vec3(0, 0, i % 32 == 0 ? 1 : -1);
       if (i % 16 == 1) normal = glm::normalize(glm::vec3(1e-4f, -1e-4f, -1));
       normals.set(i, normal);

@@ -19,6 +19,7 @@
 #include "gi/harmonics/sh_rotation.h"
 #include "gi/sampling/directions.h"
 #include "tests/support/invalid_operations.h"
+#include "tests/support/spherical_functions.h"
 #include "tests/support/statistics.h"
 
 namespace isolux::gi {
@@ -39,7 +40,7 @@ glm::vec2 point(std::uint32_t i) {
   return samplePair(DirectionSequence::random, 11, i, 0);
 }
 glm::vec3 randomSkyDirection(std::uint32_t i) {
-  return uniformSphere(samplePair(DirectionSequence::random, 12, i, 0));
+  return test::uniformSphere(samplePair(DirectionSequence::random, 12, i, 0));
 }
 
 Environment painted(int width, int height, const std::function<glm::dvec3(glm::dvec3)>& function) {
@@ -352,8 +353,9 @@ TEST(Environment, ProjectionOfAPaintedFunctionConverges) {
     wanted[i] = 0.1 * glm::dvec3(std::sin(i + 1.0), std::cos(3.0 * i), std::sin(2.0 * i * i));
   wanted[0] = glm::dvec3(10.0);  // above 0 everywhere
   const auto error = [&](int height) {
-    const auto found =
-        painted(2 * height, height, [&](glm::dvec3 d) { return reconstructSh(5, wanted, d); }).project(5);
+    const auto found = painted(2 * height, height, [&](glm::dvec3 d) {
+                         return test::reconstructSh(5, wanted, d);
+                       }).project(5);
     double sum = 0;
     for (int i = 0; i < 25; ++i) sum += glm::dot(found[i] - wanted[i], found[i] - wanted[i]);
     return std::sqrt(sum);
@@ -472,8 +474,8 @@ TEST(Sky, RotatedCoefficientsAreThoseOfTheTurnedSky) {
   ShRotation(5, turn).apply(turned, turned);
   for (int i = 0; i < 100; ++i) {
     const glm::dvec3 d = glm::normalize(glm::dvec3(randomSkyDirection(i)));
-    const glm::dvec3 own = reconstructSh(5, environment.project(5), d);
-    EXPECT_NEAR(glm::distance(reconstructSh(5, turned, turn * d), own), 0.0, 1e-11 * glm::length(own));
+    const glm::dvec3 own = test::reconstructSh(5, environment.project(5), d);
+    EXPECT_NEAR(glm::distance(test::reconstructSh(5, turned, turn * d), own), 0.0, 1e-11 * glm::length(own));
   }
   const Sky sky{std::make_shared<const Environment>(environment), glm::mat3(turn)};
   // Monte Carlo projection of the turned sky, band 1 and 2, green.

@@ -7,6 +7,7 @@
 #include "gi/harmonics/spherical_harmonics.h"
 #include "gi/sampling/directions.h"
 #include "tests/gi/light_fixture.h"
+#include "tests/support/spherical_functions.h"
 #include "tests/support/statistics.h"
 #include "tests/support/volumes.h"
 
@@ -143,8 +144,8 @@ TEST(PathTracerBounces, TransferTimesEnvironmentIsIrradiance) {
     std::vector<double> wanted(static_cast<std::size_t>(shTerms(order)));
     for (std::size_t i = 0; i < wanted.size(); ++i)
       wanted[i] = i == 0 ? 6.0 : std::sin(3.0 * static_cast<double>(i));
-    const auto sky =
-        environmentOf(256, 128, [&](glm::dvec3 d) { return 0.3 * reconstructSh(order, wanted, d) + 1.0; });
+    const auto sky = environmentOf(
+        256, 128, [&](glm::dvec3 d) { return 0.3 * test::reconstructSh(order, wanted, d) + 1.0; });
     const std::vector<glm::dvec3> bands = sky->project(order);
     LightScene light = lightSceneOf(test::phantom("gyroid", 48), scene::Inside::above, glm::dvec3(0.6));
     light.environment = sky;

@@ -99,7 +99,7 @@ TEST_F(ShownPieces, SeedsAreTheDeepestVoxelsAndNameTheirPieces) {
   for (std::uint32_t i = 0; i < 3; ++i) {
     EXPECT_EQ(seeds[i], voxelOf(kCentres[i]));
     EXPECT_EQ(seedAbove(*grid, pieces->level(), voxelOf(kCentres[i] + 0.5 * kRadii[i])), seeds[i]);
-    const glm::dvec3 point = worldOf(grid->geometry(), seeds[i]);
+    const glm::dvec3 point = grid->geometry().worldOf(seeds[i]);
     EXPECT_EQ(pieces->ofPoint(glm::dvec3(grid->geometry().voxelFromWorld() * glm::dvec4(point, 1.0))), i);
   }
 }

@@ -166,7 +166,7 @@ std::vector<TraceRay> bakeRays(const Grid& grid, Inside inside, int count, doubl
     TraceRay ray;
     ray.origin = p + offset * normal;
     ray.direction = (normal + 0.9999 * round) * (i % 3 == 0 ? 0.02 : 1.0);
-    ray.isovalue = static_cast<float>(grid.storedOfValue(value));
+    ray.isovalue = grid.storedIsovalue(value);
     if (i % 5 == 0) ray.tMaximum = static_cast<float>(10.0 * sphere.z);
     rays.push_back(ray);
   }
