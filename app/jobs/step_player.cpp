@@ -89,7 +89,8 @@ bool StepPlayer::makeRoom(Frame now, Frame next) {
     return turn(a.first) < turn(b.first);
   });
   if (last != ready_.end() && turn(last->first) > next - now) ready_.erase(last);
-  return ready_.empty();  // one at a time, however little there is: the reader refuses what does not fit
+  // One at a time, however little there is: the reader refuses what does not fit when all else is freed.
+  return ready_.empty() && base::awaitRetired(0.0);
 }
 
 }  // namespace isolux::app
