@@ -15,8 +15,8 @@
 #include "app/documents/unsaved_work.h"
 #include "app/files/files.h"
 #include "app/files/state_folder.h"
-#include "app/process/caught_error.h"
 #include "app/version.h"
+#include "base/caught_error.h"
 #include "scene/scene_diff.h"
 #include "scene/settings.h"
 
@@ -249,7 +249,7 @@ void AutosaveFile::work() {
     working_ = true;
     lock.unlock();
     std::optional<base::Error> problem =
-        caughtError(file_.string(), "keep the document", [&] { fulfil(wanted); });
+        base::caughtError(file_.string(), "keep the document", [&] { fulfil(wanted); });
     lock.lock();
     working_ = false;
     problem_ = std::move(problem);

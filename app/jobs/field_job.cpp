@@ -1,9 +1,9 @@
 #include "app/jobs/field_job.h"
 
+#include <string>
 #include <utility>
 
 #include "app/jobs/rest_scene.h"
-#include "app/process/caught_error.h"
 #include "scene/rules/needs.h"
 #include "volume/pieces/hidden_pieces.h"
 
@@ -95,42 +95,28 @@ scene::Scene withReadyFields(scene::Scene resolved, const volume::PreparedVolume
   return resolved;
 }
 
-FieldJob::FieldJob(std::shared_ptr<const volume::PreparedVolume> volume, const scene::Scene& scene)
-    : work_(
-          [&] {
-            auto work = std::make_shared<Work>();
-            work->volume = std::move(volume);
-            work->scene = scene;
-            return work;
-          }(),
-          run) {}
-
-FieldJob::~FieldJob() {
-  work_->progress.requestStop();
+std::unique_ptr<FieldTask> fieldTask(std::shared_ptr<const volume::PreparedVolume> volume,
+                                     scene::Scene resolved) {
+  const std::string file = volume->volume.name;
+  const auto work = [volume = std::move(volume), resolved = std::move(resolved)](base::Progress& progress) {
+    scene::Scene scene = resolved;
+    completeFields(scene, *volume, false, progress);
+    atRest(std::move(scene), *volume, progress);
+  };
+  return FieldTask::start({file, "make the field"}, work);
 }
 
-bool FieldJob::isFor(const scene::Scene& scene) const {
-  const scene::Scene& own = work_->scene;
-  const bool same = own.hit.field == scene.hit.field && own.derivatives == scene.derivatives &&
-                    scene::needsGradient(own) == scene::needsGradient(scene) &&
-                    scene::needsSecondDerivatives(own) == scene::needsSecondDerivatives(scene);
-  const bool sameColor = scene::showsSecondVolume(own) == scene::showsSecondVolume(scene) &&
-                         (!scene::showsSecondVolume(scene) || sameSecondVolume(own.color, scene.color));
-  const bool sameAtRest = own.picture.restHits == scene.picture.restHits &&
-                          scene::mayRefineHits(own) == scene::mayRefineHits(scene);
-  const bool samePieces = own.pieces == scene.pieces;
-  const bool measures = awaitsChoice(scene) || scene::mayRefineHits(scene);
-  return same && sameColor && sameAtRest && samePieces &&
-         (!measures || own.isosurface.value == scene.isosurface.value);
-}
-
-void FieldJob::run(Work& work) {
-  work.error = caughtError(work.volume->volume.name, "make the field", [&] {
-    scene::Scene scene = work.scene;
-    completeFields(scene, *work.volume, false, work.progress);
-    atRest(std::move(scene), *work.volume, work.progress);
-  });
-  work.finished.store(true, std::memory_order_release);
+bool needSameFields(const scene::Scene& a, const scene::Scene& b) {
+  const bool same = a.hit.field == b.hit.field && a.derivatives == b.derivatives &&
+                    scene::needsGradient(a) == scene::needsGradient(b) &&
+                    scene::needsSecondDerivatives(a) == scene::needsSecondDerivatives(b);
+  const bool sameColor = scene::showsSecondVolume(a) == scene::showsSecondVolume(b) &&
+                         (!scene::showsSecondVolume(b) || sameSecondVolume(a.color, b.color));
+  const bool sameAtRest =
+      a.picture.restHits == b.picture.restHits && scene::mayRefineHits(a) == scene::mayRefineHits(b);
+  const bool measures = awaitsChoice(b) || scene::mayRefineHits(b);
+  return same && sameColor && sameAtRest && a.pieces == b.pieces &&
+         (!measures || a.isosurface.value == b.isosurface.value);
 }
 
 }  // namespace isolux::app

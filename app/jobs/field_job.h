@@ -2,16 +2,12 @@
 //
 // These are fields (volume/field/cubic_fields.h), scales of derivatives
 // (volume/statistics/derivative_choices.h) and hidden components (volume/pieces). A background thread
-// computes them, and the owner polls it; meanwhile frames are drawn with what is ready.
+// computes them; meanwhile frames are drawn with what is ready.
 #pragma once
 
-#include <atomic>
 #include <memory>
-#include <optional>
 
-#include "base/error.h"
-#include "base/progress.h"
-#include "base/retire.h"
+#include "base/task.h"
 #include "scene/scene.h"
 #include "volume/prepared_volume.h"
 
@@ -31,31 +27,11 @@ bool fieldsAreReady(const scene::Scene& resolved, const volume::PreparedVolume& 
 scene::Scene withReadyFields(scene::Scene resolved, const volume::PreparedVolume& volume,
                              const scene::Derivatives& last = {});
 
-class FieldJob {
- public:
-  FieldJob(std::shared_ptr<const volume::PreparedVolume> volume,
-           const scene::Scene& scene);  // starts at once
-  ~FieldJob();                          // stops; the thread ends in the background (base/retire.h)
-  FieldJob(const FieldJob&) = delete;
-  FieldJob& operator=(const FieldJob&) = delete;
-
-  bool isFor(const scene::Scene& scene) const;  // returns whether `scene` needs the same
-  bool finished() const { return work_->finished.load(std::memory_order_acquire); }
-  const base::Progress& progress() const { return work_->progress; }
-  // Returns the error after finished(), if any.
-  const std::optional<base::Error>& error() const { return work_->error; }
-
- private:
-  struct Work {
-    std::shared_ptr<const volume::PreparedVolume> volume;
-    scene::Scene scene;
-    base::Progress progress;
-    std::atomic<bool> finished{false};
-    std::optional<base::Error> error;
-  };
-  static void run(Work& work);
-
-  base::RetiringThread<Work> work_;
-};
+// Completes the fields of a resolved scene, those of idle frames included, on a background thread.
+using FieldTask = base::Task<void>;
+std::unique_ptr<FieldTask> fieldTask(std::shared_ptr<const volume::PreparedVolume> volume,
+                                     scene::Scene resolved);
+// Returns whether such a task of either scene completes the fields of the other.
+bool needSameFields(const scene::Scene& a, const scene::Scene& b);
 
 }  // namespace isolux::app

@@ -9,22 +9,26 @@
 
 namespace isolux::app {
 
-void GlimpseWork::run(base::Progress& progress) {
-  std::optional<volume::Glimpse> glimpse = volume::readGlimpse(subject.scene.source, progress, subject.least);
-  if (!glimpse) return;
-  step = glimpse->step;
-  fromIndex = glimpse->fromIndex;
-  const auto prepared = volume::prepareVolume(std::move(glimpse->volume), progress);
-  scene::Scene scene = scene::resolve(subject.scene, prepared->facts);
-  scene.picture.transparent = false;
-  scene = withReadyFields(std::move(scene), *prepared);
-  QuietRenderer quiet(prepared, nullptr);
-  render::FrameRequest request;
-  request.size = subject.size;
-  request.pixelRatio = subject.pixelRatio;
-  request.supersampling = 2;
-  request.stop = progress.token();
-  picture = render::drawStill(quiet.renderer(), scene, request, progress).color;
+std::unique_ptr<GlimpseTask> glimpseTask(GlimpseSubject asked) {
+  const auto work = [subject = std::move(asked)](base::Progress& progress) -> std::optional<DrawnGlimpse> {
+    std::optional<volume::Glimpse> glimpse =
+        volume::readGlimpse(subject.scene.source, progress, subject.least);
+    if (!glimpse) return std::nullopt;
+    DrawnGlimpse drawn{{}, glimpse->step, glimpse->fromIndex};
+    const auto prepared = volume::prepareVolume(std::move(glimpse->volume), progress);
+    scene::Scene scene = scene::resolve(subject.scene, prepared->facts);
+    scene.picture.transparent = false;
+    scene = withReadyFields(std::move(scene), *prepared);
+    QuietRenderer quiet(prepared, nullptr);
+    render::FrameRequest request;
+    request.size = subject.size;
+    request.pixelRatio = subject.pixelRatio;
+    request.supersampling = 2;
+    request.stop = progress.token();
+    drawn.picture = render::drawStill(quiet.renderer(), scene, request, progress).color;
+    return drawn;
+  };
+  return GlimpseTask::start({"", "take a first look at the volume"}, work);
 }
 
 }  // namespace isolux::app

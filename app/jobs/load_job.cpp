@@ -1,8 +1,8 @@
 #include "app/jobs/load_job.h"
 
+#include <string>
 #include <utility>
 
-#include "app/process/caught_error.h"
 #include "volume/bricks/coarse_level.h"
 #include "volume/bricks/open_chunked.h"
 
@@ -21,36 +21,19 @@ std::shared_ptr<const volume::PreparedVolume> freedElsewhere(
           }};
 }
 
-}  // namespace
-
-LoadJob::LoadJob(scene::Source source, Instead instead)
-    : work_(
-          [&] {
-            auto work = std::make_shared<Work>();
-            work->source = work->loaded = std::move(source);
-            work->instead = instead;
-            return work;
-          }(),
-          run) {}
-
-LoadJob::~LoadJob() {
-  work_->progress.requestStop();
-}
-
-void LoadJob::load(Work& work) {
-  scene::Source& source = work.loaded;
-  const bool choosesLevel = work.instead.coarser && source.level == 0;
-  if (choosesLevel) source.level = volume::levelThatFits(source, work.progress, 0, kLevelShare);
-  while (!work.volume) {
+LoadedVolume load(scene::Source source, LoadInstead instead, base::Progress& progress) {
+  const bool choosesLevel = instead.coarser && source.level == 0;
+  if (choosesLevel) source.level = volume::levelThatFits(source, progress, 0, kLevelShare);
+  for (;;) {
     try {
-      work.volume = freedElsewhere(volume::loadVolume(source, work.progress));
+      return {source, freedElsewhere(volume::loadVolume(source, progress))};
     } catch (const base::Error& error) {
       if (error.kind() == base::ErrorKind::memory && choosesLevel) {  // it takes more than its header said
-        const int level = volume::levelThatFits(source, work.progress, source.level + 1, kLevelShare);
+        const int level = volume::levelThatFits(source, progress, source.level + 1, kLevelShare);
         if (level <= source.level) throw;
         source.level = level;
-      } else if (error.kind() == base::ErrorKind::input && work.instead.aroundDamage &&
-                 !source.aroundDamage && volume::isReadInParts(source, work.progress)) {
+      } else if (error.kind() == base::ErrorKind::input && instead.aroundDamage && !source.aroundDamage &&
+                 volume::isReadInParts(source, progress)) {
         source.aroundDamage = true;
       } else {
         throw;
@@ -59,9 +42,14 @@ void LoadJob::load(Work& work) {
   }
 }
 
-void LoadJob::run(Work& work) {
-  work.error = caughtError(work.source.path, "load the volume", [&] { load(work); });
-  work.finished.store(true, std::memory_order_release);
+}  // namespace
+
+std::unique_ptr<LoadTask> loadTask(scene::Source asked, LoadInstead instead) {
+  const std::string file = asked.path;
+  const auto work = [source = std::move(asked), instead](base::Progress& progress) {
+    return load(source, instead, progress);
+  };
+  return LoadTask::start({file, "load the volume"}, work);
 }
 
 }  // namespace isolux::app

@@ -134,6 +134,7 @@ void PictureThread::Work::drawStill(const StillOrder& still) {
     failed(failure);
     stills.put(std::make_unique<DrawnStill>(DrawnStill{failure, still.progress}));
   }
+  tell();
 }
 
 void PictureThread::Work::forget() {

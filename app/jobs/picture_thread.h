@@ -71,7 +71,8 @@ class PictureThread {
     std::function<std::unique_ptr<render::OffscreenContext>()> context{};
     bool handsTextures = false;  // its context shares objects with that of the owner
     Priority priority = Priority::user;
-    // Called on the thread whenever context() or take() may return something new; may outlive the owner.
+    // Called on the thread whenever context(), take() or takeStill() may return something new; may outlive
+    // the owner.
     std::function<void()> news{};
   };
   // Begins to make the context.

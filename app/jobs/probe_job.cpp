@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <numbers>
+#include <string>
 #include <utility>
 
 #include "base/color.h"
@@ -54,19 +54,12 @@ glm::vec3 ProbeThumbnail::at(glm::dvec3 direction) const {
   return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x)];
 }
 
-ProbeJob::ProbeJob(scene::Environment settings)
-    : work_(
-          [&] {
-            auto work = std::make_shared<Work>();
-            work->settings = std::move(settings);
-            return work;
-          }(),
-          run) {}
-
-void ProbeJob::run(Work& work) {
-  work.error = caughtError(work.settings.file, "load the environment map",
-                           [&] { work.thumbnail = thumbnailOf(*gi::loadEnvironment(work.settings)); });
-  work.finished.store(true, std::memory_order_release);
+std::unique_ptr<ProbeTask> probeTask(scene::Environment environment) {
+  const std::string file = environment.file;
+  return ProbeTask::start({file, "load the environment map"},
+                          [environment = std::move(environment)](base::Progress&) {
+                            return thumbnailOf(*gi::loadEnvironment(environment));
+                          });
 }
 
 }  // namespace isolux::app

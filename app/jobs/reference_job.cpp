@@ -8,7 +8,6 @@
 #include <glm/common.hpp>
 
 #include "app/files/reference_image.h"
-#include "app/process/caught_error.h"
 #include "base/color.h"
 #include "gi/light_scene.h"
 #include "volume/tracer/isosurface_tracer.h"
@@ -57,52 +56,27 @@ RoundPointer roundOf(gi::ReferenceImage image, const scene::Scene& scene) {
 
 }  // namespace
 
-ReferenceJob::ReferenceJob(std::shared_ptr<const volume::PreparedVolume> volume, scene::Scene resolved,
-                           glm::ivec2 size, std::uint32_t samples, std::optional<int> threads)
-    : work_(
-          [&] {
-            auto work = std::make_shared<Work>();
-            work->volume = std::move(volume);
-            work->resolved = std::move(resolved);
-            work->size = size;
-            work->samples = samples;
-            work->threads =
-                threads.value_or(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
-            return work;
-          }(),
-          run) {}
-
-ReferenceJob::~ReferenceJob() {
-  work_->progress.requestStop();
-}
-
-void ReferenceJob::run(Work& work) {
-  const auto error = caughtError("", "trace the image", [&] { trace(work); });
-  if (error && error->kind() != base::ErrorKind::interrupted) work.error = error;
-  work.finished.store(true, std::memory_order_release);
-}
-
-void ReferenceJob::trace(Work& work) {
-  work.progress.report(0.0, "preparing");
-  const auto environment = gi::loadEnvironment(work.resolved.light.environment);
-  const auto tracer = gi::lightTracerOf(work.resolved, work.volume, work.progress);
-  gi::Reference picture(work.volume, tracer, environment, work.resolved, {work.size, work.threads},
-                        work.progress);
-  double done = 0.0;
-  for (const std::uint32_t round : gi::referenceRounds(work.samples)) {
-    const double to = static_cast<double>(round) / work.samples;
-    const bool whole = picture.refineTo(round, work.progress, done, to);
-    RoundPointer made = roundOf(picture.image(), work.resolved);
-    const std::lock_guard guard(work.mutex);
-    work.round = std::move(made);
-    if (!whole) return;
-    done = to;
-  }
-}
-
-RoundPointer ReferenceJob::round() const {
-  const std::lock_guard guard(work_->mutex);
-  return work_->round;
+std::unique_ptr<ReferenceTask> referenceTask(std::shared_ptr<const volume::PreparedVolume> volume,
+                                             scene::Scene resolved, glm::ivec2 size, std::uint32_t samples,
+                                             std::optional<int> threads) {
+  const int used = threads.value_or(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+  const auto work = [volume = std::move(volume), resolved = std::move(resolved), size, samples, used](
+                        base::Progress& progress, const auto& tell) {
+    progress.report(0.0, "preparing");
+    const auto environment = gi::loadEnvironment(resolved.light.environment);
+    const auto tracer = gi::lightTracerOf(resolved, volume, progress);
+    gi::Reference picture(volume, tracer, environment, resolved, {size, used}, progress);
+    double done = 0.0;
+    for (const std::uint32_t round : gi::referenceRounds(samples)) {
+      const double to = static_cast<double>(round) / samples;
+      const bool whole = picture.refineTo(round, progress, done, to);
+      RoundPointer made = roundOf(picture.image(), resolved);
+      tell([&](RoundPointer& latest) { latest = std::move(made); });
+      if (!whole) return;
+      done = to;
+    }
+  };
+  return ReferenceTask::start({"", "trace the image"}, work);
 }
 
 render::ColorImage noiseImage(const gi::ReferenceImage& image) {

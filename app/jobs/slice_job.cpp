@@ -1,10 +1,9 @@
 #include "app/jobs/slice_job.h"
 
-#include <algorithm>
 #include <chrono>
+#include <string>
 #include <utility>
 
-#include "app/process/caught_error.h"
 #include "app/slices/slice_draft.h"
 #include "app/slices/slice_labels.h"
 #include "app/slices/slice_picture.h"
@@ -25,21 +24,9 @@ SliceOrder sliceOrder(std::shared_ptr<const volume::PreparedVolume> volume, cons
   return order;
 }
 
-SliceJob::SliceJob(SliceOrder order)
-    : work_(
-          [&] {
-            auto work = std::make_shared<Work>();
-            work->order = std::move(order);
-            return work;
-          }(),
-          run) {}
+namespace {
 
-SliceJob::~SliceJob() {
-  work_->progress.requestStop();
-}
-
-void SliceJob::draw(Work& work) {
-  const SliceOrder& order = work.order;
+render::ColorImage drawn(const SliceOrder& order, base::Progress& progress) {
   scene::Scene scene;
   scene.slice = order.slice;
   scene.isosurface = order.isosurface;
@@ -48,20 +35,27 @@ void SliceJob::draw(Work& work) {
   scene.derivatives.noise = order.noise;
   const volume::Volume& volume = order.volume->volume;
   const SliceContent content =
-      sliceContent(*order.volume, scene, coarsened(order.plane, order.coarse), work.progress);
-  scene::Slice drawn = scene.slice;
-  drawn.contourWidth *= order.pixelRatio / order.coarse;
-  work.picture = enlarged(slicePicture(content, drawn, volume.grid->geometry(), work.progress), order.coarse,
-                          order.plane.size);
-  drawWords(wordsOf(content, order.plane, scene.slice, volume), work.picture, order.pixelRatio);
+      sliceContent(*order.volume, scene, coarsened(order.plane, order.coarse), progress);
+  scene::Slice shown = scene.slice;
+  shown.contourWidth *= order.pixelRatio / order.coarse;
+  render::ColorImage picture = enlarged(slicePicture(content, shown, volume.grid->geometry(), progress),
+                                        order.coarse, order.plane.size);
+  drawWords(wordsOf(content, order.plane, scene.slice, volume), picture, order.pixelRatio);
+  return picture;
 }
 
-void SliceJob::run(Work& work) {
-  const auto begun = std::chrono::steady_clock::now();
-  work.error = caughtError(work.order.volume->volume.name, "draw a slice", [&] { draw(work); });
-  work.milliseconds =
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
-  work.finished.store(true, std::memory_order_release);
+}  // namespace
+
+std::unique_ptr<SliceTask> sliceTask(SliceOrder asked) {
+  const std::string file = asked.volume->volume.name;
+  const auto work = [order = std::move(asked)](base::Progress& progress) {
+    const auto begun = std::chrono::steady_clock::now();
+    DrawnSlice slice{drawn(order, progress)};
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begun;
+    slice.milliseconds = took.count();
+    return slice;
+  };
+  return SliceTask::start({file, "draw a slice"}, work);
 }
 
 }  // namespace isolux::app

@@ -1,14 +1,11 @@
-// One slice with its letters, drawn on a background thread, which the owner polls.
+// One slice with its letters, drawn on a background thread.
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <memory>
 #include <optional>
 
-#include "base/error.h"
-#include "base/progress.h"
-#include "base/retire.h"
+#include "base/task.h"
 #include "render/graph/frame.h"
 #include "scene/scene.h"
 #include "volume/prepared_volume.h"
@@ -36,34 +33,11 @@ struct SliceOrder {
 SliceOrder sliceOrder(std::shared_ptr<const volume::PreparedVolume> volume, const volume::SlicePlane& plane,
                       const scene::Scene& resolved);
 
-class SliceJob {
- public:
-  explicit SliceJob(SliceOrder order);  // starts at once
-  ~SliceJob();                          // stops; the thread ends elsewhere (base/retire.h)
-  SliceJob(const SliceJob&) = delete;
-  SliceJob& operator=(const SliceJob&) = delete;
-
-  const SliceOrder& order() const { return work_->order; }
-  void stop() { work_->progress.requestStop(); }
-  bool finished() const { return work_->finished.load(std::memory_order_acquire); }
-  // After finished(): the picture and how long it took, or what went wrong.
-  const render::ColorImage& picture() const { return work_->picture; }
-  double milliseconds() const { return work_->milliseconds; }
-  const std::optional<base::Error>& error() const { return work_->error; }
-
- private:
-  struct Work {
-    SliceOrder order;
-    base::Progress progress;
-    render::ColorImage picture;
-    double milliseconds = 0.0;
-    std::atomic<bool> finished{false};
-    std::optional<base::Error> error;
-  };
-  static void run(Work& work);
-  static void draw(Work& work);
-
-  base::RetiringThread<Work> work_;
+struct DrawnSlice {
+  render::ColorImage picture;
+  double milliseconds = 0.0;  // that it took
 };
+using SliceTask = base::Task<DrawnSlice>;
+std::unique_ptr<SliceTask> sliceTask(SliceOrder asked);
 
 }  // namespace isolux::app

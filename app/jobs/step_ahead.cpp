@@ -21,19 +21,20 @@ bool hasRoomForStep(const volume::PreparedVolume& step) {
 
 void StepAhead::moved(const scene::Source& from, const scene::Source& to,
                       const volume::PreparedVolume& shown) {
-  job_.reset();  // which stops it and does not wait
+  task_.reset();  // which stops it and does not wait
   scene::Source next = to;
   next.timeStep = from.timeStep;
   if (next != from || to.timeStep == from.timeStep) return;
   next.timeStep = to.timeStep + (to.timeStep > from.timeStep ? 1 : -1);
   if (next.timeStep < 0 || next.timeStep > shown.volume.timeSteps - 1) return;
   if (!hasRoomForStep(shown)) return;
-  job_ = std::make_unique<LoadJob>(std::move(next), LoadJob::Instead{.aroundDamage = true});
+  source_ = next;
+  task_ = loadTask(std::move(next), {.aroundDamage = true});
 }
 
-std::unique_ptr<LoadJob> StepAhead::take(const scene::Source& source) {
-  if (job_ && (job_->source() != source || (job_->finished() && job_->error()))) job_.reset();
-  return std::move(job_);
+std::unique_ptr<LoadTask> StepAhead::take(const scene::Source& source) {
+  if (task_ && (source_ != source || (task_->finished() && task_->error()))) task_.reset();
+  return std::move(task_);
 }
 
 }  // namespace isolux::app

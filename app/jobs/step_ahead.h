@@ -18,12 +18,13 @@ class StepAhead {
   // `shown`, of the source `to`, took the place of `from`: the step beyond it, in the same direction, is
   // loaded. Nothing where the two differ in more than their time step, or no step is left.
   void moved(const scene::Source& from, const scene::Source& to, const volume::PreparedVolume& shown);
-  // The job that loads this, at work or done; null where that is not so, or it failed. What was begun for
+  // The task that loads this, at work or done; null where that is not so, or it failed. What was begun for
   // another source is stopped.
-  std::unique_ptr<LoadJob> take(const scene::Source& source);
+  std::unique_ptr<LoadTask> take(const scene::Source& source);
 
  private:
-  std::unique_ptr<LoadJob> job_;
+  std::unique_ptr<LoadTask> task_;
+  scene::Source source_;  // that it loads
 };
 
 }  // namespace isolux::app

@@ -51,22 +51,22 @@ bool StepPlayer::showNewest(Frame now) {
 }
 
 void StepPlayer::collect(double seconds) {
-  if (!job_ || !job_->finished()) return;
+  if (!task_ || !task_->finished()) return;
   loadSeconds_ = seconds - began_;
-  const std::optional<base::Error> error = job_->error();
+  const std::optional<base::Error> error = task_->error();
   const bool isFull = error && error->kind() == base::ErrorKind::memory;
   if (isFull && (!ready_.empty() || !base::awaitRetired(0.0)))
     ready_.clear();  // there may be room without what was kept, once it is freed
   else if (error)
     error_ = error;
   else
-    ready_[loading_] = job_->volume();
-  job_.reset();
+    ready_[loading_] = task_->value().volume;
+  task_.reset();
 }
 
 // The first that is missing of those that can be loaded in time.
 void StepPlayer::loadNext(Frame now, double seconds) {
-  if (job_ || error_) return;
+  if (task_ || error_) return;
   const Frame next = now + std::max<Frame>(1, std::llround(std::ceil(loadSeconds_ * framesPerSecond_)));
   for (Frame frame = next; frame < next + round_; ++frame) {
     if (ready_.contains(inRound(frame))) continue;
@@ -75,7 +75,7 @@ void StepPlayer::loadNext(Frame now, double seconds) {
     began_ = seconds;
     scene::Source source = last_.source;
     source.timeStep = static_cast<double>(loading_) / blends_;
-    job_ = std::make_unique<LoadJob>(std::move(source));
+    task_ = loadTask(std::move(source));
     return;
   }
 }
@@ -89,7 +89,8 @@ bool StepPlayer::makeRoom(Frame now, Frame next) {
     return turn(a.first) < turn(b.first);
   });
   if (last != ready_.end() && turn(last->first) > next - now) ready_.erase(last);
-  return ready_.empty();  // one at a time, however little there is: the reader refuses what does not fit
+  // One at a time, however little there is: the reader refuses what does not fit when all else is freed.
+  return ready_.empty() && base::awaitRetired(0.0);
 }
 
 }  // namespace isolux::app

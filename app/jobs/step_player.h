@@ -45,8 +45,8 @@ class StepPlayer {
   double framesPerSecond_;
   Frame first_, shown_;
   std::map<int, std::shared_ptr<const volume::PreparedVolume>> ready_;  // by their place in the round
-  std::unique_ptr<LoadJob> job_;
-  int loading_ = 0;  // of job_
+  std::unique_ptr<LoadTask> task_;
+  int loading_ = 0;  // of task_
   double began_ = 0.0, loadSeconds_ = 0.0;
   std::optional<base::Error> error_;
 };

@@ -3,20 +3,24 @@
 #include <utility>
 
 #include "app/jobs/field_job.h"
+#include "app/jobs/give_way.h"
 #include "app/jobs/quiet_renderer.h"
 #include "app/jobs/rest_scene.h"
 #include "scene/rules/ghosts.h"
 
 namespace isolux::app {
 
-void StructureWork::run(base::Progress& progress) {
-  KnownStructure& known = subject.known;
+namespace {
+
+FoundStructure lookFor(const StructureSubject& subject, base::Progress& progress) {
+  FoundStructure found{{}, {}, subject.known};
+  KnownStructure& known = found.known;
   if (!known.whole) {
-    auto found = volume::indexedVolume(subject.scene.source, progress);
-    if (!found) return;
-    known = {std::make_shared<const volume::IndexedVolume>(std::move(*found)), nullptr, {}};
+    auto whole = volume::indexedVolume(subject.scene.source, progress);
+    if (!whole) return found;
+    known = {std::make_shared<const volume::IndexedVolume>(std::move(*whole)), nullptr, {}};
   }
-  marked = subject.picture();
+  found.marked.image = subject.picture();
   scene::Scene shown = subject.scene;
   completeFields(shown, *subject.volume, true, progress);
   shown = atRest(std::move(shown), *subject.volume, progress);
@@ -28,11 +32,23 @@ void StructureWork::run(base::Progress& progress) {
   }
   QuietRenderer quiet(subject.volume, nullptr);
   render::FrameRequest request;
-  request.size = marked.size;
+  request.size = found.marked.image.size;
   request.stop = progress.token();
-  structure =
+  found.structure =
       hiddenStructure(quiet.renderer(), shown, request, *subject.volume, *known.whole, *known.gaps, progress);
-  legend = paintStructure(*structure, shown.look.legendCorner, subject.taken, marked);
+  found.marked.legend =
+      paintStructure(*found.structure, shown.look.legendCorner, subject.taken, found.marked.image);
+  return found;
+}
+
+}  // namespace
+
+std::unique_ptr<StructureTask> structureTask(StructureSubject asked) {
+  const auto work = [subject = std::move(asked)](base::Progress& progress) {
+    giveWay();
+    return lookFor(subject, progress);
+  };
+  return StructureTask::start({"", "look for structure lost in the overview"}, work);
 }
 
 }  // namespace isolux::app

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <utility>
 
+#include "app/jobs/give_way.h"
 #include "render/gl/gl_context.h"
 #include "render/passes/processor.h"
 
@@ -11,19 +12,8 @@ namespace isolux::app {
 namespace {
 
 std::atomic<int> searching{0};
-}  // namespace
 
-int TargetJob::running() {
-  return searching;
-}
-
-std::shared_ptr<const void> TargetWork::counted() {
-  ++searching;
-  return {&searching, [](const void*) { --searching; }};
-}
-
-void TargetWork::run(base::Progress& progress) {
-  const std::shared_ptr<const void> untilTheEnd = std::move(counts);
+std::optional<TargetAnswer> answerTo(const TargetSubject& subject, base::Progress& progress) {
   const auto context = render::OffscreenContext::create(render::ContextChoice::automatic);
   context->makeCurrent();
   render::Renderer renderer(context->gl());
@@ -38,8 +28,24 @@ void TargetWork::run(base::Progress& progress) {
                           {}};
   question.picture.stop = progress.token();
   TargetSearch search(renderer, std::move(question));
-  answer = subject.limits.empty() ? search.keepTime(subject.milliseconds, progress)
-                                  : search.keepErrors(subject.limits, progress);
+  return subject.limits.empty() ? search.keepTime(subject.milliseconds, progress)
+                                : search.keepErrors(subject.limits, progress);
+}
+
+}  // namespace
+
+std::unique_ptr<TargetTask> targetTask(TargetSubject asked) {
+  ++searching;
+  const std::shared_ptr<const void> counted(&searching, [](const void*) { --searching; });
+  const auto work = [subject = std::move(asked), counted](base::Progress& progress) {
+    giveWay();
+    return answerTo(subject, progress);
+  };
+  return TargetTask::start({"", "choose settings"}, work);
+}
+
+int runningSearches() {
+  return searching;
 }
 
 }  // namespace isolux::app

@@ -1,8 +1,10 @@
 #include "app/jobs/whole_file_job.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/jobs/field_job.h"
+#include "app/jobs/give_way.h"
 #include "base/memory_budget.h"
 #include "scene/rules/automatic.h"
 #include "scene/rules/whole_voxels.h"
@@ -20,15 +22,20 @@ int halfOfLeft(int allowed) {
 
 }  // namespace
 
-void WholeFileWork::run(base::Progress& progress) {
-  scene::Machine& machine = subject.machine;
-  subject.source.level = 0;
-  machine.voxels = scene::VoxelPlace::file;
-  machine.executor = scene::Executor::automatic;
-  machine.ramBudgetMb = halfOfLeft(machine.ramBudgetMb);
-  volume = volume::loadVolume(subject.source, machine, progress);
-  // Textures of software OpenGL are memory, too.
-  machine.memory.gpuBudgetMb = halfOfLeft(machine.memory.gpuBudgetMb);
+std::unique_ptr<WholeFileTask> wholeFileTask(scene::Source source, scene::Machine machine) {
+  source.level = 0;
+  const auto work = [source = std::move(source), machine = std::move(machine)](base::Progress& progress) {
+    giveWay();
+    WholeFile whole{nullptr, machine};
+    whole.machine.voxels = scene::VoxelPlace::file;
+    whole.machine.executor = scene::Executor::automatic;
+    whole.machine.ramBudgetMb = halfOfLeft(machine.ramBudgetMb);
+    whole.volume = volume::loadVolume(source, whole.machine, progress);
+    // Textures of software OpenGL are memory, too.
+    whole.machine.memory.gpuBudgetMb = halfOfLeft(machine.memory.gpuBudgetMb);
+    return whole;
+  };
+  return WholeFileTask::start({"", "open the volume itself"}, work);
 }
 
 scene::Scene sceneOfWholeFile(const scene::Scene& asked, const scene::Scene& shown,

@@ -1925,10 +1925,6 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>Strömung bewegen</translation>
     </message>
     <message>
-        <source>The volume could not be loaded (unknown reason). The previous volume is still open.</source>
-        <translation>Das Volumen konnte nicht geladen werden (Grund unbekannt). Das vorige ist weiter offen.</translation>
-    </message>
-    <message>
         <source>Recording stopped: %1. The file contains everything up to that point.</source>
         <translation>Die Aufzeichnung endete: %1. Die Datei enthält alles bis dahin.</translation>
     </message>

@@ -19,7 +19,7 @@ namespace isolux::ui {
 
 namespace {
 
-constexpr int accuracyRestMilliseconds = 1500, accuracyPollMilliseconds = 100;
+constexpr int accuracyRestMilliseconds = 1500;
 constexpr glm::ivec2 measuredPixels{160, 120};
 constexpr int measuredFrames = 3;
 
@@ -111,8 +111,6 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
   restTimer_.setSingleShot(true);
   restTimer_.setInterval(accuracyRestMilliseconds);
   connect(&restTimer_, &QTimer::timeout, this, &AccuracyPanel::measure);
-  pollTimer_.setInterval(accuracyPollMilliseconds);
-  connect(&pollTimer_, &QTimer::timeout, this, &AccuracyPanel::poll);
   showKnob();
 }
 
@@ -178,7 +176,7 @@ bool AccuracyPanel::isSeen() const {
 // A tab that comes to the front is painted.
 void AccuracyPanel::paintEvent(QPaintEvent* event) {
   Panel::paintEvent(event);
-  if (job_ || restTimer_.isActive() || !volume_) return;
+  if (task_ || restTimer_.isActive() || !volume_) return;
   subject_ = withoutKnobs(scene_);
   if (acting_.empty()) listKnobs();
   showPicture();
@@ -228,46 +226,43 @@ bool AccuracyPanel::complete() const {
 
 void AccuracyPanel::measureSoon() {
   if (!isSeen()) return;
-  const bool idle = volume_ && !drawing_ && !job_ && !target_->searching() && !picture_->working();
+  const bool idle = volume_ && !drawing_ && !task_ && !target_->searching() && !picture_->working();
   if (idle && (picture_->wanted() || (trouble_.isEmpty() && !missing().empty()))) restTimer_.start();
   showState();
 }
 
 void AccuracyPanel::measure() {
-  if (!isSeen() || !volume_ || drawing_ || job_ || target_->searching()) return;
+  if (!isSeen() || !volume_ || drawing_ || task_ || target_->searching()) return;
   picture_->measure();
   if (picture_->working() || !trouble_.isEmpty()) return showState();
   std::vector<app::Knob> wanted = missing();
   if (wanted.empty()) return;
   scene::Machine machine;
   machine.executor = scene::Executor::cpu;  // the volume is on the graphics card once, for the user
-  job_ = std::make_unique<app::StudyJob>(
-      app::StudyJob::Subject{volume_, subject_, machine, std::move(wanted), measuredPixels, measuredFrames});
+  task_.watch(
+      app::studyTask({volume_, subject_, machine, std::move(wanted), measuredPixels, measuredFrames}),
+      [this](auto& task) { takeLast(task); }, [this] { takeStudies(*task_); });
   ++jobsBegun_;
-  pollTimer_.start();
   showState();
 }
 
 void AccuracyPanel::drop() {
   restTimer_.stop();
-  pollTimer_.stop();
-  job_.reset();
+  task_.reset();
   picture_->drop();
   showState();
 }
 
-void AccuracyPanel::poll() {
-  if (!job_) return pollTimer_.stop();
-  const bool finished = job_->finished();
-  std::vector<app::KnobStudy> found = job_->take();
+void AccuracyPanel::takeLast(app::StudyTask& task) {
+  if (task.error()) trouble_ = QString::fromStdString(task.error()->what());
+  takeStudies(task);
+}
+
+void AccuracyPanel::takeStudies(app::StudyTask& task) {
+  std::vector<app::KnobStudy> found = task.take();
   for (app::KnobStudy& study : found) {
     const std::string name = study.knob.name;
     measured_.insert_or_assign(name, Measured{std::move(study), subject_});
-  }
-  if (finished) {
-    if (job_->error()) trouble_ = QString::fromStdString(job_->error()->what());
-    job_.reset();
-    pollTimer_.stop();
   }
   if (!found.empty())
     showKnob();
@@ -311,7 +306,7 @@ void AccuracyPanel::showState() {
   const auto found = shown ? measured_.find(shown->name) : measured_.end();
   const bool stale = found != measured_.end() && !(found->second.of == subject_);
   QString text = picture_->working() ? tr("Measuring the image on screen…")
-                 : job_ ? tr("Measuring… %1 %").arg(qRound(100.0 * job_->progress().fraction()))
+                 : task_ ? tr("Measuring… %1 %").arg(qRound(100.0 * task_->progress().fraction()))
                  : missing().empty() ? QString()
                                      : tr("Waiting until the window is idle");
   if (found != measured_.end()) {

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <map>
-#include <memory>
 #include <string>
 
 #include <QImage>
@@ -15,6 +14,7 @@
 
 #include "app/jobs/study_job.h"
 #include "ui/accuracy/picture_accuracy.h"
+#include "ui/document/background_task.h"
 #include "ui/document/baked_light.h"
 #include "ui/panels/panel.h"
 
@@ -48,7 +48,7 @@ class AccuracyPanel : public Panel {
   const AccuracyChart& chart() const { return *chart_; }
   QString state() const;
   bool complete() const;  // every knob that acts is measured, of the present scene
-  bool working() const { return job_ != nullptr; }
+  bool working() const { return bool(task_); }
   bool waiting() const { return restTimer_.isActive(); }  // for the window to rest, to measure then
   int jobsBegun() const { return jobsBegun_; }
   const PictureAccuracy& picture() const { return *picture_; }
@@ -77,7 +77,8 @@ class AccuracyPanel : public Panel {
   void measureSoon();
   void measure();
   void drop();
-  void poll();
+  void takeStudies(app::StudyTask& task);
+  void takeLast(app::StudyTask& task);
   void showPicture();
   void tellPicture();
   void showTarget();
@@ -97,17 +98,17 @@ class AccuracyPanel : public Panel {
     render::FrameRequest request;
     bool onProcessor = false;
   };
-  Drawn reported_, drawn_;  // the last picture; the last full one
+  Drawn reported_, drawn_;          // the last picture; the last full one
   std::function<QImage()> pixels_;  // of the last full one; empty: there is none
   std::optional<render::Tile> legend_;
   bool complete_ = false, previewing_ = false, lightChanging_ = false;
   std::vector<app::Knob> acting_;
   std::map<std::string, Measured> measured_;  // by the knob's name
-  std::unique_ptr<app::StudyJob> job_;
+  BackgroundTask<void, std::vector<app::KnobStudy>> task_;
   QString trouble_;
   bool drawing_ = false;
   int jobsBegun_ = 0;
-  QTimer restTimer_, pollTimer_;
+  QTimer restTimer_;
 
   PictureAccuracy* picture_;
   TargetBox* target_;

@@ -51,7 +51,7 @@ void AccuracyPanel::setPixels(std::function<QImage()> picture, const std::option
 // What the user has just asked to see goes before what nobody has.
 void AccuracyPanel::wantOverlay() {
   picture_->keepImages(overlay_->wanted());
-  if (overlay_->wanted() && picture_->wanted()) job_.reset();
+  if (overlay_->wanted() && picture_->wanted()) task_.reset();
   restTimer_.stop();
   measure();
   showOverlay();
@@ -91,7 +91,7 @@ void AccuracyPanel::tellPicture() {
 }
 
 void AccuracyPanel::showTarget() {
-  app::TargetJob::Subject subject;
+  app::TargetSubject subject;
   if (isSeen()) {
     subject.volume = volume_;
     subject.scene = scene_;

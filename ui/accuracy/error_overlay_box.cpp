@@ -12,8 +12,6 @@ namespace isolux::ui {
 
 namespace {
 
-constexpr int overlayPollMilliseconds = 20;
-
 bool sameLimit(const ErrorOverlayBox::Shown& a, const ErrorOverlayBox::Shown& b) {
   return a.limit == b.limit && a.shortestEdgeMm == b.shortestEdgeMm;
 }
@@ -52,8 +50,6 @@ ErrorOverlayBox::ErrorOverlayBox(QWidget* parent)
     Q_EMIT wantedChanged();
     paint();
   });
-  pollTimer_.setInterval(overlayPollMilliseconds);
-  connect(&pollTimer_, &QTimer::timeout, this, &ErrorOverlayBox::poll);
 }
 
 std::optional<app::ErrorImage> ErrorOverlayBox::chosen() const {
@@ -82,8 +78,7 @@ void ErrorOverlayBox::setShown(const Shown& shown) {
 }
 
 void ErrorOverlayBox::paint() {
-  pollTimer_.stop();
-  job_.reset();
+  task_.reset();
   const std::optional<app::ErrorImage> error = chosen();
   const glm::ivec2 size(shown_.picture.width(), shown_.picture.height());
   const bool known = shown_.errors && shown_.errors->size == size && !shown_.picture.isNull();
@@ -93,7 +88,7 @@ void ErrorOverlayBox::paint() {
          "light"));
   note_->setVisible(noLight);
   if (!error || !known || noLight) return take({});
-  app::OverlayWork::Subject subject;
+  app::OverlaySubject subject;
   subject.picture = [picture = shown_.picture] { return colorImageOf(picture); };
   subject.errors = shown_.errors;
   subject.wish = {true, error, {}};
@@ -101,17 +96,10 @@ void ErrorOverlayBox::paint() {
   subject.shortestEdgeMm = shown_.shortestEdgeMm;
   subject.corner = shown_.corner;
   subject.taken = shown_.legend;
-  job_ = std::make_unique<app::OverlayJob>(std::move(subject));
-  pollTimer_.start();
-}
-
-void ErrorOverlayBox::poll() {
-  if (!job_) return pollTimer_.stop();
-  if (!job_->finished()) return;
-  pollTimer_.stop();
-  const std::unique_ptr<app::OverlayJob> job = std::move(job_);
-  if (job->error()) return take({});
-  take(imageOf(job->painted()), job->legend());
+  task_.watch(app::overlayTask(std::move(subject)), [this](auto& task) {
+    if (task.error()) return take({});
+    take(imageOf(task.value().image), task.value().legend);
+  });
 }
 
 void ErrorOverlayBox::take(const QImage& image, const std::optional<render::Tile>& legend) {

@@ -6,10 +6,10 @@
 #include <optional>
 
 #include <QImage>
-#include <QTimer>
 #include <QWidget>
 
 #include "app/jobs/overlay_job.h"
+#include "ui/document/background_task.h"
 
 class QComboBox;
 class QLabel;
@@ -35,7 +35,7 @@ class ErrorOverlayBox : public QWidget {
   bool wanted() const;  // something is to be laid over
   void choose(std::optional<app::ErrorImage> error);
   QString note() const;  // why nothing is
-  bool working() const { return job_ != nullptr; }
+  bool working() const { return bool(task_); }
 
  Q_SIGNALS:
   void wantedChanged();
@@ -45,13 +45,11 @@ class ErrorOverlayBox : public QWidget {
  private:
   std::optional<app::ErrorImage> chosen() const;
   void paint();
-  void poll();
   void take(const QImage& image, const std::optional<render::Tile>& legend = {});
 
   Shown shown_;
-  std::unique_ptr<app::OverlayJob> job_;
+  BackgroundTask<app::MarkedPicture> task_;
   bool isPainted_ = false;  // something is laid over the picture now
-  QTimer pollTimer_;
   QComboBox* errors_;
   QLabel* note_;
 };

@@ -9,24 +9,19 @@ namespace isolux::ui {
 
 namespace {
 
-constexpr int marksPollMilliseconds = 30;
 constexpr const char* marksKey = "markOverview";
 
 }  // namespace
 
 LevelMarks::LevelMarks(QObject* parent)
-    : QObject(parent), marks_(QSettings().value(marksKey, true).toBool()) {
-  pollTimer_.setInterval(marksPollMilliseconds);
-  connect(&pollTimer_, &QTimer::timeout, this, &LevelMarks::poll);
-}
+    : QObject(parent), marks_(QSettings().value(marksKey, true).toBool()) {}
 
 void LevelMarks::show(const std::optional<Shown>& shown) {
   const bool same = shown.has_value() == shown_.has_value() &&
                     (!shown || (shown->volume == shown_->volume &&
                                 shown->picture.cacheKey() == shown_->picture.cacheKey()));
   if (same) return;
-  pollTimer_.stop();
-  job_.reset();
+  task_.reset();
   marked_ = {};
   shown_ = shown;
   if (!shown_) return;  // what was said holds until another picture says something else
@@ -46,31 +41,27 @@ void LevelMarks::forget() {
 }
 
 void LevelMarks::look() {
-  app::StructureJob::Subject subject;
+  app::StructureSubject subject;
   subject.volume = shown_->volume;
   subject.scene = shown_->resolved;
   subject.picture = [picture = shown_->picture] { return colorImageOf(picture); };
   subject.taken = shown_->legend;
   subject.known = known_;
-  job_ = std::make_unique<app::StructureJob>(std::move(subject));
-  pollTimer_.start();
+  task_.watch(app::structureTask(std::move(subject)), [this](auto& task) { take(task); });
 }
 
 void LevelMarks::lookAgain() {
-  if (shown_ && !job_ && !known_.whole) look();
+  if (shown_ && !task_ && !known_.whole) look();
 }
 
-void LevelMarks::poll() {
-  if (!job_) return pollTimer_.stop();
-  if (!job_->finished()) return;
-  pollTimer_.stop();
-  const std::unique_ptr<app::StructureJob> job = std::move(job_);
-  if (job->error()) return say({}, QString::fromStdString(job->error()->what()));
-  known_ = job->known();
-  tell(job->structure());
-  if (!job->structure() || job->structure()->share() == 0.0) return;
-  marked_ = imageOf(job->marked());
-  legend_ = job->legend();
+void LevelMarks::take(app::StructureTask& task) {
+  if (task.error()) return say({}, QString::fromStdString(task.error()->what()));
+  const app::FoundStructure& found = task.value();
+  known_ = found.known;
+  tell(found.structure);
+  if (!found.structure || found.structure->share() == 0.0) return;
+  marked_ = imageOf(found.marked.image);
+  legend_ = found.marked.legend;
   if (marks_) Q_EMIT painted(marked_, shown_->picture, legend_);
 }
 

@@ -8,9 +8,9 @@
 
 #include <QImage>
 #include <QObject>
-#include <QTimer>
 
 #include "app/jobs/structure_job.h"
+#include "ui/document/background_task.h"
 #include "ui/document/document.h"
 
 namespace isolux::ui {
@@ -32,7 +32,7 @@ class LevelMarks : public QObject {
   void setMarking(bool marks);  // the user wants hatching; kept in the user's settings
   void lookAgain();             // the volume may have an index now
   bool marking() const { return marks_; }
-  bool working() const { return job_ != nullptr; }
+  bool working() const { return bool(task_); }
   QString text() const { return text_; }  // "may hide structure in 3 % of the picture"; empty: not known
   QString meaning() const { return meaning_; }  // a sentence, or how it would become known
 
@@ -43,7 +43,7 @@ class LevelMarks : public QObject {
 
  private:
   void look();
-  void poll();
+  void take(app::StructureTask& task);
   void say(const QString& text, const QString& meaning);
   void tell(const std::optional<app::HiddenStructure>& structure);
 
@@ -54,8 +54,7 @@ class LevelMarks : public QObject {
   std::optional<render::Tile> legend_;  // in it
   QString text_, meaning_;
   bool marks_ = true;
-  std::unique_ptr<app::StructureJob> job_;
-  QTimer pollTimer_;
+  BackgroundTask<app::FoundStructure> task_;
 };
 
 }  // namespace isolux::ui

@@ -16,7 +16,6 @@ namespace isolux::ui {
 
 namespace {
 
-constexpr int zeroPollMilliseconds = 100;
 constexpr const char* wantedKey = "levelZeroAtRest";
 
 QString whatOf(const std::exception_ptr& failure) {
@@ -37,10 +36,7 @@ bool sameVolume(scene::Source a, const scene::Source& b) {
 }  // namespace
 
 LevelZero::LevelZero(QObject* parent)
-    : QObject(parent), wanted_(QSettings().value(wantedKey, true).toBool()) {
-  pollTimer_.setInterval(zeroPollMilliseconds);
-  connect(&pollTimer_, &QTimer::timeout, this, &LevelZero::poll);
-}
+    : QObject(parent), wanted_(QSettings().value(wantedKey, true).toBool()) {}
 
 LevelZero::~LevelZero() = default;
 
@@ -88,9 +84,10 @@ void LevelZero::setWanted(bool wanted) {
 
 void LevelZero::open() {
   if (refused_) return say({}, *refused_);
-  if (!opening_)
-    opening_ = std::make_unique<app::WholeFileJob>(app::WholeFileWork::Subject{*source_, machine_});
-  pollTimer_.start();
+  if (opening_) return;
+  opening_.watch(
+      app::wholeFileTask(*source_, machine_), [this](auto& task) { takeVolume(task); },
+      [this] { sayOpening(); });
 }
 
 app::PictureOrder LevelZero::order(const render::FrameRequest& request) const {
@@ -112,14 +109,15 @@ void LevelZero::draw() {
     wanted.scene.picture.transparent = false;
     if (!thread_)
       thread_ = std::make_unique<app::PictureThread>(
-          app::PictureThread::Options{.priority = app::PictureThread::Priority::background});
+          app::PictureThread::Options{.priority = app::PictureThread::Priority::background,
+                                      .news = posted(this, [this] { takeStill(); })});
     thread_->drawStill(std::move(wanted));
   } catch (const base::Error& error) {
     return say({}, tr("Full resolution is not drawn: %1").arg(QString::fromStdString(error.reason())));
   }
   drawing_ = true;
   say(tr("drawing full resolution"), {});
-  pollTimer_.start();
+  takeStill();  // there may be no context to draw with
 }
 
 void LevelZero::stopDrawing() {
@@ -128,36 +126,32 @@ void LevelZero::stopDrawing() {
   thread_->stopStill();
 }
 
-void LevelZero::poll() {
-  if (opening_ && opening_->finished()) takeVolume();
-  if (opening_) {
-    const base::Progress& progress = opening_->progress();
-    say(tr("%1: %2 %")
-            .arg(translated(texts::words, progress.stage()))
-            .arg(std::lround(100.0 * progress.fraction())),
-        tr("Full resolution is drawn from the file once its index exists."));
-  }
-  if (thread_) {
-    const app::PictureThread::Context* const context = thread_->context();
-    const std::unique_ptr<app::PictureThread::Still> still = thread_->takeStill();
-    if (still && drawing_)
-      takePicture(*still);
-    else if (drawing_ && context && context->failure) {
-      drawing_ = false;
-      say({}, tr("Full resolution is not drawn: %1").arg(whatOf(context->failure)));
-    }
-  }
-  if (!opening_ && !drawing_) pollTimer_.stop();
+void LevelZero::sayOpening() {
+  const base::Progress& progress = opening_->progress();
+  say(tr("%1: %2 %")
+          .arg(translated(texts::words, progress.stage()))
+          .arg(std::lround(100.0 * progress.fraction())),
+      tr("Full resolution is drawn from the file once its index exists."));
 }
 
-void LevelZero::takeVolume() {
-  const std::unique_ptr<app::WholeFileJob> job = std::move(opening_);
-  if (job->error()) {
-    refused_ = tr("Full resolution is not drawn: %1").arg(QString::fromStdString(job->error()->what()));
+void LevelZero::takeStill() {
+  if (!thread_ || !drawing_) return;
+  const app::PictureThread::Context* const context = thread_->context();
+  if (const std::unique_ptr<app::PictureThread::Still> still = thread_->takeStill()) {
+    takePicture(*still);
+  } else if (context && context->failure) {
+    drawing_ = false;
+    say({}, tr("Full resolution is not drawn: %1").arg(whatOf(context->failure)));
+  }
+}
+
+void LevelZero::takeVolume(app::WholeFileTask& task) {
+  if (task.error()) {
+    refused_ = tr("Full resolution is not drawn: %1").arg(QString::fromStdString(task.error()->what()));
     return say({}, *refused_);
   }
-  whole_ = job->volume();
-  wholeMachine_ = job->machine();
+  whole_ = task.value().volume;
+  wholeMachine_ = task.value().machine;
   say({}, {});
   Q_EMIT opened();
   if (shown_) draw();

@@ -2,9 +2,10 @@
 // by one of the file's own voxels, drawn from the file by a thread that gives way, and shown in its place.
 // An index is made in the background where there is none. Nothing of it runs for a volume that is in memory.
 //
-// Data: the finished picture of the level, from MainWindow. Owner: the volume in its file (app::WholeFileJob)
-// is kept as long as its source is the document's; an app::PictureThread keeps the renderer. Flow: show() ->
-// open, index -> draw -> painted(); a picture that changes drops what is being drawn, but not the opening.
+// Data: the finished picture of the level, from MainWindow. Owner: the volume in its file
+// (app::wholeFileTask) is kept as long as its source is the document's; an app::PictureThread keeps the
+// renderer. Flow: show() -> open, index -> draw -> painted(); a picture that changes drops what is being
+// drawn, but not the opening.
 #pragma once
 
 #include <memory>
@@ -12,11 +13,11 @@
 
 #include <QImage>
 #include <QObject>
-#include <QTimer>
 
 #include "app/jobs/picture_thread.h"
 #include "app/jobs/whole_file_job.h"
 #include "render/still_picture.h"
+#include "ui/document/background_task.h"
 #include "ui/document/document.h"
 
 namespace isolux::ui {
@@ -58,8 +59,9 @@ class LevelZero : public QObject {
  private:
   void open();
   void draw();
-  void poll();
-  void takeVolume();
+  void sayOpening();
+  void takeVolume(app::WholeFileTask& task);
+  void takeStill();
   void takePicture(app::PictureThread::Still& still);
   void stopDrawing();
   void say(const QString& text, const QString& meaning);
@@ -69,14 +71,13 @@ class LevelZero : public QObject {
   std::optional<scene::Source> source_;
   std::optional<Shown> shown_;
   bool wanted_ = true, drawing_ = false;
-  std::unique_ptr<app::WholeFileJob> opening_;
+  BackgroundTask<app::WholeFile> opening_;
   VolumePointer whole_;             // of source_
   scene::Machine wholeMachine_;     // what draws it
   std::optional<QString> refused_;  // why source_ cannot be opened
   std::unique_ptr<app::PictureThread> thread_;
   QImage image_;
   QString text_, meaning_;
-  QTimer pollTimer_;
 };
 
 }  // namespace isolux::ui

@@ -6,8 +6,6 @@ namespace isolux::ui {
 
 namespace {
 
-constexpr int boundsPollMilliseconds = 50;
-
 bool samePicture(const PictureAccuracy::Subject& a, const PictureAccuracy::Subject& b) {
   return a.volume == b.volume && a.scene == b.scene && a.light == b.light && a.size == b.size &&
          a.onProcessor == b.onProcessor;
@@ -20,10 +18,7 @@ bool samePicture(const std::optional<PictureAccuracy::Subject>& a,
 
 }  // namespace
 
-PictureAccuracy::PictureAccuracy(QObject* parent) : QObject(parent) {
-  pollTimer_.setInterval(boundsPollMilliseconds);
-  connect(&pollTimer_, &QTimer::timeout, this, &PictureAccuracy::poll);
-}
+PictureAccuracy::PictureAccuracy(QObject* parent) : QObject(parent) {}
 
 void PictureAccuracy::show(std::optional<Subject> subject) {
   if (subject) {  // which no bound depends on
@@ -43,17 +38,15 @@ bool PictureAccuracy::wanted() const {
 }
 
 void PictureAccuracy::measure() {
-  if (job_ || !wanted()) return;
+  if (task_ || !wanted()) return;
   Subject subject = *shown_;
   subject.keepImages = keepsImages_;
-  job_ = std::make_unique<app::AccuracyJob>(std::move(subject));
+  task_.watch(app::accuracyTask(std::move(subject)), [this](auto& task) { take(task); });
   ++jobsBegun_;
-  pollTimer_.start();
 }
 
 void PictureAccuracy::drop() {
-  pollTimer_.stop();
-  job_.reset();
+  task_.reset();
 }
 
 void PictureAccuracy::forget() {
@@ -78,13 +71,14 @@ std::shared_ptr<const app::PictureErrors> PictureAccuracy::images() const {
   return known() ? images_ : nullptr;
 }
 
-void PictureAccuracy::poll() {
-  if (!job_) return pollTimer_.stop();
-  if (!job_->finished()) return;
+void PictureAccuracy::take(app::AccuracyTask& task) {
   measured_ = shown_;
-  accuracy_ = job_->accuracy();
-  images_ = job_->images();
-  drop();
+  accuracy_.reset();
+  images_.reset();
+  if (!task.error()) {
+    accuracy_ = std::move(task.value().accuracy);
+    images_ = std::move(task.value().images);
+  }
   Q_EMIT changed();
   Q_EMIT ended();
 }

@@ -6,16 +6,16 @@
 #include <optional>
 
 #include <QObject>
-#include <QTimer>
 
 #include "app/jobs/accuracy_job.h"
+#include "ui/document/background_task.h"
 
 namespace isolux::ui {
 
 class PictureAccuracy : public QObject {
   Q_OBJECT
  public:
-  using Subject = app::AccuracyJob::Subject;
+  using Subject = app::AccuracySubject;
 
   explicit PictureAccuracy(QObject* parent = nullptr);
 
@@ -28,7 +28,7 @@ class PictureAccuracy : public QObject {
   // Whether what each pixel errs by is wanted, too, which takes memory.
   void keepImages(bool kept);
 
-  bool working() const { return job_ != nullptr; }
+  bool working() const { return bool(task_); }
   const std::optional<app::Accuracy>& known() const;         // of the picture on show
   std::shared_ptr<const app::PictureErrors> images() const;  // of it; null: not known, or not kept
   const std::optional<Subject>& subject() const { return shown_; }
@@ -39,15 +39,14 @@ class PictureAccuracy : public QObject {
   void ended();    // the job, by itself
 
  private:
-  void poll();
+  void take(app::AccuracyTask& task);
 
   std::optional<Subject> shown_;
   std::optional<Subject> measured_;  // what was measured last, and with what result: none, it failed
   std::optional<app::Accuracy> accuracy_;
   std::shared_ptr<const app::PictureErrors> images_;  // of measured_
   bool keepsImages_ = false;
-  std::unique_ptr<app::AccuracyJob> job_;
-  QTimer pollTimer_;
+  BackgroundTask<app::MeasuredPicture> task_;
   int jobsBegun_ = 0;
 };
 

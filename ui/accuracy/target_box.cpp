@@ -19,11 +19,10 @@ namespace isolux::ui {
 
 namespace {
 
-constexpr int targetPollMilliseconds = 50;
 constexpr int narrowestNumber = 48, shortestUnit = 13;  // pixels; characters
 constexpr double mostAtFirst = 0.01, millisecondsAtFirst = 100.0;
 
-bool sameQuestion(const app::TargetJob::Subject& a, const app::TargetJob::Subject& b) {
+bool sameQuestion(const app::TargetSubject& a, const app::TargetSubject& b) {
   return a.volume == b.volume && a.scene == b.scene && a.picture.size == b.picture.size &&
          a.picture.pixelRatio == b.picture.pixelRatio && a.machine == b.machine;
 }
@@ -46,7 +45,7 @@ TargetBox::TargetBox(QWidget* parent)
   connect(milliseconds_, &QDoubleSpinBox::valueChanged, this, [this] { time_->setChecked(true); });
   connect(unit_, &QComboBox::activated, this, [this] { error_->setChecked(true); });
   connect(find_, &QPushButton::clicked, this, [this] {
-    if (job_)
+    if (task_)
       drop();
     else
       find();
@@ -55,8 +54,6 @@ TargetBox::TargetBox(QWidget* parent)
   connect(most_, &QDoubleSpinBox::valueChanged, this, &TargetBox::limitChanged);
   connect(unit_, &QComboBox::currentIndexChanged, this, &TargetBox::limitChanged);
   connect(error_, &QRadioButton::toggled, this, &TargetBox::limitChanged);
-  pollTimer_.setInterval(targetPollMilliseconds);
-  connect(&pollTimer_, &QTimer::timeout, this, &TargetBox::poll);
   showState();
 }
 
@@ -102,7 +99,7 @@ void TargetBox::makeRows() {
   layout->addWidget(text_);
 }
 
-void TargetBox::setSubject(const app::TargetJob::Subject& subject) {
+void TargetBox::setSubject(const app::TargetSubject& subject) {
   const bool same = sameQuestion(subject, subject_);
   subject_ = subject;
   if (!same) drop();
@@ -111,8 +108,7 @@ void TargetBox::setSubject(const app::TargetJob::Subject& subject) {
 
 void TargetBox::drop() {
   const bool searched = searching();
-  pollTimer_.stop();
-  job_.reset();
+  task_.reset();
   answer_.reset();
   said_.clear();
   showState();
@@ -157,7 +153,7 @@ void TargetBox::find() {
     said_ = tr("Errors are known only for an uncut isosurface: remove the cuts or exclude it from them");
     return showState();
   }
-  app::TargetJob::Subject question = subject_;
+  app::TargetSubject question = subject_;
   question.limits.clear();
   question.milliseconds = milliseconds_->value();
   if (const std::optional<app::Limit> asked = limit()) question.limits = {*asked};
@@ -166,33 +162,25 @@ void TargetBox::find() {
     said_ = tr("No settings achieve 0: enter a larger number");
     return showState();
   }
-  job_ = std::make_unique<app::TargetJob>(std::move(question));
-  pollTimer_.start();
+  task_.watch(
+      app::targetTask(std::move(question)), [this](auto& task) { take(task); }, [this] { showState(); });
   showState();
   Q_EMIT searchingChanged();
 }
 
-void TargetBox::poll() {
-  if (!job_) return pollTimer_.stop();
-  if (!job_->finished()) return showState();
-  pollTimer_.stop();
-  const std::unique_ptr<app::TargetJob> job = std::move(job_);
-  take(*job);
-  showState();
-  Q_EMIT searchingChanged();
-}
-
-void TargetBox::take(const app::TargetJob& job) {
-  if (job.error()) {
-    said_ = refusalText(*job.error());
-  } else if (!job.answer()) {
+void TargetBox::take(app::TargetTask& task) {
+  if (task.error()) {
+    said_ = refusalText(*task.error());
+  } else if (const auto& found = task.value(); !found) {
     said_ = nothingSeenText();
-  } else if (job.answer()->measured.empty() || (!asksTime() && job.answer()->asked == 0)) {
+  } else if (found->measured.empty() || (!asksTime() && found->asked == 0)) {
     said_ = ignoredText(quantity());
   } else {
-    answer_ = job.answer();
+    answer_ = found;
     said_ = answerText(*answer_);
   }
+  showState();
+  Q_EMIT searchingChanged();
 }
 
 void TargetBox::apply() {
@@ -210,12 +198,13 @@ QString TargetBox::text() const {
 }
 
 void TargetBox::showState() {
-  find_->setText(job_ ? tr("Stop") : tr("Find settings"));
-  find_->setEnabled(job_ || (subject_.volume && subject_.picture.size.x > 0));
+  find_->setText(task_ ? tr("Stop") : tr("Find settings"));
+  find_->setEnabled(task_ || (subject_.volume && subject_.picture.size.x > 0));
   for (QWidget* const control : std::initializer_list<QWidget*>{error_, time_, most_, milliseconds_, unit_})
-    control->setEnabled(!job_);
+    control->setEnabled(!task_);
   apply_->setEnabled(answer_ && !answer_->measured[answer_->chosen].candidate.assignments.empty());
-  const QString text = job_ ? tr("Searching… %1 %").arg(qRound(100.0 * job_->progress().fraction())) : said_;
+  const QString text =
+      task_ ? tr("Searching… %1 %").arg(qRound(100.0 * task_->progress().fraction())) : said_;
   if (text_->text() != text) text_->setText(text);
   text_->setVisible(!text.isEmpty());
 }

@@ -4,13 +4,12 @@
 // A search begins with a click and ends at once when anything of its question changes.
 #pragma once
 
-#include <memory>
 #include <optional>
 
-#include <QTimer>
 #include <QWidget>
 
 #include "app/jobs/target_job.h"
+#include "ui/document/background_task.h"
 #include "ui/document/edit.h"
 
 class QComboBox;
@@ -28,7 +27,7 @@ class TargetBox : public QWidget {
   explicit TargetBox(QWidget* parent = nullptr);
 
   // What is searched in; its limits are not read. Without a volume, or a size: nothing can be searched.
-  void setSubject(const app::TargetJob::Subject& subject);
+  void setSubject(const app::TargetSubject& subject);
   void drop();  // the search, and what it found
 
   void askError(app::Quantity quantity, double most);  // in unitTextOf(quantity)
@@ -37,7 +36,7 @@ class TargetBox : public QWidget {
   QPushButton* findButton() const { return find_; }
   QPushButton* applyButton() const { return apply_; }
   QString text() const;  // what was found, or why nothing was
-  bool searching() const { return job_ != nullptr; }
+  bool searching() const { return bool(task_); }
   const std::optional<app::TargetAnswer>& answer() const { return answer_; }
 
  Q_SIGNALS:
@@ -48,19 +47,17 @@ class TargetBox : public QWidget {
  private:
   void makeRows();
   void find();
-  void poll();
-  void take(const app::TargetJob& job);
+  void take(app::TargetTask& task);
   void apply();
   void showState();
   bool asksTime() const;
   app::Quantity quantity() const;
   QString questionName() const;  // of the step of undo
 
-  app::TargetJob::Subject subject_;
-  std::unique_ptr<app::TargetJob> job_;
+  app::TargetSubject subject_;
+  BackgroundTask<std::optional<app::TargetAnswer>> task_;
   std::optional<app::TargetAnswer> answer_;
   QString said_;  // of the last search
-  QTimer pollTimer_;
 
   QRadioButton *error_, *time_;
   NumberSpinBox *most_, *milliseconds_;

@@ -388,22 +388,19 @@ bool DicomBrowser::picturesComplete() const {
 }
 
 void DicomBrowser::drawPictures() {
-  if (!isVisible()) return;
-  if (preview_ && preview_->finished()) {
-    if (QTreeWidgetItem* const item = items_.value(previewSeries_)) {
-      item->setData(0, pictureRole, previewFile_);
-      if (preview_->image().width > 0)
-        item->setIcon(titleColumn, pictureOf(preview_->image(), devicePixelRatioF()));
-    }
-    preview_.reset();
-  }
-  if (preview_) return;
+  if (!isVisible() || preview_) return;
   QTreeWidgetItem* const item = withoutPicture();
   const volume::DicomSeries* const series = seriesOf(item);
   if (!series) return;
-  previewSeries_ = textOf(series->series);
-  previewFile_ = textOf(series->middleFile);
-  preview_ = std::make_unique<app::PreviewJob>(series->middleFile, series->middleFrame);
+  const QString key = textOf(series->series), file = textOf(series->middleFile);
+  preview_.watch(app::previewTask(series->middleFile, series->middleFrame), [this, key, file](auto& task) {
+    QTreeWidgetItem* const of = items_.value(key);
+    if (of == nullptr) return;
+    of->setData(0, pictureRole, file);
+    // No picture if it failed: opening the series says why.
+    if (!task.error() && task.value().width > 0)
+      of->setIcon(titleColumn, pictureOf(task.value(), devicePixelRatioF()));
+  });
 }
 
 }  // namespace isolux::ui

@@ -2,13 +2,12 @@
 // from.
 #pragma once
 
-#include <memory>
-
 #include <QDialog>
 #include <QHash>
 #include <QTimer>
 
 #include "app/browser/index_job.h"
+#include "ui/document/background_task.h"
 
 class QCheckBox;
 class QLabel;
@@ -71,8 +70,7 @@ class DicomBrowser : public QDialog {
   QProgressBar* progress_;
   QPushButton *stop_, *open_;
   QHash<QString, QTreeWidgetItem*> groups_, items_;  // by keys of patients and studies; by series UID
-  std::unique_ptr<app::PreviewJob> preview_;
-  QString previewSeries_, previewFile_;
+  BackgroundTask<volume::DecodedImage> preview_;
   QTimer pictureTimer_;
 };
 

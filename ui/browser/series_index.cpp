@@ -2,10 +2,7 @@
 
 namespace isolux::ui {
 
-SeriesIndex::SeriesIndex(QObject* parent) : QObject(parent) {
-  timer_.setInterval(50);
-  connect(&timer_, &QTimer::timeout, this, &SeriesIndex::poll);
-}
+SeriesIndex::SeriesIndex(QObject* parent) : QObject(parent) {}
 
 void SeriesIndex::start(const QString& folder) {
   stop();
@@ -13,30 +10,34 @@ void SeriesIndex::start(const QString& folder) {
   problem_.clear();
   series_.clear();
   end_ = {};
-  job_ = std::make_unique<app::IndexJob>(folder.toStdString());
-  timer_.start();
+  task_.watch(
+      app::indexTask(folder.toStdString()), [this](auto& task) { takeEnd(task); },
+      [this] {
+        const double fraction = task_->progress().fraction();
+        takeSeries(*task_);  // which may stop it
+        Q_EMIT progressed(fraction);
+      });
   Q_EMIT started();
   Q_EMIT changed();
 }
 
 void SeriesIndex::stop() {
-  timer_.stop();
-  job_.reset();
+  task_.reset();
 }
 
-void SeriesIndex::poll() {
-  const bool finished = job_->finished();  // before the last of it is taken
-  const std::vector<volume::DicomSeries> found = job_->take();
+void SeriesIndex::takeSeries(app::IndexTask& task) {
+  const std::vector<volume::DicomSeries> found = task.take();
   for (const volume::DicomSeries& series : found) app::addSeries(series_, series);
-  if (finished) {
-    end_ = job_->end();
-    if (job_->error()) problem_ = QString::fromStdString(job_->error()->what());
-    stop();
-  } else {
-    Q_EMIT progressed(job_->progress().fraction());
-  }
   if (!found.empty()) Q_EMIT changed();
-  if (finished) Q_EMIT ended();
+}
+
+void SeriesIndex::takeEnd(app::IndexTask& task) {
+  if (task.error())
+    problem_ = QString::fromStdString(task.error()->what());
+  else
+    end_ = task.value();
+  takeSeries(task);
+  Q_EMIT ended();
 }
 
 }  // namespace isolux::ui

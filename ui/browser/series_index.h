@@ -1,14 +1,13 @@
-// The series of a folder as they are found: the index job of the moment, polled. Lives on the GUI thread.
+// The series of a folder as they are found: the index task of the moment. Lives on the GUI thread.
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include <QObject>
 #include <QString>
-#include <QTimer>
 
 #include "app/browser/index_job.h"
+#include "ui/document/background_task.h"
 
 namespace isolux::ui {
 
@@ -21,7 +20,7 @@ class SeriesIndex : public QObject {
   void stop();                        // what was found stays; ended() is not emitted
 
   const QString& folder() const { return folder_; }
-  bool running() const { return job_ != nullptr; }
+  bool running() const { return bool(task_); }
   const std::vector<volume::DicomSeries>& series() const { return series_; }
   // Of the last that ran to its end.
   const volume::DicomIndexEnd& end() const { return end_; }
@@ -34,13 +33,13 @@ class SeriesIndex : public QObject {
   void ended();
 
  private:
-  void poll();
+  void takeSeries(app::IndexTask& task);
+  void takeEnd(app::IndexTask& task);
 
   QString folder_, problem_;
-  std::unique_ptr<app::IndexJob> job_;
+  BackgroundTask<volume::DicomIndexEnd, std::vector<volume::DicomSeries>> task_;
   std::vector<volume::DicomSeries> series_;
   volume::DicomIndexEnd end_;
-  QTimer timer_;
 };
 
 }  // namespace isolux::ui

@@ -21,10 +21,6 @@
 
 namespace isolux::ui {
 
-namespace {
-constexpr int meshPollMilliseconds = 50;
-}
-
 MeshDialog::MeshDialog(std::shared_ptr<const volume::PreparedVolume> volume, scene::Scene resolved,
                        QWidget* parent)
     : QDialog(parent),
@@ -82,11 +78,9 @@ MeshDialog::MeshDialog(std::shared_ptr<const volume::PreparedVolume> volume, sce
       tr("Exports the surface as shown, without hidden pieces. The extension sets the format: .stl, .ply, "
          ".obj or .vtp. A .vtp file also contains curvature and the values of a second volume.");
   tell(cut ? tr("%1 Cuts are ignored: the whole surface is exported.").arg(what) : what);
-  timer_.setInterval(meshPollMilliseconds);
-  connect(&timer_, &QTimer::timeout, this, &MeshDialog::poll);
   connect(start, &QPushButton::clicked, this, &MeshDialog::startOrStop);
   connect(close, &QPushButton::clicked, this, &QDialog::close);
-  connect(showPlace, &QPushButton::clicked, this, [this] { Q_EMIT placeAsked(job_->made().farthest); });
+  connect(showPlace, &QPushButton::clicked, this, [this] { Q_EMIT placeAsked(farthest_); });
   connect(surface, &QComboBox::currentIndexChanged, this, &MeshDialog::showEstimate);
   connect(tolerance, &QDoubleSpinBox::valueChanged, this, &MeshDialog::showEstimate);
   showEstimate();
@@ -121,7 +115,7 @@ void MeshDialog::tell(const QString& text, Ink ink) {
 
 void MeshDialog::startOrStop() {
   if (exporting()) {
-    job_->progress().requestStop();
+    task_->progress().requestStop();
     return;
   }
   const QString file = ask_ ? ask_() : QString();
@@ -130,41 +124,46 @@ void MeshDialog::startOrStop() {
 
 void MeshDialog::exportTo(const QString& file) {
   if (exporting()) return;
-  app::MeshWish wish{file.toStdString(), tolerance->value(), closed->isChecked()};
-  job_ = std::make_unique<app::MeshJob>(volume_, chosenScene(), std::move(wish));
+  const app::MeshWish wish{file.toStdString(), tolerance->value(), closed->isChecked()};
+  const QString name = QFileInfo(file).fileName();
+  const auto work = [volume = volume_, scene = chosenScene(), wish](base::Progress& progress) {
+    return app::exportMesh(wish, scene, *volume, progress);
+  };
   showPlace->hide();
   start->setText(tr("Stop"));
   left_.begin();
-  timer_.start();
-  poll();
+  task_.watch(
+      base::Task<volume::SurfaceMesh>::start({wish.file.string(), "make the mesh"}, work),
+      [this, file](auto& task) { take(file, task); }, [this, name] { showProgress(name); });
+  showProgress(name);
 }
 
-void MeshDialog::poll() {
-  const QString file = QString::fromStdString(job_->wish().file.string());
-  const QString name = QFileInfo(file).fileName();
-  if (!job_->finished()) {
-    const double fraction = std::clamp(job_->progress().fraction(), 0.0, 1.0);
-    bar->setValue(static_cast<int>(std::lround(fraction * 1000.0)));
-    const QString rest = left_.text(fraction);
-    tell(rest.isEmpty() ? tr("Writing %1…").arg(name) : tr("Writing %1… %2").arg(name, rest));
-    return;
-  }
-  timer_.stop();
+void MeshDialog::showProgress(const QString& name) {
+  const double fraction = std::clamp(task_->progress().fraction(), 0.0, 1.0);
+  bar->setValue(static_cast<int>(std::lround(fraction * 1000.0)));
+  const QString rest = left_.text(fraction);
+  tell(rest.isEmpty() ? tr("Writing %1…").arg(name) : tr("Writing %1… %2").arg(name, rest));
+}
+
+void MeshDialog::take(const QString& file, base::Task<volume::SurfaceMesh>& task) {
   start->setText(tr("&Export…"));
   bar->setValue(0);
-  if (const auto& error = job_->error()) {
+  if (const auto& error = task.error()) {
     const bool stopped = error->kind() == base::ErrorKind::interrupted;
     tell(stopped ? tr("Stopped: nothing was written.") : QString::fromStdString(error->what()),
          stopped ? Ink::normal : Ink::error);
     return;
   }
   bar->setValue(1000);
-  const QString made = QString::fromStdString(app::meshText(job_->made()));
-  const QString warning = QString::fromStdString(app::meshWarning(job_->made()));
+  const volume::SurfaceMesh& mesh = task.value();
+  const QString name = QFileInfo(file).fileName();
+  const QString made = QString::fromStdString(app::meshText(mesh));
+  const QString warning = QString::fromStdString(app::meshWarning(mesh));
   tell(warning.isEmpty() ? tr("Saved %1: %2.").arg(name, made)
                          : tr("Saved %1: %2. %3.").arg(name, made, warning),
        warning.isEmpty() ? Ink::normal : Ink::warning);
-  showPlace->setVisible(job_->made().beyond > 0);
+  farthest_ = mesh.farthest;
+  showPlace->setVisible(mesh.beyond > 0);
   Q_EMIT exported(file, made);
 }
 

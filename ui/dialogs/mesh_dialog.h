@@ -6,9 +6,9 @@
 #include <memory>
 
 #include <QDialog>
-#include <QTimer>
 
-#include "app/mesh/mesh_job.h"
+#include "app/mesh/mesh_export.h"
+#include "ui/document/background_task.h"
 #include "ui/editors/time_left.h"
 #include "ui/window/style.h"
 
@@ -33,7 +33,7 @@ class MeshDialog : public QDialog {
   using AskName = std::function<QString()>;
   void setAskName(AskName ask) { ask_ = std::move(ask); }
   void exportTo(const QString& file);  // .stl, .ply, .obj or .vtp
-  bool exporting() const { return job_ && !job_->finished(); }
+  bool exporting() const { return bool(task_); }
   QString text() const;
 
   QComboBox* surface;         // of the isosurfaces that are shown
@@ -49,18 +49,19 @@ class MeshDialog : public QDialog {
 
  private:
   void startOrStop();
-  void poll();
+  void showProgress(const QString& name);
+  void take(const QString& file, base::Task<volume::SurfaceMesh>& task);
   void tell(const QString& text, Ink ink = Ink::normal);
   scene::Scene chosenScene() const;
   void showEstimate();
 
   std::shared_ptr<const volume::PreparedVolume> volume_;
   scene::Scene resolved_;
-  std::unique_ptr<app::MeshJob> job_;
+  BackgroundTask<volume::SurfaceMesh> task_;
+  glm::dvec3 farthest_{0.0};  // of the last export
   AskName ask_;
   TimeLeft left_;
   QLabel *estimate_, *text_;
-  QTimer timer_;
 };
 
 }  // namespace isolux::ui

@@ -108,8 +108,6 @@ ReferenceDialog::ReferenceDialog(std::shared_ptr<const volume::PreparedVolume> v
       tr("Traces every pixel independently, without baked light. Twice as many paths take twice the time; "
          "four times as many halve the noise."));
 
-  timer_.setInterval(pollMilliseconds);
-  connect(&timer_, &QTimer::timeout, this, &ReferenceDialog::poll);
   saveTimer_.setInterval(pollMilliseconds);
   connect(&saveTimer_, &QTimer::timeout, this, &ReferenceDialog::pollSaving);
   connect(start_, &QPushButton::clicked, this, &ReferenceDialog::startOrStop);
@@ -130,42 +128,48 @@ QString ReferenceDialog::text() const {
 
 void ReferenceDialog::startOrStop() {
   if (tracing()) {
-    job_->progress().requestStop();
+    task_->progress().requestStop();
     return;
   }
   round_.reset();
-  job_ =
-      std::make_unique<app::ReferenceJob>(volume_, resolved_, glm::ivec2(width_->value(), height_->value()),
-                                          static_cast<std::uint32_t>(samples_->value()), threads_);
   start_->setText(tr("Stop"));
   left_.begin();
-  timer_.start();
+  task_.watch(
+      app::referenceTask(volume_, resolved_, glm::ivec2(width_->value(), height_->value()),
+                         static_cast<std::uint32_t>(samples_->value()), threads_),
+      [this](auto& task) { takeEnd(task); }, [this] { showProgress(); });
 }
 
-void ReferenceDialog::poll() {
-  const bool finished = job_->finished();  // before the image is looked at: none comes after it
-  if (const app::RoundPointer round = job_->round(); round != round_) {
-    round_ = round;
+void ReferenceDialog::takeRound(app::ReferenceTask& task) {
+  if (app::RoundPointer round = task.take()) {
+    round_ = std::move(round);
     save_->setEnabled(!saving());
     showImage();
   }
-  const double fraction = std::clamp(job_->progress().fraction(), 0.0, 1.0);
-  bar_->setValue(static_cast<int>(std::lround(1000.0 * fraction)));
-  QString noise;
-  if (round_ && round_->noisePart) noise = tr("noise %1 %").arg(numberText(100.0 * *round_->noisePart, 2));
-  if (!finished) {
-    QStringList said{tr("Tracing…")};
-    for (const QString& part : {noise, left_.text(fraction)})
-      if (!part.isEmpty()) said += part;
-    tell(said.join(" · "));
-    return;
-  }
-  timer_.stop();
+  bar_->setValue(static_cast<int>(std::lround(1000.0 * std::clamp(task.progress().fraction(), 0.0, 1.0))));
+}
+
+QString ReferenceDialog::noiseText() const {
+  if (!round_ || !round_->noisePart) return {};
+  return tr("noise %1 %").arg(numberText(100.0 * *round_->noisePart, 2));
+}
+
+void ReferenceDialog::showProgress() {
+  takeRound(*task_);
+  QStringList said{tr("Tracing…")};
+  for (const QString& part : {noiseText(), left_.text(task_->progress().fraction())})
+    if (!part.isEmpty()) said += part;
+  tell(said.join(" · "));
+}
+
+void ReferenceDialog::takeEnd(app::ReferenceTask& task) {
+  takeRound(task);
   start_->setText(tr("Trace"));
-  if (job_->error()) {
-    tell(QString::fromStdString(job_->error()->what()), true);
+  const bool stopped = task.progress().stopRequested();
+  if (task.error() && task.error()->kind() != base::ErrorKind::interrupted) {
+    tell(QString::fromStdString(task.error()->what()), true);
   } else {
-    const QString end = job_->progress().stopRequested() ? tr("Stopped") : tr("Complete");
+    const QString end = stopped ? tr("Stopped") : tr("Complete"), noise = noiseText();
     tell(noise.isEmpty() ? end : end + ": " + noise);
   }
 }

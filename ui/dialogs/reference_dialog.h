@@ -11,6 +11,7 @@
 #include <QTimer>
 
 #include "app/jobs/reference_job.h"
+#include "ui/document/background_task.h"
 #include "ui/editors/time_left.h"
 
 class QComboBox;
@@ -29,7 +30,7 @@ class ReferenceDialog : public QDialog {
                   scene::Scene resolved, QSize size, std::optional<int> threads, QWidget* parent = nullptr);
   ~ReferenceDialog() override;  // stops; a file that is being written is finished
 
-  bool tracing() const { return job_ && !job_->finished(); }
+  bool tracing() const { return bool(task_); }
   app::ReferencePointer image() const { return {round_, round_ ? &round_->image : nullptr}; }
   QSpinBox* samplesBox() const { return samples_; }
   QSpinBox* widthBox() const { return width_; }
@@ -47,7 +48,10 @@ class ReferenceDialog : public QDialog {
 
  private:
   void startOrStop();
-  void poll();
+  void takeRound(app::ReferenceTask& task);
+  void showProgress();
+  void takeEnd(app::ReferenceTask& task);
+  QString noiseText() const;
   void showImage();
   void pollSaving();
   void tell(const QString& text, bool wrong = false);
@@ -57,7 +61,7 @@ class ReferenceDialog : public QDialog {
   const scene::Scene carried_;  // by its pictures
   scene::Scene resolved_;
   std::optional<int> threads_;  // scene::Machine::threads
-  std::unique_ptr<app::ReferenceJob> job_;
+  BackgroundTask<void, app::RoundPointer> task_;
   app::RoundPointer round_;
   std::future<QString> saving_;  // why it failed; empty: it did not
   QString savedName_;
@@ -67,7 +71,7 @@ class ReferenceDialog : public QDialog {
   QProgressBar* bar_;
   QPushButton *start_, *save_;
   TimeLeft left_;
-  QTimer timer_, saveTimer_;
+  QTimer saveTimer_;
 };
 
 }  // namespace isolux::ui

@@ -107,8 +107,6 @@ scene::Scene surfacesOf(const scene::Scene& scene) {
 
 Document::Document(QObject* parent)
     : QObject(parent), savedScene_(history_.scene()), flow_(history_.scene()) {
-  pollTimer_.setInterval(15);
-  connect(&pollTimer_, &QTimer::timeout, this, &Document::poll);
   pauseTimer_.setSingleShot(true);
   pauseTimer_.setInterval(700);
   connect(&pauseTimer_, &QTimer::timeout, this, &Document::endGesture);
@@ -257,20 +255,23 @@ void Document::startLoading(const scene::Scene& scene, After after) {
   pendingCompletion_ = {};
   pendingScene_ = scene;
   loadBegin_ = std::chrono::steady_clock::now();
-  job_ = ahead_.take(scene.source);
-  if (!job_) {
+  std::unique_ptr<app::LoadTask> task = ahead_.take(scene.source);
+  if (!task) {
     const bool opens = after == After::replaceDocument || after == After::restoreDocument;
-    const app::LoadJob::Instead instead{.coarser = opens, .aroundDamage = after != After::keepScene};
-    job_ = std::make_unique<app::LoadJob>(scene.source, instead);
+    task = app::loadTask(scene.source, {.coarser = opens, .aroundDamage = after != After::keepScene});
   }
-  pollTimer_.start();
+  loading_.watch(
+      std::move(task), [this](auto& loaded) { finishLoading(loaded); },
+      [this] {
+        const base::Progress& progress = loading_->progress();
+        Q_EMIT loadProgress(progress.fraction(), QString::fromUtf8(progress.stage()));
+      });
   Q_EMIT loadStarted(shortName(scene.source.path));
 }
 
 void Document::cancelLoading() {
-  if (!job_) return;
-  job_->progress().requestStop();
-  stopping_.push_back(std::move(job_));
+  if (!loading_) return;
+  loading_.reset();
   keepLoadedSource();
   Q_EMIT loadEnded(false);
 }
@@ -285,33 +286,18 @@ void Document::keepLoadedSource() {
   commit(before, tr("Keep the volume"));
 }
 
-void Document::poll() {
-  std::erase_if(stopping_, [](const auto& job) { return job->finished(); });
-  if (job_) {
-    Q_EMIT loadProgress(job_->progress().fraction(), QString::fromUtf8(job_->progress().stage()));
-    if (job_->finished()) finishLoading();
-  }
-  if (!job_ && stopping_.empty()) pollTimer_.stop();
-}
-
-void Document::finishLoading() {
-  const std::unique_ptr<app::LoadJob> job = std::move(job_);
+void Document::finishLoading(app::LoadTask& task) {
   const QString openedPath = std::exchange(pendingOpened_, {});
-  if (job->error() || !job->volume()) {
+  if (task.error()) {
     keepLoadedSource();
     announce();  // the widgets show again what holds
     Q_EMIT loadEnded(false);
-    if (!job->error()) {
-      Q_EMIT failed(
-          tr("The volume could not be loaded (unknown reason). The previous volume is still open."));
-    } else if (job->error()->kind() != base::ErrorKind::interrupted) {
-      Q_EMIT failed(textOf(*job->error()));
-    }
+    if (task.error()->kind() != base::ErrorKind::interrupted) Q_EMIT failed(textOf(*task.error()));
     return;
   }
   const scene::Scene before = scene();
-  const VolumePointer volume = job->volume();
-  const scene::Source shownSource = std::exchange(loadedSource_, job->loaded());
+  const VolumePointer volume = task.value().volume;
+  const scene::Source shownSource = std::exchange(loadedSource_, task.value().source);
   QString name = tr("Open %1").arg(shortName(loadedSource_.path));
   if (after_ == After::replaceDocument) {
     takeInstead(pendingScene_.source, loadedSource_);
@@ -438,7 +424,7 @@ void Document::edit(const Edit& edit) {
     pendingName_ = edit.name;
     pendingOpened_.clear();
     scene::Scene next = edit.scene;
-    if (job_ && after_ == After::editSource)  // to be added to what is on its way already
+    if (loading_ && after_ == After::editSource)  // to be added to what is on its way already
       next.source =
           scene::applied(pendingScene_, scene::difference(scene(), edit.scene, edit.name.toStdString()))
               .source;
@@ -503,7 +489,7 @@ void Document::moveFlow() {
 
 void Document::play(double stepsPerSecond) {
   pause();
-  if (!volume_ || job_ || volume_->volume.timeSteps < 2) return;
+  if (!volume_ || loading_ || volume_->volume.timeSteps < 2) return;
   player_ = std::make_unique<app::StepPlayer>(app::StepPlayer::Step{loadedSource_, volume_}, stepsPerSecond);
   sincePlay_.start();
   playTimer_.start();

@@ -2,7 +2,7 @@
 //
 // Everything the window shows comes from here by signals that carry values; every change of the Scene goes
 // through edit(), undo() or redo(), so that history and recordings are complete. Lives on the GUI thread; a
-// LoadJob works beside it and is polled, so that nothing runs on a foreign thread.
+// volume is loaded by a background task; nothing of it runs on a foreign thread.
 #pragma once
 
 #include <chrono>
@@ -25,6 +25,7 @@
 #include "app/jobs/step_player.h"
 #include "scene/flow_clock.h"
 #include "scene/rules/automatic.h"
+#include "ui/document/background_task.h"
 #include "ui/document/edit.h"
 
 namespace isolux::ui {
@@ -58,7 +59,7 @@ class Document : public QObject {
   const VolumePointer& volume() const { return volume_; }
   const app::History& history() const { return history_; }
 
-  bool loading() const { return job_ != nullptr; }
+  bool loading() const { return bool(loading_); }
   const scene::Scene& loadingScene() const { return pendingScene_; }  // while loading(): of what comes
   bool recording() const { return recorder_ != nullptr; }
   const QString& recordingFile() const { return recordingFile_; }  // of the recording that runs, or ran last
@@ -123,7 +124,7 @@ class Document : public QObject {
   void volumeMissing(const isolux::scene::Scene& scene, const QString& sessionFile);
 
  private:
-  // What to do when the running job has succeeded.
+  // What to do when the volume is loaded.
   enum class After {
     replaceDocument,  // a new document shows pendingScene_
     restoreDocument,  // an autosaved one, pendingKept_, is continued
@@ -131,8 +132,7 @@ class Document : public QObject {
     keepScene         // undo or redo came to another source; the scene says so already
   };
   void startLoading(const scene::Scene& scene, After after);
-  void poll();
-  void finishLoading();
+  void finishLoading(app::LoadTask& task);
   void keepLoadedSource();
   void completePending(const volume::PreparedVolume& volume);
   void replaceDocument();
@@ -153,15 +153,14 @@ class Document : public QObject {
   scene::Scene savedScene_;
   QString sessionFile_;
 
-  std::unique_ptr<app::LoadJob> job_;
+  BackgroundTask<app::LoadedVolume> loading_;
   app::StepAhead ahead_;
-  std::vector<std::unique_ptr<app::LoadJob>> stopping_;  // cancelled, still finding their way out
   After after_ = After::replaceDocument;
   scene::Scene pendingScene_;
   CompleteScene pendingCompletion_;
   std::optional<app::OpenDocument> pendingKept_;
   QString pendingName_, pendingSessionFile_, pendingOpened_;
-  QTimer pollTimer_, pauseTimer_, flowTimer_;
+  QTimer pauseTimer_, flowTimer_;
   std::chrono::steady_clock::time_point loadBegin_;
 
   std::unique_ptr<app::Recorder> recorder_;

@@ -9,7 +9,6 @@ namespace isolux::ui {
 namespace {
 
 constexpr int startMilliseconds = 60;  // after the last change: an isovalue that is dragged changes often
-constexpr int markPollMilliseconds = 20;
 
 app::MarkReport pendingReport() {
   app::MarkReport report;
@@ -33,19 +32,16 @@ MarkReports::MarkReports(QObject* parent) : QObject(parent) {
   startTimer_.setSingleShot(true);
   startTimer_.setInterval(startMilliseconds);
   connect(&startTimer_, &QTimer::timeout, this, &MarkReports::start);
-  pollTimer_.setInterval(markPollMilliseconds);
-  connect(&pollTimer_, &QTimer::timeout, this, &MarkReports::poll);
 }
 
-// An evaluator whose job has not ended belongs to that job.
-void MarkReports::dropJob() {
-  pollTimer_.stop();
-  if (job_ && !job_->finished()) evaluator_.reset();
-  job_.reset();
+// An evaluator whose task has not ended belongs to that task.
+void MarkReports::dropTask() {
+  if (task_ && !task_->finished()) evaluator_.reset();
+  task_.reset();
 }
 
 void MarkReports::setVolume(VolumePointer volume) {
-  dropJob();
+  dropTask();
   if (evaluator_) base::retire(std::move(evaluator_));
   evaluator_.reset();
   volume_ = std::move(volume);
@@ -71,7 +67,7 @@ void MarkReports::setScene(const scene::Scene& resolved) {
   }
   marks_ = resolved.marks;
   reports_ = std::move(reports);
-  dropJob();
+  dropTask();
   if (!holds && evaluator_) base::retire(std::move(evaluator_));
   if (!holds) evaluator_.reset();
   startTimer_.stop();
@@ -89,17 +85,16 @@ void MarkReports::start() {
     wanted.push_back(marks_[i]);
     asked_.push_back(i);
   }
-  job_ = std::make_unique<app::MarkJob>(evaluator_, std::move(wanted));
-  pollTimer_.start();
+  task_.watch(
+      app::markTask(evaluator_, std::move(wanted)), [this](auto& task) { takeReports(task); },
+      [this] { takeReports(*task_); });
   Q_EMIT changed();
 }
 
-void MarkReports::poll() {
-  const bool finished = job_->finished();  // before the last are taken
-  auto results = job_->take();
+void MarkReports::takeReports(app::MarkTask& task) {
+  auto results = task.take();
   for (auto& [which, report] : results) reports_[asked_[which]] = std::move(report);
-  if (finished) dropJob();
-  if (finished || !results.empty()) Q_EMIT changed();
+  if (!task_ || !results.empty()) Q_EMIT changed();
 }
 
 void MarkReports::measureAnyway() {
@@ -111,7 +106,7 @@ void MarkReports::measureAnyway() {
 
 void MarkReports::stop() {
   startTimer_.stop();
-  dropJob();
+  dropTask();
   for (app::MarkReport& report : reports_)
     if (report.pending) report = stoppedReport();
   Q_EMIT changed();

@@ -1,7 +1,7 @@
 // What the scene's marks say, measured beside the window's work and kept as long as it holds.
 //
 // A change of the camera or the look measures nothing anew; a new mark is measured alone. Lives on the GUI
-// thread; a MarkJob works beside it and is polled.
+// thread.
 #pragma once
 
 #include <memory>
@@ -11,6 +11,7 @@
 #include <QTimer>
 
 #include "app/jobs/mark_job.h"
+#include "ui/document/background_task.h"
 #include "ui/document/document.h"
 
 namespace isolux::ui {
@@ -27,15 +28,15 @@ class MarkReports : public QObject {
 
   const std::vector<scene::Mark>& marks() const { return marks_; }
   const std::vector<app::MarkReport>& reports() const { return reports_; }  // one for each mark
-  bool measuring() const { return job_ != nullptr || startTimer_.isActive(); }
+  bool measuring() const { return task_ || startTimer_.isActive(); }
 
  Q_SIGNALS:
   void changed();  // marks, reports, or whether it is measuring
 
  private:
   void start();
-  void poll();
-  void dropJob();
+  void takeReports(app::MarkTask& task);
+  void dropTask();
 
   VolumePointer volume_;
   scene::Scene resolved_;
@@ -43,9 +44,9 @@ class MarkReports : public QObject {
   std::vector<app::MarkReport> reports_;
   std::shared_ptr<app::MarkEvaluator> evaluator_;
   bool anyway_ = false;
-  std::unique_ptr<app::MarkJob> job_;
-  std::vector<std::size_t> asked_;  // of the job: its marks' places in marks_
-  QTimer startTimer_, pollTimer_;
+  BackgroundTask<void, std::vector<std::pair<std::size_t, app::MarkReport>>> task_;
+  std::vector<std::size_t> asked_;  // of the task: its marks' places in marks_
+  QTimer startTimer_;
 };
 
 }  // namespace isolux::ui

@@ -42,8 +42,6 @@ EnvironmentPreview::EnvironmentPreview(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setCursor(Qt::SizeHorCursor);
   setAccessibleName(tr("Environment map"));
-  pollTimer_.setInterval(20);
-  connect(&pollTimer_, &QTimer::timeout, this, &EnvironmentPreview::poll);
 }
 
 EnvironmentPreview::~EnvironmentPreview() = default;
@@ -71,27 +69,21 @@ void EnvironmentPreview::load() {
   image_ = {};
   problem_.clear();
   setToolTip({});
-  if (job_) stopping_.push_back(std::move(job_));
+  task_.reset();
   if (name_.empty()) return;
-  job_ = std::make_unique<app::ProbeJob>(environment);
-  pollTimer_.start();
+  task_.watch(app::probeTask(environment), [this](auto& task) { take(task); });
 }
 
-void EnvironmentPreview::poll() {
-  std::erase_if(stopping_, [](const auto& job) { return job->finished(); });
-  if (job_ && job_->finished()) {
-    const std::unique_ptr<app::ProbeJob> job = std::move(job_);
-    if (job->error()) {
-      problem_ = QString::fromStdString(job->error()->reason());
-      Q_EMIT failed(QString::fromStdString(job->error()->what()));
-    } else {
-      thumbnail_ = job->thumbnail();
-      setToolTip(
-          tr("Drag to turn the environment about the vertical axis. The cross marks the view direction."));
-    }
-    update();
+void EnvironmentPreview::take(app::ProbeTask& task) {
+  if (task.error()) {
+    problem_ = QString::fromStdString(task.error()->reason());
+    Q_EMIT failed(QString::fromStdString(task.error()->what()));
+  } else {
+    thumbnail_ = std::move(task.value());
+    setToolTip(
+        tr("Drag to turn the environment about the vertical axis. The cross marks the view direction."));
   }
-  if (!job_ && stopping_.empty()) pollTimer_.stop();
+  update();
 }
 
 // ---- Painting

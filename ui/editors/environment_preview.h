@@ -5,15 +5,12 @@
 // where the viewer looks. Loads it beside the window's thread.
 #pragma once
 
-#include <memory>
-#include <vector>
-
 #include <QImage>
-#include <QTimer>
 #include <QWidget>
 
 #include "app/jobs/probe_job.h"
 #include "scene/world_axes.h"
+#include "ui/document/background_task.h"
 #include "ui/document/edit.h"
 
 namespace isolux::ui {
@@ -48,7 +45,7 @@ class EnvironmentPreview : public QWidget {
 
  private:
   void load();
-  void poll();
+  void take(app::ProbeTask& task);
   void draw();
   QPointF placeOf(glm::dvec3 worldDirection) const;
   void paintMarks(QPainter& painter) const;
@@ -60,9 +57,7 @@ class EnvironmentPreview : public QWidget {
   app::ProbeThumbnail thumbnail_;
   QString problem_;
   QImage image_;  // null: to be drawn
-  std::unique_ptr<app::ProbeJob> job_;
-  std::vector<std::unique_ptr<app::ProbeJob>> stopping_;  // no longer wanted, still loading
-  QTimer pollTimer_;
+  BackgroundTask<app::ProbeThumbnail> task_;
   bool dragging_ = false;
   QPointF last_;
 };

@@ -1,13 +1,10 @@
 #include "ui/editors/histogram_slider.h"
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
 #include <utility>
 
 #include <QPainter>
 
-#include "base/retire.h"
 #include "ui/editors/number_text.h"
 #include "ui/window/style.h"
 
@@ -18,58 +15,17 @@ constexpr double sideMargin = 14.0, topMargin = 24.0, axisHeight = 20.0;
 constexpr int detailBins = 16384;
 }  // namespace
 
-// Counts the bins of a volume once more, finer.
-struct HistogramSlider::DetailJob {
-  struct Work {
-    explicit Work(VolumePointer counted) : volume(std::move(counted)) {}
-    VolumePointer volume;
-    base::Progress progress;
-    volume::Histogram histogram;  // empty when it was stopped, or there is no memory for it
-    std::atomic<bool> finished{false};
-  };
-  explicit DetailJob(VolumePointer volume) : work(std::make_shared<Work>(std::move(volume)), count) {}
-  ~DetailJob() { work->progress.requestStop(); }
-
-  static void count(Work& work) noexcept {
-    try {
-      work.histogram = volume::makeHistogram(work.volume->grid(), detailBins, work.progress);
-    } catch (const std::exception&) {
-      work.histogram = {};
-    }
-    work.finished.store(true, std::memory_order_release);
-  }
-
-  base::RetiringThread<Work> work;
-};
-
 HistogramSlider::HistogramSlider(QWidget* parent) : QWidget(parent), handles_(1) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setAccessibleName(tr("Isovalue on the histogram"));
   sendTimer_.setSingleShot(true);
   connect(&sendTimer_, &QTimer::timeout, this, &HistogramSlider::sendPending);
-  detailTimer_.setInterval(30);
-  connect(&detailTimer_, &QTimer::timeout, this, [this] {
-    if (!detailJob_->work->finished.load(std::memory_order_acquire)) return;
-    detailTimer_.stop();
-    detail_ = std::move(detailJob_->work->histogram);
-    detailJob_.reset();
-    update();
-  });
-}
-
-HistogramSlider::~HistogramSlider() {
-  stopDetail();
-}
-
-void HistogramSlider::stopDetail() {
-  detailTimer_.stop();
-  detailJob_.reset();  // one that still counts is stopped, and ends elsewhere
 }
 
 void HistogramSlider::setVolume(VolumePointer volume) {
   volume_ = std::move(volume);
-  stopDetail();
+  detailTask_.reset();
   detail_ = {};
   pending_.reset();
   hovered_.reset();
@@ -115,12 +71,18 @@ void HistogramSlider::zoomed() {
 }
 
 void HistogramSlider::wantDetail() {
-  if (!volume_ || !detail_.counts.empty() || detailJob_) return;
+  if (!volume_ || !detail_.counts.empty() || detailTask_) return;
   const double bins = static_cast<double>(volume_->histogram.counts.size());
   const double shown = bins * plot_.shownRange() / (plot_.maximum() - plot_.minimum());
   if (shown > plotArea().width()) return;  // still more bins than pixels
-  detailJob_ = std::make_shared<DetailJob>(volume_);
-  detailTimer_.start();
+  using Counting = base::Task<volume::Histogram>;
+  const auto count = [volume = volume_](base::Progress& progress) {
+    return volume::makeHistogram(volume->grid(), detailBins, progress);
+  };
+  detailTask_.watch(Counting::start({"", "count voxels"}, count), [this](Counting& task) {
+    if (!task.error()) detail_ = std::move(task.value());
+    update();
+  });
 }
 
 // ---- Painting

@@ -6,13 +6,13 @@
 // value per turn of the event loop while it is dragged.
 #pragma once
 
-#include <memory>
 #include <optional>
 
 #include <QTimer>
 #include <QWidget>
 
 #include "app/interaction/histogram_plot.h"
+#include "ui/document/background_task.h"
 #include "ui/document/document.h"
 #include "ui/surfaces/histogram_handles.h"
 
@@ -22,7 +22,6 @@ class HistogramSlider : public QWidget {
   Q_OBJECT
  public:
   explicit HistogramSlider(QWidget* parent = nullptr);
-  ~HistogramSlider() override;
 
   void setVolume(VolumePointer volume);
   // Of the first isosurface.
@@ -64,7 +63,6 @@ class HistogramSlider : public QWidget {
   QSize minimumSizeHint() const override { return {220, 96}; }
 
  private:
-  struct DetailJob;
   QRectF plotArea() const;
   void moveTo(double value);  // while dragged: sent with the next turn of the event loop
   void nudge(double steps);   // wheel and keys
@@ -77,7 +75,6 @@ class HistogramSlider : public QWidget {
   void endDrag();
   void endPan();
   void zoomed();
-  void stopDetail();
   void wantDetail();  // a finer histogram, counted on another thread
   void paintColumns(QPainter& painter, const QRectF& area) const;
   void paintAxis(QPainter& painter, const QRectF& area) const;
@@ -86,8 +83,8 @@ class HistogramSlider : public QWidget {
   VolumePointer volume_;
   app::HistogramPlot plot_;
   volume::Histogram detail_;  // finer than the volume's own; empty until somebody zooms in
-  std::shared_ptr<DetailJob> detailJob_;
-  QTimer detailTimer_, sendTimer_;
+  BackgroundTask<volume::Histogram> detailTask_;
+  QTimer sendTimer_;
   double isovalue_ = 0.0;
   std::vector<HistogramHandle> handles_;  // all; never empty
   int active_ = 0;

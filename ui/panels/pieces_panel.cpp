@@ -24,7 +24,7 @@ namespace isolux::ui {
 
 namespace {
 
-constexpr int isovalueRestMilliseconds = 200, jobPollMilliseconds = 50;
+constexpr int isovalueRestMilliseconds = 200;
 constexpr std::size_t mostRows = 200;
 constexpr int widestRows = 50;  // the largest pieces have the longest numbers
 enum PieceColumn { idColumn, volumeColumn, boxColumn, pieceColumns };
@@ -86,8 +86,6 @@ PiecesPanel::PiecesPanel(QWidget* parent)
   restTimer_.setSingleShot(true);
   restTimer_.setInterval(isovalueRestMilliseconds);
   connect(&restTimer_, &QTimer::timeout, this, &PiecesPanel::find);
-  pollTimer_.setInterval(jobPollMilliseconds);
-  connect(&pollTimer_, &QTimer::timeout, this, &PiecesPanel::poll);
   showFound();
 }
 
@@ -143,7 +141,8 @@ QWidget* PiecesPanel::makeButtons() {
 
 void PiecesPanel::setVolume(const VolumePointer& volume) {
   volume_ = volume;
-  job_.reset();
+  task_.reset();
+  asked_ = {};
   found_ = {};
   foundOf_.reset();
   showFound();
@@ -173,8 +172,7 @@ void PiecesPanel::paintEvent(QPaintEvent* event) {
 void PiecesPanel::hideEvent(QHideEvent* event) {
   Panel::hideEvent(event);
   restTimer_.stop();
-  pollTimer_.stop();
-  job_.reset();
+  task_.reset();
 }
 
 bool PiecesPanel::current() const {
@@ -186,33 +184,32 @@ bool PiecesPanel::measured() const {
   return current() && found_.measures.size() == found_.pieces->list().size();
 }
 
+bool PiecesPanel::isWanted() const {
+  return isSeen() && volume_ && resolved_.isosurface.value && !measured() &&
+         !(task_ &&
+           asked_ == app::PieceSubject{volume_, *resolved_.isosurface.value, resolved_.isosurface.inside});
+}
+
 // While the isovalue is dragged nothing is begun.
 void PiecesPanel::findSoon() {
-  if (!isSeen() || !volume_ || !resolved_.isosurface.value || measured()) return;
-  const bool begun =
-      job_ && job_->isFor(volume_.get(), *resolved_.isosurface.value, resolved_.isosurface.inside);
-  if (!begun) restTimer_.start();
+  if (isWanted()) restTimer_.start();
 }
 
 void PiecesPanel::find() {
-  if (!isSeen() || !volume_ || !resolved_.isosurface.value || measured()) return;
-  const double isovalue = *resolved_.isosurface.value;
-  if (job_ && job_->isFor(volume_.get(), isovalue, resolved_.isosurface.inside)) return;
-  job_ = std::make_unique<app::PieceJob>(volume_, resolved_, isovalue, current());
-  pollTimer_.start();
+  if (!isWanted()) return;
+  asked_ = {volume_, *resolved_.isosurface.value, resolved_.isosurface.inside};
+  task_.watch(
+      app::pieceTask(asked_, resolved_, current()), [this](auto& task) { take(task); },
+      [this] { showState(); });
   showState();
 }
 
-void PiecesPanel::poll() {
-  if (!job_) return pollTimer_.stop();
-  if (!job_->finished()) return showState();
-  const auto job = std::move(job_);
-  pollTimer_.stop();
-  if (job->error()) {
-    heading_->setText(QString::fromStdString(job->error()->what()));
+void PiecesPanel::take(app::PieceTask& task) {
+  if (task.error()) {
+    heading_->setText(QString::fromStdString(task.error()->what()));
     return;
   }
-  found_ = job->found();
+  found_ = task.value();
   foundOf_ = volume_;
   showFound();
   find();  // estimates are there: now the measures, or another isovalue
@@ -296,8 +293,8 @@ void PiecesPanel::showState() {
     heading_->setText(tr("Open a volume to list the pieces (connected components) of its isosurface."));
     return;
   }
-  if (job_ && !current()) {
-    heading_->setText(tr("Finding pieces… %1 %").arg(qRound(100.0 * job_->progress().fraction())));
+  if (task_ && !current()) {
+    heading_->setText(tr("Finding pieces… %1 %").arg(qRound(100.0 * task_->progress().fraction())));
     return;
   }
   if (!found_.pieces) {
@@ -317,7 +314,7 @@ void PiecesPanel::showState() {
   QString text = count == 1 ? tr("One piece at %1").arg(where) : tr("%1 pieces at %2").arg(count).arg(where);
   if (hidden > 0) text += tr(", %1 hidden").arg(hidden);
   if (scene::shownSurfaces(resolved_).size() > 1) text += tr(" (of the first isosurface)");
-  if (job_) text += tr(" – measuring…");
+  if (task_) text += tr(" – measuring…");
   heading_->setText(text);
 }
 

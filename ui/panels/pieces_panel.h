@@ -4,11 +4,10 @@
 // estimates, then volumes with their errors and boxes. A check mark is whether a piece is shown.
 #pragma once
 
-#include <memory>
-
 #include <QTimer>
 
 #include "app/jobs/piece_job.h"
+#include "ui/document/background_task.h"
 #include "ui/panels/panel.h"
 
 class QLabel;
@@ -30,7 +29,7 @@ class PiecesPanel : public Panel {
   QTreeWidget* list() const { return list_; }
   QString state() const;  // what stands above the list
   bool measured() const;  // the list is of the scene on show, with errors and boxes
-  bool working() const { return job_ != nullptr; }
+  bool working() const { return bool(task_); }
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -44,8 +43,9 @@ class PiecesPanel : public Panel {
   bool isSeen() const;
   bool current() const;  // found_ is of the scene's isosurface
   void findSoon();
+  bool isWanted() const;  // the isosurface is seen, neither measured nor being so
   void find();
-  void poll();
+  void take(app::PieceTask& task);
   void showFound();
   void showRows();
   void fillRows(const std::vector<bool>& shown, std::size_t rows);
@@ -64,9 +64,10 @@ class PiecesPanel : public Panel {
 
   VolumePointer volume_, foundOf_;
   scene::Scene scene_, resolved_;
-  app::PieceJob::Found found_;
-  std::unique_ptr<app::PieceJob> job_;
-  QTimer restTimer_, pollTimer_;
+  app::FoundPieces found_;
+  BackgroundTask<app::FoundPieces> task_;
+  app::PieceSubject asked_;  // of the task
+  QTimer restTimer_;
 
   QLabel *heading_, *more_;
   QTreeWidget* list_;

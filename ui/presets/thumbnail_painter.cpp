@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/document/background_task.h"
+
 namespace isolux::ui {
 
 namespace {
-constexpr int restMilliseconds = 400, thumbnailPollMilliseconds = 10;
+constexpr int restMilliseconds = 400;
 constexpr std::size_t mostKept = 4;  // of one place
 constexpr int raysPerAxis = 2;       // of a pixel
 }  // namespace
@@ -15,8 +17,6 @@ ThumbnailPainter::ThumbnailPainter(QObject* parent) : QObject(parent) {
   restTimer_.setSingleShot(true);
   restTimer_.setInterval(restMilliseconds);
   connect(&restTimer_, &QTimer::timeout, this, &ThumbnailPainter::next);
-  pollTimer_.setInterval(thumbnailPollMilliseconds);
-  connect(&pollTimer_, &QTimer::timeout, this, &ThumbnailPainter::poll);
 }
 
 ThumbnailPainter::~ThumbnailPainter() = default;
@@ -53,7 +53,6 @@ void ThumbnailPainter::setBusy(bool busy) {
 }
 
 void ThumbnailPainter::drop() {
-  pollTimer_.stop();
   if (!drawing_) return;
   drawing_.reset();
   ++dropped_;
@@ -84,8 +83,8 @@ void ThumbnailPainter::next() {
       std::find_if(places_.begin(), places_.end(), [this](const Place& place) { return !isThere(place); });
   if (wanted == places_.end()) return;
   if (!thread_)
-    thread_ = std::make_unique<app::PictureThread>(
-          app::PictureThread::Options{.priority = app::PictureThread::Priority::background});
+    thread_ = std::make_unique<app::PictureThread>(app::PictureThread::Options{
+        .priority = app::PictureThread::Priority::background, .news = posted(this, [this] { take(); })});
   app::PictureOrder order{volume_, *wanted->wanted, {}, nullptr, {}};
   order.machine.executor = scene::Executor::cpu;  // the volume is on the graphics card once, for the user
   order.request.size = {pixels_.width(), pixels_.height()};
@@ -93,15 +92,15 @@ void ThumbnailPainter::next() {
   order.request.hits = render::FrameRequest::Hits::none;
   thread_->draw(std::move(order));
   drawing_ = static_cast<std::size_t>(wanted - places_.begin());
-  pollTimer_.start();
+  take();  // there may be no context to draw with
 }
 
-void ThumbnailPainter::poll() {
+void ThumbnailPainter::take() {
+  if (!drawing_) return;
   const app::PictureThread::Context* const context = thread_->context();
   const bool refused = context && context->failure;
   auto result = refused ? std::nullopt : thread_->take();
   if (!result && !refused) return;
-  pollTimer_.stop();
   const std::size_t place = std::exchange(drawing_, std::nullopt).value();
   if (result && std::holds_alternative<app::DrawnPicture>(*result))
     put(place, std::get<app::DrawnPicture>(*result));

@@ -52,7 +52,7 @@ class ThumbnailPainter : public QObject {
     bool failed = false;    // the wanted one
   };
   void next();
-  void poll();
+  void take();
   void put(std::size_t place, const app::DrawnPicture& picture);
   void drop();
   bool isThere(const Place& place) const;
@@ -64,7 +64,7 @@ class ThumbnailPainter : public QObject {
   std::optional<std::size_t> drawing_;
   bool busy_ = true;
   int drawn_ = 0, dropped_ = 0;
-  QTimer restTimer_, pollTimer_;
+  QTimer restTimer_;
 };
 
 }  // namespace isolux::ui

@@ -15,7 +15,7 @@ namespace isolux::ui {
 
 namespace {
 
-constexpr int pollMs = 8, smallest = 32;  // pixels of a side
+constexpr int smallest = 32;  // pixels of a side
 // A full picture that takes longer has drafts, which take about draftMs.
 constexpr double slowMs = 40.0, draftMs = 15.0;
 constexpr int coarsest = 6;
@@ -30,8 +30,6 @@ SliceView::SliceView(volume::SliceDirection direction, QColor color, QWidget* pa
   setCursor(Qt::CrossCursor);
   setFocusPolicy(Qt::StrongFocus);
   nameIt();
-  timer_.setInterval(pollMs);
-  connect(&timer_, &QTimer::timeout, this, &SliceView::poll);
 }
 
 SliceView::~SliceView() = default;
@@ -48,7 +46,7 @@ void SliceView::nameIt() {
 }
 
 void SliceView::setVolume(const VolumePointer& volume) {
-  if (job_) job_->stop();
+  if (task_) task_->progress().requestStop();
   volume_ = volume;
   zoom_ = 1.0;
   middle_.reset();
@@ -148,14 +146,14 @@ void SliceView::orderNew() {
   auto wanted = order();
   if (!wanted || (drawn_ && *wanted == *drawn_)) return;
   const int coarse = coarseness();
-  if (job_) {  // a full one is not waited for while drafts are wanted
-    if (coarse > 1 && job_->order().coarse == 1) job_->stop();
+  if (task_) {  // a full one is not waited for while drafts are wanted
+    if (coarse > 1 && ordered_.coarse == 1) task_->progress().requestStop();
     return;
   }
   wanted->coarse = coarse;
   if (drawn_ && *wanted == *drawn_) return;
-  job_ = std::make_unique<app::SliceJob>(std::move(*wanted));
-  timer_.start();
+  ordered_ = std::move(*wanted);
+  task_.watch(app::sliceTask(ordered_), [this](auto& task) { take(task); });
 }
 
 void SliceView::showAnew() {
@@ -163,21 +161,19 @@ void SliceView::showAnew() {
   update();
 }
 
-void SliceView::poll() {
-  if (!job_ || !job_->finished()) return;
-  if (!job_->error() && job_->order().volume == volume_) {
-    const render::ColorImage& picture = job_->picture();
+void SliceView::take(app::SliceTask& task) {
+  const app::SliceOrder order = std::exchange(ordered_, {});
+  if (!task.error() && order.volume == volume_) {
+    const render::ColorImage& picture = task.value().picture;
     image_ = QImage(picture.rgba.data(), picture.size.x, picture.size.y, 4 * picture.size.x,
                     QImage::Format_RGBX8888)
                  .copy();
-    drawn_ = job_->order();
-    if (drawn_->coarse == 1) fullMilliseconds_ = job_->milliseconds();
-  } else if (job_->error() && job_->error()->kind() != base::ErrorKind::interrupted) {
-    drawn_ = job_->order();  // not again and again
-    Q_EMIT failed(QString::fromStdString(job_->error()->what()));
+    drawn_ = order;
+    if (drawn_->coarse == 1) fullMilliseconds_ = task.value().milliseconds;
+  } else if (task.error() && task.error()->kind() != base::ErrorKind::interrupted) {
+    drawn_ = order;  // not again and again
+    Q_EMIT failed(QString::fromStdString(task.error()->what()));
   }
-  job_.reset();
-  timer_.stop();
   showAnew();
 }
 

@@ -13,18 +13,17 @@
 // drafts are drawn.
 #pragma once
 
-#include <memory>
 #include <optional>
 
 #include <QColor>
 #include <QImage>
 #include <QPointF>
-#include <QTimer>
 #include <QWidget>
 
 #include "app/jobs/slice_job.h"
 #include "app/slices/slice_choice.h"
 #include "scene/scene.h"
+#include "ui/document/background_task.h"
 #include "ui/document/document.h"
 #include "ui/document/edit.h"
 #include "ui/slices/slice_painter.h"
@@ -89,7 +88,7 @@ class SliceView : public QWidget {
   void orderNew();
   void showAnew();
   void nameIt();
-  void poll();
+  void take(app::SliceTask& task);
   void moveTo(glm::dvec3 world, bool endsAfterPause);
   void step(double voxels);
   void dragWindow(QPointF step);
@@ -106,11 +105,11 @@ class SliceView : public QWidget {
   scene::Scene scene_, resolved_;
   double zoom_ = 1.0;
   std::optional<glm::dvec3> middle_;  // of what is shown, mm; none: the volume's
-  std::unique_ptr<app::SliceJob> job_;
+  BackgroundTask<app::DrawnSlice> task_;
+  app::SliceOrder ordered_;  // of the task
   std::optional<app::SliceOrder> drawn_;
   double fullMilliseconds_ = 0.0;  // what the last full picture took
   QImage image_;
-  QTimer timer_;
   bool interacting_ = false;
   Drag drag_ = Drag::none;
   bool moved_ = false;

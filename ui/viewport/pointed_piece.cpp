@@ -10,7 +10,7 @@
 namespace isolux::ui {
 
 namespace {
-constexpr int pointerRestMilliseconds = 250, piecePollMilliseconds = 50;
+constexpr int pointerRestMilliseconds = 250;
 }  // namespace
 
 QString volumeText(double mm3) {
@@ -25,13 +25,14 @@ PointedPiece::PointedPiece(QObject* parent) : QObject(parent) {
   restTimer_.setSingleShot(true);
   restTimer_.setInterval(pointerRestMilliseconds);
   connect(&restTimer_, &QTimer::timeout, this, &PointedPiece::find);
-  pollTimer_.setInterval(piecePollMilliseconds);
-  connect(&pollTimer_, &QTimer::timeout, this, &PointedPiece::poll);
 }
 
 void PointedPiece::point(const VolumePointer& volume, const scene::Scene& resolved,
                          const std::optional<app::Pick>& pick) {
-  if (volume_ != volume) job_.reset();
+  if (volume_ != volume) {
+    task_.reset();
+    asked_.reset();
+  }
   volume_ = volume;
   scene_ = resolved;
   pick_ = pick;
@@ -55,19 +56,15 @@ QString PointedPiece::text() const {
 
 void PointedPiece::find() {
   if (!pick_ || !volume_) return;
-  if (job_ && job_->isFor(volume_.get(), pick_->isovalue, scene_.isosurface.inside)) return;
-  job_ = std::make_unique<app::PieceJob>(volume_, scene_, pick_->isovalue, false);
-  pollTimer_.start();
-}
-
-// An error is kept: what is too large for this isovalue is not tried with every movement of the pointer.
-void PointedPiece::poll() {
-  if (job_ && !job_->finished()) return;
-  pollTimer_.stop();
-  if (job_ && !job_->error()) {
-    job_.reset();
+  const app::PieceSubject wanted{volume_, pick_->isovalue, scene_.isosurface.inside};
+  if (asked_ == wanted) return;
+  asked_ = wanted;
+  task_.watch(app::pieceTask(wanted, scene_, false), [this](auto& task) {
+    // What is too large for this isovalue is not tried with every movement of the pointer.
+    if (task.error()) return;
+    asked_.reset();
     Q_EMIT changed();
-  }
+  });
 }
 
 }  // namespace isolux::ui

@@ -2,7 +2,6 @@
 // background thread after the pointer has rested.
 #pragma once
 
-#include <memory>
 #include <optional>
 
 #include <QObject>
@@ -11,6 +10,7 @@
 
 #include "app/interaction/surface_pick.h"
 #include "app/jobs/piece_job.h"
+#include "ui/document/background_task.h"
 #include "ui/document/document.h"
 
 namespace isolux::ui {
@@ -33,13 +33,13 @@ class PointedPiece : public QObject {
 
  private:
   void find();
-  void poll();
 
   VolumePointer volume_;
   scene::Scene scene_;
   std::optional<app::Pick> pick_;
-  std::unique_ptr<app::PieceJob> job_;
-  QTimer restTimer_, pollTimer_;
+  BackgroundTask<app::FoundPieces> task_;
+  std::optional<app::PieceSubject> asked_;  // of the task, or of one that failed
+  QTimer restTimer_;
 };
 
 }  // namespace isolux::ui

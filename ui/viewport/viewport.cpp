@@ -16,8 +16,7 @@
 namespace isolux::ui {
 
 namespace {
-constexpr int viewRestMilliseconds = 200;  // after the last change, before the fine picture
-constexpr int fieldPollMilliseconds = 50;
+constexpr int viewRestMilliseconds = 200;          // after the last change, before the fine picture
 const QString caveatSign = QStringLiteral(" · ");  // between two of them
 constexpr int pointedMilliseconds = 40;            // the pointer's value is looked up at most this often
 
@@ -72,8 +71,6 @@ Viewport::Viewport(QWidget* parent)
   pointTimer_.setSingleShot(true);
   pointTimer_.setInterval(pointedMilliseconds);
   connect(&pointTimer_, &QTimer::timeout, this, &Viewport::reportPointed);
-  fieldTimer_.setInterval(fieldPollMilliseconds);
-  connect(&fieldTimer_, &QTimer::timeout, this, &Viewport::pollFields);
   connect(&fadeTimer_, &QTimer::timeout, this, &Viewport::paintCanvas);
   connect(&turnTimer_, &QTimer::timeout, this, &Viewport::turnOn);
 }
@@ -249,7 +246,8 @@ void Viewport::setTopInset(int pixels) {
 }
 
 void Viewport::setVolume(VolumePointer volume) {
-  fieldJob_.reset();
+  fieldTask_.reset();
+  fieldsOf_.reset();
   lastDerivatives_ = {};
   volume_ = std::move(volume);
   redraw();

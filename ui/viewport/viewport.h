@@ -41,6 +41,7 @@ class QPushButton;
 #include "render/still_picture.h"
 #include "scene/camera.h"
 #include "scene/machine.h"
+#include "ui/document/background_task.h"
 #include "ui/document/baked_light.h"
 #include "ui/document/document.h"
 #include "ui/document/edit.h"
@@ -214,7 +215,10 @@ class Viewport : public QWidget {
   bool restDiffers() const;  // a picture at rest shows other hits than one in motion
   bool drawsRest() const;    // the next picture is one at rest
   scene::Scene drawable();   // what of the scene can be drawn by now; has the rest made
-  void pollFields();
+  bool makesFields() const;  // of the scene, or could not
+  void makeFields();
+  void lookAtFields();
+  QString fieldNote() const;
   app::LampStage lampStage() const;
   std::vector<app::LampHandle> lamps() const;
   std::optional<app::LampGrip> lampUnder(QPointF position) const;
@@ -301,8 +305,10 @@ class Viewport : public QWidget {
   bool lightPending_ = false;     // so it does, with stored light
   bool orderedAtRest_ = false, shownAtRest_ = false;
   bool fieldsPending_ = false;  // the picture is drawn with other fields than the scene asks for
-  std::unique_ptr<app::FieldJob> fieldJob_;
-  scene::Derivatives lastDerivatives_;  // of the last picture of the volume that had what it asked for
+  BackgroundTask<void> fieldTask_;
+  std::optional<scene::Scene> fieldsOf_;   // what the task is for, or was
+  std::optional<base::Error> fieldError_;  // of the last
+  scene::Derivatives lastDerivatives_;     // of the last picture of the volume that had what it asked for
   bool interacting_ = false;
   // What rays hit: the number of the view, and the rays of its finest picture that was told by seen(); 0
   // none.
@@ -310,7 +316,7 @@ class Viewport : public QWidget {
   double seenRays_ = 0.0;
   double seenReflections_ = 0.0;  // the same, with what glossy surfaces reflect in it
   QElapsedTimer sinceSeen_;
-  QTimer refineTimer_, pointTimer_, fieldTimer_, turnTimer_, fadeTimer_;
+  QTimer refineTimer_, pointTimer_, turnTimer_, fadeTimer_;
   int turnMilliseconds_ = 0;
   std::optional<scene::Camera> turnsFrom_;  // while the view turns to the scene's camera
   QElapsedTimer sinceTurn_;

@@ -10,9 +10,9 @@
 #include "render/graph/pass.h"
 #include "scene/rules/relevance.h"
 #include "ui/dialogs/waiting.h"
+#include "ui/document/background_task.h"
 #include "ui/language/sentences.h"
 #include "ui/language/translated.h"
-#include "ui/viewport/posted_call.h"
 #include "ui/viewport/viewport.h"
 #include "ui/viewport/viewport_overlay.h"
 
@@ -41,13 +41,6 @@ bool ran(const render::FrameReport& report, const char* pass = nullptr) {  // nu
 }
 
 // What to say of a picture of which something is missing.
-QString fieldNote(const app::FieldJob& job) {
-  if (job.finished() && job.error()) return QString::fromStdString(job.error()->what());
-  return QObject::tr("Preparing the volume (%1): %2 %; a substitute field is shown")
-      .arg(translated(texts::words, job.progress().stage()))
-      .arg(std::lround(100.0 * job.progress().fraction()));
-}
-
 QString missingNote(const render::BrickReport& bricks) {
   if (bricks.missing <= 0.0) return {};
   const QString percent = QString::number(100.0 * bricks.missing, 'g', 2);
@@ -355,9 +348,9 @@ void Viewport::showed(const app::DrawnPicture& picture, std::uint64_t view) {
   lightPending_ = report.light.pending;
   refineSoon();
   const bool empty = report.empty && !fieldsPending_;
-  overlay_->setNote(fieldsPending_ && fieldJob_ && fieldJob_->isFor(resolved_) ? fieldNote(*fieldJob_)
-                    : empty ? translatedSentence(report.empty->reason)
-                            : missingNote(report.bricks));
+  overlay_->setNote(fieldsPending_ && makesFields() ? fieldNote()
+                    : empty                         ? translatedSentence(report.empty->reason)
+                                                    : missingNote(report.bricks));
   offerRemedy(empty ? report.empty : std::nullopt);
   showCaveats();
   if (bricksPending_ || lightPending_) orderSoon();  // the next picture gets further
@@ -408,24 +401,43 @@ scene::Scene Viewport::drawable() {
     lastDerivatives_ = ready.derivatives;
     return ready;
   }
-  const bool needsJob = !fieldJob_ || (fieldJob_->finished() && !fieldJob_->isFor(resolved_));
-  if (needsJob && !interacting_) fieldJob_ = std::make_unique<app::FieldJob>(volume_, resolved_);
-  if (fieldJob_ && !fieldJob_->finished() && !fieldTimer_.isActive()) fieldTimer_.start();
+  if (!interacting_) makeFields();
   return ready;
 }
 
-void Viewport::pollFields() {
-  if (!fieldJob_ || !volume_ || app::fieldsAreReady(resolved_, *volume_)) {
-    fieldTimer_.stop();
+bool Viewport::makesFields() const {
+  return fieldsOf_ && app::needSameFields(*fieldsOf_, resolved_);
+}
+
+// One after the other; of those that could not be made, no more.
+void Viewport::makeFields() {
+  if (fieldTask_ || makesFields()) return;
+  fieldsOf_ = resolved_;
+  fieldError_.reset();
+  const auto ended = [this](app::FieldTask& task) {
+    fieldError_ = task.error();
+    lookAtFields();
+  };
+  fieldTask_.watch(app::fieldTask(volume_, resolved_), ended, [this] { lookAtFields(); });
+}
+
+void Viewport::lookAtFields() {
+  if (app::fieldsAreReady(resolved_, *volume_)) {
     if (!fieldsPending_) return;
     redraw();
     Q_EMIT derivativesChosen();
     return;
   }
-  overlay_->setNote(fieldNote(*fieldJob_));
-  if (!fieldJob_->finished()) return;
-  fieldTimer_.stop();
-  if (!fieldJob_->isFor(resolved_)) redraw();  // the next one's turn
+  overlay_->setNote(fieldNote());
+  if (!fieldTask_ && !makesFields()) redraw();  // the next one's turn
+}
+
+QString Viewport::fieldNote() const {
+  if (!fieldTask_) return fieldError_ ? QString::fromStdString(fieldError_->what()) : QString();
+  const base::Progress& progress = fieldTask_->progress();
+  return QObject::tr("Preparing the volume (%1): %2 %; a substitute field is shown")
+      .arg(translated(texts::words, progress.stage()))
+      .arg(std::lround(100.0 * progress.fraction()));
 }
 
 render::StillPicture Viewport::picture(const StillWish& wish) {
@@ -482,14 +494,13 @@ void Viewport::awaitFields(const QString& what) {
           {what,
            [&] {
              if (ready() || stopped) return true;
-             if (!fieldJob_ || (fieldJob_->finished() && !fieldJob_->isFor(resolved_)))
-               fieldJob_ = std::make_unique<app::FieldJob>(volume_, resolved_);
-             return fieldJob_->finished() && fieldJob_->error();
+             makeFields();
+             return !fieldTask_;
            },
-           [this] { return fieldJob_ ? fieldJob_->progress().fraction() : 0.0; }, [&] { stopped = true; }});
+           [this] { return fieldTask_ ? fieldTask_->progress().fraction() : 0.0; }, [&] { stopped = true; }});
   stillComes_ = false;
   if (ready()) return;
-  if (fieldJob_ && fieldJob_->finished() && fieldJob_->error()) throw base::Error(*fieldJob_->error());
+  if (!fieldTask_ && fieldError_) throw base::Error(*fieldError_);
   throw base::Error(base::ErrorKind::interrupted, "", "",
                     tr("waiting for the image was cancelled").toStdString());
 }

@@ -15,8 +15,8 @@
 #include <QLocale>
 
 #include "app/files/state_folder.h"
-#include "app/process/caught_error.h"
 #include "app/version.h"
+#include "base/caught_error.h"
 #include "base/retire.h"
 #include "ui/document/preferences.h"
 #include "ui/language/language.h"
@@ -67,7 +67,7 @@ bool waylandPluginInstalled() {
 
 bool Application::notify(QObject* receiver, QEvent* event) {
   bool done = false;
-  const auto error = app::caughtError("", "do this", [&] { done = QApplication::notify(receiver, event); });
+  const auto error = base::caughtError("", "do this", [&] { done = QApplication::notify(receiver, event); });
   if (!error) return done;
   for (QWidget* const widget : topLevelWidgets())
     if (auto* const window = qobject_cast<MainWindow*>(widget))

@@ -33,8 +33,6 @@ LoadCard::LoadCard(QWidget* parent)
   title_->setTextFormat(Qt::PlainText);
   picture_->setObjectName("firstLook");
   for (QLabel* const label : {stage_, caption_}) setInk(label, Ink::quiet);
-  lookTimer_.setInterval(30);
-  connect(&lookTimer_, &QTimer::timeout, this, &LoadCard::pollLook);
   dropLook();
   bar_->setRange(0, 1000);
   bar_->setTextVisible(false);
@@ -88,32 +86,28 @@ void LoadCard::end() {
 void LoadCard::lookAt(const scene::Scene& scene) {
   dropLook();
   const double ratio = devicePixelRatioF();
-  app::GlimpseWork::Subject subject;
+  app::GlimpseSubject subject;
   subject.scene = scene;
   subject.size = glm::ivec2(glm::round(ratio * glm::dvec2(cardWidth() - 2 * margin, pictureHeight)));
   subject.pixelRatio = ratio;
   subject.least = leastBytes_;
-  look_ = std::make_unique<app::GlimpseJob>(std::move(subject));
-  lookTimer_.start();
+  look_.watch(app::glimpseTask(std::move(subject)), [this](auto& task) {
+    // Whoever loads the volume says what is wrong with it.
+    if (!task.error() && task.value()) showGlimpse(*task.value());
+  });
 }
 
 bool LoadCard::showsPicture() const {
   return !picture_->isHidden();
 }
 
-void LoadCard::pollLook() {
-  if (!look_) return lookTimer_.stop();
-  if (!look_->finished()) return;
-  lookTimer_.stop();
-  const std::unique_ptr<app::GlimpseJob> job = std::move(look_);
-  // Whoever loads the volume says what is wrong with it.
-  if (job->error() || job->picture().size.x == 0) return;
-  QPixmap picture = QPixmap::fromImage(imageOf(job->picture()));
+void LoadCard::showGlimpse(const app::DrawnGlimpse& glimpse) {
+  QPixmap picture = QPixmap::fromImage(imageOf(glimpse.picture));
   picture.setDevicePixelRatio(devicePixelRatioF());
   picture_->setPixmap(picture);
-  const glm::ivec3 step = job->step();
-  const QString caption = job->isFromIndex() ? tr("Preview from the index: blocks of %1 × %2 × %3 voxels")
-                                             : tr("Preview: one voxel of each %1 × %2 × %3");
+  const glm::ivec3 step = glimpse.step;
+  const QString caption = glimpse.fromIndex ? tr("Preview from the index: blocks of %1 × %2 × %3 voxels")
+                                            : tr("Preview: one voxel of each %1 × %2 × %3");
   caption_->setText(caption.arg(step.x).arg(step.y).arg(step.z));
   picture_->show();
   caption_->show();
@@ -121,7 +115,6 @@ void LoadCard::pollLook() {
 }
 
 void LoadCard::dropLook() {
-  lookTimer_.stop();
   look_.reset();
   picture_->hide();
   picture_->setPixmap({});

@@ -3,12 +3,12 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 
 #include <QFrame>
 #include <QTimer>
 
 #include "app/jobs/glimpse_job.h"
+#include "ui/document/background_task.h"
 #include "ui/editors/time_left.h"
 
 class QLabel;
@@ -41,17 +41,17 @@ class LoadCard : public QFrame {
   void place();
   int cardWidth() const;
   QString name_;
-  void pollLook();
+  void showGlimpse(const app::DrawnGlimpse& glimpse);
   void dropLook();
 
   std::size_t leastBytes_ = volume::kGlimpseLeastBytes;
-  std::unique_ptr<app::GlimpseJob> look_;
+  BackgroundTask<std::optional<app::DrawnGlimpse>> look_;
   QLabel *picture_, *caption_;  // hidden where there is none
   QLabel *title_, *stage_;
   QProgressBar* bar_;
   QPushButton* cancel_;
   TimeLeft left_;
-  QTimer delay_, lookTimer_;
+  QTimer delay_;
 };
 
 }  // namespace isolux::ui

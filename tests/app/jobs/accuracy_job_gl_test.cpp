@@ -1,5 +1,5 @@
 // Bounds of a picture on a thread of their own: those that are measured here, of what drew the picture; and a
-// job that is dropped ends.
+// task that is dropped ends.
 #include "app/jobs/accuracy_job.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 class AccuracyJobGlTest : public RenderGlTest {
  protected:
-  app::AccuracyJob::Subject subject(bool onProcessor) {
+  app::AccuracySubject subject(bool onProcessor) {
     const auto volume = phantom("torus", 32);
     return {volume, scene::resolve(assigned({}), volume->facts), nullptr, {96, 80}, onProcessor};
   }
@@ -22,8 +22,8 @@ class AccuracyJobGlTest : public RenderGlTest {
 TEST_F(AccuracyJobGlTest, FindsWhatIsMeasuredHere) {
   for (const bool onProcessor : {true, false}) {
     SCOPED_TRACE(onProcessor);
-    const app::AccuracyJob::Subject asked = subject(onProcessor);
-    const app::AccuracyJob job(asked);
+    const app::AccuracySubject asked = subject(onProcessor);
+    const auto task = app::accuracyTask(asked);
     scene::Machine machine;
     machine.executor = onProcessor ? scene::Executor::cpu : scene::Executor::gpu;
     renderer_->setMachine(machine);
@@ -34,19 +34,19 @@ TEST_F(AccuracyJobGlTest, FindsWhatIsMeasuredHere) {
     request.size = asked.size;
     const app::Accuracy here =
         app::accuracyOf(app::measureErrors(*renderer_, asked.scene, request, *asked.volume, progress));
-    ASSERT_TRUE(pollUntil([&] { return job.finished(); }));
-    ASSERT_FALSE(job.error()) << job.error()->what();
-    EXPECT_EQ(job.accuracy()->pixels, 96u * 80u);
-    EXPECT_GT(job.accuracy()->seen, 500u);
+    ASSERT_TRUE(pollUntil([&] { return task->finished(); }));
+    ASSERT_FALSE(task->error()) << task->error()->what();
+    const app::Accuracy& found = task->value().accuracy;
+    EXPECT_EQ(found.pixels, 96u * 80u);
+    EXPECT_GT(found.seen, 500u);
     // The processor casts for both; whose arithmetic is bounded decides the bound.
-    EXPECT_NEAR(job.accuracy()->depthMm.median, here.depthMm.median, 1e-3 * here.depthMm.median);
-    EXPECT_NEAR(job.accuracy()->normalDegrees.most99, here.normalDegrees.most99,
-                1e-3 * here.normalDegrees.most99);
+    EXPECT_NEAR(found.depthMm.median, here.depthMm.median, 1e-3 * here.depthMm.median);
+    EXPECT_NEAR(found.normalDegrees.most99, here.normalDegrees.most99, 1e-3 * here.normalDegrees.most99);
   }
 }
 
 TEST_F(AccuracyJobGlTest, ADroppedJobEnds) {
-  { const app::AccuracyJob job(subject(true)); }
+  app::accuracyTask(subject(true));
   EXPECT_TRUE(base::awaitRetired(60.0));
 }
 

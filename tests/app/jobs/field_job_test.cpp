@@ -30,11 +30,11 @@ TEST(FieldJob, MakesWhatASceneNeedsAndUntilThenOtherFieldsAreDrawn) {
   EXPECT_EQ(before.hit.field, scene::Field::trilinear);
   EXPECT_EQ(before.derivatives.field, scene::Field::cubic);
   EXPECT_FALSE(fieldsAreReady(scene, *volume));
-  const FieldJob job(volume, scene);
-  ASSERT_TRUE(test::pollUntil([&] { return job.finished(); }));
-  EXPECT_FALSE(job.error());
-  EXPECT_TRUE(job.isFor(scene));
-  EXPECT_FALSE(job.isFor(before));
+  const auto task = fieldTask(volume, scene);
+  ASSERT_TRUE(test::pollUntil([&] { return task->finished(); }));
+  EXPECT_FALSE(task->error());
+  EXPECT_TRUE(needSameFields(scene, scene));
+  EXPECT_FALSE(needSameFields(scene, before));
   EXPECT_TRUE(fieldsAreReady(scene, *volume));
   const scene::Scene after = withReadyFields(scene, *volume);
   EXPECT_EQ(after.hit.field, scene.hit.field);
@@ -54,8 +54,8 @@ TEST(FieldJob, ScalesAreThoseThatAreThere) {
   };
   EXPECT_EQ(scales({}), std::pair(0.0, 0.0));
   {
-    const FieldJob job(volume, scene);
-    ASSERT_TRUE(test::pollUntil([&] { return job.finished(); }));
+    const auto task = fieldTask(volume, scene);
+    ASSERT_TRUE(test::pollUntil([&] { return task->finished(); }));
   }
   EXPECT_TRUE(fieldsAreReady(scene, *volume));
   EXPECT_EQ(scales({}), std::pair(3.0, 2.0));
@@ -82,8 +82,8 @@ TEST(FieldJob, ChoosesWhatIsAutomatic) {
   scene::Scene scene;
   scene.isosurface.value = 0.0;
   EXPECT_FALSE(fieldsAreReady(scene, *volume));
-  const FieldJob job(volume, scene);
-  ASSERT_TRUE(test::pollUntil([&] { return job.finished(); }));
+  const auto task = fieldTask(volume, scene);
+  ASSERT_TRUE(test::pollUntil([&] { return task->finished(); }));
   EXPECT_TRUE(fieldsAreReady(scene, *volume));
   const auto choice =
       volume->derivativeChoices->find({.isovalue = 0.0, .field = scene.derivatives.field, .noise = {}});
@@ -91,9 +91,10 @@ TEST(FieldJob, ChoosesWhatIsAutomatic) {
   const scene::Derivatives drawn = withReadyFields(scene, *volume).derivatives;
   EXPECT_EQ(drawn.normalScale, choice->normalScaleMm);
   EXPECT_EQ(drawn.noise, choice->noise);
-  scene.isosurface.value = 1.0;
-  EXPECT_FALSE(fieldsAreReady(scene, *volume));
-  EXPECT_FALSE(job.isFor(scene));
+  scene::Scene other = scene;
+  other.isosurface.value = 1.0;
+  EXPECT_FALSE(fieldsAreReady(other, *volume));
+  EXPECT_FALSE(needSameFields(scene, other));
 }
 
 // Its end is waited for: what it was to make is not made then.
@@ -102,10 +103,10 @@ TEST(FieldJob, LeavesItsWorkUndoneWhenNobodyWantsItAnyMore) {
   int undone = 0;
   for (int i = 0; i < 5; ++i) {
     const auto volume = ball(160);
-    auto job = std::make_unique<FieldJob>(volume, scene);
+    auto task = fieldTask(volume, scene);
     const double until = 0.05 * (i + 1);  // ends at several moments of its work
-    ASSERT_TRUE(test::pollUntil([&] { return job->finished() || job->progress().fraction() >= until; }));
-    job.reset();
+    ASSERT_TRUE(test::pollUntil([&] { return task->finished() || task->progress().fraction() >= until; }));
+    task.reset();
     undone += !fieldsAreReady(scene, *volume);
   }
   EXPECT_GT(undone, 0);  // on a busy machine some may have ended before

@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <stop_token>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -18,8 +19,9 @@
 namespace isolux::app {
 namespace {
 
-void waitFor(const LoadJob& job) {
-  ASSERT_TRUE(test::pollUntil([&] { return job.finished(); }));
+std::unique_ptr<LoadTask> finished(std::unique_ptr<LoadTask> task) {
+  EXPECT_TRUE(test::pollUntil([&] { return task->finished(); }));
+  return task;
 }
 
 scene::Source source(const std::string& path) {
@@ -29,20 +31,16 @@ scene::Source source(const std::string& path) {
 }
 
 TEST(LoadJob, DeliversTheVolume) {
-  LoadJob job(source("phantom:ball:16"));
-  waitFor(job);
-  ASSERT_FALSE(job.error());
-  ASSERT_TRUE(job.volume());
-  EXPECT_EQ(job.volume()->grid().dims(), glm::ivec3(16));
-  EXPECT_EQ(job.source().path, "phantom:ball:16");
+  const auto task = finished(loadTask(source("phantom:ball:16")));
+  ASSERT_FALSE(task->error());
+  EXPECT_EQ(task->value().volume->grid().dims(), glm::ivec3(16));
+  EXPECT_EQ(task->value().source.path, "phantom:ball:16");
 }
 
 TEST(LoadJob, DeliversTheErrorAsAValue) {
-  LoadJob job(source((test::temporaryFolder() / "missing.nii").string()));
-  waitFor(job);
-  ASSERT_TRUE(job.error());
-  EXPECT_EQ(job.error()->kind(), base::ErrorKind::input);
-  EXPECT_FALSE(job.volume());
+  const auto task = finished(loadTask(source((test::temporaryFolder() / "missing.nii").string())));
+  ASSERT_TRUE(task->error());
+  EXPECT_EQ(task->error()->kind(), base::ErrorKind::input);
 }
 
 // A file with a hole is opened rather than refused where that may be, and said to be so.
@@ -50,43 +48,39 @@ TEST(LoadJob, ReadsAroundDamageWhereItMay) {
   const std::filesystem::path folder = test::temporaryFolder() / "cut.zarr";
   test::writeZarr(folder, glm::ivec3(32), glm::ivec3(16), std::vector<std::uint8_t>(32 * 32 * 32, 7));
   test::cutChunk(folder, {1, 0, 1});
-  LoadJob strict(source(folder.string()));
-  waitFor(strict);
-  ASSERT_TRUE(strict.error());
-  EXPECT_EQ(strict.error()->kind(), base::ErrorKind::input);
-  LoadJob around(source(folder.string()), {.aroundDamage = true});
-  waitFor(around);
-  ASSERT_FALSE(around.error()) << around.error()->what();
-  EXPECT_FALSE(around.source().aroundDamage);
-  EXPECT_TRUE(around.loaded().aroundDamage);
-  EXPECT_EQ(around.volume()->grid().missingCount(), 16u * 16u * 16u);
+  const auto strict = finished(loadTask(source(folder.string())));
+  ASSERT_TRUE(strict->error());
+  EXPECT_EQ(strict->error()->kind(), base::ErrorKind::input);
+  const auto around = finished(loadTask(source(folder.string()), {.aroundDamage = true}));
+  ASSERT_FALSE(around->error()) << around->error()->what();
+  EXPECT_TRUE(around->value().source.aroundDamage);
+  EXPECT_EQ(around->value().volume->grid().missingCount(), 16u * 16u * 16u);
   // Nothing is changed that need not be.
   test::writeZarr(folder, glm::ivec3(32), glm::ivec3(16), std::vector<std::uint8_t>(32 * 32 * 32, 7));
-  LoadJob mended(source(folder.string()), {.aroundDamage = true});
-  waitFor(mended);
-  ASSERT_TRUE(mended.volume());
-  EXPECT_EQ(mended.loaded(), mended.source());
-  LoadJob missing(source((folder / "nothing").string()), {.coarser = true, .aroundDamage = true});
-  waitFor(missing);
-  ASSERT_TRUE(missing.error());
-  EXPECT_EQ(missing.loaded(), missing.source());
+  const auto mended = finished(loadTask(source(folder.string()), {.aroundDamage = true}));
+  ASSERT_FALSE(mended->error());
+  EXPECT_EQ(mended->value().source, source(folder.string()));
+  const auto missing =
+      finished(loadTask(source((folder / "nothing").string()), {.coarser = true, .aroundDamage = true}));
+  ASSERT_TRUE(missing->error());
+  EXPECT_EQ(missing->error()->kind(), base::ErrorKind::input);
 }
 
 TEST(LoadJob, StopsWhenAsked) {
-  LoadJob job(source("phantom:head:512"));
-  job.progress().requestStop();
-  waitFor(job);
-  ASSERT_TRUE(job.error());
-  EXPECT_EQ(job.error()->kind(), base::ErrorKind::interrupted);
+  auto task = loadTask(source("phantom:head:512"));
+  task->progress().requestStop();
+  task = finished(std::move(task));
+  ASSERT_TRUE(task->error());
+  EXPECT_EQ(task->error()->kind(), base::ErrorKind::interrupted);
 }
 
 // The work, which StopsWhenAsked() shows to end then, is asked to stop.
 TEST(LoadJob, ThrownAwayWhileItRunsItLeavesItsWorkUndone) {
-  auto job = std::make_unique<LoadJob>(source("phantom:head:512"));
-  const std::stop_token stop = job->progress().token();
-  ASSERT_TRUE(test::pollUntil([&] { return job->progress().fraction() > 0.0; }));
+  auto task = loadTask(source("phantom:head:512"));
+  const std::stop_token stop = task->progress().token();
+  ASSERT_TRUE(test::pollUntil([&] { return task->progress().fraction() > 0.0; }));
   EXPECT_FALSE(stop.stop_requested());
-  job.reset();
+  task.reset();
   EXPECT_TRUE(stop.stop_requested());
   EXPECT_TRUE(base::awaitRetired(600.0));
 }
@@ -95,11 +89,11 @@ TEST(LoadJob, ThrownAwayWhileItRunsItLeavesItsWorkUndone) {
 TEST(LoadJob, ThrowingItAwayWhileItRunsWaitsForNothing) {
   long fewest = std::numeric_limits<long>::max();
   for (int i = 0; i < 5; ++i) {
-    auto job = std::make_unique<LoadJob>(source("phantom:head:256"));
+    auto task = loadTask(source("phantom:head:256"));
     const double until = 0.05 * i;  // at several moments of its work
-    ASSERT_TRUE(test::pollUntil([&] { return job->progress().fraction() > until; }));
-    const bool worked = !job->finished();
-    const long waits = test::ownWaits([&] { job.reset(); });
+    ASSERT_TRUE(test::pollUntil([&] { return task->progress().fraction() > until; }));
+    const bool worked = !task->finished();
+    const long waits = test::ownWaits([&] { task.reset(); });
     if (worked) fewest = std::min(fewest, waits);
   }
   EXPECT_EQ(fewest, 0);
@@ -107,11 +101,10 @@ TEST(LoadJob, ThrowingItAwayWhileItRunsWaitsForNothing) {
 }
 
 TEST(LoadJob, ItsVolumeIsFreedElsewhere) {
-  auto job = std::make_unique<LoadJob>(source("phantom:ball:16"));
-  waitFor(*job);
-  const std::weak_ptr<const volume::PreparedVolume> volume = job->volume();
-  const volume::PreparedVolume* const same = job->volume().get();
-  job.reset();
+  auto task = finished(loadTask(source("phantom:ball:16")));
+  const std::weak_ptr<const volume::PreparedVolume> volume = task->value().volume;
+  const volume::PreparedVolume* const same = task->value().volume.get();
+  task.reset();
   EXPECT_TRUE(base::awaitRetired(600.0));
   EXPECT_TRUE(volume.expired());
   EXPECT_NE(same, nullptr);

@@ -25,11 +25,11 @@ TEST(MarkJob, MeasuresAllAndTheQuickOnesFirst) {
   const std::vector<Mark> marks{{MarkKind::path, "way", {{r, 0, 0}, {0, r, 0}}},
                                 {MarkKind::distance, "straight", {{r, 0, 0}, {0, r, 0}}},
                                 {MarkKind::angle, "wrong", {{0, 0, 0}}}};
-  app::MarkJob job(evaluator, marks);
-  std::vector<app::MarkJob::Result> results;
+  const auto task = app::markTask(evaluator, marks);
+  std::vector<std::pair<std::size_t, app::MarkReport>> results;
   ASSERT_TRUE(pollUntil([&] {
-    const bool finished = job.finished();
-    for (app::MarkJob::Result& result : job.take()) results.push_back(std::move(result));
+    const bool finished = task->finished();
+    for (auto& result : task->take()) results.push_back(std::move(result));
     return finished;
   }));
   ASSERT_EQ(results.size(), 3u);
@@ -38,7 +38,7 @@ TEST(MarkJob, MeasuresAllAndTheQuickOnesFirst) {
   EXPECT_EQ(results[2].first, 0u);
   EXPECT_FALSE(results[1].second.problem.empty());
   EXPECT_FALSE(results[2].second.line.empty());
-  EXPECT_TRUE(job.take().empty());
+  EXPECT_TRUE(task->take().empty());
 }
 
 // Thrown away in the middle: the evaluator stays with the work until that has ended.
@@ -47,8 +47,8 @@ TEST(MarkJob, ThrownAwayEndsByItself) {
   {
     auto evaluator = evaluatorOf(phantom("ball", 64));
     watched = evaluator;
-    const app::MarkJob job(std::move(evaluator),
-                           std::vector<Mark>(200, {MarkKind::path, "way", {{22, 0, 0}, {-20, 9, 0}}}));
+    app::markTask(std::move(evaluator),
+                  std::vector<Mark>(200, {MarkKind::path, "way", {{22, 0, 0}, {-20, 9, 0}}}));
   }
   EXPECT_TRUE(pollUntil([&] { return watched.expired(); }));
 }

@@ -28,20 +28,20 @@ render::ColorImage grey() {
 TEST(OverlayJob, PaintsWhatIsPaintedByHand) {
   const auto errors = rising();
   const OverlayWish wish{true, ErrorImage::depth, {{Quantity::depthMm, 1e-3}}};
-  const OverlayJob job({grey, errors, wish, 0.5, scene::LegendCorner::automatic, {}});
-  ASSERT_TRUE(test::pollUntil([&] { return job.finished(); }));
-  ASSERT_FALSE(job.error()) << job.error()->what();
+  const auto task = overlayTask({grey, errors, wish, 0.5, scene::LegendCorner::automatic, {}});
+  ASSERT_TRUE(test::pollUntil([&] { return task->finished(); }));
+  ASSERT_FALSE(task->error()) << task->error()->what();
   render::ColorImage byHand = grey();
   paintErrors(*errors, wish, 0.5, scene::LegendCorner::automatic, {}, byHand);
-  EXPECT_EQ(job.painted().rgba, byHand.rgba);
-  EXPECT_NE(job.painted().rgba, grey().rgba);
+  EXPECT_EQ(task->value().image.rgba, byHand.rgba);
+  EXPECT_NE(task->value().image.rgba, grey().rgba);
 }
 
 TEST(OverlayJob, ARefusalIsItsError) {
-  const OverlayJob job({grey, rising(), {true, ErrorImage::light, {}}, 0.5, {}, {}});
-  ASSERT_TRUE(test::pollUntil([&] { return job.finished(); }));
-  ASSERT_TRUE(job.error());
-  EXPECT_EQ(job.error()->kind(), base::ErrorKind::usage);
+  const auto task = overlayTask({grey, rising(), {true, ErrorImage::light, {}}, 0.5, {}, {}});
+  ASSERT_TRUE(test::pollUntil([&] { return task->finished(); }));
+  ASSERT_TRUE(task->error());
+  EXPECT_EQ(task->error()->kind(), base::ErrorKind::usage);
 }
 
 }  // namespace

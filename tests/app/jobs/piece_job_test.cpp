@@ -20,12 +20,10 @@ scene::Scene sceneOfBalls() {
 TEST(PieceJob, FindsAndMeasures) {
   const auto volume = test::prepared(test::gridOfBalls(test::pieceBalls(), true));
   for (const bool measured : {false, true}) {
-    const PieceJob job(volume, sceneOfBalls(), 0.0, measured);
-    ASSERT_TRUE(test::pollUntil([&] { return job.finished(); }));
-    EXPECT_FALSE(job.error());
-    EXPECT_TRUE(job.isFor(volume.get(), 0.0, scene::Inside::above));
-    EXPECT_FALSE(job.isFor(volume.get(), 1.0, scene::Inside::above));
-    const PieceJob::Found& found = job.found();
+    const auto task = pieceTask({volume, 0.0, scene::Inside::above}, sceneOfBalls(), measured);
+    ASSERT_TRUE(test::pollUntil([&] { return task->finished(); }));
+    ASSERT_FALSE(task->error());
+    const FoundPieces& found = task->value();
     EXPECT_EQ(found.pieces, volume->pieces->find(0.0, scene::Inside::above));
     ASSERT_EQ(found.measures.size(), measured ? test::pieceBalls().size() : 0u);
     for (std::size_t id = 0; id < found.measures.size(); ++id) {
@@ -38,7 +36,7 @@ TEST(PieceJob, FindsAndMeasures) {
 
 TEST(PieceJob, ThrownAwayItEndsElsewhere) {
   const auto volume = test::prepared(test::gridOfBalls(test::pieceBalls(), true));
-  { const PieceJob job(volume, sceneOfBalls(), 0.5, true); }
+  pieceTask({volume, 0.5, scene::Inside::above}, sceneOfBalls(), true);
   EXPECT_TRUE(base::awaitRetired(10.0));
 }
 

@@ -37,26 +37,26 @@ double meanDifference(const render::ColorImage& a, const render::ColorImage& b) 
 }
 
 TEST(SliceJob, DrawsWhatWasOrdered) {
-  const app::SliceJob job(orderOf(phantom("ball", 32), {200, 170}));
-  ASSERT_TRUE(pollUntil([&] { return job.finished(); }));
-  ASSERT_FALSE(job.error()) << job.error()->what();
-  EXPECT_EQ(job.picture().size, glm::ivec2(200, 170));
-  EXPECT_GE(job.milliseconds(), 0.0);
+  const auto task = app::sliceTask(orderOf(phantom("ball", 32), {200, 170}));
+  ASSERT_TRUE(pollUntil([&] { return task->finished(); }));
+  ASSERT_FALSE(task->error()) << task->error()->what();
+  EXPECT_EQ(task->value().picture.size, glm::ivec2(200, 170));
+  EXPECT_GE(task->value().milliseconds, 0.0);
 }
 
 // A draft is the same picture but for its fineness, in size and place.
 TEST(SliceJob, ADraftLooksLikeTheFullPicture) {
   app::SliceOrder order = orderOf(phantom("ball", 32), {203, 178});
-  const app::SliceJob full(order);
+  const auto full = app::sliceTask(order);
   order.coarse = 3;
-  const app::SliceJob draft(order);
+  const auto draft = app::sliceTask(order);
   order.plane.originMm += 20.0 * order.plane.rightMm;
-  const app::SliceJob moved(order);
-  ASSERT_TRUE(pollUntil([&] { return full.finished() && draft.finished() && moved.finished(); }));
-  ASSERT_EQ(draft.picture().size, full.picture().size);
-  const double same = meanDifference(full.picture(), draft.picture());
+  const auto moved = app::sliceTask(order);
+  ASSERT_TRUE(pollUntil([&] { return full->finished() && draft->finished() && moved->finished(); }));
+  ASSERT_EQ(draft->value().picture.size, full->value().picture.size);
+  const double same = meanDifference(full->value().picture, draft->value().picture);
   EXPECT_LT(same, 4.0);
-  EXPECT_GT(meanDifference(full.picture(), moved.picture()), 3.0 * same);
+  EXPECT_GT(meanDifference(full->value().picture, moved->value().picture), 3.0 * same);
 }
 
 TEST(SliceDraft, AColourThatChangesEvenlyStaysSo) {
@@ -85,10 +85,10 @@ TEST(SliceJob, ThrownAwayEndsByItself) {
   for (int i = 0; i < 3; ++i) {
     auto volume = phantom("ball", 64);
     const std::weak_ptr<const volume::PreparedVolume> watched = volume;
-    auto job = std::make_unique<app::SliceJob>(orderOf(volume, {4000, 4000}, 60.0));
+    auto task = app::sliceTask(orderOf(volume, {4000, 4000}, 60.0));
     volume.reset();
-    const bool works = !job->finished();
-    const long waits = ownWaits([&] { job.reset(); });
+    const bool works = !task->finished();
+    const long waits = ownWaits([&] { task.reset(); });
     if (works) fewest = std::min(fewest, waits);
     EXPECT_TRUE(pollUntil([&] { return watched.expired(); }));
   }
@@ -100,8 +100,8 @@ TEST(SliceJob, ThrownAwayEndsByItself) {
   const app::SliceOrder order = orderOf(phantom("ball", 16), {64, 64});
   const rlimit one{1, 1};
   if (::setrlimit(RLIMIT_NPROC, &one) != 0 || ::setuid(61234) != 0) std::_Exit(7);
-  const app::SliceJob job(order);
-  std::_Exit(job.finished() && !job.error() && job.picture().size.x == 64 ? 0 : 8);
+  const auto task = app::sliceTask(order);
+  std::_Exit(task->finished() && !task->error() && task->value().picture.size.x == 64 ? 0 : 8);
 }
 
 // Where the system gives no thread the picture is drawn all the same.

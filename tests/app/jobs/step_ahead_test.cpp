@@ -41,11 +41,11 @@ class StepAheadTest : public testing::Test {
 TEST_F(StepAheadTest, TheNextStepIsLoadedInTheDirectionOfTheLast) {
   for (const auto& [from, to, next] : {std::array{0, 1, 2}, std::array{3, 2, 1}, std::array{0, 2, 3}}) {
     ahead_.moved(step(from), step(to), *shown_);
-    const std::unique_ptr<LoadJob> job = ahead_.take(step(next));
-    ASSERT_TRUE(job) << from << " to " << to;
-    ASSERT_TRUE(test::pollUntil([&] { return job->finished(); }));
-    ASSERT_FALSE(job->error());
-    EXPECT_EQ(job->volume()->grid().value(0, 0, 0), 10.0 * next);
+    const std::unique_ptr<LoadTask> task = ahead_.take(step(next));
+    ASSERT_TRUE(task) << from << " to " << to;
+    ASSERT_TRUE(test::pollUntil([&] { return task->finished(); }));
+    ASSERT_FALSE(task->error());
+    EXPECT_EQ(task->value().volume->grid().value(0, 0, 0), 10.0 * next);
     EXPECT_FALSE(ahead_.take(step(next))) << "taken once";
   }
 }

@@ -15,8 +15,8 @@ using namespace app;
 
 class TargetJobGlTest : public RenderGlTest {
  protected:
-  TargetJob::Subject subject(const std::string& target) {
-    TargetJob::Subject subject;
+  TargetSubject subject(const std::string& target) {
+    TargetSubject subject;
     subject.volume = phantom("gyroid", 48);
     subject.scene = assigned({"derivatives.normal_scale=0"});
     subject.picture.size = {160, 120};
@@ -27,16 +27,16 @@ class TargetJobGlTest : public RenderGlTest {
 };
 
 TEST_F(TargetJobGlTest, FindsWhatTheSearchFinds) {
-  const TargetJob::Subject asked = subject("normal=30deg");
-  const TargetJob job(asked);
+  const TargetSubject asked = subject("normal=30deg");
+  const auto task = targetTask(asked);
   renderer_->setMachine(asked.machine);
   renderer_->setVolume(asked.volume);
   base::Progress progress;
   TargetSearch search(*renderer_, {asked.volume, asked.scene, asked.picture, asked.machine, true, {}});
   const TargetAnswer here = search.keepErrors(asked.limits, progress).value();
-  ASSERT_TRUE(pollUntil([&] { return job.finished(); }));
-  ASSERT_FALSE(job.error()) << job.error()->what();
-  const TargetAnswer& found = job.answer().value();
+  ASSERT_TRUE(pollUntil([&] { return task->finished(); }));
+  ASSERT_FALSE(task->error()) << task->error()->what();
+  const TargetAnswer& found = task->value().value();
   EXPECT_EQ(found.measured[found.chosen].candidate.assignments,
             here.measured[here.chosen].candidate.assignments);
   EXPECT_THAT(found.measured[found.chosen].candidate.assignments,
@@ -44,29 +44,28 @@ TEST_F(TargetJobGlTest, FindsWhatTheSearchFinds) {
 }
 
 TEST_F(TargetJobGlTest, ATimeIsKeptByTheClock) {
-  TargetJob::Subject asked = subject("");
+  TargetSubject asked = subject("");
   asked.milliseconds = 600000.0;
-  const TargetJob job(std::move(asked));
-  ASSERT_TRUE(pollUntil([&] { return job.finished(); }));
-  ASSERT_FALSE(job.error()) << job.error()->what();
-  EXPECT_GT(job.answer()->expectedMilliseconds, 0.0);
-  EXPECT_LE(job.answer()->expectedMilliseconds, 600000.0);
+  const auto task = targetTask(std::move(asked));
+  ASSERT_TRUE(pollUntil([&] { return task->finished(); }));
+  ASSERT_FALSE(task->error()) << task->error()->what();
+  EXPECT_GT(task->value()->expectedMilliseconds, 0.0);
+  EXPECT_LE(task->value()->expectedMilliseconds, 600000.0);
 }
 
 TEST_F(TargetJobGlTest, WhatNothingKeepsIsRefused) {
-  const TargetJob job(subject("depth=0.000000001mm"));
-  ASSERT_TRUE(pollUntil([&] { return job.finished(); }));
-  ASSERT_TRUE(job.error());
-  EXPECT_EQ(job.error()->kind(), base::ErrorKind::usage);
-  EXPECT_FALSE(job.answer());
+  const auto task = targetTask(subject("depth=0.000000001mm"));
+  ASSERT_TRUE(pollUntil([&] { return task->finished(); }));
+  ASSERT_TRUE(task->error());
+  EXPECT_EQ(task->error()->kind(), base::ErrorKind::usage);
 }
 
 TEST_F(TargetJobGlTest, ADroppedSearchEnds) {
   {
-    const TargetJob job(subject("depth=0.01mm"));
-    EXPECT_GE(TargetJob::running(), 1);
+    const auto task = targetTask(subject("depth=0.01mm"));
+    EXPECT_GE(runningSearches(), 1);
   }
-  ASSERT_TRUE(pollUntil([] { return TargetJob::running() == 0; }));
+  ASSERT_TRUE(pollUntil([] { return runningSearches() == 0; }));
 }
 
 }  // namespace

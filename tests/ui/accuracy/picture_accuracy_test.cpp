@@ -54,7 +54,7 @@ TEST_F(PictureAccuracyTest, WithThePanelClosedNothingOfItRuns) {
   EXPECT_FALSE(panel()->picture().subject());
   EXPECT_EQ(panel()->picture().jobsBegun(), 0);
   EXPECT_EQ(app::pictureErrorRuns(), before);
-  EXPECT_EQ(app::TargetJob::running(), 0);
+  EXPECT_EQ(app::runningSearches(), 0);
   EXPECT_FALSE(label()->isVisible());
   EXPECT_FALSE(savedSession().contains("accuracy"));
 }
@@ -126,7 +126,8 @@ TEST(AccuracyText, UnitsAreThoseOneReads) {
             "Depth ± 0.23 µm · normal ± 0.012° · curvature ± 4.6 % · 0.5 % of pixels uncertain");
   accuracy.depthMm.most99 = 0.0234;
   accuracy.normalDegrees.most99 = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(ui::accuracyText(accuracy, false), "Depth ± 0.023 mm · normal ± unbounded · 0.5 % of pixels uncertain");
+  EXPECT_EQ(ui::accuracyText(accuracy, false),
+            "Depth ± 0.023 mm · normal ± unbounded · 0.5 % of pixels uncertain");
   accuracy.normalDegrees.most99 = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(ui::accuracyText(accuracy, false), "Depth ± 0.023 mm · 0.5 % of pixels uncertain");
   accuracy.seen = accuracy.uncertain = 0;

@@ -90,23 +90,23 @@ TEST_F(TargetBoxTest, AnyEditDropsASearch) {
   const auto begin = [&] {
     box()->askError(app::Quantity::depthMm, 1e-9);  // all combinations are tried
     click(box()->findButton());
-    ASSERT_TRUE(waitUntil([&] { return app::TargetJob::running() > 0; }));
+    ASSERT_TRUE(waitUntil([&] { return app::runningSearches() > 0; }));
   };
   begin();
   QElapsedTimer since;
   since.start();
   edit("camera.fov=40");
   EXPECT_FALSE(box()->searching());
-  EXPECT_TRUE(waitUntil([] { return app::TargetJob::running() == 0; }));
+  EXPECT_TRUE(waitUntil([] { return app::runningSearches() == 0; }));
   std::printf("the thread of a dropped search ended after %lld ms\n",
               static_cast<long long>(since.elapsed()));
   begin();
   click(box()->findButton());  // Stop
   EXPECT_FALSE(box()->searching());
-  EXPECT_TRUE(waitUntil([] { return app::TargetJob::running() == 0; }));
+  EXPECT_TRUE(waitUntil([] { return app::runningSearches() == 0; }));
   begin();
   window_->showPanel("Passes");
-  EXPECT_TRUE(waitUntil([] { return app::TargetJob::running() == 0; }));
+  EXPECT_TRUE(waitUntil([] { return app::runningSearches() == 0; }));
   EXPECT_FALSE(box()->searching());
 }
 

@@ -102,7 +102,7 @@ TEST_F(WindowTest, TurningBesideTheAccuracyPanelNeverBlocksTheWindow) {
       panel->target()->askError(app::Quantity::depthMm, 1e-9);  // all combinations are tried
       QTest::mouseClick(panel->target()->findButton(), Qt::LeftButton);
     }
-    return app::TargetJob::running() > 0;
+    return app::runningSearches() > 0;
   };
   struct Work {
     const char* name;

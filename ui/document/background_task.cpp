@@ -1,4 +1,4 @@
-#include "ui/viewport/posted_call.h"
+#include "ui/document/background_task.h"
 
 #include <memory>
 #include <utility>

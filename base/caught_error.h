@@ -10,23 +10,23 @@
 
 #include "base/error.h"
 
-namespace isolux::app {
+namespace isolux::base {
 
 // Calls work() and returns its error. `does` names the action ("draw a slice") and `file` the file, or "".
 template <class Work>
-std::optional<base::Error> caughtError(const std::string& file, const std::string& does, Work&& work) {
+std::optional<Error> caughtError(const std::string& file, const std::string& does, Work&& work) {
   try {
     std::forward<Work>(work)();
     return std::nullopt;
-  } catch (const base::Error& error) {
+  } catch (const Error& error) {
     return error;
   } catch (const std::bad_alloc&) {
-    return base::Error(base::ErrorKind::memory, file, "", "not enough memory to " + does);
+    return Error(ErrorKind::memory, file, "", "not enough memory to " + does);
   } catch (const std::exception& error) {
-    return base::Error(base::ErrorKind::input, file, "", "cannot " + does + ": " + error.what());
+    return Error(ErrorKind::input, file, "", "cannot " + does + ": " + error.what());
   } catch (...) {
-    return base::Error(base::ErrorKind::input, file, "", "cannot " + does);
+    return Error(ErrorKind::input, file, "", "cannot " + does);
   }
 }
 
-}  // namespace isolux::app
+}  // namespace isolux::base
