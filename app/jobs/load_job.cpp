@@ -4,7 +4,7 @@
 
 #include "app/process/caught_error.h"
 #include "volume/bricks/coarse_level.h"
-#include "volume/bricks/open_chunked.h"
+#include "volume/read/step_files.h"
 
 namespace isolux::app {
 
@@ -40,17 +40,19 @@ LoadJob::~LoadJob() {
 void LoadJob::load(Work& work) {
   scene::Source& source = work.loaded;
   const bool choosesLevel = work.instead.coarser && source.level == 0;
-  if (choosesLevel) source.level = volume::levelThatFits(source, work.progress, 0, kLevelShare);
+  const scene::Source step = volume::sourceOfStep(source, static_cast<int>(source.timeStep));
+  const volume::VolumeFile file = volume::openSource(step, work.progress);
+  if (choosesLevel) source.level = volume::levelThatFits(file, 0, kLevelShare);
   while (!work.volume) {
     try {
-      work.volume = freedElsewhere(volume::loadVolume(source, work.progress));
+      work.volume = freedElsewhere(volume::loadVolume(source, file, work.progress));
     } catch (const base::Error& error) {
       if (error.kind() == base::ErrorKind::memory && choosesLevel) {  // it takes more than its header said
-        const int level = volume::levelThatFits(source, work.progress, source.level + 1, kLevelShare);
+        const int level = volume::levelThatFits(file, source.level + 1, kLevelShare);
         if (level <= source.level) throw;
         source.level = level;
       } else if (error.kind() == base::ErrorKind::input && work.instead.aroundDamage &&
-                 !source.aroundDamage && volume::isReadInParts(source, work.progress)) {
+                 !source.aroundDamage && file.parts) {
         source.aroundDamage = true;
       } else {
         throw;
