@@ -90,6 +90,7 @@ VolumeFile describedOrForeign(const fs::path& path, const ReadOptions& options) 
   FileFormat format = FileFormat::unknown;
   const std::shared_ptr<const DescribedFile> found = describedFile(path, options, format);
   if (!found) return readWholeBy(readerOf(format), path, kOnlyThese);
+  checkChoices(found->header, found->data->name(), options);
   VolumeFile file;
   if (format == FileFormat::vti)
     file = readWholeBy(readVti, path, "");
@@ -169,7 +170,7 @@ VolumeFile openSource(const scene::Source& source, base::Progress& progress) {
   if (!file.whyWhole.empty())
     file.parts.reset();
   else
-    checkChoices(chunkedHeader(facts, facts.levels.front().geometry, facts.storedType), source.path, options);
+    checkChoices(chunkedHeader(facts, facts.levels.front().geometry, facts.storedType), facts.name, options);
   return file;
 }
 
