@@ -185,23 +185,22 @@ TriangleMesh contoured(Connection& connection, const Abilities& abilities, const
                  [&](base::Progress& progress) { return abilities.contour(samples, dims, progress); });
 }
 
+// Hands over what `ability`, one of Abilities, makes of `arguments`.
+template <class Ability, class... Arguments>
+void handOverMade(Connection& connection, const Ability& ability, const Arguments&... arguments) {
+  if (!ability) refuseTask();
+  handOver(connection,
+           watched(connection, [&](base::Progress& progress) { return ability(arguments..., progress); }));
+}
+
 void answer(Connection& connection, const Abilities& abilities, const Request& request) {
   switch (request.task) {
     case Task::volume:
-      if (!abilities.volume) refuseTask();
-      return handOver(connection, watched(connection, [&](base::Progress& progress) {
-                        return abilities.volume(request.path, request.options, progress);
-                      }));
+      return handOverMade(connection, abilities.volume, request.path, request.options);
     case Task::mesh:
-      if (!abilities.mesh) refuseTask();
-      return handOver(connection, watched(connection, [&](base::Progress& progress) {
-                        return abilities.mesh(request.path, progress);
-                      }));
+      return handOverMade(connection, abilities.mesh, request.path);
     case Task::image:
-      if (!abilities.image) refuseTask();
-      return handOver(connection, watched(connection, [&](base::Progress& progress) {
-                        return abilities.image(request.path, progress);
-                      }));
+      return handOverMade(connection, abilities.image, request.path);
     case Task::contour:
       if (!abilities.contour) refuseTask();
       return handOver(connection, contoured(connection, abilities, request));
@@ -216,15 +215,9 @@ void answer(Connection& connection, const Abilities& abilities, const Request& r
       return connection.send(MessageKind::index, encode(end));
     }
     case Task::preview:
-      if (!abilities.preview) refuseTask();
-      return handOver(connection, watched(connection, [&](base::Progress& progress) {
-                        return abilities.preview(request.path, request.options, progress);
-                      }));
+      return handOverMade(connection, abilities.preview, request.path, request.options);
     case Task::chunks:
-      if (!abilities.chunks) refuseTask();
-      return handOver(connection, watched(connection, [&](base::Progress& progress) {
-                        return abilities.chunks(request.path, request.options, progress);
-                      }));
+      return handOverMade(connection, abilities.chunks, request.path, request.options);
     case Task::versions:
       return connection.send(MessageKind::text, abilities.versions());
   }

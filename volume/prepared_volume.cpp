@@ -17,7 +17,6 @@
 #include "volume/bricks/chunked_header.h"
 #include "volume/bricks/coarse_level.h"
 #include "volume/bricks/index_file.h"
-#include "volume/bricks/open_chunked.h"
 #include "volume/parallel_steps.h"
 #include "volume/read/input/payload.h"
 #include "volume/read_source.h"
@@ -314,20 +313,18 @@ std::shared_ptr<PreparedVolume> prepareFile(const std::shared_ptr<const ChunkedV
   return prepared;
 }
 
-// Null: its voxels are read whole.
-std::shared_ptr<const ChunkedVolume> fileToStayIn(const scene::Source& source, scene::VoxelPlace place,
-                                                  base::Progress& progress) {
-  if (place == scene::VoxelPlace::memory || (source.level > 0 && place == scene::VoxelPlace::automatic))
-    return nullptr;
+// Whether the voxels stay in their file.
+bool stays(const VolumeFile& file, const scene::Source& source, scene::VoxelPlace place) {
+  if (place == scene::VoxelPlace::memory) return false;
+  if (place == scene::VoxelPlace::automatic)
+    return source.level == 0 && file.parts &&
+           levelBytes(file.parts->facts(), 0) > base::machineMemory().left();
   if (source.level > 0)
     throw base::Error(base::ErrorKind::usage, source.path, "memory.voxels=file",
                       "is of level 0 alone, and source.level is " + std::to_string(source.level));
-  std::string reason;
-  const std::shared_ptr<const ChunkedVolume> file = openChunked(source, reason, progress);
-  if (place == scene::VoxelPlace::file && !file)
-    base::throwInput(source.path, "memory.voxels=file", "cannot be read in parts: " + reason);
-  if (!file || place == scene::VoxelPlace::file) return file;
-  return levelBytes(file->facts(), 0) > base::machineMemory().left() ? file : nullptr;
+  if (!file.parts)
+    base::throwInput(source.path, "memory.voxels=file", "cannot be read in parts: " + file.whyWhole);
+  return true;
 }
 
 }  // namespace
@@ -338,14 +335,20 @@ std::shared_ptr<const PreparedVolume> prepareVolume(Volume volume, base::Progres
 
 std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, const scene::Machine& machine,
                                                  base::Progress& progress) {
-  const std::shared_ptr<const ChunkedVolume> file = fileToStayIn(source, machine.voxels, progress);
-  return file ? prepareFile(file, source, machine.ramBudgetMb, progress) : loadVolume(source, progress);
+  const VolumeFile file = openSource(source, progress);
+  return stays(file, source, machine.voxels) ? prepareFile(file.parts, source, machine.ramBudgetMb, progress)
+                                             : loadVolume(source, file, progress);
 }
 
 std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, base::Progress& progress) {
+  return loadVolume(source, openSource(source, progress), progress);
+}
+
+std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, const VolumeFile& first,
+                                                 base::Progress& progress) {
   const Clock::time_point start = Clock::now();
   progress.report(0.0, "reading");
-  CsgResult read = readSource(source, progress);
+  CsgResult read = readSource(source, first, progress);
   if (source.csg != scene::Csg::none) read.volume.noise.reset();  // known of the first alone
   const double readSeconds = secondsSince(start);
   read.volume.kind = source.kind;

@@ -20,6 +20,8 @@
 
 namespace isolux::volume {
 
+struct VolumeFile;
+
 // Cells per axis of the min-max blocks; docs/records/2026-11-benchmarks.md has the measurements behind it.
 inline constexpr int kBlockCells = 8;
 
@@ -50,6 +52,9 @@ std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, ba
 // if it does not fit (volume/bricks). Its index is read, or computed and stored next to it
 // (volume/bricks/volume_index.h); grid() is then out-of-core.
 std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, const scene::Machine& machine,
+                                                 base::Progress& progress);
+// As the first, of a file that is open: readSource().
+std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, const VolumeFile& first,
                                                  base::Progress& progress);
 std::shared_ptr<const PreparedVolume> prepareVolume(Volume volume, base::Progress& progress);
 

@@ -5,10 +5,12 @@
 #include "base/progress.h"
 #include "scene/scene.h"
 #include "volume/mesh/csg.h"
+#include "volume/read/volume_file.h"
 
 namespace isolux::volume {
 
-// The volume, and the second one's isovalue where there is one. Throws base::Error.
-CsgResult readSource(const scene::Source& source, base::Progress& progress);
+// The volume, and the second one's isovalue where there is one. `first`: openSource() of the source or of its
+// (first) step. Throws base::Error.
+CsgResult readSource(const scene::Source& source, const VolumeFile& first, base::Progress& progress);
 
 }  // namespace isolux::volume

@@ -9,12 +9,12 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
-#include "volume/bricks/open_chunked.h"
 #include "volume/bricks/plain_file.h"
 #include "volume/parallel_steps.h"
 #include "volume/read/input/payload.h"
 #include "volume/read/patient.h"
 #include "volume/read/step_files.h"
+#include "volume/read/volume_file.h"
 #include "volume/same_geometry.h"
 
 namespace isolux::volume {
@@ -46,20 +46,21 @@ struct Layout {
 std::optional<Layout> layoutInHeader(const scene::Source& source) {
   std::error_code ignored;
   if (std::filesystem::is_directory(source.path, ignored)) return std::nullopt;
-  const auto header = headerOfPlainFile(source.path, readOptions(source));
-  if (!header) return std::nullopt;
+  FileFormat format = FileFormat::unknown;
+  const auto file = describedFile(source.path, readOptions(source), format);
+  if (!file) return std::nullopt;
+  const ImageHeader& header = file->header;
   GridGeometry geometry;
-  geometry.dims = glm::ivec3(header->dims[0], header->dims[1], header->dims[2]);
-  geometry.worldFromVoxel = header->worldFromVoxel;
-  return Layout{geometry, header->type};
+  geometry.dims = glm::ivec3(header.dims[0], header.dims[1], header.dims[2]);
+  geometry.worldFromVoxel = header.worldFromVoxel;
+  return Layout{geometry, header.type};
 }
 
 Layout layoutOf(const scene::Source& source, base::Progress& progress) {
   if (const auto layout = layoutInHeader(source)) return *layout;
-  std::string reason;
-  if (const auto file = openChunked(source, reason, progress))
-    return {file->facts().levels.front().geometry, file->facts().storedType};
-  const Volume volume = readVolume(source.path, readOptions(source), progress);
+  const VolumeFile file = openSource(source, progress);
+  if (file.parts) return {file.parts->facts().levels.front().geometry, file.parts->facts().storedType};
+  const Volume volume = file.readWhole(readOptions(source), progress);
   return {volume.grid->geometry(), volume.fileType};
 }
 

@@ -7,7 +7,7 @@
 #include "app/commands/progress_bar.h"
 #include "base/error.h"
 #include "volume/bricks/index_file.h"
-#include "volume/bricks/open_chunked.h"
+#include "volume/read/volume_file.h"
 
 namespace isolux::app {
 
@@ -30,9 +30,10 @@ void runIndex(const IndexOptions& options, base::Progress& progress) {
   if (!options.part.empty()) std::tie(part.i, part.n) = parsePart(options.part, kMostIndexParts);
   OutputGuard guard = outputGuard(options.path, *options.scene, scene);
   checkOutput(guard, options.out, "--out");
-  std::string reason;
-  const std::shared_ptr<const volume::ChunkedVolume> file = volume::openChunked(source, reason, progress);
-  if (!file) base::throwInput(source.path, "", "has no use for an index, it is read whole: " + reason);
+  const volume::VolumeFile opened = volume::openSource(source, progress);
+  const std::shared_ptr<const volume::ChunkedVolume>& file = opened.parts;
+  if (!file)
+    base::throwInput(source.path, "", "has no use for an index, it is read whole: " + opened.whyWhole);
   const volume::IndexFile kept(source.path, volume::readOptions(source), options.out);
   std::optional<volume::VolumeIndex> index = kept.find(*file);
   const auto tellDamage = [&] {

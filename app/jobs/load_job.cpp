@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "volume/bricks/coarse_level.h"
-#include "volume/bricks/open_chunked.h"
+#include "volume/read/step_files.h"
 
 namespace isolux::app {
 
@@ -23,17 +23,19 @@ std::shared_ptr<const volume::PreparedVolume> freedElsewhere(
 
 LoadedVolume load(scene::Source source, LoadInstead instead, base::Progress& progress) {
   const bool choosesLevel = instead.coarser && source.level == 0;
-  if (choosesLevel) source.level = volume::levelThatFits(source, progress, 0, kLevelShare);
+  const scene::Source step = volume::sourceOfStep(source, static_cast<int>(source.timeStep));
+  const volume::VolumeFile file = volume::openSource(step, progress);
+  if (choosesLevel) source.level = volume::levelThatFits(file, 0, kLevelShare);
   for (;;) {
     try {
-      return {source, freedElsewhere(volume::loadVolume(source, progress))};
+      return {source, freedElsewhere(volume::loadVolume(source, file, progress))};
     } catch (const base::Error& error) {
       if (error.kind() == base::ErrorKind::memory && choosesLevel) {  // it takes more than its header said
-        const int level = volume::levelThatFits(source, progress, source.level + 1, kLevelShare);
+        const int level = volume::levelThatFits(file, source.level + 1, kLevelShare);
         if (level <= source.level) throw;
         source.level = level;
       } else if (error.kind() == base::ErrorKind::input && instead.aroundDamage && !source.aroundDamage &&
-                 volume::isReadInParts(source, progress)) {
+                 file.parts) {
         source.aroundDamage = true;
       } else {
         throw;

@@ -1,6 +1,6 @@
 // describe_volume PATH [COMPONENT [TIMESTEP]]: prints what readVolume() made of PATH as one JSON object, with
-// the values at 27 voxels spread over the volume, and a sum over all of them. Of what can be read in parts
-// (Zarr, HDF5), parts are read, too, and compared ("parts_differ"). Exit code of the Error, its text on
+// the values at 27 voxels spread over the volume, and a sum over all of them. Of what can be read in parts,
+// parts are read, too, and compared ("parts_differ"). Exit code of the Error, its text on
 // stderr.
 #include <cmath>
 #include <cstdlib>
@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
-#include "volume/bricks/open_arrays.h"
 #include "volume/read/reader.h"
+#include "volume/read/volume_file.h"
 
 namespace {
 
@@ -123,9 +123,10 @@ int main(int argc, char** argv) {
   if (argc > 3) options.timeStep = std::atoi(argv[3]);
   isolux::base::Progress progress;
   try {
-    const auto volume = isolux::volume::readVolume(argv[1], options, progress);
+    const auto file = isolux::volume::openVolume(argv[1], options, progress);
+    const auto volume = file.readWhole(options, progress);
     nlohmann::json json = describe(volume);
-    if (const auto parts = isolux::volume::openArrays(argv[1], "", progress)) {
+    if (const auto& parts = file.parts) {
       json["parts_differ"] = differences(*parts, {options.timeStep, options.component}, *volume.grid);
       json["levels"] = parts->facts().levels.size();
     }

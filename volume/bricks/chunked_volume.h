@@ -6,6 +6,7 @@
 // (float32 only).
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -33,6 +34,16 @@ struct ChunkedLevel {
     return glm::all(glm::greaterThanEqual(glm::min(chunkDims, dims), glm::min(glm::ivec3(least), dims)));
   }
 };
+
+// The largest part of a box that is whole rows, or whole slices, and has at most so many voxels; at least a
+// row.
+inline glm::ivec3 wholeRows(glm::ivec3 box, std::size_t most) {
+  const auto row = static_cast<std::size_t>(box.x), slice = row * static_cast<std::size_t>(box.y);
+  const auto fit = [most](std::size_t voxels, int n) {
+    return static_cast<int>(std::clamp<std::size_t>(most / voxels, 1, static_cast<std::size_t>(n)));
+  };
+  return {box.x, fit(row, box.y), fit(slice, box.z)};
+}
 
 // Which volume of a file that has several.
 struct VolumePart {

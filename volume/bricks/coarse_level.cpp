@@ -13,11 +13,8 @@
 #include "base/memory_budget.h"
 #include "base/number_text.h"
 #include "volume/bricks/chunked_header.h"
-#include "volume/bricks/hdf5/hdf5.h"
 #include "volume/bricks/level_voxels.h"
-#include "volume/bricks/open_chunked.h"
 #include "volume/read/input/payload.h"
-#include "volume/read/step_files.h"
 
 namespace isolux::volume {
 
@@ -39,14 +36,6 @@ std::string timesText(glm::dvec3 n) {
   return base::shortText(n.x) + "x" + base::shortText(n.y) + "x" + base::shortText(n.z);
 }
 
-std::shared_ptr<const ChunkedVolume> opened(const scene::Source& source, base::Progress& progress) {
-  std::string reason;
-  std::shared_ptr<const ChunkedVolume> file = openChunked(source, reason, progress);
-  if (file) return file;
-  throw base::Error(base::ErrorKind::usage, source.path, "source.level=" + std::to_string(source.level),
-                    "only files that are read in parts have coarser levels: " + reason);
-}
-
 // Before all that the header says.
 void putFirst(std::string warning, ImageHeader& header) {
   header.warnings.insert(header.warnings.begin(), std::move(warning));
@@ -55,8 +44,7 @@ void putFirst(std::string warning, ImageHeader& header) {
 // Where any are missing, of a type that knows missing ones.
 FileVoxels voxelsOf(LevelVoxels&& read, const scene::Source& source, const ReadOptions& options,
                     base::Progress& progress) {
-  const auto asRead = [](auto&& voxels) -> FileVoxels { return std::forward<decltype(voxels)>(voxels); };
-  if (read.unknown.empty()) return std::visit(asRead, std::move(read.voxels));
+  if (read.unknown.empty()) return fileVoxels(std::move(read.voxels));
   const std::size_t count = std::visit([](const auto& voxels) { return voxels.size(); }, read.voxels);
   checkBudget(count * sizeof(float), "voxels some of which are missing", "a higher source.level needs less",
               source.path, options);
@@ -101,35 +89,24 @@ std::string levelNote(const ChunkedFacts& facts, int level) {
          base::shortText(std::max({thin.x, thin.y, thin.z}), 3) + " mm may be missing";
 }
 
-int levelThatFits(const scene::Source& asked, base::Progress& progress, int finest, double share) {
-  if (asked.path.starts_with("phantom:")) return 0;
-  const scene::Source source = sourceOfStep(asked, static_cast<int>(asked.timeStep));
+int levelThatFits(const VolumeFile& file, int finest, double share) {
+  if (!file.parts) return 0;
+  const ChunkedFacts& facts = file.parts->facts();
   const std::size_t left = base::machineMemory().left();
-  // To open an HDF5 file takes a process: small ones are not opened twice.
-  constexpr std::size_t packedAtMost = 20;
-  std::error_code ignored;
-  if (const auto dataset = hdf5PathOf(source.path);
-      finest == 0 && dataset && std::filesystem::file_size(dataset->file, ignored) < left / packedAtMost)
-    return 0;
-  try {
-    std::string reason;
-    const std::shared_ptr<const ChunkedVolume> file = openChunked(source, reason, progress);
-    if (!file) return 0;
-    const int last = coarsestLevel(file->facts());
-    int level = std::min(finest, last);
-    const auto room = [&] {
-      return level == 0 ? left : static_cast<std::size_t>(share * static_cast<double>(left));
-    };
-    while (level < last && levelBytes(file->facts(), level) > room()) ++level;
-    return level;
-  } catch (const base::Error&) {
-    return 0;
-  }
+  const int last = coarsestLevel(facts);
+  int level = std::min(finest, last);
+  const auto room = [&] {
+    return level == 0 ? left : static_cast<std::size_t>(share * static_cast<double>(left));
+  };
+  while (level < last && levelBytes(facts, level) > room()) ++level;
+  return level;
 }
 
-Volume readLevel(const scene::Source& source, base::Progress& progress) {
-  const std::shared_ptr<const ChunkedVolume> file = opened(source, progress);
-  const ChunkedFacts& facts = file->facts();
+Volume readLevel(const VolumeFile& file, const scene::Source& source, base::Progress& progress) {
+  if (!file.parts)
+    throw base::Error(base::ErrorKind::usage, source.path, "source.level=" + std::to_string(source.level),
+                      "only files that are read in parts have coarser levels: " + file.whyWhole);
+  const ChunkedFacts& facts = file.parts->facts();
   if (source.level > coarsestLevel(facts))
     throw base::Error(base::ErrorKind::usage, source.path, "source.level",
                       "level " + std::to_string(source.level) + " does not exist; the coarsest is " +
@@ -140,7 +117,7 @@ Volume readLevel(const scene::Source& source, base::Progress& progress) {
   checkBudget(header, source.path, options);
   const VolumePart part{static_cast<int>(source.timeStep), source.component};
   const LevelOrigin origin = originOf(facts, source.level);
-  LevelVoxels read = readLevelVoxels(*file, part, origin, geometry.dims, source.aroundDamage, progress);
+  LevelVoxels read = readLevelVoxels(*file.parts, part, origin, geometry.dims, source.aroundDamage, progress);
   const std::string damage = read.damaged.empty() ? "" : damageText(read.damaged);
   if (source.level > 0) putFirst(levelNote(facts, source.level), header);
   if (!damage.empty()) putFirst(damage + "; its voxels count as missing", header);

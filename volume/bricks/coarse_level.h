@@ -12,6 +12,7 @@
 #include "scene/scene.h"
 #include "volume/bricks/chunked_volume.h"
 #include "volume/read/reader.h"
+#include "volume/read/volume_file.h"
 
 namespace isolux::volume {
 
@@ -27,13 +28,13 @@ std::size_t levelBytes(const ChunkedFacts& facts, int level);
 std::string levelNote(const ChunkedFacts& facts, int level);
 
 // The finest level of the volume, from `finest` on, that fits into what the machine's memory budget has left:
-// 0 where the volume itself does, or where it cannot be read in parts; the coarsest where none fits. Errors
-// of opening it count as 0: whoever reads it is told. share: of what is left, that a coarser level may take.
-int levelThatFits(const scene::Source& asked, base::Progress& progress, int finest = 0, double share = 1.0);
+// 0 where the volume itself does, or where it cannot be read in parts; the coarsest where none fits. share:
+// of what is left, that a coarser level may take.
+int levelThatFits(const VolumeFile& file, int finest = 0, double share = 1.0);
 
-// `source` at its level, 0 included, as readVolume(); the first warnings are what could not be read
-// (Source::aroundDamage) and levelNote(). Throws base::Error: usage where it has no such level or cannot be
-// read in parts, memory, input (also where nothing can be read), interrupted.
-Volume readLevel(const scene::Source& source, base::Progress& progress);
+// `source`, whose file is open, at its level, 0 included, as readVolume(); the first warnings are what could
+// not be read (Source::aroundDamage) and levelNote(). Throws base::Error: usage where it has no such level or
+// cannot be read in parts, memory, input (also where nothing can be read), interrupted.
+Volume readLevel(const VolumeFile& file, const scene::Source& source, base::Progress& progress);
 
 }  // namespace isolux::volume

@@ -13,10 +13,11 @@
 
 #include "volume/bricks/chunked_header.h"
 #include "volume/bricks/index_file.h"
-#include "volume/bricks/open_chunked.h"
+#include "volume/bricks/level_voxels.h"
 #include "volume/bricks/stored_type.h"
 #include "volume/parallel_steps.h"
 #include "volume/read/input/payload.h"
+#include "volume/read/volume_file.h"
 
 namespace isolux::volume {
 
@@ -64,25 +65,6 @@ std::vector<T> readSamples(const ChunkedVolume& file, VolumePart part, const Sam
     for (std::size_t x = 0; x < nx; ++x)
       voxels[i * nx + x] = row[x * static_cast<std::size_t>(samples.step.x)];
   });
-  return voxels;
-}
-
-template <class T>
-std::vector<T> readLevelOf(const ChunkedVolume& file, VolumePart part, const Samples& samples,
-                           base::Progress& progress) {
-  const ChunkedLevel& level = file.facts().levels[samples.level];
-  const int layer = level.cheapParts ? 16 : std::clamp(level.chunkDims.z, 1, samples.dims.z);
-  const std::size_t slice =
-      static_cast<std::size_t>(samples.dims.x) * static_cast<std::size_t>(samples.dims.y);
-  std::vector<T> voxels(slice * static_cast<std::size_t>(samples.dims.z));
-  parallelSteps(static_cast<std::size_t>((samples.dims.z + layer - 1) / layer), progress, {},
-                [&](std::size_t i) {
-                  const int z = static_cast<int>(i) * layer, count = std::min(layer, samples.dims.z - z);
-                  const std::span<T> slices(voxels.data() + static_cast<std::size_t>(z) * slice,
-                                            static_cast<std::size_t>(count) * slice);
-                  file.read(part, samples.level, {0, 0, z}, {samples.dims.x, samples.dims.y, count},
-                            std::as_writable_bytes(slices));
-                });
   return voxels;
 }
 
@@ -138,9 +120,7 @@ std::optional<Glimpse> glimpseOfIndex(const ChunkedVolume& file, const scene::So
 
 std::optional<Glimpse> readGlimpse(const scene::Source& source, base::Progress& progress, std::size_t least,
                                    std::size_t most) {
-  if (source.path.starts_with("phantom:")) return std::nullopt;
-  std::string reason;
-  const std::shared_ptr<const ChunkedVolume> file = openChunked(source, reason, progress);
+  const std::shared_ptr<const ChunkedVolume> file = openSource(source, progress).parts;
   if (!file) return std::nullopt;
   const ChunkedFacts& facts = file->facts();
   const GridGeometry& whole = facts.levels.front().geometry;
@@ -153,14 +133,15 @@ std::optional<Glimpse> readGlimpse(const scene::Source& source, base::Progress& 
   }
   const GridGeometry geometry = geometryOf(facts, *samples);
   const VolumePart part{static_cast<int>(source.timeStep), source.component};
-  FileVoxels voxels = withStoredType(facts.storedType, [&](auto zero) -> FileVoxels {
-    using T = decltype(zero);
-    return samples->level == 0 ? readSamples<T>(*file, part, *samples, progress)
-                               : readLevelOf<T>(*file, part, *samples, progress);
-  });
+  VoxelArray voxels =
+      samples->level > 0
+          ? readLevelVoxels(*file, part, {samples->level}, samples->dims, false, progress).voxels
+          : withStoredType(facts.storedType, [&](auto zero) -> VoxelArray {
+              return readSamples<decltype(zero)>(*file, part, *samples, progress);
+            });
   const ImageHeader header = chunkedHeader(facts, geometry, facts.storedType);
-  Glimpse glimpse{finishVolume(header, std::move(voxels), readOptions(source), progress), samples->step,
-                  false};
+  Glimpse glimpse{finishVolume(header, fileVoxels(std::move(voxels)), readOptions(source), progress),
+                  samples->step, false};
   if (samples->level > 0) glimpse.step = glm::ivec3(glm::round(geometry.spacingMm() / whole.spacingMm()));
   takeNames(glimpse.volume, facts);
   return glimpse;

@@ -21,7 +21,7 @@ inline constexpr std::size_t kGlimpseLeastBytes = std::size_t{256} << 20;  // sm
 
 // Its voxels as a volume, in the place of the whole. Nothing: it is small, or cannot be had soon. `least`:
 // bytes of a volume that is not small; `most`: voxels of a level, or of what is made of the index. Throws
-// base::Error as openChunked(), and what reading throws.
+// base::Error as openSource(), and what reading throws.
 struct Glimpse {
   Volume volume;
   glm::ivec3 step{1};      // voxels of level 0 from one to the next

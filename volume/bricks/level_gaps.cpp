@@ -9,8 +9,8 @@
 #include <glm/matrix.hpp>
 
 #include "volume/bricks/index_file.h"
-#include "volume/bricks/open_chunked.h"
 #include "volume/parallel_steps.h"
+#include "volume/read/volume_file.h"
 
 namespace isolux::volume {
 
@@ -39,8 +39,7 @@ bool levelCrosses(const Grid& level, glm::dvec3 low, glm::dvec3 high, double sto
 
 std::optional<IndexedVolume> indexedVolume(scene::Source source, base::Progress& progress) {
   source.level = 0;
-  std::string reason;
-  const std::shared_ptr<const ChunkedVolume> file = openChunked(source, reason, progress);
+  const std::shared_ptr<const ChunkedVolume> file = openSource(source, progress).parts;
   if (!file) return std::nullopt;
   const std::optional<VolumeIndex> index = IndexFile(source.path, readOptions(source)).find(*file);
   if (!index) return std::nullopt;

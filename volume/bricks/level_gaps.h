@@ -26,7 +26,7 @@ struct IndexedVolume {
   std::shared_ptr<const MinMaxBlocks> blocks;
 };
 // Of the volume of which `source` reads a level. Nothing where it has no index as it is now
-// (IndexFile::find). Throws base::Error: input, usage, as openChunked().
+// (IndexFile::find). Throws base::Error: input, usage, as openSource().
 std::optional<IndexedVolume> indexedVolume(scene::Source source, base::Progress& progress);
 
 class LevelGaps {

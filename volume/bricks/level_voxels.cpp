@@ -41,12 +41,7 @@ glm::ivec3 pieceOf(const ChunkedLevel& level, glm::ivec3 at, glm::ivec3 left, st
     const glm::ivec3 chunk = glm::clamp(level.chunkDims, glm::ivec3(1), level.geometry.dims);
     return glm::min(left, (at / chunk + 1) * chunk - at);
   }
-  const std::size_t row = static_cast<std::size_t>(left.x) * voxelBytes,
-                    slice = row * static_cast<std::size_t>(left.y);
-  const auto most = [](std::size_t bytes, int n) {
-    return static_cast<int>(std::clamp<std::size_t>(kPieceBytes / bytes, 1, static_cast<std::size_t>(n)));
-  };
-  return {left.x, most(row, left.y), most(slice, left.z)};
+  return wholeRows(left, kPieceBytes / voxelBytes);
 }
 
 // Sums over the voxels of a step, by the mean that each belongs to.

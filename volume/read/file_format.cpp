@@ -43,13 +43,8 @@ FileFormat formatOf(const Bytes& bytes, const fs::path& path) {
   if (extension == ".vti") return FileFormat::vti;
   if (extension == ".tif" || extension == ".tiff") return FileFormat::tiff;
   if (extension == ".dcm") return FileFormat::dicom;
-  if (extension == ".img" || extension == ".img.gz") {  // of a NIfTI pair, unless its header is missing
-    for (const char* ending : {".hdr", ".hdr.gz"}) {
-      std::error_code ignored;
-      fs::path header = extension == ".img" ? path : path.parent_path() / path.stem();
-      if (fs::exists(header.replace_extension(ending), ignored)) return FileFormat::nifti;
-    }
-  }
+  if ((extension == ".img" || extension == ".img.gz") && !counterpart(path, ".hdr").empty())
+    return FileFormat::nifti;
   return FileFormat::unknown;
 }
 

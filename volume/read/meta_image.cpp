@@ -361,12 +361,4 @@ ImageHeader parseMetaImageHeader(std::string_view text, const std::string& file)
   return header;
 }
 
-Volume readMetaImage(const std::filesystem::path& path, const ReadOptions& options,
-                     base::Progress& progress) {
-  const FileBytes bytes(path);
-  if (bytes.size() == 0) throwInput(bytes.name(), "", "the file is empty");
-  ImageHeader header = parseMetaImageHeader(bytes.head(kLongestMetaImageHeader), bytes.name());
-  return volumeFrom(std::move(header), bytes, openBeside(path), options, progress);
-}
-
 }  // namespace isolux::volume

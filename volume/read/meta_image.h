@@ -22,6 +22,4 @@ ImageHeader parseMetaImageHeader(std::string_view text, const std::string& file)
 
 bool looksLikeMetaImage(std::string_view text);
 
-Volume readMetaImage(const std::filesystem::path& path, const ReadOptions& options, base::Progress& progress);
-
 }  // namespace isolux::volume

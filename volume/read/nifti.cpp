@@ -343,7 +343,8 @@ void readIntent(const NiftiFields& fields, const std::string& file, ImageHeader&
                               : std::to_string(intent) + ": points or triangles are not voxels");
 }
 
-// "scan.hdr" -> "scan.img" and the like; empty when no such file exists.
+}  // namespace
+
 fs::path counterpart(const fs::path& path, std::string_view wanted) {
   fs::path stem = path;
   if (sameIgnoringCase(stem.extension().string(), ".gz")) stem.replace_extension();
@@ -355,8 +356,6 @@ fs::path counterpart(const fs::path& path, std::string_view wanted) {
   }
   return {};
 }
-
-}  // namespace
 
 bool looksLikeNifti(std::string_view head) {
   const Signature signature = signatureOf(head);
@@ -425,12 +424,6 @@ NiftiFiles openNifti(const fs::path& path) {
     payload.offset = 0;
   }
   return files;
-}
-
-Volume readNifti(const fs::path& path, const ReadOptions& options, base::Progress& progress) {
-  NiftiFiles files = openNifti(path);
-  const FileBytes bytes(files.dataPath);
-  return volumeFrom(std::move(files.header), bytes, openBeside(files.headerPath), options, progress);
 }
 
 }  // namespace isolux::volume

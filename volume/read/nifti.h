@@ -24,13 +24,14 @@ ImageHeader parseNiftiHeader(std::string_view head, const std::string& file, boo
 
 bool looksLikeNifti(std::string_view head);
 
+// "scan.hdr" -> "scan.img" and the like, plain or gzipped; empty if there is no such file.
+std::filesystem::path counterpart(const std::filesystem::path& path, std::string_view wanted);
+
 // Of one file, or of a pair of which `path` is either: header, and where the voxels are.
 struct NiftiFiles {
   ImageHeader header;
   std::filesystem::path headerPath, dataPath;
 };
 NiftiFiles openNifti(const std::filesystem::path& path);
-
-Volume readNifti(const std::filesystem::path& path, const ReadOptions& options, base::Progress& progress);
 
 }  // namespace isolux::volume

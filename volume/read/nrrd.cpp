@@ -21,7 +21,6 @@ using base::throwInput;
 
 namespace {
 
-constexpr std::size_t longestNrrdHeader = std::size_t{1} << 20;
 constexpr std::size_t mostNrrdFiles = 65535;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
@@ -554,13 +553,7 @@ ImageHeader Header::read() {
 }  // namespace
 
 ImageHeader parseNrrdHeader(std::string_view text, const std::string& file) {
-  return Header(text.substr(0, longestNrrdHeader), file).read();
-}
-
-Volume readNrrd(const std::filesystem::path& path, const ReadOptions& options, base::Progress& progress) {
-  const FileBytes bytes(path);
-  ImageHeader header = parseNrrdHeader(bytes.head(longestNrrdHeader), bytes.name());
-  return volumeFrom(std::move(header), bytes, openBeside(path), options, progress);
+  return Header(text.substr(0, kLongestNrrdHeader), file).read();
 }
 
 }  // namespace isolux::volume

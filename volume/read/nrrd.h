@@ -15,9 +15,9 @@
 
 namespace isolux::volume {
 
+constexpr std::size_t kLongestNrrdHeader = std::size_t{1} << 20;  // bytes
+
 // `text` starts at the beginning of the file and may run on into the voxels.
 ImageHeader parseNrrdHeader(std::string_view text, const std::string& file);
-
-Volume readNrrd(const std::filesystem::path& path, const ReadOptions& options, base::Progress& progress);
 
 }  // namespace isolux::volume

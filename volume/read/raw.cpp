@@ -137,10 +137,4 @@ ImageHeader headerOfRaw(const RawDescription& description, const std::string& fi
   return header;
 }
 
-Volume readRaw(const std::filesystem::path& path, const ReadOptions& options, base::Progress& progress) {
-  const RawDescription description = parseRawDescription(options.raw);
-  const FileBytes bytes(path);
-  return volumeFrom(headerOfRaw(description, bytes.name()), bytes, openBeside(path), options, progress);
-}
-
 }  // namespace isolux::volume

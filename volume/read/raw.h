@@ -12,6 +12,4 @@ namespace isolux::volume {
 // For a file of any size; checks dims and spacing, not the file.
 ImageHeader headerOfRaw(const RawDescription& description, const std::string& file);
 
-Volume readRaw(const std::filesystem::path& path, const ReadOptions& options, base::Progress& progress);
-
 }  // namespace isolux::volume

@@ -11,7 +11,7 @@
 #include "ui/accuracy/level_marks.h"
 #include "ui/viewport/viewport.h"
 #include "volume/bricks/index_file.h"
-#include "volume/bricks/open_chunked.h"
+#include "volume/read/volume_file.h"
 
 namespace isolux::test {
 namespace {
@@ -28,11 +28,10 @@ class LevelMarksTest : public WindowTest {
   void makeIndex() {
     scene::Source source;
     source.path = file_.toStdString();
-    std::string reason;
     base::Progress progress;
     std::optional<volume::VolumeIndex> index;
     volume::IndexFile(source.path, volume::readOptions(source))
-        .make(*volume::openChunked(source, reason, progress), {}, index, progress);
+        .make(*volume::openSource(source, progress).parts, {}, index, progress);
   }
   void showLevel(int level) {
     if (window_->document()->volume() == nullptr) {

@@ -48,7 +48,7 @@ class CoarseLevel : public testing::Test {
   Volume at(scene::Source source, int level) {
     source.level = level;
     return level == 0 ? readVolume(source.path, readOptions(source), progress_)
-                      : readLevel(source, progress_);
+                      : readLevel(openSource(source, progress_), source, progress_);
   }
   std::string refusal(const scene::Source& source, int level, base::ErrorKind kind) {
     try {
@@ -217,9 +217,9 @@ TEST_F(CoarseLevel, WhatThereIsNotIsRefused) {
 TEST_F(CoarseLevel, TheFinestThatFitsIsNamedToWhoAsksForMore) {
   const glm::ivec3 dims(64);
   const scene::Source source = written(dims, "uint16", std::vector<std::uint16_t>(64 * 64 * 64, 3));
-  EXPECT_EQ(levelThatFits(source, progress_), 0);
+  EXPECT_EQ(levelThatFits(openSource(source, progress_)), 0);
   const test::MemoryLimit limit(std::size_t{100} << 10);  // level 1: 32^3 * 2.5 bytes
-  EXPECT_EQ(levelThatFits(source, progress_), 1);
+  EXPECT_EQ(levelThatFits(openSource(source, progress_)), 1);
   try {
     loadVolume(source, progress_);
     FAIL() << "the budget was not asked";
@@ -355,7 +355,7 @@ TEST_F(CoarseLevel, WhatMissingVoxelsTakeIsAskedFor) {
   test::writeZarr(source.path, glm::ivec3(32), glm::ivec3(16), std::vector<std::uint8_t>(voxels, 7));
   const auto readWithin = [&](std::size_t bytes) {
     const test::MemoryLimit limit(bytes);
-    return readLevel(source, progress_).grid->missingCount();
+    return readLevel(openSource(source, progress_), source, progress_).grid->missingCount();
   };
   EXPECT_EQ(readWithin(5 * voxels / 2), 0u);
   test::cutChunk(source.path, glm::ivec3(1));

@@ -19,7 +19,7 @@
 #include "tests/support/volumes.h"
 #include "tests/support/zarr_folder.h"
 #include "volume/bricks/index_file.h"
-#include "volume/bricks/open_chunked.h"
+#include "volume/read/volume_file.h"
 #include "volume/write/writer.h"
 
 namespace isolux::test {
@@ -121,9 +121,8 @@ TEST_F(GlimpseTest, IsOfTheIndexWhereChunksArePacked) {
   writeZarr(image, dims, glm::ivec3(32), voxels);
   packChunks(image);
   EXPECT_FALSE(volume::readGlimpse(at(image), progress_, 0)) << "no index";
-  std::string reason;
-  const auto file = volume::openChunked(at(image), reason, progress_);
-  ASSERT_TRUE(file) << reason;
+  const auto file = volume::openSource(at(image), progress_).parts;
+  ASSERT_TRUE(file);
   std::optional<volume::VolumeIndex> index;
   volume::IndexFile(image.string(), {}).make(*file, {}, index, progress_);
   for (const int box : {8, 16}) {
@@ -157,10 +156,9 @@ TEST_F(GlimpseTest, OfTheIndexHasHolesWhereThereIsDamage) {
   writeZarr(image, glm::ivec3(64), glm::ivec3(32), std::vector<std::uint8_t>(64 * 64 * 64, 7));
   packChunks(image);
   cutChunk(image, glm::ivec3(1, 0, 1));
-  std::string reason;
   std::optional<volume::VolumeIndex> index;
   volume::IndexFile(image.string(), {})
-      .make(*volume::openChunked(at(image), reason, progress_), {}, index, progress_);
+      .make(*volume::openSource(at(image), progress_).parts, {}, index, progress_);
   ASSERT_EQ(index->damaged().size(), 1u);
   const auto glimpse = volume::readGlimpse(at(image), progress_, 0);
   ASSERT_TRUE(glimpse);

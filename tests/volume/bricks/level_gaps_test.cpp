@@ -14,7 +14,7 @@
 #include "tests/support/test_data.h"
 #include "volume/bricks/coarse_level.h"
 #include "volume/bricks/index_file.h"
-#include "volume/bricks/open_chunked.h"
+#include "volume/read/volume_file.h"
 
 namespace isolux::volume {
 namespace {
@@ -44,15 +44,14 @@ class LevelGapsTest : public testing::Test {
     return source;
   }
   IndexedVolume indexed(const scene::Source& source) {
-    std::string reason;
     std::optional<VolumeIndex> index;
     IndexFile(source.path, readOptions(source))
-        .make(*openChunked(source, reason, progress_), {}, index, progress_);
+        .make(*openSource(source, progress_).parts, {}, index, progress_);
     return indexedVolume(source, progress_).value();
   }
   Volume level(scene::Source source, int n) {
     source.level = n;
-    return readLevel(source, progress_);
+    return readLevel(openSource(source, progress_), source, progress_);
   }
 
   std::filesystem::path folder_ = test::temporaryFolder();

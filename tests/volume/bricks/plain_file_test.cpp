@@ -13,6 +13,7 @@
 #include "tests/support/test_data.h"
 #include "tests/support/volumes.h"
 #include "volume/bricks/stored_type.h"
+#include "volume/read/volume_file.h"
 #include "volume/write/writer.h"
 
 namespace isolux::test {
@@ -40,10 +41,10 @@ void writeBytes(const fs::path& file, const void* bytes, std::size_t count) {
 }
 
 std::shared_ptr<const ChunkedVolume> opened(const fs::path& file, volume::ReadOptions options = {}) {
-  std::string reason;
-  const auto chunked = volume::openPlainFile(file, options, reason);
-  EXPECT_TRUE(chunked) << reason;
-  return chunked;
+  base::Progress progress;
+  const volume::VolumeFile opened = volume::openVolume(file.string(), options, progress);
+  EXPECT_TRUE(opened.parts) << opened.whyWhole;
+  return opened.parts;
 }
 
 volume::ReadOptions rawOptions(std::string description) {
@@ -163,9 +164,10 @@ TEST_F(PlainFiles, WhatCannotBeReadInPartsSaysWhy) {
     std::ofstream(folder_ / "v.nrrd") << "NRRD0005\ndimension: 3\nsizes: 4 4 4\n"
                                       << header << "\n\n"
                                       << std::string(1000, '1');
-    std::string reason;
-    EXPECT_FALSE(volume::openPlainFile(folder_ / "v.nrrd", {}, reason)) << header;
-    return reason;
+    base::Progress progress;
+    const volume::VolumeFile opened = volume::openVolume((folder_ / "v.nrrd").string(), {}, progress);
+    EXPECT_FALSE(opened.parts) << header;
+    return opened.whyWhole;
   };
   EXPECT_THAT(reasonOf("type: uchar\nencoding: gzip"), HasSubstr("compressed"));
   EXPECT_THAT(reasonOf("type: uchar\nencoding: text"), HasSubstr("text"));
@@ -175,8 +177,9 @@ TEST_F(PlainFiles, WhatCannotBeReadInPartsSaysWhy) {
 TEST_F(PlainFiles, AFileThatIsTooShortIsRefusedAndOneThatBecomesShorterIsAnError) {
   const auto voxels = countedVoxels<std::uint16_t>(8 * 8 * 8);
   writeBytes(folder_ / "v.raw", voxels.data(), voxels.size() * 2);
-  std::string reason;
-  EXPECT_THROW(volume::openPlainFile(folder_ / "v.raw", rawOptions("8x8x9 uint16"), reason), base::Error);
+  base::Progress progress;
+  EXPECT_THROW(volume::openVolume((folder_ / "v.raw").string(), rawOptions("8x8x9 uint16"), progress),
+               base::Error);
   const auto file = opened(folder_ / "v.raw", rawOptions("8x8x8 uint16"));
   fs::resize_file(folder_ / "v.raw", 300);
   std::vector<std::uint16_t> slice(64);

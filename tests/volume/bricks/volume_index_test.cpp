@@ -25,10 +25,9 @@
 #include "tests/volume/bricks/grid_as_file.h"
 #include "volume/bricks/brick_source.h"
 #include "volume/bricks/index_file.h"
-#include "volume/bricks/open_chunked.h"
-#include "volume/bricks/plain_file.h"
 #include "volume/bricks/slice_reader.h"
 #include "volume/prepared_volume.h"
+#include "volume/read/volume_file.h"
 #include "volume/write/writer.h"
 
 namespace isolux::test {
@@ -91,8 +90,7 @@ class Indexes : public testing::Test {
   std::shared_ptr<const volume::ChunkedVolume> write(const volume::Grid& grid, const char* name = "v.nrrd") {
     file_ = folder_ / name;
     writeVolume(grid, file_);
-    std::string reason;
-    return volume::openPlainFile(file_, {}, reason);
+    return volume::openVolume(file_.string(), {}, progress_).parts;
   }
   volume::IndexFile indexFile() const { return volume::IndexFile(file_.string(), {}); }
   scene::Source source() const {
@@ -393,9 +391,8 @@ TEST_F(Indexes, OfAStoreOfManyFilesSeesTheChangeOfAnyOfThem) {
   file_ = folder_ / "many.zarr";
   writeZarr(file_, glm::ivec3(2 * kChunks), glm::ivec3(2),
             std::vector<std::uint8_t>(8 * kChunks * kChunks * kChunks, 10));
-  std::string reason;
-  const auto file = volume::openChunked(source(), reason, progress_);
-  ASSERT_TRUE(file) << reason;
+  const auto file = volume::openSource(source(), progress_).parts;
+  ASSERT_TRUE(file);
   std::optional<volume::VolumeIndex> index;
   indexFile().make(*file, {}, index, progress_);
   ASSERT_TRUE(indexFile().find(*file));

@@ -13,8 +13,8 @@
 #include "tests/support/test_data.h"
 #include "tests/volume/read/reader_support.h"
 #include "volume/bricks/chunks/checksums.h"
-#include "volume/bricks/open_arrays.h"
 #include "volume/bricks/zarr/zarr.h"
+#include "volume/read/volume_file.h"
 
 namespace isolux::volume {
 namespace {
@@ -386,7 +386,7 @@ TEST(Zarr, AVanishedArrayIsNoEmptyOne) {
   std::filesystem::create_directories(path);
   for (const auto& [name, bytes] : plainArray()) test::writeFile(path / name, bytes);
   base::Progress progress;
-  const auto volume = openArrays(path.string(), "", progress);
+  const auto volume = openVolume(path.string(), {}, progress).parts;
   ASSERT_TRUE(volume);
   EXPECT_EQ(readBox(*volume, {0, 0, 0}, {1, 1, 1}).front(), 0);
   std::filesystem::remove_all(path);

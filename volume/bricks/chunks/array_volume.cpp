@@ -108,6 +108,7 @@ ArrayVolume::ArrayVolume(ChunkedFacts facts, ArrayAxes axes,
     facts_.levels[level].geometry.dims = dimsOf(layout, axes_);
     facts_.levels[level].chunkDims = chunkOf(layout);
     checkChunksOf(facts_.levels[level], facts_.name);
+    if (layout.keepsRows) facts_.levels[level].chunkDims = {facts_.levels[level].geometry.dims.x, 1, 1};
     facts_.levels[level].cheapParts = arrays_[level]->plain();
   }
   if (facts_.storedType != finest.type) facts_.wholeVoxelBytes = bytesOf(finest.type) + sizeof(float);
@@ -175,7 +176,7 @@ ArrayChunk ArrayVolume::readOneChunk(VolumePart part, std::size_t level, glm::iv
 template <class To>
 std::size_t ArrayVolume::readBox(VolumePart part, std::size_t level, Box box, Box destination, To* voxels,
                                  std::size_t* missing) const {
-  const glm::ivec3 chunk = facts_.levels[level].chunkDims;
+  const glm::ivec3 chunk = chunkOf(arrays_[level]->layout());
   const glm::ivec3 first = box.low / chunk, last = (box.low + box.size - 1) / chunk;
   std::size_t bytes = 0;
   for (int z = first.z; z <= last.z; ++z)
@@ -211,23 +212,12 @@ std::size_t ArrayVolume::read(VolumePart part, std::size_t level, glm::ivec3 low
   return bytes;
 }
 
-glm::ivec3 ArrayVolume::wholeStep() const {
-  if (!arrays_.front()->plain()) return facts_.levels.front().chunkDims;
-  constexpr std::uint64_t voxels = std::uint64_t{1} << 20;  // in a few milliseconds
-  const glm::ivec3 dims = facts_.levels.front().geometry.dims;
-  const std::uint64_t row = static_cast<std::uint64_t>(dims.x),
-                      slice = row * static_cast<std::uint64_t>(dims.y);
-  const int rows =
-      static_cast<int>(std::clamp<std::uint64_t>(voxels / row, 1, static_cast<std::uint64_t>(dims.y)));
-  const int slices =
-      static_cast<int>(std::clamp<std::uint64_t>(voxels / slice, 1, static_cast<std::uint64_t>(dims.z)));
-  return {dims.x, rows, slices};
-}
-
 ArrayVolume::Whole ArrayVolume::readWhole(VolumePart part, base::Progress& progress) const {
-  const glm::ivec3 dims = facts_.levels.front().geometry.dims, step = wholeStep();
+  constexpr std::size_t atOnce = std::size_t{1} << 20;  // voxels: in a few milliseconds
+  const ChunkedLevel& level = facts_.levels.front();
+  const glm::ivec3 dims = level.geometry.dims,
+                   step = level.cheapParts ? wholeRows(dims, atOnce) : level.chunkDims;
   const glm::ivec3 steps = (dims + step - 1) / step;
-  const GridGeometry& geometry = facts_.levels.front().geometry;
   const auto nx = static_cast<std::size_t>(steps.x), ny = static_cast<std::size_t>(steps.y);
   Whole whole;
   whole.chunks = nx * ny * static_cast<std::size_t>(steps.z);
@@ -235,7 +225,7 @@ ArrayVolume::Whole ArrayVolume::readWhole(VolumePart part, base::Progress& progr
   withType(fileType(), [&](auto zero) {
     using To = decltype(zero);
     std::vector<To> voxels;
-    resizeStoppably(voxels, geometry.voxelCount(), progress);
+    resizeStoppably(voxels, level.geometry.voxelCount(), progress);
     parallelSteps(whole.chunks, progress, {0.0, 1.0, "reading"}, [&](std::size_t i) {
       const glm::ivec3 index(static_cast<int>(i % nx), static_cast<int>(i / nx % ny),
                              static_cast<int>(i / nx / ny));

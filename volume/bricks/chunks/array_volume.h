@@ -51,8 +51,6 @@ class ArrayVolume final : public ChunkedVolume {
   struct Box {
     glm::ivec3 low, size;
   };
-  // Chunks (plain arrays: slabs) that level 0 is read in as a whole.
-  glm::ivec3 wholeStep() const;
   template <class To>
   ArrayChunk readOneChunk(VolumePart part, std::size_t level, glm::ivec3 chunk, Box wanted, Box destination,
                           To* voxels) const;

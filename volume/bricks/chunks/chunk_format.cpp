@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "base/memory_budget.h"
 #include "volume/read/input/convert.h"
 
 namespace isolux::volume {
@@ -63,24 +64,7 @@ std::vector<std::uint64_t> stridesOf(const ChunkFormat& format, std::span<const 
   return strides;
 }
 
-}  // namespace
-
-std::uint64_t ChunkFormat::numbers() const {
-  std::uint64_t product = 1;
-  for (const std::uint64_t n : dims) product *= n;
-  return product;
-}
-
-void checkChunkBytes(const ChunkFormat& format, const std::string& file, const std::string& place) {
-  std::uint64_t bytes = sizeof(double);  // the widest that numbers become
-  for (const std::uint64_t n : format.dims)
-    if (n == 0 || __builtin_mul_overflow(bytes, n, &bytes) || bytes > std::uint64_t{1} << 62)
-      throwInput(file, place, "the size of a chunk is absurd");
-  if (!format.codecs.empty() && format.fileBytes() > kLargestPackedChunk)
-    throwInput(file, place,
-               "packed chunks have " + std::to_string(format.fileBytes()) + " bytes; at most 2 GiB are read");
-}
-
+// The whole chunk.
 ArrayChunk unpackChunk(const ChunkFormat& format, std::span<const std::byte> packed, const std::string& file,
                        const std::string& place) {
   const auto wanted = static_cast<std::size_t>(format.fileBytes());
@@ -104,6 +88,24 @@ ArrayChunk unpackChunk(const ChunkFormat& format, std::span<const std::byte> pac
   } catch (const base::Error& error) {
     throw base::Error(error.kind(), file, place, error.reason());
   }
+}
+
+}  // namespace
+
+std::uint64_t ChunkFormat::numbers() const {
+  std::uint64_t product = 1;
+  for (const std::uint64_t n : dims) product *= n;
+  return product;
+}
+
+void checkChunkBytes(const ChunkFormat& format, const std::string& file, const std::string& place) {
+  std::uint64_t bytes = sizeof(double);  // the widest that numbers become
+  for (const std::uint64_t n : format.dims)
+    if (n == 0 || __builtin_mul_overflow(bytes, n, &bytes) || bytes > std::uint64_t{1} << 62)
+      throwInput(file, place, "the size of a chunk is absurd");
+  if (!format.codecs.empty() && format.fileBytes() > kLargestPackedChunk)
+    throwInput(file, place,
+               "packed chunks have " + std::to_string(format.fileBytes()) + " bytes; at most 2 GiB are read");
 }
 
 ArrayChunk readPlainChunk(const ChunkFormat& format, const Bytes& bytes, std::uint64_t offset,
@@ -139,6 +141,23 @@ ArrayChunk readPlainChunk(const ChunkFormat& format, const Bytes& bytes, std::ui
   chunk.start.assign(low.begin(), low.end());
   chunk.strides = stridesOf(format, size);
   return chunk;
+}
+
+ArrayChunk readChunk(const ChunkFormat& format, const Bytes& bytes, std::uint64_t offset,
+                     std::uint64_t stored, std::span<const std::uint64_t> low,
+                     std::span<const std::uint64_t> size, const std::string& place) {
+  const std::uint64_t wanted = format.fileBytes();
+  const bool isPlain = format.codecs.empty();
+  if (isPlain ? stored != wanted : stored > longestPacked(static_cast<std::size_t>(wanted)))
+    throwInput(
+        bytes.name(), place,
+        "damaged: it has " + std::to_string(stored) + " bytes, its voxels take " + std::to_string(wanted));
+  if (isPlain) return readPlainChunk(format, bytes, offset, low, size);
+  const auto held = base::machineMemory().reserve(static_cast<std::size_t>(stored + 2 * wanted),
+                                                  "a chunk of " + bytes.name(), "");
+  std::vector<std::byte> packed(static_cast<std::size_t>(stored));
+  bytes.read(offset, packed);
+  return unpackChunk(format, packed, bytes.name(), place);
 }
 
 ArrayChunk missingChunk(const ChunkFormat& format) {

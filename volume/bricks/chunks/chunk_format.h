@@ -37,9 +37,11 @@ struct ChunkFormat {
 // they are plain; and where dims overflow.
 void checkChunkBytes(const ChunkFormat& format, const std::string& file, const std::string& place);
 
-// The whole chunk out of its packed bytes. Throws base::Error{input} at `place`.
-ArrayChunk unpackChunk(const ChunkFormat& format, std::span<const std::byte> packed, const std::string& file,
-                       const std::string& place);
+// The chunk that takes `stored` bytes from `offset` on: all of it if it is packed, else the box
+// [low, low + size). Throws base::Error: input at `place`, memory.
+ArrayChunk readChunk(const ChunkFormat& format, const Bytes& bytes, std::uint64_t offset,
+                     std::uint64_t stored, std::span<const std::uint64_t> low,
+                     std::span<const std::uint64_t> size, const std::string& place);
 
 // Of a chunk without codecs, which lies at `offset`, the box [low, low + size): only its bytes are read.
 ArrayChunk readPlainChunk(const ChunkFormat& format, const Bytes& bytes, std::uint64_t offset,

@@ -18,6 +18,7 @@ inline constexpr std::size_t kMostArrayAxes = 8;
 struct ArrayLayout {
   std::vector<std::uint64_t> dims, chunk;  // of each axis, at least 1; the last chunk may reach over the end
   VoxelType type = VoxelType::uint8;       // of the numbers that read() gives
+  bool keepsRows = false;                  // in its one chunk, any of which are read alone
 };
 
 // Of one chunk what was asked for, or more.

@@ -75,9 +75,4 @@ std::unique_ptr<ArrayVolume> openHdf5(const Hdf5Path& path, const std::string& s
           std::make_shared<const Hdf5Array>(path.file, layout, std::move(chunks)), layout.statements)});
 }
 
-Volume readHdf5(const Hdf5Path& path, const ReadOptions& options, base::Progress& progress) {
-  progress.report(0.0, "reading");
-  return wholeVolume(*openHdf5(path, options.series, progress), options, progress);
-}
-
 }  // namespace isolux::volume

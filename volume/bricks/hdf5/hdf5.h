@@ -29,7 +29,4 @@ bool looksLikeHdf5(const Bytes& bytes);
 std::unique_ptr<ArrayVolume> openHdf5(const Hdf5Path& path, const std::string& series,
                                       base::Progress& progress);
 
-// The whole of it, as volume::readVolume gives it.
-Volume readHdf5(const Hdf5Path& path, const ReadOptions& options, base::Progress& progress);
-
 }  // namespace isolux::volume

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/memory_budget.h"
 #include "volume/read/process/wire.h"
 
 namespace isolux::volume {
@@ -95,18 +94,7 @@ ArrayChunk Hdf5Array::read(std::span<const std::uint64_t> index, std::span<const
   if (chunk.address > bytes.size() || chunk.size > bytes.size() - chunk.address)
     throwInput(bytes.name(), place, "truncated: beyond the end of the file");
   const ChunkFormat format = chunk.mask == 0 ? format_ : formatOf(chunk.mask);
-  const std::uint64_t wanted = format.fileBytes();
-  if (format.codecs.empty() ? chunk.size != wanted
-                            : chunk.size > longestPacked(static_cast<std::size_t>(wanted)))
-    throwInput(bytes.name(), place,
-               "damaged: it has " + std::to_string(chunk.size) + " bytes, its voxels take " +
-                   std::to_string(wanted));
-  if (format.codecs.empty()) return readPlainChunk(format, bytes, chunk.address, low, size);
-  const auto held = base::machineMemory().reserve(static_cast<std::size_t>(chunk.size + 2 * wanted),
-                                                  "a chunk of " + bytes.name(), "");
-  std::vector<std::byte> packed(static_cast<std::size_t>(chunk.size));
-  bytes.read(chunk.address, packed);
-  return unpackChunk(format, packed, bytes.name(), place);
+  return readChunk(format, bytes, chunk.address, chunk.size, low, size, place);
 }
 
 }  // namespace isolux::volume

@@ -280,8 +280,4 @@ std::unique_ptr<ArrayVolume> openZarr(const fs::path& folder, const std::string&
                   folder.string(), series);
 }
 
-Volume readZarr(const fs::path& path, const ReadOptions& options, base::Progress& progress) {
-  return wholeVolume(*openZarr(path, options.series), options, progress);
-}
-
 }  // namespace isolux::volume

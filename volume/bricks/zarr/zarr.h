@@ -23,7 +23,4 @@ std::unique_ptr<ArrayVolume> openZarr(const std::filesystem::path& folder, const
 std::unique_ptr<ArrayVolume> openZarr(std::shared_ptr<const ZarrStore> store, const std::string& key,
                                       const std::string& name, const std::string& series);
 
-// The whole of it, as volume::readVolume gives it.
-Volume readZarr(const std::filesystem::path& path, const ReadOptions& options, base::Progress& progress);
-
 }  // namespace isolux::volume

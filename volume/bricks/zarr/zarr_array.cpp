@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
-#include "base/memory_budget.h"
 #include "volume/bricks/chunks/checksums.h"
 #include "volume/bricks/zarr/json_fields.h"
 #include "volume/bricks/zarr/zarr_statements.h"
@@ -32,16 +31,6 @@ std::string placeText(std::span<const std::uint64_t> index) {
   for (std::size_t axis = 0; axis < index.size(); ++axis)
     text += (axis > 0 ? "/" : "") + std::to_string(index[axis]);
   return text;
-}
-
-// What is packed is not longer than this, or it is something else.
-void checkPackedSize(const ChunkFormat& format, std::uint64_t size, const std::string& file,
-                     const std::string& place) {
-  const std::uint64_t wanted = format.fileBytes();
-  if (format.codecs.empty() ? size != wanted : size > longestPacked(static_cast<std::size_t>(wanted)))
-    throwInput(
-        file, place,
-        "damaged: it has " + std::to_string(size) + " bytes, its voxels take " + std::to_string(wanted));
 }
 
 }  // namespace
@@ -172,14 +161,7 @@ ArrayChunk ZarrArray::read(std::span<const std::uint64_t> index, std::span<const
     place = placeInShard(*bytes, key, index);
     if (place.offset == ~std::uint64_t{0} && place.size == ~std::uint64_t{0}) return missingChunk(format);
   }
-  const std::string text = placeText(index);
-  checkPackedSize(format, place.size, bytes->name(), text);
-  if (plain()) return readPlainChunk(format, *bytes, place.offset, low, size);
-  const auto held = base::machineMemory().reserve(
-      static_cast<std::size_t>(place.size + 2 * format.fileBytes()), "a chunk of " + bytes->name(), "");
-  std::vector<std::byte> packed(static_cast<std::size_t>(place.size));
-  bytes->read(place.offset, packed);
-  return unpackChunk(format, packed, bytes->name(), text);
+  return readChunk(format, *bytes, place.offset, place.size, low, size, placeText(index));
 }
 
 }  // namespace isolux::volume

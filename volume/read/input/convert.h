@@ -23,6 +23,11 @@ using FileVoxels =
                  std::vector<std::int64_t>, std::vector<std::uint64_t>, std::vector<float>,
                  std::vector<double>>;
 
+// The same voxels.
+inline FileVoxels fileVoxels(VoxelArray&& voxels) {
+  return std::visit([](auto&& array) -> FileVoxels { return std::move(array); }, std::move(voxels));
+}
+
 // Calls f with a value of the C++ type of `type`.
 template <typename F>
 auto withType(VoxelType type, F&& f) {

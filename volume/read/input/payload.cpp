@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "volume/parallel_steps.h"
 #include "volume/read/input/streams.h"
 #include "volume/read/input/text.h"
 
@@ -92,21 +93,26 @@ void checkClaim(const Payload& payload, const Bytes& bytes, std::uint64_t begin,
   }
 }
 
+// That each data file holds.
+std::uint64_t elementsOfFile(const ImageHeader& header, const std::string& file) {
+  const std::uint64_t files = std::max<std::uint64_t>(1, header.payload.files.size());
+  if (header.elements() % files != 0)
+    throwInput(file, "data file",
+               std::to_string(files) + " data files cannot share " + std::to_string(header.elements()) +
+                   " values equally");
+  return header.elements() / files;
+}
+
 // The voxel stream of the whole payload, file after file.
 class PayloadStream {
  public:
   PayloadStream(const ImageHeader& header, const Bytes& own, const OpenBeside& beside,
                 const base::Progress& progress)
       : header_(header), own_(own), beside_(beside), progress_(progress) {
-    const std::uint64_t files = std::max<std::uint64_t>(1, header.payload.files.size());
-    const std::uint64_t total = header.elements() * bytesOf(header.type);
-    if (header.elements() % files != 0)
-      throwInput(own.name(), "data file",
-                 std::to_string(files) + " data files cannot share " + std::to_string(header.elements()) +
-                     " values equally");
-    shareBytes_ = total / files;
+    shareBytes_ = elementsOfFile(header, own.name()) * bytesOf(header.type);
     // All files are looked at before the first voxel is stored.
-    for (std::uint64_t file = files; file-- > 0;) open(file);
+    for (std::uint64_t file = std::max<std::uint64_t>(1, header.payload.files.size()); file-- > 0;)
+      open(file);
   }
 
   void read(std::span<std::byte> out) {
@@ -121,23 +127,15 @@ class PayloadStream {
 
   // Passes over bytes; without reading them where the file allows it.
   void skip(std::uint64_t bytes) {
-    std::vector<std::byte> scratch;
     while (bytes > 0) {
       if (left_ == 0) open(file_ + 1);
       const std::uint64_t part = std::min(bytes, left_);
       bytes -= part;
       left_ -= part;
-      if (header_.payload.encoding == Encoding::raw) {
+      if (header_.payload.encoding == Encoding::raw)
         stream_ = rawStream(*bytes_, begin_ + (shareBytes_ - left_));
-        continue;
-      }
-      scratch.resize(chunkBytes);
-      for (std::uint64_t rest = part; rest > 0;) {
-        progress_.throwIfStopped();
-        const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(rest, scratch.size()));
-        stream_->read(std::span(scratch).first(count));
-        rest -= count;
-      }
+      else
+        discard(part);
     }
   }
 
@@ -150,6 +148,17 @@ class PayloadStream {
   bool isCut() const { return cut_; }
 
  private:
+  void discard(std::uint64_t bytes) {
+    std::vector<std::byte> scratch(static_cast<std::size_t>(std::min<std::uint64_t>(bytes, chunkBytes)));
+    while (bytes > 0) {
+      progress_.throwIfStopped();
+      const auto part =
+          std::span(scratch).first(static_cast<std::size_t>(std::min<std::uint64_t>(bytes, scratch.size())));
+      stream_->read(part);
+      bytes -= part.size();
+    }
+  }
+
   void lookBehind() {
     more_ = stream_->hasMore() || more_;
     cut_ = stream_->isCut() || cut_;
@@ -176,13 +185,7 @@ class PayloadStream {
         const std::uint64_t length =
             payload.compressedBytes > 0 ? payload.compressedBytes : bytes_->size() - begin_;
         stream_ = inflateStream(*bytes_, begin_, length);
-        std::byte scratch[16384];
-        for (std::uint64_t rest = payload.skipDecoded; rest > 0;) {
-          progress_.throwIfStopped();
-          const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(rest, sizeof scratch));
-          stream_->read({scratch, count});
-          rest -= count;
-        }
+        discard(payload.skipDecoded);
         break;
       }
     }
@@ -240,20 +243,17 @@ FileVoxels decodeAs(const ImageHeader& header, PayloadStream& stream, const Read
 
   if (options.component < 0) {  // the magnitude, in float32 whatever the type
     std::vector<float> magnitude;
-    magnitude.reserve(voxels);
+    resizeStoppably(magnitude, voxels, progress);
     for (std::uint64_t block = 0; block < slow; ++block) {
       seekVolume(block * steps + step);
       std::size_t voxel = 0;
       forEachChunk<T>(header, stream, progress, [&](std::span<const T> chunk) {
         for (std::size_t i = 0; i < chunk.size(); i += components, ++voxel) {
-          double length = block == 0 ? 0.0 : static_cast<double>(magnitude[voxel]);
+          double length = static_cast<double>(magnitude[voxel]);
           for (std::size_t c = 0; c < components; ++c)
             length = std::hypot(length, static_cast<double>(chunk[i + c]));
-          const float stored = static_cast<float>(std::min(length, 3.4e38));
-          if (block == 0)
-            magnitude.push_back(std::isfinite(length) ? stored : std::numeric_limits<float>::quiet_NaN());
-          else
-            magnitude[voxel] = std::isfinite(length) ? stored : std::numeric_limits<float>::quiet_NaN();
+          magnitude[voxel] = std::isfinite(length) ? static_cast<float>(std::min(length, 3.4e38))
+                                                   : std::numeric_limits<float>::quiet_NaN();
         }
         done += chunk.size() / components;
         report(voxels * static_cast<std::size_t>(slow));
@@ -331,18 +331,13 @@ FileVoxels decodePayload(const ImageHeader& header, const Bytes& own, const Open
 
 std::vector<PlainBytes> plainBytes(const ImageHeader& header, const Bytes& own, const OpenBeside& beside) {
   const Payload& payload = header.payload;
-  const std::uint64_t files = std::max<std::uint64_t>(1, payload.files.size());
-  if (header.elements() % files != 0)
-    throwInput(own.name(), "data file",
-               std::to_string(files) + " data files cannot share " + std::to_string(header.elements()) +
-                   " values equally");
-  const std::uint64_t shareBytes = header.elements() / files * bytesOf(header.type);
-  std::vector<PlainBytes> result(files);
-  for (std::uint64_t file = 0; file < files; ++file) {
+  const std::uint64_t share = elementsOfFile(header, own.name()), shareBytes = share * bytesOf(header.type);
+  std::vector<PlainBytes> result(std::max<std::size_t>(1, payload.files.size()));
+  for (std::size_t file = 0; file < result.size(); ++file) {
     if (!payload.files.empty()) result[file].beside = beside(payload.files[file]);
     const Bytes& bytes = result[file].beside ? *result[file].beside : own;
     result[file].begin = beginOf(payload, bytes, shareBytes);
-    checkClaim(payload, bytes, result[file].begin, shareBytes, shareBytes / bytesOf(header.type));
+    checkClaim(payload, bytes, result[file].begin, shareBytes, share);
   }
   return result;
 }

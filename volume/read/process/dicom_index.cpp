@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "volume/read/process/foreign.h"
 #include "volume/read/process/reader_process.h"
 
 namespace isolux::volume {
@@ -68,12 +69,7 @@ DecodedImage previewDicom(const fs::path& file, int frame, base::Progress& progr
   request.path = file.string();
   request.options.timeStep = frame;
   ReaderProcess reader(readerProgram(indexReader), request, progress);
-  const ImageSize size = reader.announced(MessageKind::image, decodeImage);
-  reader.receive(bulkBytes(size));
-  DecodedImage image{size.width, size.height, {}};
-  image.pixels.resize(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
-  reader.read(0, std::as_writable_bytes(std::span(image.pixels)));
-  return image;
+  return receivedImage(reader);
 }
 
 }  // namespace isolux::volume

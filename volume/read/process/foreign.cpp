@@ -106,14 +106,18 @@ TriangleMesh contour(glm::ivec3 dims, const std::function<void(std::span<float>)
   return receiveMesh(reader, "the surface");
 }
 
-DecodedImage readImageBy(const fs::path& program, const fs::path& path, base::Progress& progress) {
-  ReaderProcess reader(program, requestFor(Task::image, path, ReadOptions()), progress);
+DecodedImage receivedImage(ReaderProcess& reader) {
   const ImageSize size = reader.announced(MessageKind::image, decodeImage);
   reader.receive(bulkBytes(size));
   DecodedImage image{size.width, size.height, {}};
   image.pixels.resize(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
   reader.read(0, std::as_writable_bytes(std::span(image.pixels)));
   return image;
+}
+
+DecodedImage readImageBy(const fs::path& program, const fs::path& path, base::Progress& progress) {
+  ReaderProcess reader(program, requestFor(Task::image, path, ReadOptions()), progress);
+  return receivedImage(reader);
 }
 
 Volume readVti(const fs::path& path, const ReadOptions& options, base::Progress& progress) {

@@ -16,6 +16,8 @@
 
 namespace isolux::volume {
 
+class ReaderProcess;
+
 // VTK XML image data (.vti); TIFF, a file or a folder; DICOM, a file or a folder.
 Volume readVti(const std::filesystem::path& path, const ReadOptions& options, base::Progress& progress);
 Volume readTiff(const std::filesystem::path& path, const ReadOptions& options, base::Progress& progress);
@@ -41,6 +43,7 @@ Volume readVolumeBy(const std::filesystem::path& program, const std::filesystem:
                     const ReadOptions& options, base::Progress& progress, double patienceSeconds = 30.0);
 TriangleMesh readMeshBy(const std::filesystem::path& program, const std::filesystem::path& path,
                         std::size_t budgetBytes, base::Progress& progress);
+DecodedImage receivedImage(ReaderProcess& reader);  // that was asked for one
 DecodedImage readImageBy(const std::filesystem::path& program, const std::filesystem::path& path,
                          base::Progress& progress);
 

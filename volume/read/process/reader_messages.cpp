@@ -1,6 +1,5 @@
 #include "volume/read/process/reader_messages.h"
 
-#include <array>
 #include <limits>
 
 #include "volume/read/process/wire.h"
@@ -10,62 +9,78 @@ namespace isolux::volume {
 namespace {
 
 constexpr std::size_t mostWarnings = 10000, mostSeries = 1000000, mostSkippedFiles = 1000;
+constexpr std::uint64_t kAnyNumber = std::numeric_limits<std::uint64_t>::max();
+constexpr std::uint64_t kMostSteps = std::uint64_t{1} << 31;
+constexpr auto kLastType = static_cast<std::uint64_t>(VoxelType::float64);
 constexpr std::uint64_t mostPoints = std::uint64_t{1} << 31, mostTriangles = std::uint64_t{1} << 30;
 
 VoxelType typeOf(const FileVoxels& voxels) {
   return static_cast<VoxelType>(voxels.index());
 }
 
-void putPatient(WireWriter& wire, const Patient& patient) {
-  for (const std::string* text : {&patient.name, &patient.id, &patient.birthDate})
-    wire.put(std::string_view(*text));
-}
+// What each message holds, for WireWriter and WireReader.
 
-Patient takePatient(WireReader& wire) {
-  Patient patient;
-  for (std::string* text : {&patient.name, &patient.id, &patient.birthDate}) *text = wire.text();
-  return patient;
-}
+constexpr auto passPatient = [](auto& wire, auto& patient) {
+  for (auto* text : {&patient.name, &patient.id, &patient.birthDate}) wire.pass(*text);
+};
 
-// The texts of a series, in the order in which they are sent.
-template <class Series>
-auto textsOf(Series& series) {
-  return std::array{&series.study,    &series.studyDescription, &series.studyDate,
-                    &series.series,   &series.description,      &series.date,
-                    &series.modality, &series.kernel,           &series.number,
-                    &series.folder,   &series.problem,          &series.middleFile};
-}
+constexpr auto passRequest = [](auto& wire, auto& request) {
+  wire.pass(request.task, 1, static_cast<std::uint64_t>(Task::chunks));
+  wire.pass(request.path);
+  wire.pass(request.options.series);
+  wire.pass(request.options.component, 0, kAnyNumber);
+  wire.pass(request.options.timeStep, 0, kAnyNumber);
+  wire.pass(request.options.budgetBytes, 0, kAnyNumber);
+  wire.pass(request.skip, mostSkippedFiles);
+  for (int axis = 0; axis < 3; ++axis) wire.pass(request.contourDims[axis], 0, 1u << 24);
+  wire.pass(request.parent, 0, kAnyNumber);
+};
+
+constexpr auto passVolume = [](auto& wire, auto& volume) {
+  auto& header = volume.header;
+  wire.pass(header.format);
+  wire.pass(header.type, 0, kLastType);
+  for (auto& axis : header.dims) wire.pass(axis, 1, 65535);
+  wire.pass(header.components, 1, kMostSteps);
+  wire.pass(header.timeSteps, 1, kMostSteps);
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 4; ++row) wire.passFinite(header.worldFromVoxel[column][row]);
+  wire.pass(header.axes, 0, static_cast<std::uint64_t>(scene::WorldAxes::anatomical));
+  wire.pass(header.slope);  // 0 and NaN have a meaning
+  wire.pass(header.intercept);
+  wire.pass(header.unit);
+  wire.pass(header.warnings, mostWarnings);
+  wire.pass(volume.name);
+  wire.pass(volume.seriesChoices, mostSeries);
+  passPatient(wire, volume.patient);
+};
+
+constexpr auto passSeries = [](auto& wire, auto& series) {
+  passPatient(wire, series.patient);
+  for (auto* text : {&series.study, &series.studyDescription, &series.studyDate, &series.series,
+                     &series.description, &series.date, &series.modality, &series.kernel, &series.number,
+                     &series.folder, &series.problem, &series.middleFile})
+    wire.pass(*text);
+  for (auto* number : {&series.columns, &series.rows, &series.slices, &series.timeSteps})
+    wire.pass(*number, 0, kMostSteps);
+  for (int axis = 0; axis < 3; ++axis) wire.passFinite(series.spacingMm[axis]);
+  wire.pass(series.warnings, mostWarnings);
+  wire.pass(series.middleFrame, 0, 65535);
+};
+
+constexpr auto passIndexEnd = [](auto& wire, auto& end) {
+  for (auto* number : {&end.files, &end.dicomFiles, &end.unreadable}) wire.pass(*number, 0, kMostSteps);
+  wire.pass(end.firstReason);
+};
 
 }  // namespace
 
 std::string encode(const Request& request) {
-  WireWriter wire;
-  wire.put(static_cast<std::uint64_t>(request.task));
-  wire.put(std::string_view(request.path));
-  wire.put(std::string_view(request.options.series));
-  wire.put(static_cast<std::int64_t>(request.options.component));
-  wire.put(static_cast<std::int64_t>(request.options.timeStep));
-  wire.put(static_cast<std::uint64_t>(request.options.budgetBytes));
-  wire.put(request.skip);
-  for (int axis = 0; axis < 3; ++axis) wire.put(static_cast<std::int64_t>(request.contourDims[axis]));
-  wire.put(static_cast<std::int64_t>(request.parent));
-  return wire.bytes();
+  return messageBytes(request, passRequest);
 }
 
 Request decodeRequest(std::string_view body) {
-  WireReader wire(body);
-  Request request;
-  request.task = static_cast<Task>(wire.number(1, static_cast<std::uint64_t>(Task::chunks)));
-  request.path = wire.text();
-  request.options.series = wire.text();
-  request.options.component = static_cast<int>(static_cast<std::int64_t>(wire.number()));
-  request.options.timeStep = static_cast<int>(static_cast<std::int64_t>(wire.number()));
-  request.options.budgetBytes = static_cast<std::size_t>(wire.number());
-  request.skip = wire.texts(mostSkippedFiles);
-  for (int axis = 0; axis < 3; ++axis) request.contourDims[axis] = static_cast<int>(wire.number(0, 1u << 24));
-  request.parent = static_cast<int>(wire.number());
-  wire.end();
-  return request;
+  return messageOf<Request>(body, passRequest);
 }
 
 std::string encode(const base::Error& error) {
@@ -88,49 +103,19 @@ base::Error decodeError(std::string_view body) {
 }
 
 std::string encode(const DecodedVolume& volume) {
-  const ImageHeader& header = volume.header;
   WireWriter wire;
-  wire.put(std::string_view(header.format));
-  wire.put(static_cast<std::uint64_t>(header.type));
-  for (const std::int64_t axis : header.dims) wire.put(axis);
-  wire.put(header.components);
-  wire.put(header.timeSteps);
-  wire.put(header.worldFromVoxel);
-  wire.put(static_cast<std::uint64_t>(header.axes));
-  wire.put(header.slope);
-  wire.put(header.intercept);
-  wire.put(std::string_view(header.unit));
-  wire.put(header.warnings);
-  wire.put(std::string_view(volume.name));
-  wire.put(volume.seriesChoices);
-  putPatient(wire, volume.patient);
+  passVolume(wire, volume);
   wire.put(static_cast<std::uint64_t>(typeOf(volume.voxels)));
   return wire.bytes();
 }
 
 DecodedVolume decodeVolume(std::string_view body) {
-  constexpr auto lastType = static_cast<std::uint64_t>(VoxelType::float64);
-  constexpr auto lastAxes = static_cast<std::uint64_t>(scene::WorldAxes::anatomical);
-  constexpr std::uint64_t mostSteps = std::uint64_t{1} << 31;
   WireReader wire(body);
   DecodedVolume volume;
-  ImageHeader& header = volume.header;
-  header.format = wire.text();
-  header.type = static_cast<VoxelType>(wire.number(0, lastType));
-  for (std::int64_t& axis : header.dims) axis = static_cast<std::int64_t>(wire.number(1, 65535));
-  header.components = static_cast<std::int64_t>(wire.number(1, mostSteps));
-  header.timeSteps = static_cast<std::int64_t>(wire.number(1, mostSteps));
-  header.worldFromVoxel = wire.finiteMatrix();
-  header.axes = static_cast<scene::WorldAxes>(wire.number(0, lastAxes));
-  header.slope = wire.real();  // 0 and NaN have a meaning
-  header.intercept = wire.real();
-  header.unit = wire.text();
-  header.warnings = wire.texts(mostWarnings);
-  volume.name = wire.text();
-  volume.seriesChoices = wire.texts(mostSeries);
-  volume.patient = takePatient(wire);
-  const auto type = static_cast<VoxelType>(wire.number(0, lastType));
+  passVolume(wire, volume);
+  const auto type = static_cast<VoxelType>(wire.number(0, kLastType));
   wire.end();
+  const ImageHeader& header = volume.header;
   if (!usableAffine(header.worldFromVoxel)) throwBadAnswer("spacing or orientation is degenerate");
   checkDims(header, "", "answer of the reader");
   withType(type, [&](auto zero) { volume.voxels = std::vector<decltype(zero)>(); });
@@ -170,48 +155,19 @@ ImageSize decodeImage(std::string_view body) {
 }
 
 std::string encode(const DicomSeries& series) {
-  WireWriter wire;
-  putPatient(wire, series.patient);
-  for (const std::string* text : textsOf(series)) wire.put(std::string_view(*text));
-  for (const std::int64_t number : {series.columns, series.rows, series.slices, series.timeSteps})
-    wire.put(number);
-  for (int axis = 0; axis < 3; ++axis) wire.put(series.spacingMm[axis]);
-  wire.put(series.warnings);
-  wire.put(static_cast<std::int64_t>(series.middleFrame));
-  return wire.bytes();
+  return messageBytes(series, passSeries);
 }
 
 DicomSeries decodeSeries(std::string_view body) {
-  constexpr std::uint64_t most = std::uint64_t{1} << 31;
-  WireReader wire(body);
-  DicomSeries series;
-  series.patient = takePatient(wire);
-  for (std::string* text : textsOf(series)) *text = wire.text();
-  for (std::int64_t* number : {&series.columns, &series.rows, &series.slices, &series.timeSteps})
-    *number = static_cast<std::int64_t>(wire.number(0, most));
-  for (int axis = 0; axis < 3; ++axis) series.spacingMm[axis] = wire.finite();
-  series.warnings = wire.texts(mostWarnings);
-  series.middleFrame = static_cast<int>(wire.number(0, 65535));
-  wire.end();
-  return series;
+  return messageOf<DicomSeries>(body, passSeries);
 }
 
 std::string encode(const DicomIndexEnd& end) {
-  WireWriter wire;
-  for (const std::int64_t number : {end.files, end.dicomFiles, end.unreadable}) wire.put(number);
-  wire.put(std::string_view(end.firstReason));
-  return wire.bytes();
+  return messageBytes(end, passIndexEnd);
 }
 
 DicomIndexEnd decodeIndexEnd(std::string_view body) {
-  constexpr std::uint64_t most = std::uint64_t{1} << 31;
-  WireReader wire(body);
-  DicomIndexEnd end;
-  for (std::int64_t* number : {&end.files, &end.dicomFiles, &end.unreadable})
-    *number = static_cast<std::int64_t>(wire.number(0, most));
-  end.firstReason = wire.text();
-  wire.end();
-  return end;
+  return messageOf<DicomIndexEnd>(body, passIndexEnd);
 }
 
 std::uint64_t bulkBytes(const DecodedVolume& announced) {

@@ -24,6 +24,21 @@ class WireWriter {
   void put(std::string_view text);
   void put(const std::vector<std::string>& texts);
 
+  // As WireReader::pass(), in the other direction.
+  void pass(double number) { put(number); }
+  void pass(const std::string& text) { put(std::string_view(text)); }
+  void pass(const std::vector<std::string>& texts, std::size_t) { put(texts); }
+  void passFinite(double number) { put(number); }
+  template <class T>
+  void pass(T number, std::uint64_t, std::uint64_t) {
+    put(static_cast<std::uint64_t>(number));
+  }
+  template <class T, class F>
+  void passEach(const std::vector<T>& entries, std::uint64_t, std::uint64_t, const F& passOne) {
+    put(static_cast<std::uint64_t>(entries.size()));
+    for (const T& entry : entries) passOne(entry);
+  }
+
   const std::string& bytes() const { return bytes_; }
 
  private:
@@ -44,10 +59,43 @@ class WireReader {
   std::vector<std::string> texts(std::size_t most);
   void end() const;  // throws unless everything was taken
 
+  void pass(double& number) { number = real(); }
+  void pass(std::string& text) { text = this->text(); }
+  void pass(std::vector<std::string>& texts, std::size_t most) { texts = this->texts(most); }
+  void passFinite(double& number) { number = finite(); }
+  // A whole number, an enumerator or a flag within [low, high].
+  template <class T>
+  void pass(T& number, std::uint64_t low, std::uint64_t high) {
+    number = static_cast<T>(this->number(low, high));
+  }
+  // From `least` to `most` entries.
+  template <class T, class F>
+  void passEach(std::vector<T>& entries, std::uint64_t least, std::uint64_t most, const F& passOne) {
+    entries.resize(static_cast<std::size_t>(number(least, most)));
+    for (T& entry : entries) passOne(entry);
+  }
+
  private:
   std::string_view take(std::uint64_t count);
   std::string_view rest_;
 };
+
+// The bytes of a message, and back: passFields(wire, message) passes each of its fields to either wire.
+template <class Message, class F>
+std::string messageBytes(const Message& message, const F& passFields) {
+  WireWriter wire;
+  passFields(wire, message);
+  return wire.bytes();
+}
+
+template <class Message, class F>
+Message messageOf(std::string_view bytes, const F& passFields) {
+  WireReader wire(bytes);
+  Message message;
+  passFields(wire, message);
+  wire.end();
+  return message;
+}
 
 // What all of the receiving end throws: the other end does not keep to the protocol.
 [[noreturn]] void throwBadAnswer(const std::string& what);

@@ -320,10 +320,4 @@ ImageHeader parseVtkLegacyHeader(const Bytes& bytes) {
   return Parser(bytes).parse();
 }
 
-Volume readVtkLegacy(const std::filesystem::path& path, const ReadOptions& options,
-                     base::Progress& progress) {
-  const FileBytes bytes(path);
-  return volumeFrom(parseVtkLegacyHeader(bytes), bytes, openBeside(path), options, progress);
-}
-
 }  // namespace isolux::volume

@@ -15,6 +15,4 @@ namespace isolux::volume {
 
 ImageHeader parseVtkLegacyHeader(const Bytes& bytes);
 
-Volume readVtkLegacy(const std::filesystem::path& path, const ReadOptions& options, base::Progress& progress);
-
 }  // namespace isolux::volume
