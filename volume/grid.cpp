@@ -48,16 +48,19 @@ bool GridGeometry::leftHanded() const {
   return glm::determinant(glm::dmat3(worldFromVoxel)) < 0.0;
 }
 
-void GridGeometry::worldBounds(glm::dvec3& minimumMm, glm::dvec3& maximumMm) const {
-  minimumMm = glm::dvec3(std::numeric_limits<double>::infinity());
-  maximumMm = -minimumMm;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec4 voxel((corner & 1) ? dims.x - 1 : 0, (corner & 2) ? dims.y - 1 : 0,
-                           (corner & 4) ? dims.z - 1 : 0, 1.0);
-    const glm::dvec3 world(worldFromVoxel * voxel);
-    minimumMm = glm::min(minimumMm, world);
-    maximumMm = glm::max(maximumMm, world);
+std::array<glm::dvec3, 8> GridGeometry::corners(const glm::dvec3& low, const glm::dvec3& high) const {
+  std::array<glm::dvec3, 8> corners;
+  for (std::size_t i = 0; i < 8; ++i) {
+    const glm::dvec3 voxel = glm::mix(low, high, glm::bvec3(cornerStep(i)));
+    corners[i] = glm::dvec3(worldFromVoxel * glm::dvec4(voxel, 1.0));
   }
+  return corners;
+}
+
+Bounds<glm::dvec3> GridGeometry::worldBounds() const {
+  Bounds<glm::dvec3> bounds;
+  for (const glm::dvec3& corner : corners()) bounds.add(corner);
+  return bounds;
 }
 
 GridGeometry GridGeometry::make(glm::ivec3 dims, glm::dvec3 spacingMm, glm::dvec3 originMm,
@@ -213,6 +216,12 @@ double Grid::stored(int x, int y, int z) const {
   if (source_) return source_->stored({x, y, z});
   const std::size_t i = index(x, y, z);
   return std::visit([i](const auto& array) { return static_cast<double>(array[i]); }, voxels_);
+}
+
+bool Grid::hasMissingCorner(glm::ivec3 cell) const {
+  for (int i = 0; i < 8; ++i)
+    if (std::isnan(stored(extent().corner(cell, i)))) return true;
+  return false;
 }
 
 std::size_t Grid::bytes() const {

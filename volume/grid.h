@@ -5,9 +5,9 @@
 // Value (shown to the user, data units) = slope * stored + intercept. A Grid is immutable once shared.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -21,6 +21,8 @@
 #include <glm/vec3.hpp>
 
 #include "base/memory_budget.h"
+#include "volume/bounds.h"
+#include "volume/extent.h"
 
 namespace isolux::base {
 class Progress;
@@ -39,16 +41,18 @@ struct GridGeometry {
   glm::ivec3 dims{0};
   glm::dmat4 worldFromVoxel{1.0};  // affine, invertible
 
-  std::size_t voxelCount() const {
-    return static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y) *
-           static_cast<std::size_t>(dims.z);
-  }
+  Extent3 extent() const { return {dims}; }
+  std::size_t voxelCount() const { return extent().count(); }
   glm::dmat4 voxelFromWorld() const;
   glm::dvec3 spacingMm() const;   // lengths of the columns
   glm::dmat3 directions() const;  // unit columns: world direction of each voxel axis
   glm::dvec3 originMm() const;    // world position of voxel (0,0,0)
   bool leftHanded() const;        // negative determinant
-  void worldBounds(glm::dvec3& minimumMm, glm::dvec3& maximumMm) const;  // of the domain [0, n-1]^3
+  // Return the world positions of the corners of a box of voxels, or of the domain [0, n-1]^3, in the order
+  // of cornerStep().
+  std::array<glm::dvec3, 8> corners(const glm::dvec3& low, const glm::dvec3& high) const;
+  std::array<glm::dvec3, 8> corners() const { return corners(glm::dvec3(0.0), glm::dvec3(dims - 1)); }
+  Bounds<glm::dvec3> worldBounds() const;  // of the domain, mm
 
   static GridGeometry make(glm::ivec3 dims, glm::dvec3 spacingMm, glm::dvec3 originMm = glm::dvec3(0.0),
                            glm::dmat3 directions = glm::dmat3(1.0));
@@ -82,6 +86,7 @@ class Grid {
 
   const GridGeometry& geometry() const { return geometry_; }
   glm::ivec3 dims() const { return geometry_.dims; }
+  Extent3 extent() const { return geometry_.extent(); }
   VoxelType storedType() const;
   bool isWhole() const { return !source_; }                               // its voxels are in memory
   const std::shared_ptr<BrickSource>& source() const { return source_; }  // null if isWhole()
@@ -98,14 +103,13 @@ class Grid {
   double valueOfStored(double stored) const { return slope_ * stored + intercept_; }
   double storedOfValue(double value) const { return (value - intercept_) / slope_; }
 
-  std::size_t index(int x, int y, int z) const {
-    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(geometry_.dims.y) +
-            static_cast<std::size_t>(y)) *
-               static_cast<std::size_t>(geometry_.dims.x) +
-           static_cast<std::size_t>(x);
-  }
+  std::size_t index(int x, int y, int z) const { return extent().index(x, y, z); }
+  std::size_t index(glm::ivec3 voxel) const { return extent().index(voxel); }
   double stored(int x, int y, int z) const;  // NaN if missing
+  double stored(glm::ivec3 voxel) const { return stored(voxel.x, voxel.y, voxel.z); }
   double value(int x, int y, int z) const { return valueOfStored(stored(x, y, z)); }
+  double value(glm::ivec3 voxel) const { return valueOfStored(stored(voxel)); }
+  bool hasMissingCorner(glm::ivec3 cell) const;
 
   // Return the range of the values of voxels that are not missing; {0, 0} if all are missing.
   double minimum() const { return minimum_; }

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <filesystem>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -101,15 +100,11 @@ void setBounds(PreparedVolume& prepared, base::Progress& progress) {
       high = glm::min((last + 1) * blocks.blockCells(), high);
     }
   }
-  facts.boundsMinMm = glm::dvec3(std::numeric_limits<double>::infinity());
-  facts.boundsMaxMm = -facts.boundsMinMm;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec4 voxel((corner & 1) ? high.x : low.x, (corner & 2) ? high.y : low.y,
-                           (corner & 4) ? high.z : low.z, 1.0);
-    const glm::dvec3 world(grid.geometry().worldFromVoxel * voxel);
-    facts.boundsMinMm = glm::min(facts.boundsMinMm, world);
-    facts.boundsMaxMm = glm::max(facts.boundsMaxMm, world);
-  }
+  Bounds<glm::dvec3> bounds;
+  for (const glm::dvec3& corner : grid.geometry().corners(glm::dvec3(low), glm::dvec3(high)))
+    bounds.add(corner);
+  facts.boundsMinMm = bounds.low;
+  facts.boundsMaxMm = bounds.high;
   const glm::dvec3 spacing = grid.geometry().spacingMm();
   const glm::dvec3 extent = facts.boundsMaxMm - facts.boundsMinMm;
   const double least = std::min({spacing.x, spacing.y, spacing.z});

@@ -19,8 +19,7 @@ glm::dvec3 footOn(glm::dvec3 point, glm::dvec3 normal, glm::dvec3 from) {
 }
 
 glm::dvec3 inBounds(glm::dvec3 world, const volume::GridGeometry& geometry) {
-  glm::dvec3 low, high;
-  geometry.worldBounds(low, high);
+  const auto [low, high] = geometry.worldBounds();
   return glm::clamp(world, low, high);
 }
 
@@ -104,14 +103,9 @@ std::optional<std::array<glm::dvec2, 2>> crossingLine(const volume::SlicePlane& 
 }
 
 std::vector<glm::dvec3> outlineInVolume(const ChosenPlane& plane, const volume::GridGeometry& geometry) {
-  std::array<glm::dvec3, 8> corners;
+  const std::array<glm::dvec3, 8> corners = geometry.corners();
   std::array<double, 8> heights{};
-  const glm::dvec3 last(glm::max(geometry.dims - 1, glm::ivec3(0)));
-  for (std::size_t i = 0; i < 8; ++i) {
-    corners[i] = glm::dvec3(geometry.worldFromVoxel *
-                            glm::dvec4(glm::dvec3(i & 1, i >> 1 & 1, i >> 2 & 1) * last, 1.0));
-    heights[i] = glm::dot(plane.normal(), corners[i] - plane.pointMm);
-  }
+  for (std::size_t i = 0; i < 8; ++i) heights[i] = glm::dot(plane.normal(), corners[i] - plane.pointMm);
   std::vector<glm::dvec3> outline;
   for (std::size_t i = 0; i < 8; ++i)
     for (std::size_t bit = 1; bit < 8; bit <<= 1) {
