@@ -152,16 +152,15 @@ struct CellCoefficients {
   CellCoefficients(const std::vector<T>& stored, const Grid& grid, double isovalue, glm::ivec3 cell) {
     const glm::ivec3 last = grid.dims() - 1;
     std::size_t i = 0;
-    for (int z = -1; z <= 2; ++z)
-      for (int y = -1; y <= 2; ++y)
-        for (int x = -1; x <= 2; ++x, ++i) {
-          const glm::ivec3 at = glm::clamp(cell + glm::ivec3(x, y, z), glm::ivec3(0), last);
-          c[i] = grid.valueOfStored(static_cast<double>(stored[grid.index(at.x, at.y, at.z)])) - isovalue;
-          missing = missing || std::isnan(c[i]);
-          anyBelow = anyBelow || c[i] < 0.0;
-          anyAbove = anyAbove || c[i] >= 0.0;
-          largest = std::max(largest, std::abs(c[i]));
-        }
+    forEachIn(cell - 1, cell + 3, [&](glm::ivec3 beyond) {
+      const glm::ivec3 at = glm::clamp(beyond, glm::ivec3(0), last);
+      const double value = grid.valueOfStored(static_cast<double>(stored[grid.index(at)])) - isovalue;
+      missing = missing || std::isnan(value);
+      anyBelow = anyBelow || value < 0.0;
+      anyAbove = anyAbove || value >= 0.0;
+      largest = std::max(largest, std::abs(value));
+      c[i++] = value;
+    });
   }
 
   double rounding() const { return 16.0 * std::numeric_limits<double>::epsilon() * largest; }
@@ -184,12 +183,6 @@ SideChanges changesIn(const CellCoefficients& cell, glm::dvec3 from, glm::dvec3 
     return result.count == result.s.size();
   });
   return result;
-}
-
-bool hasMissingCorner(const Grid& grid, glm::ivec3 cell) {
-  for (int i = 0; i < 8; ++i)
-    if (std::isnan(grid.stored(cell.x + (i & 1), cell.y + (i >> 1 & 1), cell.z + (i >> 2)))) return true;
-  return false;
 }
 
 // `stored`: voxels or coefficients. `holdsSurface`: of a cell, beyond that none of its coefficients is
@@ -282,7 +275,7 @@ CubicHit firstHitCubic(const Coefficients& coefficients, const Grid& grid, const
   // Values and blocks lack the offset: so does what they are compared with.
   return firstHitOf(coefficients.values, grid, blocks, isovalue - grid.slope() * coefficients.offset, ray,
                     shown ? &*shown : nullptr,
-                    [&](glm::ivec3 cell) { return !gaps || !hasMissingCorner(grid, cell); });
+                    [&](glm::ivec3 cell) { return !gaps || !grid.hasMissingCorner(cell); });
 }
 
 SideChanges sideChangesOfCell(const Grid& grid, double isovalue, glm::ivec3 cell, glm::dvec3 from,

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <variant>
 
@@ -16,10 +15,6 @@
 namespace isolux::volume {
 
 namespace {
-
-glm::ivec3 cornerOf(glm::ivec3 cell, int i) {
-  return cell + glm::ivec3(i & 1, i >> 1 & 1, i >> 2);
-}
 
 // The root of a cubic between two of its stops, over which it is monotone.
 double rootBetween(const BernsteinCubic& cubic, double low, double high) {
@@ -115,8 +110,8 @@ ShownCell ShownCells::cellAt(glm::ivec3 cell) const {
   CellCorners depths;
   unsigned hidden = 0;
   for (int i = 0; i < 8; ++i) {
-    const glm::ivec3 at = cornerOf(cell, i);
-    depths[static_cast<std::size_t>(i)] = level_.depth(grid_.stored(at.x, at.y, at.z));
+    const glm::ivec3 at = cell + cornerStep(i);
+    depths[static_cast<std::size_t>(i)] = level_.depth(grid_.stored(at));
     if (voxelHidden(at)) hidden |= 1u << i;
   }
   return {depths, hidden};
@@ -127,8 +122,7 @@ ShownWay ShownCells::along(glm::ivec3 cell, const glm::dvec3& from, const glm::d
 }
 
 bool ShownCells::hiddenAt(const glm::dvec3& voxel) const {
-  const glm::ivec3 cell =
-      glm::clamp(glm::ivec3(glm::floor(voxel)), glm::ivec3(0), glm::max(grid_.dims() - 2, glm::ivec3(0)));
+  const glm::ivec3 cell = grid_.extent().cellAt(voxel);
   const glm::dvec3 local = glm::clamp(voxel - glm::dvec3(cell), 0.0, 1.0);
   return field_ == scene::Field::trilinear ? cellAt(cell).hiddenAt(local) : hiddenNear(cell, local);
 }
