@@ -33,14 +33,7 @@ glm::dmat3 smoothingOf(const GridGeometry& geometry, scene::Field field, double 
 
 // Whether all corners of the cell are there.
 bool cellIsKnown(const Grid& grid, const glm::dvec3& voxel) {
-  if (grid.missingCount() == 0) return true;
-  const glm::ivec3 last = grid.dims() - 1;
-  const glm::ivec3 low = glm::clamp(glm::ivec3(voxel), glm::ivec3(0), glm::max(last - 1, glm::ivec3(0)));
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::ivec3 at = glm::min(low + glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2), last);
-    if (std::isnan(grid.stored(at.x, at.y, at.z))) return false;
-  }
-  return true;
+  return grid.missingCount() == 0 || !grid.hasMissingCorner(grid.extent().cellAt(voxel));
 }
 
 }  // namespace

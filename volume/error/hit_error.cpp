@@ -72,17 +72,13 @@ FieldSample fieldAt(const HitSource& source, const glm::dvec3& voxel) {
 // The largest |corner - isovalue| of the cell, data units; of the samples, of which coefficients are not far.
 double spreadAbout(const HitSource& source, const glm::dvec3& voxel, double isovalue) {
   const Grid& grid = source.grid;
-  const glm::ivec3 last = grid.dims() - 1,
-                   cell = glm::clamp(glm::ivec3(glm::floor(voxel)), glm::ivec3(0), last - 1);
-  const int before = source.cubic ? -1 : 0, behind = source.cubic ? 2 : 1;
+  const glm::ivec3 cell = grid.extent().cellAt(voxel);
+  const int apron = source.cubic ? 1 : 0;
   double spread = 0.0;
-  for (int z = before; z <= behind; ++z)
-    for (int y = before; y <= behind; ++y)
-      for (int x = before; x <= behind; ++x) {
-        const glm::ivec3 at = glm::clamp(cell + glm::ivec3(x, y, z), glm::ivec3(0), last);
-        const double value = grid.valueOfStored(grid.stored(at.x, at.y, at.z));
-        if (std::isfinite(value)) spread = std::max(spread, std::abs(value - isovalue));
-      }
+  forEachIn(cell - apron, cell + apron + 2, [&](glm::ivec3 at) {
+    const double value = grid.value(glm::clamp(at, glm::ivec3(0), grid.dims() - 1));
+    if (std::isfinite(value)) spread = std::max(spread, std::abs(value - isovalue));
+  });
   return spread;
 }
 
@@ -103,9 +99,7 @@ double texelSize(const HitSource& source, double isovalue) {
 // Whether a voxel is missing in a cell as near to the point as rounding is.
 bool nearGap(const Grid& grid, const glm::dvec3& voxel, const glm::dvec3& reach) {
   if (grid.missingCount() == 0) return false;
-  const glm::ivec3 last = grid.dims() - 1;
-  const glm::ivec3 low = glm::clamp(glm::ivec3(glm::floor(voxel - reach)), glm::ivec3(0), last - 1),
-                   high = glm::clamp(glm::ivec3(glm::floor(voxel + reach)), glm::ivec3(0), last - 1) + 1;
+  const glm::ivec3 low = grid.extent().cellAt(voxel - reach), high = grid.extent().cellAt(voxel + reach) + 1;
   for (int z = low.z; z <= high.z; ++z)
     for (int y = low.y; y <= high.y; ++y)
       for (int x = low.x; x <= high.x; ++x)
