@@ -1,13 +1,12 @@
 #include "gi/light_key.h"
 
-#include <stdexcept>
-
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include "base/number_text.h"
 #include "gi/sampling/built_in_light.h"
 #include "scene/rules/environment.h"
+#include "scene/setting/choice_names.h"
 
 namespace isolux::gi {
 
@@ -25,34 +24,6 @@ ordered_json arrayOf(const Vector& v) {
   return array;
 }
 
-const char* nameOf(scene::DirectionSequence sequence) {
-  switch (sequence) {
-    case scene::DirectionSequence::sobol_owen:
-      return "sobol_owen";
-    case scene::DirectionSequence::r2:
-      return "r2";
-    case scene::DirectionSequence::random:
-      return "random";
-  }
-  throw std::logic_error("a sequence without a name");
-}
-
-const char* nameOf(scene::BuiltInLight light) {
-  switch (light) {
-    case scene::BuiltInLight::studio:
-      return "studio";
-    case scene::BuiltInLight::window:
-      return "window";
-    case scene::BuiltInLight::overcast:
-      return "overcast";
-    case scene::BuiltInLight::sunset:
-      return "sunset";
-    case scene::BuiltInLight::dark_studio:
-      return "dark_studio";
-  }
-  throw std::logic_error("a built-in light without a name");
-}
-
 // q and -q, and those of any length, are one rotation.
 glm::dvec4 canonicalRotation(glm::dvec4 wxyz) {
   const double length = glm::length(wxyz);
@@ -68,7 +39,7 @@ ordered_json environmentJson(const scene::Scene& resolved, const LightScene& lig
   const scene::Environment& settings = resolved.light.environment;
   if (scene::kindOf(settings) == scene::EnvironmentKind::builtIn) {
     // By its name: its numbers may differ in the last digits from machine to machine.
-    json["built_in"] = nameOf(settings.builtIn);
+    json["built_in"] = scene::choiceName(settings.builtIn);
     json["version"] = kBuiltInLightVersion;
   } else {
     json["hash"] = base::hexText(light.environment ? light.environment->hash() : 0);
@@ -95,17 +66,7 @@ ordered_json albedoJson(const scene::Scene& resolved, const LightScene& light) {
 
 ordered_json lampJson(const LampLight& lamp) {
   ordered_json json;
-  switch (lamp.kind) {
-    case scene::LampKind::point:
-      json["kind"] = "point";
-      break;
-    case scene::LampKind::directional:
-      json["kind"] = "directional";
-      break;
-    case scene::LampKind::sphere:
-      json["kind"] = "sphere";
-      break;
-  }
+  json["kind"] = scene::choiceName(lamp.kind);
   if (lamp.kind == scene::LampKind::directional) {
     json["toward"] = arrayOf(lamp.toward);
     json["cos_half_angle"] = lamp.cosHalfAngle;
@@ -137,13 +98,13 @@ std::string lightKey(const scene::Scene& resolved, const LightScene& light, Ligh
   json["channels"] = part == LightPart::lamps ? 3 : light.choice.channels;
   if (transfer) json["sh_order"] = light.shOrder;
   json["volume"] = base::hexText(light.volume->grid().hash());
-  json["inside"] = light.inside == scene::Inside::above ? "above" : "below";
+  json["inside"] = scene::choiceName(light.inside);
   json["lattice_scale"] = resolved.gi.latticeScale;
   if (light.choice.onShown) json["isovalue"] = scene::litIsovalue(resolved);
   if (const std::uint64_t hidden = hiddenKey(resolved, light); hidden != 0)
     json["hidden"] = base::hexText(hidden);
   if (light.tracer && light.tracer->cut().cuts()) json["cut"] = base::hexText(light.tracer->cut().key());
-  json["sequence"] = nameOf(light.sequence);
+  json["sequence"] = scene::choiceName(light.sequence);
   json["bounces"] = light.bounces;
   if (light.bounces > 0) {
     json["albedo"] = albedoJson(resolved, light);

@@ -17,16 +17,9 @@ namespace {
 // Rays of an orthographic camera start behind its eye where the volume does.
 double rayStart(const scene::CameraFrame& frame, const volume::GridGeometry& geometry) {
   if (frame.projection != scene::Projection::orthographic) return 0.0;
-  double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::ivec3 last = geometry.dims - 1;
-    const glm::dvec4 voxel((corner & 1) ? last.x : 0, (corner & 2) ? last.y : 0, (corner & 4) ? last.z : 0,
-                           1.0);
-    const double depth = -glm::dot(glm::dvec3(geometry.worldFromVoxel * voxel) - frame.eye, frame.back);
-    nearest = std::min(nearest, depth);
-    farthest = std::max(farthest, depth);
-  }
-  return std::min(0.0, nearest - 0.01 * (farthest - nearest));
+  volume::Bounds<double> depths;
+  for (const glm::dvec3& corner : geometry.corners()) depths.add(-glm::dot(corner - frame.eye, frame.back));
+  return std::min(0.0, depths.low - 0.01 * depths.size());
 }
 
 }  // namespace
