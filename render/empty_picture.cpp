@@ -4,7 +4,6 @@
 #include <array>
 #include <vector>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "base/number_text.h"
@@ -62,11 +61,8 @@ EmptyPicture notInView(const scene::Scene& scene, const volume::GridGeometry& ge
   const bool perspective = frame.projection == scene::Projection::perspective;
   int behind = 0;
   std::array<int, 4> beyond{};
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::ivec3 last = geometry.dims - 1;
-    const glm::dvec4 voxel((corner & 1) ? last.x : 0, (corner & 2) ? last.y : 0, (corner & 4) ? last.z : 0,
-                           1.0);
-    const glm::dvec3 v = glm::dvec3(geometry.worldFromVoxel * voxel) - frame.eye;
+  for (const glm::dvec3& corner : geometry.corners()) {
+    const glm::dvec3 v = corner - frame.eye;
     const double depth = -glm::dot(v, frame.back), reach = frame.halfHeight * (perspective ? depth : 1.0);
     const double x = glm::dot(v, frame.right), y = glm::dot(v, frame.up);
     behind += perspective && depth <= 0.0;

@@ -19,15 +19,9 @@ ViewUniforms::ViewUniforms(const scene::Camera& camera, double aspect, const vol
   orthographic = frame.projection == scene::Projection::orthographic;
   halfExtent = {frame.halfHeight * aspect, frame.halfHeight};
 
-  double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::ivec3 last = geometry.dims - 1;
-    const glm::dvec4 voxel((corner & 1) ? last.x : 0, (corner & 2) ? last.y : 0, (corner & 4) ? last.z : 0,
-                           1.0);
-    const double depth = glm::dot(glm::dvec3(geometry.worldFromVoxel * voxel) - frame.eye, forwardWorld);
-    nearest = std::min(nearest, depth);
-    farthest = std::max(farthest, depth);
-  }
+  volume::Bounds<double> depths;
+  for (const glm::dvec3& corner : geometry.corners()) depths.add(glm::dot(corner - frame.eye, forwardWorld));
+  const auto [nearest, farthest] = depths;
   const double extent = farthest - nearest, before = nearest - 0.01 * extent;
   const bool far = nearest > kFarExtents * extent;
   rayStartMm = orthographic ? (far ? before : std::min(0.0, before)) : 0.0;
