@@ -79,7 +79,7 @@ std::vector<FloatChannel> channelsOf(const std::vector<render::AovImage>& drawn,
       channels.push_back(std::move(channel));
     }
   }
-  const auto pixels = static_cast<std::size_t>(errors.size.x) * static_cast<std::size_t>(errors.size.y);
+  const std::size_t pixels = volume::Extent2{errors.size}.count();
   for (const ErrorImage image : wanted.errors)
     for (const ErrorImageInfo& info : errorImages())
       if (info.image == image) {

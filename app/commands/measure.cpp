@@ -73,7 +73,7 @@ struct SizedSurface {
 // Whether a piece that is shown has a corner of the cell.
 bool holdsShown(const volume::Pieces& pieces, const std::vector<bool>& shown, glm::ivec3 cell) {
   for (int i = 0; i < 8; ++i) {
-    const std::uint32_t id = pieces.ofVoxel(cell + glm::ivec3(i & 1, i >> 1 & 1, i >> 2));
+    const std::uint32_t id = pieces.ofVoxel(cell + volume::cornerStep(i));
     if (id < shown.size() && shown[id]) return true;
   }
   return false;

@@ -57,15 +57,6 @@ std::vector<glm::dvec3> keptBy(const glm::dvec4& face, const std::vector<glm::dv
 
 }  // namespace
 
-BoxCorners cornersOf(const volume::GridGeometry& geometry) {
-  BoxCorners corners;
-  for (int i = 0; i < 8; ++i) {
-    const glm::dvec3 voxel = glm::dvec3(i & 1, (i >> 1) & 1, i >> 2) * glm::dvec3(geometry.dims - 1);
-    corners[static_cast<std::size_t>(i)] = glm::dvec3(geometry.worldFromVoxel * glm::dvec4(voxel, 1.0));
-  }
-  return corners;
-}
-
 glm::dvec3 cutPoint(const scene::Scene& resolved, const scene::VolumeFacts& facts) {
   const glm::dvec3 middle = 0.5 * (facts.boundsMinMm + facts.boundsMaxMm);
   const glm::dvec3 wanted = resolved.slice.position.value_or(resolved.camera.target.value_or(middle));
@@ -168,12 +159,11 @@ void addBox(scene::Clip& clip, const scene::VolumeFacts& facts) {
   clip.boxRotation = {1.0, 0.0, 0.0, 0.0};
 }
 
-void addCorner(scene::Clip& clip, const glm::dvec3& point, const glm::dvec3& back, const BoxCorners& volume) {
-  glm::dvec3 low = volume[0], high = volume[0];
-  for (const glm::dvec3& corner : volume) {
-    low = glm::min(low, corner);
-    high = glm::max(high, corner);
-  }
+void addCorner(scene::Clip& clip, const glm::dvec3& point, const glm::dvec3& back,
+               const BoxCorners& corners) {
+  volume::Bounds<glm::dvec3> bounds;
+  for (const glm::dvec3& corner : corners) bounds.add(corner);
+  const auto [low, high] = bounds;
   const double beyond = 0.1 * glm::distance(low, high);
   clip.removed.push_back(point);
   clip.removed.push_back(glm::mix(high + beyond, low - beyond, glm::lessThan(back, glm::dvec3(0.0))));

@@ -18,7 +18,6 @@ namespace isolux::app {
 
 // Corners of what is cut: bit a of the index says on which side of axis a.
 using BoxCorners = std::array<glm::dvec3, 8>;
-BoxCorners cornersOf(const volume::GridGeometry& geometry);  // of the voxels' domain, mm
 
 // Through which point planes are put: where the user has put the crosshair, else the camera's target, in any
 // case within the box of what there is to see.

@@ -98,7 +98,7 @@ CutShape boxShape(const scene::Clip& clip, int number, const CutStage& stage) {
 }  // namespace
 
 CutStage cutStageOf(const scene::Scene& resolved, const volume::GridGeometry& geometry, glm::dvec2 pixels) {
-  return {scene::frameOf(resolved.camera), glm::max(pixels, glm::dvec2(1.0)), cornersOf(geometry)};
+  return {scene::frameOf(resolved.camera), glm::max(pixels, glm::dvec2(1.0)), geometry.corners()};
 }
 
 CutProjection projectedOn(const CutStage& stage, const glm::dvec3& world) {

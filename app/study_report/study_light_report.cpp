@@ -1,12 +1,12 @@
 #include "app/study_report/study_light_report.h"
 
 #include <algorithm>
-#include <cmath>
 #include <ostream>
 
 #include <nlohmann/json.hpp>
 
 #include "app/study_report/study_table.h"
+#include "volume/extent.h"
 
 namespace isolux::app {
 
@@ -15,11 +15,6 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr double kMebi = 1024.0 * 1024.0;
-
-glm::ivec2 placeOf(std::size_t pixel, glm::ivec2 size) {
-  const auto width = static_cast<std::size_t>(size.x);
-  return {static_cast<int>(pixel % width), static_cast<int>(pixel / width)};
-}
 
 std::string percent(double part, int digits = 3) {
   return tableNumber(100.0 * part, digits);
@@ -78,7 +73,7 @@ ordered_json lightCostJson(const LightCost& cost) {
 }
 
 ordered_json lightErrorsJson(const LightErrors& errors, glm::ivec2 size) {
-  const glm::ivec2 place = placeOf(errors.maximumPixel, size);
+  const glm::ivec2 place = volume::Extent2{size}.at(errors.maximumPixel);
   return {{"pixels", errors.pixels},
           {"mean_irradiance", errors.mean},
           {"truth_noise", errors.truthNoise},

@@ -1,7 +1,5 @@
 #include "ui/cuts/cut_menu.h"
 
-#include <algorithm>
-
 #include <QAction>
 #include <QActionGroup>
 #include <QKeySequence>
@@ -100,13 +98,13 @@ void CutMenu::makePlanes(QMenu* menu) {
     plane.toAxis = add(plane.menu, tr("Align to the nearest &axis"), tr("Align its normal with an axis"), {});
     connect(plane.toAxis, &QAction::triggered, this, [this, i] {
       changePlane(i, tr("Align plane %1").arg(i + 1), [this](const scene::ClipPlane& before) {
-        return app::alignedToAxis(before, app::cornersOf(volume_->grid().geometry()));
+        return app::alignedToAxis(before, volume_->grid().geometry().corners());
       });
     });
     plane.toViewer = add(plane.menu, tr("Turn to the &viewer"), tr("Turn its normal towards the viewer"), {});
     connect(plane.toViewer, &QAction::triggered, this, [this, i] {
       changePlane(i, tr("Turn plane %1 to the viewer").arg(i + 1), [this](const scene::ClipPlane& before) {
-        return app::alignedToViewer(before, app::cornersOf(volume_->grid().geometry()), back());
+        return app::alignedToViewer(before, volume_->grid().geometry().corners(), back());
       });
     });
     plane.remove = add(plane.menu, tr("&Remove"), tr("Remove this plane"), {});
@@ -318,7 +316,7 @@ void CutMenu::removeBox() {
 void CutMenu::addCorner() {
   scene::Clip clip = scene_.clip;
   app::addCorner(clip, app::cutPoint(resolved_, volume_->facts), back(),
-                 app::cornersOf(volume_->grid().geometry()));
+                 volume_->grid().geometry().corners());
   send(clip, tr("Cut a corner away"));
 }
 

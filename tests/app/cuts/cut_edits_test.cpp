@@ -71,7 +71,7 @@ TEST(CutEdits, PlanesGoThroughWhatIsSeen) {
 // Corners lie on the plane and on the box's edges, in order; the area is that of the whole face for a plane
 // along the axes.
 TEST(CutEdits, TheOutlineIsWhatThePlaneHasOfTheBox) {
-  const BoxCorners box = cornersOf(slantedGrid());
+  const BoxCorners box = slantedGrid().corners();
   std::mt19937 random(7);
   std::normal_distribution<double> normal;
   const glm::dmat4 voxelFromWorld = slantedGrid().voxelFromWorld();
@@ -134,7 +134,7 @@ TEST(CutEdits, AFaceIsWhatTheOtherCutsLeave) {
 }
 
 TEST(CutEdits, FlippingTwiceAndAligning) {
-  const BoxCorners box = cornersOf(slantedGrid());
+  const BoxCorners box = slantedGrid().corners();
   const scene::ClipPlane plane{0.5 * (box[0] + box[7]), {0.2, -0.9, 0.3}};
   EXPECT_EQ(flipped(plane).normal, -plane.normal);
   EXPECT_EQ(flipped(flipped(plane)), plane);
@@ -147,7 +147,7 @@ TEST(CutEdits, FlippingTwiceAndAligning) {
 
 // From the point to beyond the volume, on the viewer's side of it on each axis.
 TEST(CutEdits, ACornerIsTheOctantTowardTheViewer) {
-  const BoxCorners volume = cornersOf(slantedGrid());
+  const BoxCorners volume = slantedGrid().corners();
   const glm::dvec3 point(1, 12, 40);
   scene::Clip clip;
   for (const glm::dvec3& back : {glm::dvec3(0.2, -0.7, 0.4), glm::dvec3(-1, 0.1, -0.2)}) {
