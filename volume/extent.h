@@ -35,9 +35,7 @@ struct Extent2 {
   }
   std::size_t index(glm::ivec2 p) const { return index(p.x, p.y); }
   // Returns the element that has this index.
-  glm::ivec2 at(std::size_t index) const {
-    return {static_cast<int>(index % row()), static_cast<int>(index / row())};
-  }
+  glm::ivec2 at(std::size_t i) const { return {static_cast<int>(i % row()), static_cast<int>(i / row())}; }
   bool contains(glm::ivec2 p) const { return p.x >= 0 && p.y >= 0 && p.x < size.x && p.y < size.y; }
 };
 
@@ -49,17 +47,18 @@ struct Extent3 {
   std::size_t rows() const { return static_cast<std::size_t>(dims.y) * static_cast<std::size_t>(dims.z); }
   std::size_t count() const { return row() * rows(); }
   std::size_t index(int x, int y, int z) const {
-    return static_cast<std::size_t>(z) * slice() + static_cast<std::size_t>(y) * row() +
+    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(dims.y) + static_cast<std::size_t>(y)) *
+               row() +
            static_cast<std::size_t>(x);
   }
   std::size_t index(glm::ivec3 v) const { return index(v.x, v.y, v.z); }
   // Return the element that has this index, and the first one of a row, 0 .. rows() - 1.
-  glm::ivec3 at(std::size_t index) const {
-    return firstOfRow(index / row()) + glm::ivec3(static_cast<int>(index % row()), 0, 0);
+  glm::ivec3 at(std::size_t i) const {
+    return firstOfRow(i / row()) + glm::ivec3(static_cast<int>(i % row()), 0, 0);
   }
-  glm::ivec3 firstOfRow(std::size_t row) const {
+  glm::ivec3 firstOfRow(std::size_t i) const {
     const auto height = static_cast<std::size_t>(dims.y);
-    return {0, static_cast<int>(row % height), static_cast<int>(row / height)};
+    return {0, static_cast<int>(i % height), static_cast<int>(i / height)};
   }
   bool contains(glm::ivec3 v) const {
     return v.x >= 0 && v.y >= 0 && v.z >= 0 && v.x < dims.x && v.y < dims.y && v.z < dims.z;

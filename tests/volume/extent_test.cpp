@@ -36,7 +36,7 @@ TEST(Extent, ContainsWhatIsBelowItsSizeOnEveryAxis) {
   const Extent3 extent{{3, 4, 5}};
   EXPECT_TRUE(extent.contains({0, 0, 0}));
   EXPECT_TRUE(extent.contains({2, 3, 4}));
-  for (const glm::ivec3 v :
+  for (const glm::ivec3& v :
        {glm::ivec3(-1, 0, 0), glm::ivec3(3, 0, 0), glm::ivec3(0, 4, 0), glm::ivec3(0, 0, 5)})
     EXPECT_FALSE(extent.contains(v));
   for (const int i : {-1, 0}) EXPECT_FALSE(Extent3{}.contains(glm::ivec3(i)));
