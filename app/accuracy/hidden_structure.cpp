@@ -61,27 +61,27 @@ HiddenStructure hiddenStructure(render::Renderer& renderer, const scene::Scene& 
   double leastCut = isovalues.empty() ? 0.0 : isovalues.front();
   for (const double isovalue : isovalues)
     if (!cut.cuts(isovalue)) leastCut = isovalue;
-  volume::parallelSteps(static_cast<std::size_t>(size.y), progress,
-                        {0.0, 1.0, "looking for structure lost in the level"}, [&](std::size_t y) {
-                          for (int x = 0; x < size.x; ++x) {
-                            const std::size_t i = volume::Extent2{size}.index(x, static_cast<int>(y));
-                            const glm::dvec2 ndc((x + 0.5) / size.x * 2.0 - 1.0,
-                                                 1.0 - (static_cast<double>(y) + 0.5) / size.y * 2.0);
-                            volume::Ray ray = viewRay(whole.geometry, frame, ndc, aspect, startMm);
-                            const glm::dvec3 hit(voxels[3 * i], voxels[3 * i + 1], voxels[3 * i + 2]);
-                            out.seen[i] = std::isnan(hit.x) ? 0 : 1;
-                            if (out.seen[i])
-                              ray.tMaximum =
-                                  glm::dot(glm::dvec3(wholeFromLevel * glm::dvec4(hit, 1.0)) - ray.origin,
-                                           ray.direction) /
-                                  glm::dot(ray.direction, ray.direction);
-                            for (const auto& [begin, end] : cut.stretchesOf(leastCut, ray)) {
-                              ray.tMinimum = begin;
-                              ray.tMaximum = end;
-                              if (begin < end && gaps.on(ray)) out.hides[i] = 1;
-                            }
-                          }
-                        });
+  volume::parallelSteps(
+      static_cast<std::size_t>(size.y), progress, {0.0, 1.0, "looking for structure lost in the level"},
+      [&](std::size_t y) {
+        for (int x = 0; x < size.x; ++x) {
+          const std::size_t i = y * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
+          const glm::dvec2 ndc((x + 0.5) / size.x * 2.0 - 1.0,
+                               1.0 - (static_cast<double>(y) + 0.5) / size.y * 2.0);
+          volume::Ray ray = viewRay(whole.geometry, frame, ndc, aspect, startMm);
+          const glm::dvec3 hit(voxels[3 * i], voxels[3 * i + 1], voxels[3 * i + 2]);
+          out.seen[i] = std::isnan(hit.x) ? 0 : 1;
+          if (out.seen[i])
+            ray.tMaximum =
+                glm::dot(glm::dvec3(wholeFromLevel * glm::dvec4(hit, 1.0)) - ray.origin, ray.direction) /
+                glm::dot(ray.direction, ray.direction);
+          for (const auto& [begin, end] : cut.stretchesOf(leastCut, ray)) {
+            ray.tMinimum = begin;
+            ray.tMaximum = end;
+            if (begin < end && gaps.on(ray)) out.hides[i] = 1;
+          }
+        }
+      });
   return out;
 }
 
