@@ -65,8 +65,7 @@ ordered_json albedoJson(const scene::Scene& resolved, const LightScene& light) {
 }
 
 ordered_json lampJson(const LampLight& lamp) {
-  ordered_json json;
-  json["kind"] = scene::choiceName(lamp.kind);
+  ordered_json json{{"kind", scene::choiceName(lamp.kind)}};
   if (lamp.kind == scene::LampKind::directional) {
     json["toward"] = arrayOf(lamp.toward);
     json["cos_half_angle"] = lamp.cosHalfAngle;
