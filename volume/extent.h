@@ -63,10 +63,6 @@ struct Extent3 {
   bool contains(glm::ivec3 v) const {
     return v.x >= 0 && v.y >= 0 && v.z >= 0 && v.x < dims.x && v.y < dims.y && v.z < dims.z;
   }
-  // Returns the cell that holds a position, or the nearest one. On an axis of one voxel it is cell 0.
-  glm::ivec3 cellAt(glm::dvec3 voxel) const {
-    return glm::clamp(glm::ivec3(glm::floor(voxel)), glm::ivec3(0), glm::max(dims - 2, 0));
-  }
   // Returns corner i of a cell. On an axis of one voxel both corners are that voxel.
   template <class Index>
   glm::ivec3 corner(glm::ivec3 cell, Index i) const {

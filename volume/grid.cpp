@@ -48,6 +48,10 @@ bool GridGeometry::leftHanded() const {
   return glm::determinant(glm::dmat3(worldFromVoxel)) < 0.0;
 }
 
+glm::ivec3 GridGeometry::cellOf(const glm::dvec3& voxel) const {
+  return glm::clamp(glm::ivec3(glm::floor(voxel)), glm::ivec3(0), glm::max(dims - 2, glm::ivec3(0)));
+}
+
 std::array<glm::dvec3, 8> GridGeometry::corners(const glm::dvec3& low, const glm::dvec3& high) const {
   std::array<glm::dvec3, 8> corners;
   for (std::size_t i = 0; i < 8; ++i) {
@@ -212,16 +216,16 @@ VoxelType Grid::storedType() const {
   return types[voxels_.index()];
 }
 
+bool Grid::cellHasMissing(glm::ivec3 cell) const {
+  for (int i = 0; i < 8; ++i)
+    if (std::isnan(stored(extent().corner(cell, i)))) return true;
+  return false;
+}
+
 double Grid::stored(int x, int y, int z) const {
   if (source_) return source_->stored({x, y, z});
   const std::size_t i = index(x, y, z);
   return std::visit([i](const auto& array) { return static_cast<double>(array[i]); }, voxels_);
-}
-
-bool Grid::hasMissingCorner(glm::ivec3 cell) const {
-  for (int i = 0; i < 8; ++i)
-    if (std::isnan(stored(extent().corner(cell, i)))) return true;
-  return false;
 }
 
 std::size_t Grid::bytes() const {

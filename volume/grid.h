@@ -48,6 +48,8 @@ struct GridGeometry {
   glm::dmat3 directions() const;  // unit columns: world direction of each voxel axis
   glm::dvec3 originMm() const;    // world position of voxel (0,0,0)
   bool leftHanded() const;        // negative determinant
+  // Returns the cell that a point is in, or the nearest one; its lower corner.
+  glm::ivec3 cellOf(const glm::dvec3& voxel) const;
   // Return the world positions of the corners of a box of voxels, or of the domain [0, n-1]^3, in the order
   // of cornerStep().
   std::array<glm::dvec3, 8> corners(const glm::dvec3& low, const glm::dvec3& high) const;
@@ -109,7 +111,6 @@ class Grid {
   double stored(glm::ivec3 voxel) const { return stored(voxel.x, voxel.y, voxel.z); }
   double value(int x, int y, int z) const { return valueOfStored(stored(x, y, z)); }
   double value(glm::ivec3 voxel) const { return valueOfStored(stored(voxel)); }
-  bool hasMissingCorner(glm::ivec3 cell) const;
 
   // Return the range of the values of voxels that are not missing; {0, 0} if all are missing.
   double minimum() const { return minimum_; }
@@ -119,6 +120,8 @@ class Grid {
   double storedMinimum() const { return storedMinimum_; }
   double storedMaximum() const { return storedMaximum_; }
   std::size_t missingCount() const { return missing_; }
+  // Returns whether a corner of the cell is missing. Corners beyond the border repeat the border's.
+  bool cellHasMissing(glm::ivec3 cell) const;
   std::size_t bytes() const;                                         // of all voxels, in memory or not
   static constexpr std::size_t kHashedBytes = std::size_t{1} << 20;  // of voxels: a block of hash()
   // Returns a 64-bit hash of dims, worldFromVoxel, slope, intercept, type and voxels. It is FNV-1a over

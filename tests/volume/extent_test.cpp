@@ -48,8 +48,6 @@ TEST(Extent, HasTheCornersOfCells) {
   EXPECT_EQ(cornerStep(1), glm::ivec3(1, 0, 0));
   EXPECT_EQ(cornerStep(6), glm::ivec3(0, 1, 1));
   const Extent3 flat{{3, 4, 1}};
-  EXPECT_EQ(flat.cellAt({2.0, 1.5, 0.0}), glm::ivec3(1, 1, 0));
-  EXPECT_EQ(flat.cellAt({-1.0, 9.0, 0.5}), glm::ivec3(0, 2, 0));
   EXPECT_EQ(flat.corner({1, 2, 0}, 7), glm::ivec3(2, 3, 0));
 }
 

@@ -31,11 +31,6 @@ glm::dmat3 smoothingOf(const GridGeometry& geometry, scene::Field field, double 
   return scaleMm * scaleMm * glm::dmat3(1.0) + world * diagonal(lacking) * glm::transpose(world);
 }
 
-// Whether all corners of the cell are there.
-bool cellIsKnown(const Grid& grid, const glm::dvec3& voxel) {
-  return grid.missingCount() == 0 || !grid.hasMissingCorner(grid.extent().cellAt(voxel));
-}
-
 }  // namespace
 
 double automaticEdgeSearch(const GridGeometry& geometry, double scaleMm) {
@@ -90,7 +85,8 @@ EdgeFinder::EdgeFinder(const Grid& grid, const EdgeField& field, const EdgeQuest
 Edge EdgeFinder::at(const glm::dvec3& voxel) const {
   const double slope = grid_.slope();
   const auto sample = [&](const glm::dvec3& p) {
-    if (!cellIsKnown(grid_, p)) return EdgeSample<double>{};
+    if (grid_.missingCount() > 0 && grid_.cellHasMissing(grid_.geometry().cellOf(p)))
+      return EdgeSample<double>{};
     const FieldSample field = field_.scaled         ? sampleScaled(*field_.scaled, grid_, p)
                               : field_.coefficients ? sampleCubic(*field_.coefficients, grid_, p)
                                                     : sampleCubic(grid_, p);

@@ -44,7 +44,8 @@ SampleSizes sizesOf(const DerivedShape& shape, const RoundingCounts& counts, con
   const auto sample = [&](const glm::ivec3& at) {
     return coefficients ? static_cast<double>(coefficients->values[grid.index(at)]) : grid.stored(at);
   };
-  const glm::ivec3 cell = grid.extent().cellAt(voxel), last = grid.dims() - 1;
+  const glm::ivec3 last = grid.dims() - 1;
+  const glm::ivec3 cell = grid.geometry().cellOf(voxel);
   const double reference = sample(cell);
   const double lowest = lowestStored(grid);
   double spread = 0.0, size = 0.0;

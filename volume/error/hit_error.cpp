@@ -72,7 +72,7 @@ FieldSample fieldAt(const HitSource& source, const glm::dvec3& voxel) {
 // The largest |corner - isovalue| of the cell, data units; of the samples, of which coefficients are not far.
 double spreadAbout(const HitSource& source, const glm::dvec3& voxel, double isovalue) {
   const Grid& grid = source.grid;
-  const glm::ivec3 cell = grid.extent().cellAt(voxel);
+  const glm::ivec3 cell = grid.geometry().cellOf(voxel);
   const int apron = source.cubic ? 1 : 0;
   double spread = 0.0;
   forEachIn(cell - apron, cell + apron + 2, [&](glm::ivec3 at) {
@@ -99,7 +99,8 @@ double texelSize(const HitSource& source, double isovalue) {
 // Whether a voxel is missing in a cell as near to the point as rounding is.
 bool nearGap(const Grid& grid, const glm::dvec3& voxel, const glm::dvec3& reach) {
   if (grid.missingCount() == 0) return false;
-  const glm::ivec3 low = grid.extent().cellAt(voxel - reach), high = grid.extent().cellAt(voxel + reach) + 1;
+  const glm::ivec3 low = grid.geometry().cellOf(voxel - reach),
+                   high = grid.geometry().cellOf(voxel + reach) + 1;
   for (int z = low.z; z <= high.z; ++z)
     for (int y = low.y; y <= high.y; ++y)
       for (int x = low.x; x <= high.x; ++x)

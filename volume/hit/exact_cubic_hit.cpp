@@ -275,7 +275,7 @@ CubicHit firstHitCubic(const Coefficients& coefficients, const Grid& grid, const
   // Values and blocks lack the offset: so does what they are compared with.
   return firstHitOf(coefficients.values, grid, blocks, isovalue - grid.slope() * coefficients.offset, ray,
                     shown ? &*shown : nullptr,
-                    [&](glm::ivec3 cell) { return !gaps || !grid.hasMissingCorner(cell); });
+                    [&](glm::ivec3 cell) { return !gaps || !grid.cellHasMissing(cell); });
 }
 
 SideChanges sideChangesOfCell(const Grid& grid, double isovalue, glm::ivec3 cell, glm::dvec3 from,

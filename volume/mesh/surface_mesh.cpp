@@ -45,13 +45,6 @@ void fillSamples(const Grid& grid, const SurfaceMeshRequest& request, int pad, s
   });
 }
 
-bool missingNear(const Grid& grid, const glm::dvec3& middle) {
-  const Extent3 extent = grid.extent();
-  for (int i = 0; i < 8; ++i)
-    if (!std::isfinite(grid.value(extent.corner(extent.cellAt(middle), i)))) return true;
-  return false;
-}
-
 // A crossed edge of the grid, from its voxel inside to the one outside.
 struct CrossedEdge {
   glm::dvec3 inside, outside;
@@ -126,7 +119,9 @@ class Maker {
         request_.budgetBytes, progress);
     for (glm::dvec3& point : mesh_.points) point -= static_cast<double>(pad);
     if (grid_.missingCount() > 0)
-      std::erase_if(mesh_.triangles, [&](const Triangle& t) { return missingNear(grid_, middle(t)); });
+      std::erase_if(mesh_.triangles, [&](const Triangle& t) {
+        return grid_.cellHasMissing(grid_.geometry().cellOf(middle(t)));
+      });
   }
 
   glm::dvec3 middle(const Triangle& t) const {

@@ -69,8 +69,8 @@ std::uint32_t Pieces::ofPoint(glm::dvec3 voxel) const {
     return kNone;
   if (glm::all(glm::lessThan(glm::abs(voxel - nearest), glm::dvec3(near))))
     return ofVoxel(glm::ivec3(nearest));
+  const glm::ivec3 cell = grid_->geometry().cellOf(voxel);
   const Extent3 extent{dims};
-  const glm::ivec3 cell = extent.cellAt(voxel);
   CellCorners values;
   for (std::size_t i = 0; i < 8; ++i) values[i] = level_.depth(grid_->stored(extent.corner(cell, i)));
   const glm::dvec3 local = glm::clamp(voxel - glm::dvec3(cell), 0.0, 1.0);

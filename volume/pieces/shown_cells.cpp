@@ -122,7 +122,7 @@ ShownWay ShownCells::along(glm::ivec3 cell, const glm::dvec3& from, const glm::d
 }
 
 bool ShownCells::hiddenAt(const glm::dvec3& voxel) const {
-  const glm::ivec3 cell = grid_.extent().cellAt(voxel);
+  const glm::ivec3 cell = grid_.geometry().cellOf(voxel);
   const glm::dvec3 local = glm::clamp(voxel - glm::dvec3(cell), 0.0, 1.0);
   return field_ == scene::Field::trilinear ? cellAt(cell).hiddenAt(local) : hiddenNear(cell, local);
 }

@@ -36,7 +36,7 @@ std::optional<glm::ivec3> surfaceVoxel(const Grid& grid, InsideLevel level, glm:
 }
 
 std::optional<glm::ivec3> surfaceVoxel(const Grid& grid, InsideLevel level, const glm::dvec3& voxel) {
-  const glm::ivec3 cell = grid.extent().cellAt(voxel);
+  const glm::ivec3 cell = grid.geometry().cellOf(voxel);
   return surfaceVoxel(grid, level, cell, glm::clamp(voxel - glm::dvec3(cell), 0.0, 1.0));
 }
 
