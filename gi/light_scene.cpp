@@ -1,7 +1,6 @@
 #include "gi/light_scene.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include <glm/geometric.hpp>
@@ -50,8 +49,7 @@ std::shared_ptr<const Environment> loadEnvironment(const scene::Environment& set
 }
 
 std::vector<LampLight> lampsOf(const scene::Scene& resolved, const volume::GridGeometry& geometry) {
-  glm::dvec3 low, high;
-  geometry.worldBounds(low, high);
+  const auto [low, high] = geometry.worldBounds();
   const glm::dvec3 centre = 0.5 * (low + high);
   const double diagonal = std::max(glm::length(high - low), 1e-9);
   std::vector<LampLight> lights;

@@ -176,8 +176,7 @@ auto watched(Connection& connection, Read&& read) {
 TriangleMesh contoured(Connection& connection, const Abilities& abilities, const Request& request) {
   const SharedMemory lent(connection);
   const glm::ivec3 dims = request.contourDims;
-  const std::size_t count =
-      static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y) * static_cast<std::size_t>(dims.z);
+  const std::size_t count = volume::Extent3{dims}.count();
   if (lent.bytes().size() != count * sizeof(float)) endUnheard();
   allowDecoding(lent.bytes().size());
   const std::span samples(reinterpret_cast<const float*>(lent.bytes().data()), count);

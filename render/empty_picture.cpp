@@ -4,7 +4,6 @@
 #include <array>
 #include <vector>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "base/number_text.h"

@@ -25,8 +25,7 @@ std::size_t channelsOf(Aov aov) {
 // How far before the eye the ray of a pixel starts, mm along it.
 double rayStart(const DrawnFrame& drawn, std::size_t ray) {
   if (drawn.startDepth == 0.0) return drawn.rayStartMm;
-  const auto width = static_cast<std::size_t>(drawn.raySize.x);
-  const glm::dvec2 at = glm::dvec2(ray % width, ray / width) + 0.5 + glm::dvec2(drawn.tileOrigin);
+  const glm::dvec2 at = glm::dvec2(volume::Extent2{drawn.raySize}.at(ray) + drawn.tileOrigin) + 0.5;
   const glm::dvec2 plane = (at / glm::dvec2(drawn.wholeSize) * 2.0 - 1.0) * drawn.halfExtent;
   return drawn.startDepth * std::sqrt(1.0 + glm::dot(plane, plane));
 }
@@ -284,8 +283,7 @@ void append(std::vector<glm::vec3>& to, const std::vector<glm::vec3>& more) {
 void appendHits(const FrameState& frame, std::size_t most, double outward, gi::SeenPoints& hits) {
   const glm::ivec2 size(frame.images.at(image::surface + frame.layer).images[0].size());
   glm::ivec2 grid = size;
-  for (int step = 1; static_cast<std::size_t>(grid.x) * static_cast<std::size_t>(grid.y) > most;)
-    grid = glm::max(size / ++step, glm::ivec2(1));
+  for (int step = 1; volume::Extent2{grid}.count() > most;) grid = glm::max(size / ++step, glm::ivec2(1));
   gi::SeenPoints found = hitsOfPart(frame, {{0, 0}, size, grid}, outward);
   if (frame.request.hits == FrameRequest::Hits::all && grid != size) {
     found = {};

@@ -481,14 +481,13 @@ void Renderer::Parts::runInBricks(Pass& pass, const std::vector<Pass*>& running)
 void Renderer::Parts::reportBricks() {
   const Bricks* const bricks = frame.bricks();
   if (!bricks) return;
-  const glm::ivec3 dims = bricks->dims();
   const auto share = [this](std::size_t rays) {
     return static_cast<double>(rays) / (static_cast<double>(frame.raySize().x) * frame.raySize().y);
   };
   BrickReport& out = report.bricks;
   out = {
       true,
-      static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y) * static_cast<std::size_t>(dims.z),
+      volume::Extent3{bricks->dims()}.count(),
       frame.volume->activeBricks(),
       bricks->resident(),
       bricks->slots(),

@@ -100,7 +100,7 @@ void paste(const std::vector<Value>& from, const Tile& tile, const Part& part, i
 }
 
 std::size_t pixelsOf(glm::ivec2 size) {
-  return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+  return volume::Extent2{size}.count();
 }
 
 class Collector {

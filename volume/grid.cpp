@@ -79,18 +79,15 @@ glm::ivec3 GridGeometry::cellOf(const glm::dvec3& voxel) const {
 
 std::array<glm::dvec3, 8> GridGeometry::corners(const glm::dvec3& low, const glm::dvec3& high) const {
   std::array<glm::dvec3, 8> corners;
-  for (std::size_t i = 0; i < 8; ++i)
-    corners[i] = worldOf({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
+  for (std::size_t i = 0; i < 8; ++i) corners[i] = worldOf(glm::mix(low, high, glm::bvec3(cornerStep(i))));
+  }
   return corners;
 }
 
-void GridGeometry::worldBounds(glm::dvec3& minimumMm, glm::dvec3& maximumMm) const {
-  minimumMm = glm::dvec3(std::numeric_limits<double>::infinity());
-  maximumMm = -minimumMm;
-  for (const glm::dvec3& corner : corners()) {
-    minimumMm = glm::min(minimumMm, corner);
-    maximumMm = glm::max(maximumMm, corner);
-  }
+Bounds<glm::dvec3> GridGeometry::worldBounds() const {
+  Bounds<glm::dvec3> bounds;
+  for (const glm::dvec3& corner : corners()) bounds.add(corner);
+  return bounds;
 }
 
 GridGeometry GridGeometry::make(glm::ivec3 dims, glm::dvec3 spacingMm, glm::dvec3 originMm,
@@ -243,10 +240,8 @@ VoxelType Grid::storedType() const {
 }
 
 bool Grid::cellHasMissing(glm::ivec3 cell) const {
-  for (int i = 0; i < 8; ++i) {
-    const glm::ivec3 at = glm::min(cell + glm::ivec3(i & 1, i >> 1 & 1, i >> 2), dims() - 1);
-    if (std::isnan(stored(at.x, at.y, at.z))) return true;
-  }
+  for (int i = 0; i < 8; ++i)
+    if (std::isnan(stored(extent().corner(cell, i)))) return true;
   return false;
 }
 

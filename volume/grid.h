@@ -8,7 +8,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -23,6 +22,8 @@
 #include <glm/vec4.hpp>
 
 #include "base/memory_budget.h"
+#include "volume/bounds.h"
+#include "volume/extent.h"
 
 namespace isolux::base {
 class Progress;
@@ -41,10 +42,8 @@ struct GridGeometry {
   glm::ivec3 dims{0};
   glm::dmat4 worldFromVoxel{1.0};  // affine, invertible
 
-  std::size_t voxelCount() const {
-    return static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y) *
-           static_cast<std::size_t>(dims.z);
-  }
+  Extent3 extent() const { return {dims}; }
+  std::size_t voxelCount() const { return extent().count(); }
   glm::dmat4 voxelFromWorld() const;
   glm::dvec3 spacingMm() const;  // lengths of the columns
   double leastSpacingMm() const;
@@ -64,11 +63,11 @@ struct GridGeometry {
   bool holds(const glm::dvec3& voxel, double slack = 0.0) const;
   // Returns the cell that a point is in, or the nearest one; its lower corner.
   glm::ivec3 cellOf(const glm::dvec3& voxel) const;
-  // Return the world positions of the corners of a box of voxels, or of the domain. Corner i is at the high
-  // end of x if bit 0 of i is set, of y for bit 1, of z for bit 2.
+  // Return the world positions of the corners of a box of voxels, or of the domain, in the order of
+  // cornerStep().
   std::array<glm::dvec3, 8> corners(const glm::dvec3& low, const glm::dvec3& high) const;
   std::array<glm::dvec3, 8> corners() const { return corners(glm::dvec3(0.0), glm::dvec3(dims - 1)); }
-  void worldBounds(glm::dvec3& minimumMm, glm::dvec3& maximumMm) const;  // of the domain [0, n-1]^3
+  Bounds<glm::dvec3> worldBounds() const;  // of the domain, mm
 
   static GridGeometry make(glm::ivec3 dims, glm::dvec3 spacingMm, glm::dvec3 originMm = glm::dvec3(0.0),
                            glm::dmat3 directions = glm::dmat3(1.0));
@@ -102,6 +101,7 @@ class Grid {
 
   const GridGeometry& geometry() const { return geometry_; }
   glm::ivec3 dims() const { return geometry_.dims; }
+  Extent3 extent() const { return geometry_.extent(); }
   VoxelType storedType() const;
   bool isWhole() const { return !source_; }                               // its voxels are in memory
   const std::shared_ptr<BrickSource>& source() const { return source_; }  // null if isWhole()
@@ -120,14 +120,12 @@ class Grid {
   // Returns the stored isovalue that rays and blocks compare with: rounded to float.
   float storedIsovalue(double isovalue) const { return static_cast<float>(storedOfValue(isovalue)); }
 
-  std::size_t index(int x, int y, int z) const {
-    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(geometry_.dims.y) +
-            static_cast<std::size_t>(y)) *
-               static_cast<std::size_t>(geometry_.dims.x) +
-           static_cast<std::size_t>(x);
-  }
+  std::size_t index(int x, int y, int z) const { return extent().index(x, y, z); }
+  std::size_t index(glm::ivec3 voxel) const { return extent().index(voxel); }
   double stored(int x, int y, int z) const;  // NaN if missing
+  double stored(glm::ivec3 voxel) const { return stored(voxel.x, voxel.y, voxel.z); }
   double value(int x, int y, int z) const { return valueOfStored(stored(x, y, z)); }
+  double value(glm::ivec3 voxel) const { return valueOfStored(stored(voxel)); }
 
   // Return the range of the values of voxels that are not missing; {0, 0} if all are missing.
   double minimum() const { return minimum_; }

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <filesystem>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -44,16 +43,13 @@ template <class IsWanted>
 BlockBox boxOfBlocks(const MinMaxBlocks& blocks, const IsWanted& isWanted, base::Progress& progress) {
   const glm::ivec3 dims = blocks.dims();
   tbb::combinable<BlockBox> partial([&] { return BlockBox{dims, glm::ivec3(-1)}; });
-  parallelSteps(static_cast<std::size_t>(dims.z), progress, {}, [&](std::size_t layer) {
+  parallelSteps(Extent3{dims}.rows(), progress, {}, [&](std::size_t row) {
     BlockBox& box = partial.local();
-    const auto z = static_cast<int>(layer);
-    std::size_t i = blocks.index({0, 0, z});
-    for (int y = 0; y < dims.y; ++y)
-      for (int x = 0; x < dims.x; ++x, ++i)
-        if (isWanted(i)) {
-          box.first = glm::min(box.first, glm::ivec3(x, y, z));
-          box.last = glm::max(box.last, glm::ivec3(x, y, z));
-        }
+    for (glm::ivec3 at = Extent3{dims}.firstOfRow(row); at.x < dims.x; ++at.x)
+      if (isWanted(blocks.index(at))) {
+        box.first = glm::min(box.first, at);
+        box.last = glm::max(box.last, at);
+      }
   });
   BlockBox all{dims, glm::ivec3(-1)};
   partial.combine_each([&](const BlockBox& box) {
@@ -100,12 +96,11 @@ void setBounds(PreparedVolume& prepared, base::Progress& progress) {
       high = glm::min((last + 1) * blocks.blockCells(), high);
     }
   }
-  facts.boundsMinMm = glm::dvec3(std::numeric_limits<double>::infinity());
-  facts.boundsMaxMm = -facts.boundsMinMm;
-  for (const glm::dvec3& corner : grid.geometry().corners(glm::dvec3(low), glm::dvec3(high))) {
-    facts.boundsMinMm = glm::min(facts.boundsMinMm, corner);
-    facts.boundsMaxMm = glm::max(facts.boundsMaxMm, corner);
-  }
+  Bounds<glm::dvec3> bounds;
+  for (const glm::dvec3& corner : grid.geometry().corners(glm::dvec3(low), glm::dvec3(high)))
+    bounds.add(corner);
+  facts.boundsMinMm = bounds.low;
+  facts.boundsMaxMm = bounds.high;
   const glm::dvec3 extent = facts.boundsMaxMm - facts.boundsMinMm;
   const double least = grid.geometry().leastSpacingMm();
   for (int axis = 0; axis < 3; ++axis) {

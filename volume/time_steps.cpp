@@ -22,19 +22,16 @@ namespace isolux::volume {
 namespace {
 
 Grid blend(const Grid& first, const Grid& second, double fraction, base::Progress& progress) {
-  const glm::ivec3 dims = first.dims();
   base::machineMemory().check(first.geometry().voxelCount() * sizeof(float), "the blend of two time steps",
                               "a whole source.time_step needs none");
   std::vector<float> values;
   resizeStoppably(values, first.geometry().voxelCount(), progress);
-  const auto ny = static_cast<std::size_t>(dims.y);
-  parallelSteps(ny * static_cast<std::size_t>(dims.z), progress, {0.0, 1.0, "blending time steps"},
-                [&](std::size_t row) {
-                  const auto y = static_cast<int>(row % ny), z = static_cast<int>(row / ny);
-                  for (int x = 0; x < dims.x; ++x)  // NaN, missing, in either is NaN in the sum
-                    values[first.index(x, y, z)] = static_cast<float>(
-                        (1.0 - fraction) * first.value(x, y, z) + fraction * second.value(x, y, z));
-                });
+  parallelSteps(first.extent().rows(), progress, {0.0, 1.0, "blending time steps"}, [&](std::size_t row) {
+    // NaN, missing, in either is NaN in the sum.
+    for (glm::ivec3 at = first.extent().firstOfRow(row); at.x < first.dims().x; ++at.x)
+      values[first.index(at)] =
+          static_cast<float>((1.0 - fraction) * first.value(at) + fraction * second.value(at));
+  });
   return {first.geometry(), std::move(values), 1.0, 0.0, progress};
 }
 

@@ -78,7 +78,7 @@ std::vector<FloatChannel> channelsOf(const std::vector<render::AovImage>& drawn,
       channels.push_back(std::move(channel));
     }
   }
-  const auto pixels = static_cast<std::size_t>(errors.size.x) * static_cast<std::size_t>(errors.size.y);
+  const auto pixels = volume::Extent2{errors.size}.count();
   for (const ErrorImage image : wanted.errors) {
     const ErrorImageInfo& info = errorImage(image);
     channels.push_back({info.name, errors.*info.bounds});

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -38,7 +37,7 @@ HiddenStructure hiddenStructure(render::Renderer& renderer, const scene::Scene& 
                                 const volume::IndexedVolume& whole, const volume::LevelGaps& gaps,
                                 base::Progress& progress) {
   const glm::ivec2 size = request.size;
-  const auto count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+  const std::size_t count = volume::Extent2{size}.count();
   const glm::dvec3 thin = 2.0 * level.grid().geometry().spacingMm();
   HiddenStructure out{size, std::vector<std::uint8_t>(count, 0), std::vector<std::uint8_t>(count, 0), 0,
                       std::max({thin.x, thin.y, thin.z})};

@@ -14,9 +14,6 @@ namespace {
 
 constexpr double kDarkest = 0.55;  // of a colour, where the picture is black
 
-std::size_t indexOf(glm::ivec2 p, glm::ivec2 size) {
-  return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(p.x);
-}
 // Premultiplied over straight alpha.
 void blend(const std::uint8_t* over, std::uint8_t* pixel) {
   const double below = pixel[3] / 255.0 * (1.0 - over[3] / 255.0), covered = over[3] / 255.0 + below;
@@ -33,8 +30,7 @@ std::int64_t coveredOf(const std::vector<std::uint8_t>& seen, glm::ivec2 size,
                    high = glm::min(rectangle.low + rectangle.size, size);
   std::int64_t covered = 0;
   for (int y = low.y; y < high.y; ++y) {
-    const std::uint8_t* const row =
-        &seen[static_cast<std::size_t>(size.y - 1 - y) * static_cast<std::size_t>(size.x)];
+    const std::uint8_t* const row = &seen[volume::Extent2{size}.index(0, size.y - 1 - y)];
     covered += std::count(row + low.x, row + high.x, std::uint8_t{1});
   }
   if (taken) {
@@ -69,9 +65,7 @@ void OverlayPainter::color(const std::vector<double>& bounds, glm::dvec2 range) 
 
 void OverlayPainter::hatch(const std::vector<std::uint8_t>& hatched) {
   for (std::size_t i = 0; i < hatched.size(); ++i) {
-    const auto width = static_cast<std::size_t>(image_.size.x);
-    const render::Hatch part =
-        render::hatchAt({static_cast<int>(i % width), static_cast<int>(i / width)}, lineWidth_);
+    const render::Hatch part = render::hatchAt(volume::Extent2{image_.size}.at(i), lineWidth_);
     if (!hatched[i] || part == render::Hatch::none) continue;
     const float grey = part == render::Hatch::dark ? render::kHatchDark : render::kHatchBright;
     std::fill_n(&image_.rgba[4 * i], 3, static_cast<std::uint8_t>(std::lround(255.0f * grey)));
@@ -93,8 +87,8 @@ std::optional<render::Tile> OverlayPainter::addLegend(const render::Legend& lege
   const glm::ivec2 low(place.origin.x, size.y - place.origin.y - drawn.size.y);
   for (int y = 0; y < drawn.size.y; ++y)
     for (int x = 0; x < drawn.size.x; ++x)
-      blend(&drawn.rgba[4 * indexOf({x, y}, drawn.size)],
-            &image_.rgba[4 * indexOf(low + glm::ivec2(x, y), size)]);
+      blend(&drawn.rgba[4 * volume::Extent2{drawn.size}.index(x, y)],
+            &image_.rgba[4 * volume::Extent2{size}.index(low + glm::ivec2(x, y))]);
   return place;
 }
 

@@ -130,9 +130,7 @@ class PictureJudge {
 
  private:
   glm::dvec2 middleOf(std::size_t pixel) const {
-    const auto width = static_cast<std::size_t>(drawn_.size.x);
-    const std::size_t column = pixel % width, row = pixel / width;
-    return glm::dvec2(column, row) + 0.5;
+    return glm::dvec2(volume::Extent2{drawn_.size}.at(pixel)) + 0.5;
   }
 
   volume::Ray rayAt(glm::dvec2 fromTop) const {
@@ -209,7 +207,7 @@ class PictureJudge {
 PictureErrors pictureErrors(const volume::PreparedVolume& volume, const scene::Scene& scene,
                             const DrawnHits& drawn, base::Progress& progress) {
   ++runs;
-  const std::size_t count = static_cast<std::size_t>(drawn.size.x) * static_cast<std::size_t>(drawn.size.y);
+  const std::size_t count = volume::Extent2{drawn.size}.count();
   PictureErrors out;
   out.size = drawn.size;
   out.certain.assign(count, 1);

@@ -25,11 +25,10 @@ void blendOnto(std::uint8_t* pixel, double color, double alpha) {
 
 }  // namespace
 
-Ink::Ink(glm::ivec2 size)
-    : size_(size), ink_(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y)) {}
+Ink::Ink(glm::ivec2 size) : size_(size), ink_(volume::Extent2{size}.count()) {}
 
 void Ink::plot(glm::ivec2 p, int coverage) {
-  if (p.x < 0 || p.y < 0 || p.x >= size_.x || p.y >= size_.y || coverage <= 0) return;
+  if (!volume::Extent2{size_}.contains(p) || coverage <= 0) return;
   std::uint8_t& at = ink_[index(p)];
   at = std::max(at, static_cast<std::uint8_t>(coverage));
   low_ = glm::min(low_, p);
@@ -79,9 +78,7 @@ void fillWith(render::ColorImage& image, glm::ivec2 from, glm::ivec2 to, const g
   to = glm::min(to, image.size);
   for (int y = from.y; y < to.y; ++y)
     for (int x = from.x; x < to.x; ++x) {
-      std::uint8_t* const pixel =
-          &image.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size.x) +
-                           static_cast<std::size_t>(x))];
+      std::uint8_t* const pixel = &image.rgba[4 * volume::Extent2{image.size}.index(x, y)];
       for (int i = 0; i < 3; ++i) pixel[i] = base::screenByte(color[i]);
       pixel[3] = 255;
     }

@@ -12,6 +12,7 @@
 
 #include "render/graph/frame.h"
 #include "render/legend/font.h"
+#include "volume/extent.h"
 
 namespace isolux::app {
 
@@ -27,9 +28,7 @@ class Ink {
   void blendOver(render::ColorImage& image, int rim, bool bright = true) const;
 
  private:
-  std::size_t index(glm::ivec2 p) const {
-    return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(size_.x) + static_cast<std::size_t>(p.x);
-  }
+  std::size_t index(glm::ivec2 p) const { return volume::Extent2{size_}.index(p); }
   std::vector<std::uint8_t> rimOf(int rim) const;
 
   glm::ivec2 size_, low_{1 << 30}, high_{-1};

@@ -315,9 +315,7 @@ class RenderRun {
     if (structure) channel.values.assign(structure->hides.begin(), structure->hides.end());
     return {channel};
   }
-  std::size_t pixels() const {
-    return static_cast<std::size_t>(request_.size.x) * static_cast<std::size_t>(request_.size.y);
-  }
+  std::size_t pixels() const { return volume::Extent2{request_.size}.count(); }
 
   void refuseWithoutVoxels(const scene::Scene& scene) const {
     std::optional<std::string> needs = scene::needsWholeVoxels(scene);

@@ -38,29 +38,28 @@ ComparedPicture comparedPicture(const render::LinearImage& image) {
 ComparedPicture blockMeans(const ComparedPicture& picture, int block) {
   assert(block > 0 && picture.size.x % block == 0 && picture.size.y % block == 0);
   ComparedPicture means{picture.size / block, {}};
-  means.linear.resize(static_cast<std::size_t>(means.size.x) * static_cast<std::size_t>(means.size.y));
+  means.linear.resize(volume::Extent2{means.size}.count());
   std::size_t from = 0;
   for (int y = 0; y < picture.size.y; ++y)
     for (int x = 0; x < picture.size.x; ++x, ++from)
-      means.linear[static_cast<std::size_t>(y / block * means.size.x + x / block)] += picture.linear[from];
+      means.linear[volume::Extent2{means.size}.index(x / block, y / block)] += picture.linear[from];
   for (glm::dvec3& mean : means.linear) mean /= static_cast<double>(block * block);
   return means;
 }
 
 std::vector<bool> edgePixels(const ComparedPicture& picture, int block, double contrast) {
-  const glm::ivec2 size = picture.size / block;
-  const auto count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
-  std::vector<double> least(count, 1.0), most(count, 0.0);
+  const volume::Extent2 extent{picture.size / block};
+  std::vector<double> least(extent.count(), 1.0), most(extent.count(), 0.0);
   std::size_t from = 0;
   for (int y = 0; y < picture.size.y; ++y)
     for (int x = 0; x < picture.size.x; ++x, ++from) {
-      const auto to = static_cast<std::size_t>(y / block * size.x + x / block);
+      const std::size_t to = extent.index(x / block, y / block);
       const double luma = base::luminance(screenColor(picture.linear[from]));
       least[to] = std::min(least[to], luma);
       most[to] = std::max(most[to], luma);
     }
-  std::vector<bool> edges(count);
-  for (std::size_t i = 0; i < count; ++i) edges[i] = most[i] - least[i] > contrast;
+  std::vector<bool> edges(extent.count());
+  for (std::size_t i = 0; i < edges.size(); ++i) edges[i] = most[i] - least[i] > contrast;
   return edges;
 }
 

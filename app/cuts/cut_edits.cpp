@@ -159,12 +159,11 @@ void addBox(scene::Clip& clip, const scene::VolumeFacts& facts) {
   clip.boxRotation = {1.0, 0.0, 0.0, 0.0};
 }
 
-void addCorner(scene::Clip& clip, const glm::dvec3& point, const glm::dvec3& back, const BoxCorners& volume) {
-  glm::dvec3 low = volume[0], high = volume[0];
-  for (const glm::dvec3& corner : volume) {
-    low = glm::min(low, corner);
-    high = glm::max(high, corner);
-  }
+void addCorner(scene::Clip& clip, const glm::dvec3& point, const glm::dvec3& back,
+               const BoxCorners& corners) {
+  volume::Bounds<glm::dvec3> bounds;
+  for (const glm::dvec3& corner : corners) bounds.add(corner);
+  const auto [low, high] = bounds;
   const double beyond = 0.1 * glm::distance(low, high);
   clip.removed.push_back(point);
   clip.removed.push_back(glm::mix(high + beyond, low - beyond, glm::lessThan(back, glm::dvec3(0.0))));

@@ -1,7 +1,5 @@
 #include "app/files/image_io.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
@@ -69,7 +67,7 @@ void writeExr(const render::LinearImage* color, const std::vector<render::AovIma
   if (channels.empty()) throw std::logic_error("writeExr: no channels");
 
   const glm::ivec2 size = color ? color->size : images.front().size;
-  const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+  const std::size_t pixels = volume::Extent2{size}.count();
 
   std::vector<float> values(pixels * channels.size());
   for (std::size_t c = 0; c < channels.size(); ++c) {
@@ -93,7 +91,7 @@ void writeExr(const render::LinearImage* color, const std::vector<render::AovIma
 
 void writeExr(glm::ivec2 size, const std::vector<FloatChannel>& channels, const fs::path& file,
               const std::string& session) {
-  const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+  const std::size_t pixels = volume::Extent2{size}.count();
   std::vector<std::string> names;
   std::vector<float> values(pixels * channels.size());
   for (std::size_t c = 0; c < channels.size(); ++c) {

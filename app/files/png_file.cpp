@@ -92,8 +92,7 @@ bool encode(PngWriter& writer, const render::ColorImage& image) {
   png_write_info(png, writer.info);
   if (!image.transparent) png_set_filler(png, 0, PNG_FILLER_AFTER);  // the fourth byte of a pixel is skipped
   for (int y = 0; y < image.size.y; ++y)
-    png_write_row(
-        png, image.rgba.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size.x) * 4);
+    png_write_row(png, image.rgba.data() + 4 * volume::Extent2{image.size}.index(0, y));
   png_write_end(png, nullptr);
   return true;
 }

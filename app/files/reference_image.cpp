@@ -1,6 +1,5 @@
 #include "app/files/reference_image.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -46,8 +45,7 @@ render::ColorImage screenImage(const gi::ReferenceImage& image, const scene::Sce
     const glm::dvec3 background =
         glm::mix(scene.look.backgroundTop, scene.look.backgroundBottom, (y + 0.5) / image.size.y);
     for (int x = 0; x < image.size.x; ++x) {
-      const std::size_t i =
-          static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size.x) + static_cast<std::size_t>(x);
+      const std::size_t i = volume::Extent2{image.size}.index(x, y);
       const glm::dvec3 traced(image.color[i]);
       const double ground = image.ground.empty() ? 1.0 : static_cast<double>(image.ground[i]);
       const glm::dvec3 color = std::isnan(traced.x) ? ground * background

@@ -21,7 +21,7 @@ ProbeThumbnail thumbnailOf(const gi::Environment& environment) {
   small.size = {std::min(from.x, mostColumns), std::clamp(from.y, 1, mostColumns / 2)};
   small.meanLuminance = base::luminance(environment.mean());
   small.badPixels = environment.badPixels();
-  small.pixels.reserve(static_cast<std::size_t>(small.size.x) * static_cast<std::size_t>(small.size.y));
+  small.pixels.reserve(volume::Extent2{small.size}.count());
   const auto first = [](int i, int count, int of) {
     return static_cast<int>(static_cast<std::int64_t>(i) * of / count);
   };
@@ -34,9 +34,7 @@ ProbeThumbnail thumbnailOf(const gi::Environment& environment) {
       glm::dvec3 sum(0.0);
       for (int row = top; row < bottom; ++row)
         for (int column = left; column < right; ++column)
-          sum += glm::dvec3(
-              environment.pixels()[static_cast<std::size_t>(row) * static_cast<std::size_t>(from.x) +
-                                   static_cast<std::size_t>(column)]);
+          sum += glm::dvec3(environment.pixels()[volume::Extent2{from}.index(column, row)]);
       small.pixels.emplace_back(sum / static_cast<double>((bottom - top) * (right - left)));
     }
   }
@@ -51,7 +49,7 @@ glm::vec3 ProbeThumbnail::at(glm::dvec3 direction) const {
   const double row = std::acos(std::clamp(direction.z, -1.0, 1.0)) / std::numbers::pi * size.y;
   const int x = std::clamp(static_cast<int>(column), 0, size.x - 1);
   const int y = std::clamp(static_cast<int>(row), 0, size.y - 1);
-  return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x)];
+  return pixels[volume::Extent2{size}.index(x, y)];
 }
 
 std::unique_ptr<ProbeTask> probeTask(scene::Environment environment) {

@@ -36,13 +36,12 @@ double meanLuminance(const gi::ReferenceImage& image) {
 render::ColorImage blank(glm::ivec2 size) {
   render::ColorImage image;
   image.size = size;
-  image.rgba.assign(4 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), 255);
+  image.rgba.assign(4 * volume::Extent2{size}.count(), 255);
   return image;
 }
 
 std::size_t byteAt(const render::ColorImage& image, int x, int y) {
-  return 4 *
-         (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size.x) + static_cast<std::size_t>(x));
+  return 4 * volume::Extent2{image.size}.index(x, y);
 }
 
 RoundPointer roundOf(gi::ReferenceImage image, const scene::Scene& scene) {

@@ -45,18 +45,15 @@ render::ColorImage litBall(scene::BuiltInLight light, int pixels) {
   const int samples = perAxis * pixels;
   const auto placeOf = [&](int i) { return (i + 0.5) / samples * 2.0 - 1.0; };
   double most = 1e-9;
-  std::vector<glm::dvec3> linear(static_cast<std::size_t>(pixels) * static_cast<std::size_t>(pixels),
-                                 glm::dvec3(0.0));
+  const volume::Extent2 extent{glm::ivec2(pixels)};
+  std::vector<glm::dvec3> linear(extent.count(), glm::dvec3(0.0));
   std::vector<double> covered(linear.size(), 0.0);
-  const auto index = [pixels](int x, int y) {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(pixels) + static_cast<std::size_t>(x);
-  };
   for (int y = 0; y < samples; ++y)
     for (int x = 0; x < samples; ++x) {
       const double u = placeOf(x) / radius, w = -placeOf(y) / radius, rest = 1.0 - u * u - w * w;
       if (rest <= 0.0) continue;
       const glm::dvec3 lit = irradiance.at({u, -std::sqrt(rest), w});
-      const std::size_t pixel = index(x / perAxis, y / perAxis);
+      const std::size_t pixel = extent.index(x / perAxis, y / perAxis);
       linear[pixel] += lit / double(perAxis * perAxis);
       covered[pixel] += 1.0 / (perAxis * perAxis);
       most = std::max(most, base::luminance(lit));
@@ -66,7 +63,7 @@ render::ColorImage litBall(scene::BuiltInLight light, int pixels) {
   image.rgba.reserve(4 * linear.size());
   for (int y = 0; y < pixels; ++y)
     for (int x = 0; x < pixels; ++x) {
-      const std::size_t pixel = index(x, y);
+      const std::size_t pixel = extent.index(x, y);
       // Behind the ball the light's own colours, quieter than the ball.
       const glm::dvec3 d =
           glm::normalize(glm::dvec3(0.7 * placeOf(perAxis * x + 1), 1.0, -0.7 * placeOf(perAxis * y + 1)));

@@ -19,8 +19,7 @@ glm::dvec3 footOn(glm::dvec3 point, glm::dvec3 normal, glm::dvec3 from) {
 }
 
 glm::dvec3 inBounds(glm::dvec3 world, const volume::GridGeometry& geometry) {
-  glm::dvec3 low, high;
-  geometry.worldBounds(low, high);
+  const auto [low, high] = geometry.worldBounds();
   return glm::clamp(world, low, high);
 }
 

@@ -42,12 +42,11 @@ render::ColorImage enlarged(render::ColorImage picture, int coarse, glm::ivec2 s
   if (coarse <= 1) return picture;
   render::ColorImage result;
   result.size = size;
-  result.rgba.resize(4 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+  result.rgba.resize(4 * volume::Extent2{size}.count());
   const std::vector<Between> columns = betweens(size.x, coarse, picture.size.x),
                              rows = betweens(size.y, coarse, picture.size.y);
   const auto pixel = [&](int x, int y) {
-    return &picture.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.size.x) +
-                              static_cast<std::size_t>(x))];
+    return &picture.rgba[4 * volume::Extent2{picture.size}.index(x, y)];
   };
   std::uint8_t* to = result.rgba.data();
   for (const Between& row : rows)

@@ -86,12 +86,11 @@ class CurveDistances {
         const glm::dvec2 at = glm::dvec2(x, y) - p;
         const double t = length2 > 0.0 ? std::clamp(glm::dot(at, way) / length2, 0.0, 1.0) : 0.0;
         const glm::dvec2 apart = at - t * way;
-        float& nearest = squared_[static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x) +
-                                  static_cast<std::size_t>(x)];
+        float& nearest = squared_[volume::Extent2{size_}.index(x, y)];
         nearest = std::min(nearest, static_cast<float>(glm::dot(apart, apart)));
       }
   }
-  std::size_t count() const { return static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y); }
+  std::size_t count() const { return volume::Extent2{size_}.count(); }
   float squared(std::size_t pixel) const { return squared_[pixel]; }
 
  private:

@@ -33,10 +33,7 @@ double medianGradient(const Grid& grid, const std::vector<glm::dvec3>& points) {
 std::vector<float> unitNoise(glm::ivec3 dims, const glm::dvec3& blur, std::uint64_t seed,
                              base::Progress& progress) {
   std::vector<float> values;
-  volume::resizeStoppably(
-      values,
-      static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y) * static_cast<std::size_t>(dims.z),
-      progress);
+  volume::resizeStoppably(values, volume::Extent3{dims}.count(), progress);
   volume::parallelPieces(values.size(), std::size_t{1} << 16, progress, {},
                          [&](std::size_t begin, std::size_t end) {
                            for (std::size_t i = begin; i < end; ++i)

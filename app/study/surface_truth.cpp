@@ -56,9 +56,7 @@ SurfaceTruth::SurfaceTruth(std::shared_ptr<const volume::PreparedVolume> volume,
 }
 
 volume::Ray SurfaceTruth::rayOf(std::size_t pixel, glm::dvec2 offset) const {
-  const std::size_t width = static_cast<std::size_t>(size_.x);
-  const std::size_t column = pixel % width, row = pixel / width;
-  const glm::dvec2 at(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
+  const glm::dvec2 at = glm::dvec2(volume::Extent2{size_}.at(pixel)) + 0.5;
   const glm::dvec2 ndc(at.x / size_.x * 2.0 - 1.0, 1.0 - at.y / size_.y * 2.0);
   const volume::GridGeometry& geometry = volume_->grid().geometry();
   volume::Ray ray = viewRay(geometry, frame_, ndc, static_cast<double>(size_.x) / size_.y, rayStartMm_);
@@ -98,7 +96,7 @@ const std::vector<TrueHit>& SurfaceTruth::hitsOf(Field field, base::Progress& pr
   Hits& hits = hits_[indexOf(field)];
   if (!hits.empty()) return hits;
   prepare(field, progress);
-  Hits found(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y));
+  Hits found(volume::Extent2{size_}.count());
   forEachPixel(found.size(), progress, [&](std::size_t i) { found[i] = hitOf(field, i); });
   hits = std::move(found);
   return hits;

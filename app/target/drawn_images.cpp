@@ -26,8 +26,7 @@ std::vector<std::vector<float>> drawnImages(render::Renderer& renderer, const sc
     progress.throwIfStopped();  // of a frame that was stopped nothing may be read
     for (std::size_t i = 0; i < aovs.size(); ++i) {
       const render::AovImage strip = renderer.readAov(aovs[i]);
-      images[i].resize(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
-                       static_cast<std::size_t>(strip.channels));
+      images[i].resize(volume::Extent2{size}.count() * static_cast<std::size_t>(strip.channels));
       const int above = size.y - below - request.tile->size.y;  // tiles count rows from below
       std::copy(strip.values.begin(), strip.values.end(),
                 images[i].begin() + std::ptrdiff_t{above} * size.x * strip.channels);

@@ -189,8 +189,7 @@ void write(const fs::path& path, const Snapshot& from, Slab slab, base::Progress
   std::vector<std::size_t> places;
   const std::string xml = header(from.grid, from.light, from.arrays, slab, places);
   file.write(xml);
-  const std::size_t slice =
-      static_cast<std::size_t>(lattice.dims.x) * static_cast<std::size_t>(lattice.dims.y);
+  const std::size_t slice = volume::Extent3{lattice.dims}.slice();
   const std::uint64_t texels = std::uint64_t{slice} * static_cast<std::uint64_t>(slab.last - slab.first + 1);
   for (std::size_t a = 0; a < from.arrays.size(); ++a) {
     const Array& array = from.arrays[a];

@@ -19,19 +19,16 @@ struct Layer {
   std::size_t count = 0;
 };
 inline Layer layerOf(const LatticeGeometry& lattice, int layer) {
-  const glm::ivec3 d = lattice.dims;
-  const std::uint64_t slice = static_cast<std::uint64_t>(d.x) * static_cast<std::uint64_t>(d.y);
-  const int z = layer * kBlockTexels;
-  return {slice * static_cast<std::uint64_t>(z),
-          static_cast<std::size_t>(slice) * static_cast<std::size_t>(std::min(kBlockTexels, d.z - z))};
+  const volume::Extent3 extent{lattice.dims};
+  const int z = layer * kBlockTexels, slices = std::min(kBlockTexels, lattice.dims.z - z);
+  return {extent.index(0, 0, z), extent.slice() * static_cast<std::size_t>(slices)};
 }
 
 // Calls visit(block, index in the block, index in the layer) for each texel of a layer, block by block.
 template <class Visit>
 void forEachTexelOfLayer(const LatticeGeometry& lattice, int layer, Visit visit) {
-  const glm::ivec3 blocks = lattice.blockDims();
   const std::uint64_t from = layerOf(lattice, layer).first;
-  const auto perLayer = static_cast<std::uint32_t>(blocks.x) * static_cast<std::uint32_t>(blocks.y);
+  const auto perLayer = static_cast<std::uint32_t>(volume::Extent3{lattice.blockDims()}.slice());
   const auto begin = static_cast<std::uint32_t>(layer) * perLayer;
   for (std::uint32_t block = begin; block < begin + perLayer; ++block)
     for (int i = 0; i < kTexelsOfBlock; ++i) {

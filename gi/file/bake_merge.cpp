@@ -202,9 +202,7 @@ void merge(std::span<const fs::path> files, const fs::path& out, bool mixArithme
 
   base::OutputFile file(out);
   file.write(head);
-  const glm::ivec3 dims = parts.front()->header.dims;
-  const std::uint64_t texels = static_cast<std::uint64_t>(dims.x) * static_cast<std::uint64_t>(dims.y) *
-                               static_cast<std::uint64_t>(dims.z);
+  const std::uint64_t texels = volume::Extent3{parts.front()->header.dims}.count();
   for (std::size_t a = 0; a < arrays.size(); ++a) {
     progress.report(static_cast<double>(a) / static_cast<double>(arrays.size()), "merging light");
     char offset[20];

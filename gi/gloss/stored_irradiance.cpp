@@ -34,7 +34,7 @@ StoredIrradiance::Lookup StoredIrradiance::lookUp(const LightLattice* lattice, L
   const glm::vec3 part = at - glm::vec3(low);
   float fitting = 0.0f;
   for (int corner = 0; corner < 8; ++corner) {
-    const glm::ivec3 step(corner & 1, corner >> 1 & 1, corner >> 2);
+    const glm::ivec3 step = volume::cornerStep(corner);
     const glm::ivec3 texel = low + step;
     const glm::vec3 weights = glm::mix(1.0f - part, part, glm::vec3(step));
     const float weight = weights.x * weights.y * weights.z;

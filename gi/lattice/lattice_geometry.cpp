@@ -47,31 +47,17 @@ glm::dvec3 LatticeGeometry::texelOf(glm::dvec3 voxel) const {
   return texel;
 }
 
-bool LatticeGeometry::contains(glm::ivec3 texel) const {
-  return texel.x >= 0 && texel.y >= 0 && texel.z >= 0 && texel.x < dims.x && texel.y < dims.y &&
-         texel.z < dims.z;
-}
-
 std::uint32_t LatticeGeometry::blockCount() const {
-  const glm::ivec3 blocks = blockDims();
-  return static_cast<std::uint32_t>(blocks.x) * static_cast<std::uint32_t>(blocks.y) *
-         static_cast<std::uint32_t>(blocks.z);
+  return static_cast<std::uint32_t>(volume::Extent3{blockDims()}.count());
 }
 
 std::uint32_t LatticeGeometry::blockOf(glm::ivec3 texel) const {
   assert(contains(texel));
-  const glm::ivec3 blocks = blockDims(), at = texel / kBlockTexels;
-  return (static_cast<std::uint32_t>(at.z) * static_cast<std::uint32_t>(blocks.y) +
-          static_cast<std::uint32_t>(at.y)) *
-             static_cast<std::uint32_t>(blocks.x) +
-         static_cast<std::uint32_t>(at.x);
+  return static_cast<std::uint32_t>(volume::Extent3{blockDims()}.index(texel / kBlockTexels));
 }
 
 glm::ivec3 LatticeGeometry::firstTexelOf(std::uint32_t block) const {
-  const glm::ivec3 blocks = blockDims();
-  const auto nx = static_cast<std::uint32_t>(blocks.x), ny = static_cast<std::uint32_t>(blocks.y);
-  return kBlockTexels * glm::ivec3(static_cast<int>(block % nx), static_cast<int>(block / nx % ny),
-                                   static_cast<int>(block / nx / ny));
+  return kBlockTexels * volume::Extent3{blockDims()}.at(block);
 }
 
 int LatticeGeometry::indexInBlock(glm::ivec3 texel) {
@@ -80,16 +66,12 @@ int LatticeGeometry::indexInBlock(glm::ivec3 texel) {
 }
 
 glm::ivec3 LatticeGeometry::texelOf(std::uint32_t block, int index) const {
-  return firstTexelOf(block) + glm::ivec3(index % kBlockTexels, index / kBlockTexels % kBlockTexels,
-                                          index / (kBlockTexels * kBlockTexels));
+  return firstTexelOf(block) + volume::Extent3{glm::ivec3(kBlockTexels)}.at(static_cast<std::size_t>(index));
 }
 
 std::uint64_t LatticeGeometry::indexOf(glm::ivec3 texel) const {
   assert(contains(texel));
-  return (static_cast<std::uint64_t>(texel.z) * static_cast<std::uint64_t>(dims.y) +
-          static_cast<std::uint64_t>(texel.y)) *
-             static_cast<std::uint64_t>(dims.x) +
-         static_cast<std::uint64_t>(texel.x);
+  return volume::Extent3{dims}.index(texel);
 }
 
 std::bitset<kTexelsOfBlock> texelsWithin(const LatticeGeometry& lattice, std::uint32_t block) {

@@ -14,6 +14,8 @@
 
 #include <glm/vec3.hpp>
 
+#include "volume/extent.h"
+
 namespace isolux::gi {
 
 inline constexpr int kBlockTexels = 8;  // per axis
@@ -31,7 +33,7 @@ struct LatticeGeometry {
   glm::vec3 reach() const;  // voxels: how far a lookup (of 2 texels per axis) may be from a texel it reads
   glm::vec3 voxelOf(glm::ivec3 texel) const;
   glm::dvec3 texelOf(glm::dvec3 voxel) const;  // continuous; 0 on an axis of one texel
-  bool contains(glm::ivec3 texel) const;
+  bool contains(glm::ivec3 texel) const { return volume::Extent3{dims}.contains(texel); }
 
   glm::ivec3 blockDims() const { return (dims + (kBlockTexels - 1)) / kBlockTexels; }
   std::uint32_t blockCount() const;

@@ -25,9 +25,7 @@ std::string partWords(LatticePart part) {
 LatticeTiles tilesOf(const LatticeGeometry& lattice) {
   const glm::ivec3 blocks = lattice.blockDims(), tiles = (blocks + (kTileBlocks - 1)) / kTileBlocks;
   std::vector<std::uint64_t> codes;
-  for (int z = 0; z < tiles.z; ++z)
-    for (int y = 0; y < tiles.y; ++y)
-      for (int x = 0; x < tiles.x; ++x) codes.push_back(mortonCode({x, y, z}));
+  volume::forEachIn(glm::ivec3(0), tiles, [&](glm::ivec3 tile) { codes.push_back(mortonCode(tile)); });
   std::vector<std::uint32_t> order(codes.size()), number(codes.size());
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(),
@@ -36,13 +34,9 @@ LatticeTiles tilesOf(const LatticeGeometry& lattice) {
 
   LatticeTiles result{static_cast<std::uint32_t>(codes.size()), {}};
   result.ofBlock.reserve(lattice.blockCount());
-  for (int z = 0; z < blocks.z; ++z)
-    for (int y = 0; y < blocks.y; ++y)
-      for (int x = 0; x < blocks.x; ++x) {
-        const glm::ivec3 tile = glm::ivec3(x, y, z) / kTileBlocks;
-        result.ofBlock.push_back(
-            number[static_cast<std::size_t>((tile.z * tiles.y + tile.y) * tiles.x + tile.x)]);
-      }
+  volume::forEachIn(glm::ivec3(0), blocks, [&](glm::ivec3 block) {
+    result.ofBlock.push_back(number[volume::Extent3{tiles}.index(block / kTileBlocks)]);
+  });
   return result;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <limits>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -16,18 +15,10 @@ namespace isolux::gi {
 
 namespace {
 
-struct Range {
-  float low = std::numeric_limits<float>::infinity(), high = -std::numeric_limits<float>::infinity();
-  void add(float value) {  // passes over NaN
-    if (value < low) low = value;
-    if (value > high) high = value;
-  }
-  void add(const Range& other) {
-    low = std::min(low, other.low);
-    high = std::max(high, other.high);
-  }
-  bool meets(double from, double to) const { return low <= to && high >= from; }
-};
+using Range = volume::Bounds<float>;
+bool meets(const Range& range, double from, double to) {
+  return range.low <= to && range.high >= from;
+}
 
 struct Span {
   int first = 0, last = -1;
@@ -105,7 +96,7 @@ class BlockScan {
         }
     }
     std::bitset<kTexelsOfBlock> texels;
-    if (!all.meets(low, high)) return texels;
+    if (!meets(all, low, high)) return texels;
     for (int tz = 0; tz < count.z; ++tz)
       for (int i = 0; i < kBlockTexels * kBlockTexels; ++i) {
         if (i % kBlockTexels >= count.x || i / kBlockTexels >= count.y) continue;
@@ -113,7 +104,7 @@ class BlockScan {
         const Span span = spans[2][static_cast<std::size_t>(tz)];
         for (int z = span.first - whole[2].first; z <= span.last - whole[2].first; ++z)
           range.add(sheets_[place(z, 0, i)]);
-        texels[place(tz, 0, i)] = range.meets(low, high);
+        texels[place(tz, 0, i)] = meets(range, low, high);
       }
     return texels;
   }

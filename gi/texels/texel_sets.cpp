@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <glm/common.hpp>
 
@@ -94,9 +93,8 @@ TexelWords widened(const TexelWords& before, const TexelWords& self, const Texel
 
 Collector widenedAlong(const LatticeGeometry& lattice, const Collector& in, int axis, int texels) {
   const glm::ivec3 blocks = lattice.blockDims();
-  const std::uint32_t stride = axis == 0 ? 1u
-                                         : static_cast<std::uint32_t>(blocks.x) *
-                                               (axis == 1 ? 1u : static_cast<std::uint32_t>(blocks.y));
+  const volume::Extent3 extent{blocks};
+  const auto stride = static_cast<std::uint32_t>(axis == 0 ? 1 : axis == 1 ? extent.row() : extent.slice());
   const TexelWords none{};
   Collector out(lattice);
   const auto wordsOrNone = [&](std::uint32_t block, int at) -> const TexelWords& {

@@ -19,11 +19,11 @@ float fieldAt(const volume::Grid& grid, glm::vec3 voxel) {
   const glm::dvec3 part = glm::clamp(glm::dvec3(voxel) - glm::dvec3(low), 0.0, 1.0);
   double value = 0.0;
   for (int corner = 0; corner < 8; ++corner) {
-    const glm::ivec3 at((corner & 1) ? high.x : low.x, (corner & 2) ? high.y : low.y,
-                        (corner & 4) ? high.z : low.z);
-    const double weight = ((corner & 1) ? part.x : 1.0 - part.x) * ((corner & 2) ? part.y : 1.0 - part.y) *
-                          ((corner & 4) ? part.z : 1.0 - part.z);
-    if (weight > 0.0) value += weight * grid.stored(at.x, at.y, at.z);  // what has no weight may be missing
+    const glm::bvec3 isHigh(volume::cornerStep(corner));
+    const glm::dvec3 weights = glm::mix(1.0 - part, part, isHigh);
+    const double weight = weights.x * weights.y * weights.z;
+    // What has no weight may be missing.
+    if (weight > 0.0) value += weight * grid.stored(glm::mix(low, high, isHigh));
   }
   return static_cast<float>(value);
 }

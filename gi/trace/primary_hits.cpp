@@ -18,13 +18,9 @@ namespace {
 // Rays of an orthographic camera start behind its eye where the volume does.
 double rayStart(const scene::CameraFrame& frame, const volume::GridGeometry& geometry) {
   if (frame.projection != scene::Projection::orthographic) return 0.0;
-  double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
-  for (const glm::dvec3& corner : geometry.corners()) {
-    const double depth = -glm::dot(corner - frame.eye, frame.back);
-    nearest = std::min(nearest, depth);
-    farthest = std::max(farthest, depth);
-  }
-  return std::min(0.0, nearest - 0.01 * (farthest - nearest));
+  volume::Bounds<double> depths;
+  for (const glm::dvec3& corner : geometry.corners()) depths.add(-glm::dot(corner - frame.eye, frame.back));
+  return std::min(0.0, depths.low - 0.01 * depths.size());
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ std::size_t Reference::bytesOf(glm::ivec2 size) {
   constexpr std::size_t point = sizeof(LightPoint) + 2 * sizeof(Estimate);
   constexpr std::size_t own = sizeof(int) + sizeof(std::uint32_t);
   constexpr std::size_t image = 2 * sizeof(glm::vec3) + sizeof(float) + sizeof(std::uint32_t) + 1;
-  return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * (point + own + image);
+  return volume::Extent2{size}.count() * (point + own + image);
 }
 
 Reference::Reference(std::shared_ptr<const volume::PreparedVolume> volume,
@@ -328,8 +328,8 @@ ReferenceImage Reference::image() const {
   if (!background_) return image;
   for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
     if (image.hit[pixel]) continue;
-    const glm::ivec2 at(static_cast<int>(pixel) % size_.x, static_cast<int>(pixel) / size_.x);
-    const glm::vec3 direction = light_.environmentFromWorld * hits_.backgroundDirection(at);
+    const glm::vec3 direction =
+        light_.environmentFromWorld * hits_.backgroundDirection(volume::Extent2{size_}.at(pixel));
     image.color[pixel] = background_->radiance(direction) * (light_.backgroundScale * exposure);
     if (ground_) image.color[pixel] *= image.ground[pixel];
   }
@@ -342,8 +342,8 @@ std::vector<float> Reference::groundOfPixels() const {
       ground_->placesOf(scene::frameOf(scene_.camera), static_cast<double>(size_.x) / size_.y);
   if (!places) return ground;
   for (std::size_t pixel = 0; pixel < ground.size(); ++pixel) {
-    const int at = static_cast<int>(pixel);
-    const glm::dvec2 middle((at % size_.x + 0.5) / size_.x, 1.0 - (at / size_.x + 0.5) / size_.y);
+    const glm::dvec2 at(volume::Extent2{size_}.at(pixel));
+    const glm::dvec2 middle((at.x + 0.5) / size_.x, 1.0 - (at.y + 0.5) / size_.y);
     const glm::dvec3 place = *places * glm::dvec3(2.0 * middle - 1.0, 1.0);
     if (surfaces_[pixel] < 0 && place.z > 0.0) ground[pixel] = ground_->at(glm::dvec2(place) / place.z);
   }

@@ -100,8 +100,7 @@ constexpr const char* kLessOnGpu = "a lower memory.gpu_budget_mb needs less";
 
 Texture Texture::make2D(const GlPtr& gl, GLenum internalFormat, glm::ivec2 size) {
   checkSize("an image", longestOf({size, 1}), gl->maxImage, "texels on an axis");
-  const std::size_t bytes =
-      static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * texelBytes(internalFormat);
+  const std::size_t bytes = volume::Extent2{size}.count() * texelBytes(internalFormat);
   auto held = ownMemory(*gl, bytes, "an image of the picture", kSmallerPicture);
   Texture texture(gl, created([&](GLuint* id) { gl->CreateTextures(GL_TEXTURE_2D, 1, id); }), {size, 1},
                   bytes);
@@ -116,8 +115,7 @@ Texture Texture::make2D(const GlPtr& gl, GLenum internalFormat, glm::ivec2 size)
 
 Texture Texture::make3D(const GlPtr& gl, GLenum internalFormat, glm::ivec3 size, bool linear) {
   checkSize("a volume", longestOf(size), gl->max3dTexture, "texels on an axis");
-  const std::size_t bytes = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
-                            static_cast<std::size_t>(size.z) * texelBytes(internalFormat);
+  const std::size_t bytes = volume::Extent3{size}.count() * texelBytes(internalFormat);
   auto held = ownMemory(*gl, bytes, "the volume's texture", kLessOnGpu);
   Texture texture(gl, created([&](GLuint* id) { gl->CreateTextures(GL_TEXTURE_3D, 1, id); }), size, bytes);
   texture.held_ = std::move(held);

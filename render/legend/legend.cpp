@@ -8,6 +8,7 @@
 
 #include "base/color.h"
 #include "render/legend/font.h"
+#include "volume/extent.h"
 
 namespace isolux::render {
 
@@ -20,13 +21,12 @@ constexpr float panelAlpha = 0.72f;
 
 class Canvas {
  public:
-  explicit Canvas(glm::ivec2 size)
-      : size_(size), pixels_(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y)) {}
+  explicit Canvas(glm::ivec2 size) : size_(size), pixels_(volume::Extent2{size}.count()) {}
 
   void over(glm::ivec2 p, const glm::vec3& color, float alpha) {
-    if (p.x < 0 || p.y < 0 || p.x >= size_.x || p.y >= size_.y) return;
-    Pixel& pixel = pixels_[static_cast<std::size_t>(p.y) * static_cast<std::size_t>(size_.x) +
-                           static_cast<std::size_t>(p.x)];
+    const volume::Extent2 extent{size_};
+    if (!extent.contains(p)) return;
+    Pixel& pixel = pixels_[extent.index(p)];
     pixel.color = color * alpha + pixel.color * (1.0f - alpha);
     pixel.alpha = alpha + pixel.alpha * (1.0f - alpha);
   }

@@ -159,13 +159,8 @@ void blendStraight(const FrameState& frame, const Target& picture, const LegendI
       volume::common({glm::ivec2(0), frame.drawnSize()}, volume::Rectangle{corner, image.size});
   std::vector<float> pixels = picture.images[0].readFloats(4, part);
   for (std::size_t i = 0; i < pixels.size() / 4; ++i) {
-    const auto width = static_cast<std::size_t>(part.size.x);
-    const glm::ivec2 at =
-        part.low - corner + glm::ivec2(static_cast<int>(i % width), static_cast<int>(i / width));
-    const std::size_t from =
-        (static_cast<std::size_t>(image.size.y - 1 - at.y) * static_cast<std::size_t>(image.size.x) +
-         static_cast<std::size_t>(at.x)) *
-        4;
+    const glm::ivec2 at = part.low - corner + volume::Extent2{part.size}.at(i);
+    const std::size_t from = 4 * volume::Extent2{image.size}.index(at.x, image.size.y - 1 - at.y);
     const auto over = [&](std::size_t channel) {
       return static_cast<float>(image.rgba[from + channel]) / 255.0f;
     };

@@ -26,7 +26,7 @@ class IsovaluesAbout {
 
   float at(glm::ivec3 texel) {  // NaN outside the lattice
     const glm::ivec3 step = texel - first_;
-    const auto i = static_cast<std::size_t>((step.z * kEdge + step.y) * kEdge + step.x);
+    const std::size_t i = volume::Extent3{glm::ivec3(kEdge)}.index(step);
     if (!known_[i]) {
       isovalues_[i] = lattice_.contains(texel) ? isovalueOf_(texel) : std::numeric_limits<float>::quiet_NaN();
       known_[i] = true;

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 
-#include <glm/common.hpp>
-#include <glm/vector_relational.hpp>
-
 #include "volume/parallel_loops.h"
 
 namespace isolux::render {
@@ -218,8 +215,7 @@ void LightAtlas::queueNeighbours(const Side& side, std::uint32_t block) {
   const glm::ivec3 dims = geometry_.blockDims(), own = geometry_.firstTexelOf(block) / gi::kBlockTexels;
   for (int i = 0; i < 27; ++i) {
     const glm::ivec3 other = own + glm::ivec3(i % 3, i / 3 % 3, i / 9) - 1;
-    if (glm::any(glm::lessThan(other, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(other, dims)))
-      continue;
+    if (!volume::Extent3{dims}.contains(other)) continue;
     const std::uint32_t page = side.first + geometry_.blockOf(other * gi::kBlockTexels);
     if (slots_[page] != 0) queue(page);
   }

@@ -3,8 +3,6 @@
 #include <cmath>
 #include <cstring>
 
-#include <glm/common.hpp>
-
 #include "render/constants.h"
 #include "render/light/isovalues_about.h"
 #include "render/light/light_atlas.h"
@@ -43,7 +41,7 @@ float LightAtlas::isovalueOf(glm::ivec3 texel) const {
   const volume::Grid& grid = *source_.grid;
   double stored;
   if (geometry_.dims == geometry_.volumeDims)
-    stored = grid.stored(texel.x, texel.y, texel.z);
+    stored = grid.stored(texel);
   else
     stored = grid.storedOfValue(volume::sampleTrilinear(grid, geometry_.voxelOf(texel)).value);
   return static_cast<float>(stored);
@@ -55,7 +53,8 @@ std::vector<FilterTexel> LightAtlas::texelsAbout(
   const Side& side = sideOf(page);
   const gi::StoredSide& stored = side.light;
   const std::uint32_t block = page - side.first;
-  std::vector<FilterTexel> texels(static_cast<std::size_t>(edge * edge * edge));
+  const volume::Extent3 extent{glm::ivec3(edge)};
+  std::vector<FilterTexel> texels(extent.count());
   const glm::ivec3 first = geometry_.firstTexelOf(block) - kFilterBorder;
   IsovaluesAbout isovalues(geometry_, block, [this](glm::ivec3 texel) { return isovalueOf(texel); });
   std::uint32_t before = ~0u;
@@ -65,11 +64,10 @@ std::vector<FilterTexel> LightAtlas::texelsAbout(
     const float* const e = &from.means[i * channels];
     return channels == 3 ? glm::vec3(e[0], e[1], e[2]) : glm::vec3(e[0]);
   };
-  for (int i = 0; i < edge * edge * edge; ++i) {
-    const glm::ivec3 step(i % edge, i / edge % edge, i / (edge * edge));
-    const glm::ivec3 texel = glm::clamp(first + step, glm::ivec3(0), geometry_.dims - 1);
-    FilterTexel& out = texels[static_cast<std::size_t>(i)];
-    if (texel != first + step) continue;  // outside: no light of its own
+  for (std::size_t i = 0; i < texels.size(); ++i) {
+    const glm::ivec3 texel = first + extent.at(i);
+    FilterTexel& out = texels[i];
+    if (!geometry_.contains(texel)) continue;  // no light of its own
     const std::uint32_t of = geometry_.blockOf(texel);
     if (of != before) {
       sky = blockOf(stored.sky, stored.skyBefore, of);

@@ -180,7 +180,7 @@ class FilteredBlock {
     float whole = 0.0f;
     glm::vec3 sum(0.0f);
     for (int corner = 0; corner < 8; ++corner) {
-      const glm::ivec3 step(corner & 1, corner >> 1 & 1, corner >> 2);
+      const glm::ivec3 step = volume::cornerStep(corner);
       const glm::vec3 parts = glm::mix(1.0f - part, part, glm::vec3(step));
       const glm::ivec3 texel = base + step;
       const FilterTexel& other = texels_[render::at(texel.x, texel.y, texel.z)];
@@ -216,9 +216,8 @@ void addTransfer(const Neighbourhood& around, std::size_t components, float* out
 // The block's texels, x fastest.
 std::vector<glm::ivec3> ownTexels() {
   std::vector<glm::ivec3> texels;
-  for (int z = 0; z < gi::kBlockTexels; ++z)
-    for (int y = 0; y < gi::kBlockTexels; ++y)
-      for (int x = 0; x < gi::kBlockTexels; ++x) texels.push_back(glm::ivec3(x, y, z) + kFilterBorder);
+  volume::forEachIn(glm::ivec3(0), glm::ivec3(gi::kBlockTexels),
+                    [&](glm::ivec3 texel) { texels.push_back(texel + kFilterBorder); });
   return texels;
 }
 

@@ -33,8 +33,7 @@ void findRow(const volume::CutFaces& faces, const volume::PictureRays& rays, int
   const int width = area.size().x;
   int first = width, last = -1;
   for (int x = 0; x < width; ++x) {
-    const std::size_t i =
-        static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+    const std::size_t i = volume::Extent2{area.size()}.index(x, y);
     const std::optional<volume::CutFace> face = faces.at(rayAt(rays, {x, y}));
     out.ends[i] = face ? static_cast<float>(face->t) : std::numeric_limits<float>::infinity();
     out.texels[i] = face ? glm::vec2(out.ends[i], static_cast<float>(face->value)) : glm::vec2(-1.0f, 0.0f);
@@ -48,11 +47,10 @@ void findRow(const volume::CutFaces& faces, const volume::PictureRays& rays, int
 }  // namespace
 
 CutFaceImage::CutFaceImage(glm::ivec2 size)
-    : held(base::machineMemory().reserve(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
-                                             (sizeof(glm::vec2) + sizeof(float)),
+    : held(base::machineMemory().reserve(volume::Extent2{size}.count() * (sizeof(glm::vec2) + sizeof(float)),
                                          "cut faces of the picture", "a smaller image needs less")),
       area(size),
-      ends(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y)),
+      ends(volume::Extent2{size}.count()),
       texels(ends.size()) {}
 
 void CutFacesPass::declare(Declaring& d) const {

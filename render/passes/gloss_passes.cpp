@@ -105,7 +105,7 @@ std::vector<WeightedReflection> smoothed(const std::vector<gi::Reflection>& of,
   std::vector<WeightedReflection> rows(of.size()), result(of.size());
   const auto low = [](int at) { return std::max(at - kAround / 2, 0); };
   const auto end = [](int at, int count) { return std::min(at + kAround / 2, count); };
-  const auto index = [&](int x, int y) { return static_cast<std::size_t>(y * size.x + x); };
+  const auto index = [&](int x, int y) { return volume::Extent2{size}.index(x, y); };
   volume::parallelEach(size.y, [&](int y) {
     for (int x = 0; x < size.x; ++x) {
       const std::size_t at = index(x, y);
@@ -228,7 +228,7 @@ void ReflectionsPass::trace(FrameState& frame, const Target& target, const Targe
       const Surface& surface = frame.surfaces[static_cast<std::size_t>(cells[i].surface)];
       const auto roughness = static_cast<float>(surface.roughness);
       const float exponent = gi::glossExponent(roughness), depth = normals[4 * i + 3];
-      const glm::ivec2 cell = first + glm::ivec2(static_cast<int>(i) % size.x, static_cast<int>(i) / size.x);
+      const glm::ivec2 cell = first + volume::Extent2{size}.at(i);
       const glm::vec3 voxel = vectorAt(places, i), normal = vectorAt(normals, i), ray = vectorAt(rays, i);
       const double value = trilinear ? surface.value : volume::sampleTrilinear(grid, glm::dvec3(voxel)).value;
       cells[i] = {cells[i].surface,

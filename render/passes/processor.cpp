@@ -55,14 +55,12 @@ HostImages& hostImages(FrameState& frame) {
 
 // How much of each pixel is covered already, of those of the crossing before.
 std::vector<float> alphaOf(const Texture& color, const volume::PictureArea& before) {
-  const int width = color.size().x;
-  std::vector<float> alpha(static_cast<std::size_t>(width) * static_cast<std::size_t>(color.size().y));
+  const volume::Extent2 extent{glm::ivec2(color.size())};
+  std::vector<float> alpha(extent.count());
   for (const volume::Rectangle& part : before.rectangles()) {
     const std::vector<float> rgba = color.readFloats(4, part);
-    const auto columns = static_cast<std::size_t>(part.size.x);
     for (std::size_t i = 0; i < rgba.size() / 4; ++i)
-      alpha[(static_cast<std::size_t>(part.low.y) + i / columns) * static_cast<std::size_t>(width) +
-            static_cast<std::size_t>(part.low.x) + i % columns] = rgba[4 * i + 3];
+      alpha[extent.index(part.low + volume::Extent2{part.size}.at(i))] = rgba[4 * i + 3];
   }
   return alpha;
 }
@@ -181,9 +179,9 @@ void cropToHits(FrameState& frame) {
 }  // namespace
 
 HostImages::HostImages(glm::ivec2 size)
-    : held(base::machineMemory().reserve(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
-                                             (sizeof(glm::vec2) + sizeof(glm::vec4)),
-                                         "hits of the picture", kLess)),
+    : held(base::machineMemory().reserve(
+          volume::Extent2{size}.count() * (sizeof(glm::vec2) + sizeof(glm::vec4)), "hits of the picture",
+          kLess)),
       crossings(size) {}
 
 OnProcessor onProcessor(bool taken, const scene::Scene& scene) {

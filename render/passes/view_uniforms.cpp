@@ -19,12 +19,9 @@ ViewUniforms::ViewUniforms(const scene::Camera& camera, double aspect, const vol
   orthographic = frame.projection == scene::Projection::orthographic;
   halfExtent = {frame.halfHeight * aspect, frame.halfHeight};
 
-  double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
-  for (const glm::dvec3& corner : geometry.corners()) {
-    const double depth = glm::dot(corner - frame.eye, forwardWorld);
-    nearest = std::min(nearest, depth);
-    farthest = std::max(farthest, depth);
-  }
+  volume::Bounds<double> depths;
+  for (const glm::dvec3& corner : geometry.corners()) depths.add(glm::dot(corner - frame.eye, forwardWorld));
+  const auto [nearest, farthest] = depths;
   const double extent = farthest - nearest, before = nearest - 0.01 * extent;
   const bool far = nearest > kFarExtents * extent;
   rayStartMm = orthographic ? (far ? before : std::min(0.0, before)) : 0.0;

@@ -20,12 +20,12 @@ constexpr int kBlockCells = 8, kBlocks = brickCells / kBlockCells;
 constexpr std::uint32_t kUsed = 1, kAskedFor = 2;  // bricks.glsl
 constexpr std::size_t kCounts = 2;                 // before the marks of bricks: waiting rays, lost rays
 
-std::size_t product(glm::ivec3 v) {
-  return static_cast<std::size_t>(v.x) * static_cast<std::size_t>(v.y) * static_cast<std::size_t>(v.z);
+std::size_t countOf(glm::ivec3 dims) {
+  return volume::Extent3{dims}.count();
 }
 
 std::size_t brickTexelCount(int apron) {
-  return product(glm::ivec3(brickTexels(apron)));
+  return countOf(glm::ivec3(brickTexels(apron)));
 }
 
 std::size_t slotBytes(const std::vector<const TexelSource*>& channels, int apron) {
@@ -44,9 +44,9 @@ glm::ivec3 slotDimsFor(std::size_t most, int perAxis) {
       if (z < static_cast<std::size_t>(y) && y > x) break;
       const glm::ivec3 dims(
           x, y, static_cast<int>(std::clamp<std::size_t>(z, 1, static_cast<std::size_t>(perAxis))));
-      if (product(dims) > most) continue;
-      const bool more = product(dims) > product(best);
-      if (more || (product(dims) == product(best) && dims.z < best.z)) best = dims;
+      if (countOf(dims) > most) continue;
+      const bool more = countOf(dims) > countOf(best);
+      if (more || (countOf(dims) == countOf(best) && dims.z < best.z)) best = dims;
     }
   return best;
 }
@@ -57,7 +57,7 @@ glm::ivec3 checkedSlots(const Gl& gl, std::size_t slotBytes, int apron, std::siz
   const int perAxis = gl.max3dTexture / brickTexels(apron);
   const glm::ivec3 dims = slotDimsFor(std::max<std::size_t>(affordable, 1), std::max(perAxis, 1));
   if (affordable < std::min(kFewestSlots, bricks) || perAxis < 1 ||
-      product(dims) < std::min(kFewestSlots, bricks))
+      countOf(dims) < std::min(kFewestSlots, bricks))
     throw base::Error(base::ErrorKind::memory, "", "graphics memory",
                       "not even " + std::to_string(kFewestSlots) + " bricks of " +
                           std::to_string(slotBytes >> 10) + " KiB fit: memory.gpu_budget_mb is too small");
@@ -75,10 +75,8 @@ std::vector<volume::BrickSource::Request> readAhead(const TexelSource& texels, g
   const std::size_t each = texels.texelBytes() * brickTexelCount(apron);
   const std::size_t count = std::min({wanted.size(), most, source->budgetBytes() / 2 / each});
   for (std::size_t i = 0; i < count; ++i) {
-    const int b = static_cast<int>(wanted[i]);
-    const glm::ivec3 at(b % dims.x, b / dims.x % dims.y, b / (dims.x * dims.y));
-    for (auto& request :
-         source->requestBox(0, at * brickCells - apron, glm::ivec3(brickTexels(apron)), -static_cast<int>(i)))
+    const glm::ivec3 low = volume::Extent3{dims}.at(wanted[i]) * brickCells - apron;
+    for (auto& request : source->requestBox(0, low, glm::ivec3(brickTexels(apron)), -static_cast<int>(i)))
       requests.push_back(std::move(request));
   }
   return requests;
@@ -93,23 +91,23 @@ Bricks::Bricks(GlPtr gl, std::vector<const TexelSource*> channels, int apron, st
       apron_(apron),
       moved_(std::move(moved)),
       dims_(brickDims(channels_[0]->dims())),
-      slotDims_(checkedSlots(*gl_, slotBytes(channels_, apron_), apron_, product(dims_), budgetBytes)),
-      cache_(product(dims_), std::min(product(slotDims_), product(dims_))),
+      slotDims_(checkedSlots(*gl_, slotBytes(channels_, apron_), apron_, countOf(dims_), budgetBytes)),
+      cache_(countOf(dims_), std::min(countOf(slotDims_), countOf(dims_))),
       hasBlockBits_(channels_[0]->parts() && 2 * dims_.z <= gl_->max3dTexture),
       table_(Texture::make3D(gl_, GL_RGBA16UI, hasBlockBits_ ? dims_ * glm::ivec3(1, 1, 2) : dims_, false)),
       use_(gl_),
-      marks_(product(dims_) + kCounts, 0),
+      marks_(countOf(dims_) + kCounts, 0),
       texels_(channels_.size()) {
   for (const TexelSource* channel : channels_)
     caches_.push_back(Texture::make3D(gl_, channel->internalFormat(), slotDims_ * brickTexels(apron_), true));
-  const std::vector<std::uint16_t> nowhere(4 * product(dims_), 0);
+  const std::vector<std::uint16_t> nowhere(4 * countOf(dims_), 0);
   gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl_->TextureSubImage3D(table_.id(), 0, 0, 0, 0, dims_.x, dims_.y, dims_.z, GL_RGBA_INTEGER,
                          GL_UNSIGNED_SHORT, nowhere.data());
   const std::size_t markBytes = marks_.size() * sizeof(std::uint32_t);
   if (markBytes > static_cast<std::size_t>(std::max(gl_->maxStorageBytes, 0)))
     throw base::Error(base::ErrorKind::memory, "", "graphics memory",
-                      "the volume has " + std::to_string(product(dims_)) +
+                      "the volume has " + std::to_string(countOf(dims_)) +
                           " bricks, more than this driver's buffers hold marks for");
   use_.setData(nullptr, markBytes);
 }
@@ -125,7 +123,7 @@ std::size_t Bricks::bytes() const {
 }
 
 bool Bricks::holdsAll() const {
-  return cache_.slots() == product(dims_);
+  return cache_.slots() == countOf(dims_);
 }
 
 bool Bricks::readsTwice() const {
@@ -204,16 +202,14 @@ std::size_t Bricks::serve(BrickCache::Round kept, std::size_t limitBytes) {
 }
 
 glm::ivec3 Bricks::brickAt(BrickCache::Brick brick) const {
-  const int b = static_cast<int>(brick);
-  return {b % dims_.x, b / dims_.x % dims_.y, b / (dims_.x * dims_.y)};
+  return volume::Extent3{dims_}.at(brick);
 }
 
 void Bricks::setEntry(BrickCache::Brick brick, Entry state) const {
   const bool isResident = state == Entry::resident || state == Entry::partlyLost;
-  const int slot = isResident ? static_cast<int>(*cache_.slotOf(brick)) : 0;
+  const glm::ivec3 slot = volume::Extent3{slotDims_}.at(isResident ? *cache_.slotOf(brick) : 0u);
   const auto part = [](auto v) { return static_cast<std::uint16_t>(v); };
-  const std::uint16_t entry[4] = {part(slot % slotDims_.x), part(slot / slotDims_.x % slotDims_.y),
-                                  part(slot / (slotDims_.x * slotDims_.y)), part(static_cast<int>(state))};
+  const std::uint16_t entry[4] = {part(slot.x), part(slot.y), part(slot.z), part(static_cast<int>(state))};
   const glm::ivec3 at = brickAt(brick);
   const auto set = [&](glm::ivec3 texel, const std::uint16_t* values) {
     gl_->TextureSubImage3D(table_.id(), 0, texel.x, texel.y, texel.z, 1, 1, 1, GL_RGBA_INTEGER,
@@ -232,9 +228,8 @@ void Bricks::setEntry(BrickCache::Brick brick, Entry state) const {
 BlockBits Bricks::blocksOf(BrickCache::Brick brick) const {
   const glm::ivec3 cells = glm::max(channels_[0]->dims() - 1, glm::ivec3(1)) - brickAt(brick) * brickCells;
   BlockBits blocks = 0;
-  for (int z = 0; z < kBlocks && z * kBlockCells < cells.z; ++z)
-    for (int y = 0; y < kBlocks && y * kBlockCells < cells.y; ++y)
-      for (int x = 0; x < kBlocks && x * kBlockCells < cells.x; ++x) blocks |= blockBit({x, y, z});
+  volume::forEachIn(glm::ivec3(0), glm::min((cells + kBlockCells - 1) / kBlockCells, kBlocks),
+                    [&](glm::ivec3 block) { blocks |= blockBit(block); });
   return blocks;
 }
 
@@ -253,25 +248,21 @@ BlockBits Bricks::fetch(BrickCache::Brick brick) {
   if (lost_.empty()) lostReason_ = unknown.front().error;
   // Where the table has no room for their bits all blocks are.
   BlockBits lost = hasBlockBits_ ? 0 : blocksOf(brick);
-  for (int z = 0; z < kBlocks; ++z)
-    for (int y = 0; y < kBlocks; ++y)
-      for (int x = 0; x < kBlocks; ++x) {
-        // Voxels that lookups around the block's cells read.
-        const glm::ivec3 low = first + kBlockCells * glm::ivec3(x, y, z),
-                         behind = low + kBlockCells + 1 + 2 * apron_;
-        for (const volume::DamagedPart& part : unknown)
-          if (glm::all(glm::lessThan(part.low, behind)) && glm::all(glm::lessThan(low, part.low + part.size)))
-            lost |= blockBit({x, y, z});
-      }
+  volume::forEachIn(glm::ivec3(0), glm::ivec3(kBlocks), [&](glm::ivec3 block) {
+    // Voxels that lookups around the block's cells read.
+    const glm::ivec3 low = first + kBlockCells * block, behind = low + kBlockCells + 1 + 2 * apron_;
+    for (const volume::DamagedPart& part : unknown)
+      if (glm::all(glm::lessThan(part.low, behind)) && glm::all(glm::lessThan(low, part.low + part.size)))
+        lost |= blockBit(block);
+  });
   lost &= blocksOf(brick);
   if (lost != 0) lost_.insert_or_assign(brick, lost);
   return lost;
 }
 
 void Bricks::upload(BrickCache::Brick brick, BrickCache::Slot slot) {
-  const int s = static_cast<int>(slot), side = brickTexels(apron_);
-  const glm::ivec3 to =
-      side * glm::ivec3(s % slotDims_.x, s / slotDims_.x % slotDims_.y, s / (slotDims_.x * slotDims_.y));
+  const int side = brickTexels(apron_);
+  const glm::ivec3 to = side * volume::Extent3{slotDims_}.at(slot);
   gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     gl_->TextureSubImage3D(caches_[i].id(), 0, to.x, to.y, to.z, side, side, side, GL_RED,

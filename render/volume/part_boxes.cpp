@@ -14,7 +14,7 @@ constexpr int kBlocksPerBrick = brickCells / volume::BoxBounds::kBlockCells;
 
 // Of a block in its brick.
 std::size_t ownIndex(glm::ivec3 block) {
-  return static_cast<std::size_t>((block.z * kBlocksPerBrick + block.y) * kBlocksPerBrick + block.x);
+  return volume::Extent3{glm::ivec3(kBlocksPerBrick)}.index(block);
 }
 
 }  // namespace
@@ -30,7 +30,7 @@ void PartBoxes::moved(glm::ivec3 brick, bool isResident, BlockBits lost) {
   std::vector<volume::DamagedPart> unknown;  // of lost blocks
   const volume::VoxelArray voxels =
       volume::withStoredType(grid_->storedType(), [&](auto zero) -> volume::VoxelArray {
-        std::vector<decltype(zero)> part(static_cast<std::size_t>(size.x * size.y * size.z));
+        std::vector<decltype(zero)> part(volume::Extent3{size}.count());
         grid_->source()->copyBox(0, brick * brickCells, size, std::as_writable_bytes(std::span(part)),
                                  &unknown);
         return part;
@@ -46,16 +46,13 @@ PartBoxes::Blocks PartBoxes::masks(glm::ivec3 brick, std::span<const float> stor
   const glm::ivec3 dims = active.blocks().dims(), low = brick * kBlocksPerBrick,
                    size = glm::clamp(dims - low, glm::ivec3(0), glm::ivec3(kBlocksPerBrick));
   std::vector<std::uint8_t> flags(ownIndex(glm::ivec3(kBlocksPerBrick - 1)) + 1, 0);
-  const auto forEach = [size](auto&& f) {
-    for (glm::ivec3 at(0); at.z < size.z; ++at.z)
-      for (at.y = 0; at.y < size.y; ++at.y)
-        for (at.x = 0; at.x < size.x; ++at.x) f(at);
-  };
-  forEach([&](glm::ivec3 at) { flags[ownIndex(at)] = active.flags()[active.blocks().index(low + at)]; });
+  volume::forEachIn(glm::ivec3(0), size, [&](glm::ivec3 at) {
+    flags[ownIndex(at)] = active.flags()[active.blocks().index(low + at)];
+  });
   std::vector<std::uint64_t> masks;
   boxes->second.boxes.masks(storedIsovalues, flags, masks);
   Blocks found{low, size, {}};
-  forEach([&](glm::ivec3 at) {
+  volume::forEachIn(glm::ivec3(0), size, [&](glm::ivec3 at) {
     const std::size_t own = ownIndex(at);
     const bool isLost = (boxes->second.lost & blockBit(at)) != 0;
     found.masks.push_back(isLost && flags[own] != 0 ? ~std::uint64_t{0} : masks[own]);

@@ -34,18 +34,12 @@ void SurfaceBlocks::activate(std::vector<float> storedIsovalues, Hidden hidden) 
 
 std::size_t SurfaceBlocks::activeBricks() const {
   if (bricks_) return *bricks_;
-  const glm::ivec3 bricks = brickDims(volume_->grid().dims()), dims = blocks().dims();
+  const volume::Extent3 bricks{brickDims(volume_->grid().dims())};
   const int perBrick = brickCells / blocks().blockCells();
-  std::vector<std::uint8_t> active(static_cast<std::size_t>(bricks.x) * static_cast<std::size_t>(bricks.y) *
-                                   static_cast<std::size_t>(bricks.z));
-  std::size_t block = 0;
-  for (int z = 0; z < dims.z; ++z)
-    for (int y = 0; y < dims.y; ++y)
-      for (int x = 0; x < dims.x; ++x, ++block)
-        if (active_.flags()[block] != 0) {
-          const int brick = (z / perBrick * bricks.y + y / perBrick) * bricks.x + x / perBrick;
-          active[static_cast<std::size_t>(brick)] = 1;
-        }
+  std::vector<std::uint8_t> active(bricks.count());
+  volume::forEachIn(glm::ivec3(0), blocks().dims(), [&](glm::ivec3 block) {
+    if (active_.flags()[blocks().index(block)] != 0) active[bricks.index(block / perBrick)] = 1;
+  });
   bricks_ = static_cast<std::size_t>(std::count(active.begin(), active.end(), 1));
   return *bricks_;
 }
@@ -69,13 +63,8 @@ void SurfaceBlocks::updateMasks() {
 
 PartBoxes::Blocks SurfaceBlocks::takeMasks(glm::ivec3 brick) {
   PartBoxes::Blocks found = parts_->masks(brick, storedIsovalues_, active_);
-  const glm::ivec3 size = found.size;
-  for (std::size_t i = 0; i < found.masks.size(); ++i) {
-    const int at = static_cast<int>(i);
-    const glm::ivec3 block =
-        found.low + glm::ivec3(at % size.x, at / size.x % size.y, at / (size.x * size.y));
-    masks_[blocks().index(block)] = found.masks[i];
-  }
+  for (std::size_t i = 0; i < found.masks.size(); ++i)
+    masks_[blocks().index(found.low + volume::Extent3{found.size}.at(i))] = found.masks[i];
   return found;
 }
 
@@ -130,24 +119,18 @@ void SurfaceBlocks::uploadHidden() {
   const glm::ivec3 voxels = volume_->grid().dims(),
                    dims = (voxels + glm::ivec3(3, 3, 1)) / glm::ivec3(4, 4, 2);
   const std::size_t channels = hidden_.surfaces.size() <= 2 ? hidden_.surfaces.size() : 4;
-  const auto row = static_cast<std::size_t>(dims.x) * channels;
-  std::vector<std::uint32_t> texels(row * static_cast<std::size_t>(dims.y) *
-                                    static_cast<std::size_t>(dims.z));
+  const volume::Extent3 extent{dims};
+  std::vector<std::uint32_t> texels(extent.count() * channels);
   for (std::size_t k = 0; k < hidden_.surfaces.size(); ++k) {
     const volume::HiddenVoxels* const hidden = hidden_.surfaces[k].hidden;
     if (!hidden) continue;
     volume::parallelEach(dims.z, [&](int slice) {
       for (int z = 2 * slice; z < std::min(2 * slice + 2, voxels.z); ++z)
         for (int y = 0; y < voxels.y; ++y) {
-          std::uint32_t* const to =
-              &texels[(static_cast<std::size_t>(slice) * static_cast<std::size_t>(dims.y) +
-                       static_cast<std::size_t>(y / 4)) *
-                      row];
-          const auto words = static_cast<std::size_t>(hidden->wordsPerRow());
-          const std::uint64_t* const from =
-              &hidden->words()[words * (static_cast<std::size_t>(y) +
-                                        static_cast<std::size_t>(voxels.y) * static_cast<std::size_t>(z))];
-          for (std::size_t x = 0; x < static_cast<std::size_t>(dims.x); ++x) {
+          std::uint32_t* const to = &texels[extent.index(0, y / 4, slice) * channels];
+          const volume::Extent3 words{{hidden->wordsPerRow(), voxels.y, voxels.z}};
+          const std::uint64_t* const from = &hidden->words()[words.index(0, y, z)];
+          for (std::size_t x = 0; x < extent.row(); ++x) {
             const auto four = static_cast<std::uint32_t>(from[x / 16] >> (4 * (x % 16)) & 15u);
             to[x * channels + k] |= four << (4 * (y & 3) + 16 * (z & 1));
           }

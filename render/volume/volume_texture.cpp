@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 
 #include "base/error.h"
@@ -21,10 +20,8 @@ void convertRows(const Voxel* voxels, glm::ivec3 dims, glm::ivec3 first, glm::iv
   const int from = std::clamp(-first.x, 0, size.x);           // texels before the first voxel
   const int to = std::clamp(dims.x - first.x, from, size.x);  // and behind the last
   const auto row = [&](int y, int z) {
-    const std::size_t line =
-        static_cast<std::size_t>(std::clamp(first.z + z, 0, dims.z - 1)) * static_cast<std::size_t>(dims.y) +
-        static_cast<std::size_t>(std::clamp(first.y + y, 0, dims.y - 1));
-    return voxels + line * static_cast<std::size_t>(dims.x);
+    return voxels + volume::Extent3{dims}.index(0, std::clamp(first.y + y, 0, dims.y - 1),
+                                                std::clamp(first.z + z, 0, dims.z - 1));
   };
   for (int z = 0; z < size.z; ++z)
     for (int y = 0; y < size.y; ++y) {
@@ -80,8 +77,7 @@ std::size_t TexelSource::texelBytes() const {
 }
 
 std::size_t TexelSource::bytes() const {
-  return texelBytes() * static_cast<std::size_t>(dims_.x) * static_cast<std::size_t>(dims_.y) *
-         static_cast<std::size_t>(dims_.z);
+  return texelBytes() * volume::Extent3{dims_}.count();
 }
 
 GLenum TexelSource::internalFormat() const {

@@ -45,8 +45,7 @@ TEST(LightScene, LampsAreAsBrightAsTheirSettingsSay) {
   const auto volume = volumeOf(volume::GridGeometry::make({20, 24, 28}, {1.0, 0.8, 0.5}, {100.0, -50.0, 7.0}),
                                [](glm::dvec3 p) { return p.x; });
   scene::Scene scene = giScene(*volume);
-  glm::dvec3 low, high;
-  volume->grid().geometry().worldBounds(low, high);
+  const auto [low, high] = volume->grid().geometry().worldBounds();
   const glm::dvec3 centre = 0.5 * (low + high);
   scene.lamps[0].shown = true;
   scene.lamps[0].color = {1.0, 0.5, 0.25};

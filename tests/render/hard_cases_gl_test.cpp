@@ -314,8 +314,7 @@ TEST_P(HardCasesGlTest, WhereTheGradientIsZeroDirectionsAreZero) {
 // Eye positions: inside the object, inside an active block, on a voxel, on the surface, behind it.
 TEST_P(HardCasesGlTest, EyeInsideTheVolume) {
   const auto volume = phantom("ball", 48);
-  glm::dvec3 low, high;
-  volume->grid().geometry().worldBounds(low, high);
+  const auto [low, high] = volume->grid().geometry().worldBounds();
   const double radius = 0.35 * 47.0;
   for (const double distance : {0.0, 0.5, 0.9, 0.999, 1.0, 1.001, 1.1, 1.35}) {
     scene::Scene scene;

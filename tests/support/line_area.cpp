@@ -14,8 +14,7 @@ namespace isolux::test {
 LineArea areaByLines(const volume::Grid& grid, double isovalue, std::size_t lines) {
   base::Progress progress;
   const volume::MinMaxBlocks blocks(grid, 8, progress);
-  glm::dvec3 low, high;
-  grid.geometry().worldBounds(low, high);
+  const auto [low, high] = grid.geometry().worldBounds();
   const glm::dvec3 centre = 0.5 * (low + high);
   const double radius = 0.5 * glm::length(high - low), pi = std::numbers::pi;
   const glm::dmat4 voxelFromWorld = grid.geometry().voxelFromWorld();

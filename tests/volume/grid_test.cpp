@@ -23,8 +23,7 @@ TEST(GridGeometry, PlacesVoxelsByOriginSpacingAndDirections) {
   EXPECT_EQ(geometry.spacingMm(), glm::dvec3(0.5, 2.0, 3.0));
   EXPECT_EQ(geometry.originMm(), glm::dvec3(10, 20, 30));
   EXPECT_FALSE(geometry.leftHanded());
-  glm::dvec3 low, high;
-  geometry.worldBounds(low, high);
+  const auto [low, high] = geometry.worldBounds();
   EXPECT_EQ(low, glm::dvec3(10, 20, 30));
   EXPECT_EQ(high, glm::dvec3(10 + 5 * 3.0, 20 + 3 * 0.5, 30 + 4 * 2.0));
 }

@@ -31,8 +31,7 @@ TEST(PreparedVolume, HoldsBlocksHistogramBoundsAndIsovalue) {
   EXPECT_EQ(prepared->blocks->blockCells(), kBlockCells);
   EXPECT_EQ(prepared->blocks->dims(), glm::ivec3(3));
   EXPECT_FALSE(prepared->histogram.counts.empty());
-  glm::dvec3 low, high;
-  prepared->grid().geometry().worldBounds(low, high);
+  const auto [low, high] = prepared->grid().geometry().worldBounds();
   EXPECT_EQ(prepared->facts.boundsMinMm, low);
   EXPECT_EQ(prepared->facts.boundsMaxMm, high);
   EXPECT_LT(prepared->grid().minimum(), prepared->facts.suggestedIsovalue);

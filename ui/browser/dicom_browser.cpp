@@ -62,8 +62,7 @@ QPixmap pictureOf(const volume::DecodedImage& image, double ratio) {
   QImage small(image.width, image.height, QImage::Format_RGB32);
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {
-      const glm::vec3& p = image.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-                                        static_cast<std::size_t>(x)];
+      const glm::vec3& p = image.pixels[volume::Extent2{{image.width, image.height}}.index(x, y)];
       small.setPixel(x, y, qRgb(base::screenByte(p.x), base::screenByte(p.y), base::screenByte(p.z)));
     }
   const int side = static_cast<int>(pictureSide * ratio);

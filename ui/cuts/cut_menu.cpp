@@ -1,7 +1,5 @@
 #include "ui/cuts/cut_menu.h"
 
-#include <algorithm>
-
 #include <QAction>
 #include <QActionGroup>
 #include <QKeySequence>

@@ -25,11 +25,6 @@ namespace {
 constexpr std::size_t kMostReaders = 8;
 constexpr std::size_t kMostChunkBytes = std::size_t{16} << 20;  // larger ones are read in bricks
 
-std::size_t countOf(glm::ivec3 size) {
-  return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
-         static_cast<std::size_t>(size.z);
-}
-
 // How a level is cut into bricks: brick b holds voxels b * edge - before .. (b + 1) * edge - 1 + behind.
 struct Cut {
   glm::ivec3 dims, edge;
@@ -43,7 +38,7 @@ struct Cut {
 Cut cutOf(const ChunkedLevel& level, VoxelType type) {
   const glm::ivec3 dims = level.geometry.dims, chunk = glm::min(level.chunkDims, dims);
   const bool boxes = level.keepsBoxes() && glm::any(glm::greaterThan(chunk, glm::ivec3(1))) &&
-                     countOf(chunk) * bytesOf(type) <= kMostChunkBytes;
+                     Extent3{chunk}.count() * bytesOf(type) <= kMostChunkBytes;
   if (boxes) return {dims, chunk};
   return {dims, glm::ivec3(BrickSource::kRowBrick), BrickSource::kApron, BrickSource::kApron + 1};
 }
@@ -91,18 +86,9 @@ struct BrickSource::State {
   std::size_t keptBytes = 0;
   std::uint64_t readBytes = 0, bricks = 0, voxelBytes = 0;
 
-  glm::ivec3 indexOf(Key key) const {
-    const glm::ivec3 n = cuts[key.level].bricks();
-    const auto x = static_cast<std::size_t>(n.x), y = static_cast<std::size_t>(n.y);
-    return {static_cast<int>(key.brick % x), static_cast<int>(key.brick / x % y),
-            static_cast<int>(key.brick / (x * y))};
-  }
+  glm::ivec3 indexOf(Key key) const { return Extent3{cuts[key.level].bricks()}.at(key.brick); }
   Key keyOf(std::size_t level, glm::ivec3 index) const {
-    const glm::ivec3 n = cuts[level].bricks();
-    return {level, (static_cast<std::size_t>(index.z) * static_cast<std::size_t>(n.y) +
-                    static_cast<std::size_t>(index.y)) *
-                           static_cast<std::size_t>(n.x) +
-                       static_cast<std::size_t>(index.x)};
+    return {level, Extent3{cuts[level].bricks()}.index(index)};
   }
 
   std::shared_ptr<const Brick> get(Key key);
@@ -122,7 +108,7 @@ void BrickSource::State::readNow(Key key, std::unique_lock<std::mutex>& lock) {
     const Cut& cut = cuts[key.level];
     brick->low = cut.low(indexOf(key));
     brick->size = cut.behindLast(indexOf(key)) - brick->low;
-    brick->voxels.resize(countOf(brick->size) * bytesOf(file->facts().storedType));
+    brick->voxels.resize(Extent3{brick->size}.count() * bytesOf(file->facts().storedType));
     bytes = file->read(part, key.level, brick->low, brick->size, brick->voxels);
   } catch (const base::Error& failed) {
     error = failed;
@@ -314,11 +300,6 @@ void BrickSource::copyBox(std::size_t level, glm::ivec3 first, glm::ivec3 size, 
   const Cut& cut = state_->cuts[level];
   const auto runsX = runsOf(cut, 0, first.x, size.x), runsY = runsOf(cut, 1, first.y, size.y),
              runsZ = runsOf(cut, 2, first.z, size.z);
-  const auto line = [](const Brick& brick, int y, int z) {
-    return (static_cast<std::size_t>(z - brick.low.z) * static_cast<std::size_t>(brick.size.y) +
-            static_cast<std::size_t>(y - brick.low.y)) *
-           static_cast<std::size_t>(brick.size.x);
-  };
   const auto copy = [&](const Brick& from, Run x, Run y, Run z) {
     withStoredType(facts().storedType, [&](auto zero) {
       using T = decltype(zero);
@@ -326,12 +307,9 @@ void BrickSource::copyBox(std::size_t level, glm::ivec3 first, glm::ivec3 size, 
       T* const out = reinterpret_cast<T*>(voxels.data());
       for (int k = z.from; k < z.behind; ++k)
         for (int j = y.from; j < y.behind; ++j) {
-          const std::size_t row =
-              line(from, std::clamp(j, 0, cut.dims.y - 1), std::clamp(k, 0, cut.dims.z - 1));
-          const std::size_t to = (static_cast<std::size_t>(k - first.z) * static_cast<std::size_t>(size.y) +
-                                  static_cast<std::size_t>(j - first.y)) *
-                                     static_cast<std::size_t>(size.x) +
-                                 static_cast<std::size_t>(x.from - first.x);
+          const int inY = std::clamp(j, 0, cut.dims.y - 1), inZ = std::clamp(k, 0, cut.dims.z - 1);
+          const std::size_t row = Extent3{from.size}.index(0, inY - from.low.y, inZ - from.low.z);
+          const std::size_t to = Extent3{size}.index(glm::ivec3(x.from, j, k) - first);
           copyLine(stored + row, from.low.x, cut.dims.x, x, out + to);
         }
     });
@@ -367,11 +345,7 @@ std::vector<BrickSource::Request> BrickSource::requestBox(std::size_t level, glm
 
 double BrickSource::stored(glm::ivec3 voxel) {
   const std::shared_ptr<const Brick> from = brick(0, brickOf(0, voxel));
-  const glm::ivec3 at = voxel - from->low;
-  const std::size_t i = (static_cast<std::size_t>(at.z) * static_cast<std::size_t>(from->size.y) +
-                         static_cast<std::size_t>(at.y)) *
-                            static_cast<std::size_t>(from->size.x) +
-                        static_cast<std::size_t>(at.x);
+  const std::size_t i = Extent3{from->size}.index(voxel - from->low);
   return withStoredType(facts().storedType, [&](auto zero) {
     decltype(zero) value;
     std::memcpy(&value, from->voxels.data() + i * sizeof value, sizeof value);

@@ -13,10 +13,6 @@ namespace isolux::volume {
 
 namespace {
 
-std::size_t voxelsOf(glm::ivec3 size) {
-  return GridGeometry{.dims = size}.voxelCount();
-}
-
 // In what a box is read again.
 glm::ivec3 pieceOf(const ChunkedLevel& level) {
   const glm::ivec3 dims = level.geometry.dims;
@@ -39,14 +35,10 @@ struct Box {
 void copyInto(const std::vector<std::byte>& from, Box piece, Box whole, std::size_t voxelBytes,
               std::span<std::byte> to) {
   const std::size_t row = static_cast<std::size_t>(piece.size.x) * voxelBytes;
-  const glm::ivec3 at = piece.low - whole.low;
   const std::byte* source = from.data();
   for (int z = 0; z < piece.size.z; ++z)
     for (int y = 0; y < piece.size.y; ++y, source += row) {
-      const std::size_t line = static_cast<std::size_t>(at.z + z) * static_cast<std::size_t>(whole.size.y) +
-                               static_cast<std::size_t>(at.y + y);
-      const std::size_t voxel =
-          line * static_cast<std::size_t>(whole.size.x) + static_cast<std::size_t>(at.x);
+      const std::size_t voxel = Extent3{whole.size}.index(piece.low - whole.low + glm::ivec3(0, y, z));
       std::memcpy(to.data() + voxel * voxelBytes, source, row);
     }
 }
@@ -76,19 +68,18 @@ std::size_t readAround(const ChunkedVolume& file, VolumePart part, std::size_t l
   const std::size_t voxelBytes = bytesOf(facts.storedType);
   const glm::ivec3 piece = pieceOf(facts.levels[level]), first = low / piece, last = (low + size - 1) / piece;
   std::size_t bytes = 0;
-  for (int z = first.z; z <= last.z; ++z)
-    for (int y = first.y; y <= last.y; ++y)
-      for (int x = first.x; x <= last.x; ++x) {
-        const glm::ivec3 index(x, y, z), from = glm::max(low, index * piece);
-        const Box box{from, glm::min(low + size, (index + 1) * piece) - from};
-        std::vector<std::byte> read(voxelsOf(box.size) * voxelBytes);
-        const std::string error = triedToRead(file, part, level, box, read, bytes);
-        if (!error.empty()) {
-          damaged.push_back({box.low, box.size, error});
-          read = unknownVoxels(facts.storedType, voxelsOf(box.size));
-        }
-        copyInto(read, box, {low, size}, voxelBytes, voxels);
-      }
+  forEachIn(first, last + 1, [&](glm::ivec3 index) {
+    const glm::ivec3 from = glm::max(low, index * piece);
+    const Box box{from, glm::min(low + size, (index + 1) * piece) - from};
+    const std::size_t count = Extent3{box.size}.count();
+    std::vector<std::byte> read(count * voxelBytes);
+    const std::string error = triedToRead(file, part, level, box, read, bytes);
+    if (!error.empty()) {
+      damaged.push_back({box.low, box.size, error});
+      read = unknownVoxels(facts.storedType, count);
+    }
+    copyInto(read, box, {low, size}, voxelBytes, voxels);
+  });
   return bytes;
 }
 
@@ -109,7 +100,7 @@ std::string damageText(const std::vector<DamagedPart>& damaged) {
 
 bool isMended(const ChunkedVolume& file, VolumePart part, const std::vector<DamagedPart>& damaged) {
   return std::any_of(damaged.begin(), damaged.end(), [&](const DamagedPart& one) {
-    std::vector<std::byte> voxels(voxelsOf(one.size) * bytesOf(file.facts().storedType));
+    std::vector<std::byte> voxels(Extent3{one.size}.count() * bytesOf(file.facts().storedType));
     std::size_t bytes = 0;
     return triedToRead(file, part, 0, {one.low, one.size}, voxels, bytes).empty();
   });

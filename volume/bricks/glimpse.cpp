@@ -54,12 +54,12 @@ GridGeometry geometryOf(const ChunkedFacts& facts, const Samples& samples) {
 template <class T>
 std::vector<T> readSamples(const ChunkedVolume& file, VolumePart part, const Samples& samples,
                            base::Progress& progress) {
-  const auto nx = static_cast<std::size_t>(samples.dims.x), ny = static_cast<std::size_t>(samples.dims.y);
-  std::vector<T> voxels(nx * ny * static_cast<std::size_t>(samples.dims.z));
+  const Extent3 extent{samples.dims};
+  const std::size_t nx = extent.row();
+  std::vector<T> voxels(extent.count());
   const int length = (samples.dims.x - 1) * samples.step.x + 1;
-  parallelSteps(ny * static_cast<std::size_t>(samples.dims.z), progress, {}, [&](std::size_t i) {
-    const glm::ivec3 low =
-        samples.first + samples.step * glm::ivec3(0, static_cast<int>(i % ny), static_cast<int>(i / ny));
+  parallelSteps(extent.rows(), progress, {}, [&](std::size_t i) {
+    const glm::ivec3 low = samples.first + samples.step * extent.firstOfRow(i);
     std::vector<T> row(static_cast<std::size_t>(length));
     file.read(part, samples.level, low, {length, 1, 1}, std::as_writable_bytes(std::span(row)));
     for (std::size_t x = 0; x < nx; ++x)
@@ -71,30 +71,24 @@ std::vector<T> readSamples(const ChunkedVolume& file, VolumePart part, const Sam
 // Blocks of an axis that one value stands for, so that there are at most so many values.
 int blocksOfValue(glm::ivec3 blocks, std::size_t most) {
   int together = 1;
-  const auto values = [&] { return GridGeometry{.dims = (blocks + together - 1) / together}.voxelCount(); };
-  while (values() > most) ++together;
+  while (Extent3{(blocks + together - 1) / together}.count() > most) ++together;
   return together;
 }
 
 std::vector<float> middlesOf(const MinMaxBlocks& blocks, glm::ivec3 dims, int together,
                              base::Progress& progress) {
-  const auto nx = static_cast<std::size_t>(dims.x), ny = static_cast<std::size_t>(dims.y);
-  std::vector<float> middles(nx * ny * static_cast<std::size_t>(dims.z));
-  parallelSteps(ny * static_cast<std::size_t>(dims.z), progress, {}, [&](std::size_t row) {
-    for (int x = 0; x < dims.x; ++x) {
-      const glm::ivec3 low = together * glm::ivec3(x, static_cast<int>(row % ny), static_cast<int>(row / ny));
-      const glm::ivec3 behind = glm::min(low + together, blocks.dims());
-      float least = std::numeric_limits<float>::infinity(), most = -least;
-      for (int bz = low.z; bz < behind.z; ++bz)
-        for (int by = low.y; by < behind.y; ++by)
-          for (int bx = low.x; bx < behind.x; ++bx) {
-            const std::size_t block = blocks.index({bx, by, bz});
-            if (blocks.maximum(block) == kUnknownMaximum) continue;
-            least = std::min(least, blocks.minimum(block));
-            most = std::max(most, blocks.maximum(block));
-          }
-      middles[row * nx + static_cast<std::size_t>(x)] =
-          least <= most ? 0.5f * least + 0.5f * most : std::numeric_limits<float>::quiet_NaN();
+  const Extent3 extent{dims};
+  std::vector<float> middles(extent.count());
+  parallelSteps(extent.rows(), progress, {}, [&](std::size_t row) {
+    for (glm::ivec3 at = extent.firstOfRow(row); at.x < dims.x; ++at.x) {
+      const glm::ivec3 low = together * at;
+      Bounds<float> range;
+      forEachIn(low, glm::min(low + together, blocks.dims()), [&](glm::ivec3 block) {
+        const std::size_t i = blocks.index(block);
+        if (blocks.maximum(i) != kUnknownMaximum) range.add({blocks.minimum(i), blocks.maximum(i)});
+      });
+      middles[extent.index(at)] = range.low <= range.high ? 0.5f * range.low + 0.5f * range.high
+                                                          : std::numeric_limits<float>::quiet_NaN();
     }
   });
   return middles;

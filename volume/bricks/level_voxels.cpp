@@ -19,10 +19,6 @@ namespace {
 
 constexpr std::size_t kPieceBytes = std::size_t{4} << 20;  // of rows that are read at a time
 
-std::size_t voxelsIn(glm::ivec3 size) {
-  return GridGeometry{.dims = size}.voxelCount();
-}
-
 // Voxels of the file's level whose means are made together: whole means, and of chunks that are packed whole
 // ones.
 glm::ivec3 stepOf(const ChunkedLevel& level, glm::ivec3 factor, std::size_t voxelBytes) {
@@ -31,7 +27,7 @@ glm::ivec3 stepOf(const ChunkedLevel& level, glm::ivec3 factor, std::size_t voxe
                                                            : glm::clamp(level.chunkDims, glm::ivec3(1), dims);
   glm::ivec3 step = (chunk + factor - 1) / factor * factor;
   for (const int axis : {1, 2})
-    while (step[axis] < dims[axis] && voxelsIn(step) * voxelBytes < kPieceBytes) step[axis] *= 2;
+    while (step[axis] < dims[axis] && Extent3{step}.count() * voxelBytes < kPieceBytes) step[axis] *= 2;
   return step;
 }
 
@@ -52,8 +48,8 @@ class Means {
         size_((low + size + factor - 1) / factor - first_),
         factor_(factor),
         dims_(dims) {
-    sums_.resize(voxelsIn(size_), 0.0);
-    weights_.resize(voxelsIn(size_), 0.0);
+    sums_.resize(Extent3{size_}.count(), 0.0);
+    weights_.resize(sums_.size(), 0.0);
   }
   template <class T>
   void add(glm::ivec3 low, glm::ivec3 size, const std::vector<T>& voxels) {
@@ -61,7 +57,7 @@ class Means {
     for (int z = low.z; z < low.z + size.z; ++z)
       for (int y = low.y; y < low.y + size.y; ++y) {
         const double weight = weightOf(y, 1) * weightOf(z, 2);
-        const std::size_t row = indexOf({first_.x, y / factor_.y, z / factor_.z});
+        const std::size_t row = Extent3{size_}.index(0, y / factor_.y - first_.y, z / factor_.z - first_.z);
         for (int x = low.x; x < low.x + size.x; ++x, ++i) {
           if constexpr (std::is_floating_point_v<T>)
             if (!std::isfinite(voxels[i])) continue;
@@ -76,34 +72,23 @@ class Means {
   template <class T>
   void write(glm::ivec3 levelDims, std::vector<T>& level, std::vector<std::size_t>& unknown) const {
     std::size_t i = 0;
-    for (int z = first_.z; z < first_.z + size_.z; ++z)
-      for (int y = first_.y; y < first_.y + size_.y; ++y)
-        for (int x = first_.x; x < first_.x + size_.x; ++x, ++i) {
-          const double mean = sums_[i] / weights_[i];  // NaN where nothing is known
-          const std::size_t at = (static_cast<std::size_t>(z) * static_cast<std::size_t>(levelDims.y) +
-                                  static_cast<std::size_t>(y)) *
-                                     static_cast<std::size_t>(levelDims.x) +
-                                 static_cast<std::size_t>(x);
-          if constexpr (std::is_floating_point_v<T>)
-            level[at] = static_cast<T>(mean);
-          else if (weights_[i] > 0.0)
-            level[at] = static_cast<T>(std::lround(mean));
-          else
-            unknown.push_back(at);
-        }
+    forEachIn(first_, first_ + size_, [&](glm::ivec3 voxel) {
+      const double mean = sums_[i] / weights_[i];  // NaN where nothing is known
+      const std::size_t at = Extent3{levelDims}.index(voxel);
+      if constexpr (std::is_floating_point_v<T>)
+        level[at] = static_cast<T>(mean);
+      else if (weights_[i] > 0.0)
+        level[at] = static_cast<T>(std::lround(mean));
+      else
+        unknown.push_back(at);
+      ++i;
+    });
   }
 
  private:
   // How often a voxel counts: the last of an axis stands for those that its mean lacks.
   double weightOf(int at, int axis) const {
     return at + 1 == dims_[axis] ? static_cast<double>(factor_[axis] - at % factor_[axis]) : 1.0;
-  }
-  std::size_t indexOf(glm::ivec3 mean) const {
-    const glm::ivec3 at = mean - first_;
-    return (static_cast<std::size_t>(at.z) * static_cast<std::size_t>(size_.y) +
-            static_cast<std::size_t>(at.y)) *
-               static_cast<std::size_t>(size_.x) +
-           static_cast<std::size_t>(at.x);
   }
 
   glm::ivec3 first_, size_, factor_, dims_;
@@ -145,11 +130,7 @@ std::vector<float> withMissing(const std::vector<T>& voxels, glm::ivec3 low, glm
   for (const DamagedPart& part : damaged)
     for (int z = 0; z < part.size.z; ++z)
       for (int y = 0; y < part.size.y; ++y) {
-        const glm::ivec3 at = part.low + glm::ivec3(0, y, z) - low;
-        const std::size_t row = (static_cast<std::size_t>(at.z) * static_cast<std::size_t>(size.y) +
-                                 static_cast<std::size_t>(at.y)) *
-                                    static_cast<std::size_t>(size.x) +
-                                static_cast<std::size_t>(at.x);
+        const std::size_t row = Extent3{size}.index(part.low + glm::ivec3(0, y, z) - low);
         std::fill_n(known.begin() + static_cast<std::ptrdiff_t>(row), part.size.x,
                     std::numeric_limits<float>::quiet_NaN());
       }
@@ -161,16 +142,13 @@ LevelVoxels readMeans(const ChunkedVolume& file, VolumePart part, const LevelOri
                       bool around, base::Progress& progress) {
   const ChunkedLevel& level = file.facts().levels[origin.fileLevel];
   const glm::ivec3 from = level.geometry.dims, step = stepOf(level, origin.factor, sizeof(T));
-  const glm::ivec3 steps = (from + step - 1) / step;
+  const Extent3 steps{(from + step - 1) / step};
   LevelVoxels read;
   std::vector<T> voxels;
-  resizeStoppably(voxels, voxelsIn(dims), progress);
+  resizeStoppably(voxels, Extent3{dims}.count(), progress);
   Findings findings(file.facts(), read);
-  const auto nx = static_cast<std::size_t>(steps.x), ny = static_cast<std::size_t>(steps.y);
-  parallelSteps(voxelsIn(steps), progress, {0.0, 1.0, "reading"}, [&](std::size_t i) {
-    const glm::ivec3 low = step * glm::ivec3(static_cast<int>(i % nx), static_cast<int>(i / nx % ny),
-                                             static_cast<int>(i / nx / ny));
-    const glm::ivec3 behind = glm::min(low + step, from);
+  parallelSteps(steps.count(), progress, {0.0, 1.0, "reading"}, [&](std::size_t i) {
+    const glm::ivec3 low = step * steps.at(i), behind = glm::min(low + step, from);
     Means means(low, behind - low, origin.factor, from);
     std::vector<T> piece;
     std::vector<DamagedPart> damaged;
@@ -180,7 +158,7 @@ LevelVoxels readMeans(const ChunkedVolume& file, VolumePart part, const LevelOri
         for (at.x = low.x; at.x < behind.x; at.x += size.x) {
           if (progress.stopRequested()) return;
           size = pieceOf(level, at, behind - at, sizeof(T));
-          piece.resize(voxelsIn(size));
+          piece.resize(Extent3{size}.count());
           const auto bytes = std::as_writable_bytes(std::span(piece));
           if (around)
             readAround(file, part, origin.fileLevel, at, size, bytes, damaged);

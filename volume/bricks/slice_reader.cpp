@@ -25,7 +25,7 @@ SliceReader::SliceReader(const ChunkedVolume& file, VolumePart part, int most, D
       damaged_(std::move(damaged)),
       dims_(file.facts().levels.front().geometry.dims),
       voxelBytes_(bytesOf(file.facts().storedType)),
-      sliceBytes_(static_cast<std::size_t>(dims_.x) * static_cast<std::size_t>(dims_.y) * voxelBytes_) {
+      sliceBytes_(Extent3{dims_}.slice() * voxelBytes_) {
   const ChunkedLevel& level = file.facts().levels.front();
   if (level.cheapParts) {
     const std::size_t slices = std::max<std::size_t>(kRowsBytes / sliceBytes_, 1);
@@ -69,8 +69,7 @@ void SliceReader::read(int from, int behind, std::byte* to, base::Progress& prog
       step_ == 1 && chunk_.x == dims_.x && chunk_.y == dims_.y;  // what is read lies in a row in memory
   const int depth = rows ? chunk_.z : behind - from;
   const glm::ivec3 size(chunk_.x, chunk_.y, depth), whole(dims_.x, dims_.y, behind - from);
-  const glm::ivec3 boxes = (whole + size - 1) / size;
-  const auto nx = static_cast<std::size_t>(boxes.x), ny = static_cast<std::size_t>(boxes.y);
+  const Extent3 boxes{(whole + size - 1) / size};
   std::atomic<std::uint64_t> read{0};
   std::mutex mutex;  // of damaged_
   const auto readBox = [&](glm::ivec3 low, glm::ivec3 size, std::span<std::byte> voxels) {
@@ -79,27 +78,21 @@ void SliceReader::read(int from, int behind, std::byte* to, base::Progress& prog
     const std::lock_guard lock(mutex);
     for (DamagedPart& one : damaged) damaged_(std::move(one));
   };
-  parallelSteps(nx * ny * static_cast<std::size_t>(boxes.z), progress, {}, [&](std::size_t i) {
-    const glm::ivec3 low = size * glm::ivec3(static_cast<int>(i % nx), static_cast<int>(i / nx % ny),
-                                             static_cast<int>(i / nx / ny));
+  parallelSteps(boxes.count(), progress, {}, [&](std::size_t i) {
+    const glm::ivec3 low = size * boxes.at(i);
     const glm::ivec3 box = glm::min(size, whole - low), at = low + glm::ivec3(0, 0, from);
-    const std::size_t row = static_cast<std::size_t>(box.x) * voxelBytes_,
-                      bytes = row * static_cast<std::size_t>(box.y) * static_cast<std::size_t>(box.z);
-    std::byte* const slices = to + static_cast<std::size_t>(low.z) * sliceBytes_;
+    const std::size_t row = Extent3{box}.row() * voxelBytes_, bytes = Extent3{box}.count() * voxelBytes_;
+    const auto placeOf = [&](glm::ivec3 voxel) { return to + Extent3{dims_}.index(voxel) * voxelBytes_; };
     if (box.x == dims_.x && (box.y == dims_.y || box.z == 1)) {
-      readBox(at, box, {slices + static_cast<std::size_t>(low.y) * row, bytes});
+      readBox(at, box, {placeOf(low), bytes});
       return;
     }
     std::vector<std::byte> voxels(bytes);
     readBox(at, box, voxels);
     const std::byte* source = voxels.data();
-    const std::size_t wholeRow = static_cast<std::size_t>(dims_.x) * voxelBytes_;
     for (int z = 0; z < box.z; ++z)
       for (int y = 0; y < box.y; ++y, source += row)
-        std::memcpy(slices + static_cast<std::size_t>(z) * sliceBytes_ +
-                        static_cast<std::size_t>(low.y + y) * wholeRow +
-                        static_cast<std::size_t>(low.x) * voxelBytes_,
-                    source, row);
+        std::memcpy(placeOf(low + glm::ivec3(0, y, z)), source, row);
   });
   bytesRead_ += read;
 }

@@ -33,20 +33,16 @@ std::size_t countIndex(T value) {
                                   static_cast<int>(std::numeric_limits<T>::lowest()));
 }
 
-std::size_t sliceOf(glm::ivec3 dims) {
-  return static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y);
-}
-
 }  // namespace
 
 VolumeIndex::VolumeIndex(const ChunkedFacts& facts, VolumePart part)
     : facts_(facts), part_(part), isWhole_(facts.storedType != VoxelType::float32) {
-  const std::size_t width = bytesOf(facts_.storedType), slice = sliceOf(dims());
-  const std::size_t layerBytes = slice * width * kIndexBlockCells;
+  const std::size_t width = bytesOf(facts_.storedType);
+  const std::size_t layerBytes = Extent3{dims()}.slice() * width * kIndexBlockCells;
   layersOfUnit_ = static_cast<int>((kLeastUnitBytes + layerBytes - 1) / layerBytes);
   pieceVoxels_ = Grid::kHashedBytes / width;
   const auto units = static_cast<std::size_t>((dims().z + slicesOfUnit() - 1) / slicesOfUnit());
-  const std::size_t voxels = slice * static_cast<std::size_t>(dims().z);
+  const std::size_t voxels = Extent3{dims()}.count();
   held_ = base::machineMemory().reserve(voxels / 512 * 2 * sizeof(float), "the index of the volume",
                                         "a volume of fewer voxels needs less");
   done_.resize(units, 0);
@@ -69,18 +65,14 @@ void VolumeIndex::note(DamagedPart&& damaged) {
 // Of each voxel of these slices whether it could not be read; nothing: all of them could.
 std::vector<std::uint8_t> VolumeIndex::unknownVoxels(int first, int slices) const {
   std::vector<std::uint8_t> unknown;
-  const auto row = static_cast<std::size_t>(dims().x);
   for (const DamagedPart& part : damaged_) {
     const int from = std::max(part.low.z, first), behind = std::min(part.low.z + part.size.z, first + slices);
     if (from >= behind) continue;
-    unknown.resize(sliceOf(dims()) * static_cast<std::size_t>(slices), 0);
+    unknown.resize(Extent3{dims()}.slice() * static_cast<std::size_t>(slices), 0);
     for (int z = from; z < behind; ++z)
       for (int y = part.low.y; y < part.low.y + part.size.y; ++y) {
-        const std::size_t line = static_cast<std::size_t>(z - first) * static_cast<std::size_t>(dims().y) +
-                                 static_cast<std::size_t>(y);
-        std::fill_n(
-            unknown.begin() + static_cast<std::ptrdiff_t>(line * row + static_cast<std::size_t>(part.low.x)),
-            part.size.x, std::uint8_t{1});
+        const std::size_t row = Extent3{dims()}.index(part.low.x, y, z - first);
+        std::fill_n(unknown.begin() + static_cast<std::ptrdiff_t>(row), part.size.x, std::uint8_t{1});
       }
   }
   return unknown;
@@ -99,16 +91,15 @@ void VolumeIndex::openBlocks(int first, int slices) {
                high = (part.low + part.size - 1) / kIndexBlockCells;
     low = glm::max(low, glm::ivec3(0, 0, firstLayer));
     high = glm::min(high, glm::ivec3(blocks.x, blocks.y, behindLayer) - 1);
-    for (int z = low.z; z <= high.z; ++z)
-      for (int y = low.y; y <= high.y; ++y)
-        for (int x = low.x; x <= high.x; ++x)
-          blocks_->set(blocks_->index({x, y, z}), kUnknownMinimum, kUnknownMaximum);
+    forEachIn(low, high + 1, [&](glm::ivec3 block) {
+      blocks_->set(blocks_->index(block), kUnknownMinimum, kUnknownMaximum);
+    });
   }
 }
 
 template <class T>
 void VolumeIndex::scanUnit(SliceReader& reader, std::size_t unit, base::Progress& progress) {
-  const std::size_t slice = sliceOf(dims());
+  const std::size_t slice = Extent3{dims()}.slice();
   const int first = static_cast<int>(unit) * slicesOfUnit();
   const int own = std::min(slicesOfUnit(), dims().z - first);
   // The blocks end with the first slice of the next unit, and the last piece of the hash beyond the unit's
@@ -173,7 +164,7 @@ void VolumeIndex::scan(const ChunkedVolume& file, IndexPart part, base::Progress
                        const std::function<void()>& keep) {
   const auto i = static_cast<std::size_t>(part.i), n = static_cast<std::size_t>(part.n);
   const std::size_t from = units() * (i - 1) / n, to = units() * i / n;
-  const int ofPiece = static_cast<int>(pieceVoxels_ / sliceOf(dims()));
+  const int ofPiece = static_cast<int>(pieceVoxels_ / Extent3{dims()}.slice());
   SliceReader reader(file, part_, slicesOfUnit() + ofPiece + 2,
                      [this](DamagedPart&& damaged) { note(std::move(damaged)); });
   for (std::size_t unit = from; unit < to; ++unit) {
@@ -191,7 +182,7 @@ void VolumeIndex::join(const VolumeIndex& other) {
   // Counts are of all units together: of those that both have done they cannot be told apart.
   for (std::size_t unit = 0; unit < units(); ++unit)
     if (done_[unit] && other.done_[unit]) return;
-  const std::size_t slice = sliceOf(dims());
+  const std::size_t slice = Extent3{dims()}.slice();
   for (std::size_t unit = 0; unit < units(); ++unit) {
     if (!other.done_[unit]) continue;
     done_[unit] = 1;
@@ -203,8 +194,7 @@ void VolumeIndex::join(const VolumeIndex& other) {
     for (std::size_t piece = (begin + pieceVoxels_ - 1) / pieceVoxels_;
          piece < std::min(hashes_.size(), (end + pieceVoxels_ - 1) / pieceVoxels_); ++piece)
       hashes_[piece] = other.hashes_[piece];
-    const auto layer =
-        static_cast<std::size_t>(blocks_->dims().x) * static_cast<std::size_t>(blocks_->dims().y);
+    const std::size_t layer = Extent3{blocks_->dims()}.slice();
     const auto layers = static_cast<std::size_t>(layersOfUnit_);
     for (std::size_t block = unit * layers * layer;
          block < std::min(blocks_->count(), (unit + 1) * layers * layer); ++block)
@@ -226,13 +216,12 @@ double VolumeIndex::stepOf(const ChunkedVolume& file, double slope, double inter
   const int width = level.cheapParts ? dims().x : std::clamp(level.chunkDims.x, 1, dims().x);
   const auto read = [&]<class T>(T, int y, int z) {
     rows = {y, z, {std::min(2, dims().y - y), std::min(2, dims().z - z)}, {}};
-    rows.values.resize(static_cast<std::size_t>(rows.size.x) * static_cast<std::size_t>(rows.size.y) *
-                       static_cast<std::size_t>(dims().x));
+    rows.values.resize(Extent2{rows.size}.count() * Extent3{dims()}.row());
     std::atomic<std::uint64_t> bytes{0};
     parallelSteps(static_cast<std::size_t>((dims().x + width - 1) / width), progress, {}, [&](std::size_t i) {
       const int x = static_cast<int>(i) * width;
       const glm::ivec3 box(std::min(width, dims().x - x), rows.size);
-      std::vector<T> stored(sliceOf(box) * static_cast<std::size_t>(box.z));
+      std::vector<T> stored(Extent3{box}.count());
       std::vector<DamagedPart> damaged;
       bytes += readAround(file, part_, 0, {x, y, z}, box, std::as_writable_bytes(std::span(stored)), damaged);
       const auto length = static_cast<std::size_t>(box.x);
@@ -250,8 +239,7 @@ double VolumeIndex::stepOf(const ChunkedVolume& file, double slope, double inter
     };
     if (!isThere()) withStoredType(facts_.storedType, [&](auto zero) { read(zero, y, z); });
     const auto length = static_cast<std::size_t>(dims().x);
-    const std::size_t row = static_cast<std::size_t>(z - rows.z) * static_cast<std::size_t>(rows.size.x) +
-                            static_cast<std::size_t>(y - rows.y);
+    const std::size_t row = Extent2{rows.size}.index(y - rows.y, z - rows.z);
     return std::span<const double>(rows.values).subspan(row * length, length);
   };
   return volume::typicalStep(dims(), rowOf, progress);
@@ -271,7 +259,7 @@ void VolumeIndex::finish(const ChunkedVolume& file, base::Progress& progress) {
 
 void VolumeIndex::countFloats(const ChunkedVolume& file, base::Progress& progress) {
   const VoxelFacts found = voxelFacts(1.0, 0.0);
-  const bool any = found.missing < sliceOf(dims()) * static_cast<std::size_t>(dims().z);
+  const bool any = found.missing < Extent3{dims()}.count();
   const HistogramBinning bins = HistogramBinning::of(VoxelType::float32, any ? found.storedMinimum : 0.0,
                                                      any ? found.storedMaximum : 0.0, kHistogramBins);
   std::vector<std::uint64_t> sum(bins.count, 0);
@@ -298,16 +286,15 @@ void VolumeIndex::countFloats(const ChunkedVolume& file, base::Progress& progres
 
 VoxelFacts VolumeIndex::voxelFacts(double slope, double intercept) const {
   VoxelFacts found{.storedType = facts_.storedType};
-  double low = std::numeric_limits<double>::infinity(), high = -low;
+  Bounds<double> range;
   for (std::size_t unit = 0; unit < units(); ++unit) {
     found.missing += missing_[unit];
-    if (least_[unit] > most_[unit]) continue;
-    low = std::min(low, static_cast<double>(least_[unit]));
-    high = std::max(high, static_cast<double>(most_[unit]));
+    if (least_[unit] <= most_[unit])
+      range.add({static_cast<double>(least_[unit]), static_cast<double>(most_[unit])});
   }
-  if (low <= high) {
-    found.storedMinimum = low;
-    found.storedMaximum = high;
+  if (range.low <= range.high) {
+    found.storedMinimum = range.low;
+    found.storedMaximum = range.high;
   }
   found.hash = Grid::hashOf(facts_.levels.front().geometry, slope, intercept, facts_.storedType, hashes_);
   // What is unknown is hashed as zeros, which a volume may have.
@@ -325,24 +312,18 @@ VoxelFacts VolumeIndex::voxelFacts(double slope, double intercept) const {
 
 std::vector<float> VolumeIndex::brickRanges() const {
   constexpr int perBrick = 4;
-  const glm::ivec3 blocks = blocks_->dims(), bricks = (blocks + perBrick - 1) / perBrick;
-  const std::size_t count = sliceOf(bricks) * static_cast<std::size_t>(bricks.z);
-  std::vector<float> ranges(2 * count);
-  for (std::size_t i = 0; i < count; ++i) {
-    ranges[2 * i] = std::numeric_limits<float>::max();
-    ranges[2 * i + 1] = std::numeric_limits<float>::lowest();
+  const Extent3 bricks{(blocks_->dims() + perBrick - 1) / perBrick};
+  std::vector<float> ranges(2 * bricks.count());
+  for (std::size_t i = 0; i < ranges.size(); i += 2) {
+    ranges[i] = std::numeric_limits<float>::max();
+    ranges[i + 1] = std::numeric_limits<float>::lowest();
   }
-  for (int z = 0; z < blocks.z; ++z)
-    for (int y = 0; y < blocks.y; ++y)
-      for (int x = 0; x < blocks.x; ++x) {
-        const std::size_t block = blocks_->index({x, y, z});
-        const auto brick = (static_cast<std::size_t>(z / perBrick) * static_cast<std::size_t>(bricks.y) +
-                            static_cast<std::size_t>(y / perBrick)) *
-                               static_cast<std::size_t>(bricks.x) +
-                           static_cast<std::size_t>(x / perBrick);
-        ranges[2 * brick] = std::min(ranges[2 * brick], blocks_->minimum(block));
-        ranges[2 * brick + 1] = std::max(ranges[2 * brick + 1], blocks_->maximum(block));
-      }
+  forEachIn(glm::ivec3(0), blocks_->dims(), [&](glm::ivec3 at) {
+    const std::size_t block = blocks_->index(at);
+    float* const range = &ranges[2 * bricks.index(at / perBrick)];
+    range[0] = std::min(range[0], blocks_->minimum(block));
+    range[1] = std::max(range[1], blocks_->maximum(block));
+  });
   return ranges;
 }
 

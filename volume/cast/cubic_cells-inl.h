@@ -145,10 +145,7 @@ HWY_INLINE void CubicCells<T>::forLanes(const CellLanes& cell, MI wanted, const 
 
 template <class T>
 const casting::CellBitsOnDemand::Words& CubicCells<T>::bitsOf(glm::ivec3 block) const {
-  const std::size_t at = (static_cast<std::size_t>(block.z) * static_cast<std::size_t>(view_.blockDims.y) +
-                          static_cast<std::size_t>(block.y)) *
-                             static_cast<std::size_t>(view_.blockDims.x) +
-                         static_cast<std::size_t>(block.x);
+  const std::size_t at = Extent3{view_.blockDims}.index(block);
   if (const auto* const known = view_.cells->find(at)) return *known;
   CubicBlock samples;
   samples.load(view_, samples_, block);

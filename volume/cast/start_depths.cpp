@@ -4,10 +4,11 @@
 #include <cmath>
 #include <limits>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
+
+#include "volume/bounds.h"
 
 namespace isolux::volume {
 
@@ -59,18 +60,10 @@ Corners project(const PictureRays& rays, glm::ivec3 voxels, const BlockMasks& of
   return out;
 }
 
-struct Range {
-  float least = kFar, most = -kFar;
-  void add(float v) {
-    least = std::min(least, v);
-    most = std::max(most, v);
-  }
-};
-
-// The tiles that pixels [least, most] lie in, of `count`; empty where first > last.
-glm::ivec2 tilesOf(const Range& pixels, float tilesPerPixel, int count) {
-  const float first = std::floor((pixels.least - kWidening) * tilesPerPixel);
-  const float last = std::floor((pixels.most + kWidening) * tilesPerPixel);
+// The tiles that pixels lie in, of `count`; empty where first > last.
+glm::ivec2 tilesOf(const Bounds<float>& pixels, float tilesPerPixel, int count) {
+  const float first = std::floor((pixels.low - kWidening) * tilesPerPixel);
+  const float last = std::floor((pixels.high + kWidening) * tilesPerPixel);
   const auto end = static_cast<float>(count);
   return {static_cast<int>(std::clamp(first, 0.0f, end)),
           static_cast<int>(std::clamp(last, -1.0f, end - 1.0f))};
@@ -84,19 +77,18 @@ StartDepths startDepths(const PictureRays& rays, glm::ivec2 size, glm::ivec3 vox
   const glm::ivec3 blocks = of.blocks;
   const float tilesPerPixel = 1.0f / static_cast<float>(tile);
   out.tiles = (size + (tile - 1)) / tile;
-  out.depths.assign(static_cast<std::size_t>(out.tiles.x) * static_cast<std::size_t>(out.tiles.y),
-                    {kFar, -kFar});
+  out.depths.assign(Extent2{out.tiles}.count(), {kFar, -kFar});
   const Corners corners = project(rays, voxels, of);
-  const std::size_t row = static_cast<std::size_t>(blocks.x) + 1,
-                    slice = row * (static_cast<std::size_t>(blocks.y) + 1);
-  Range everywhere;  // depths of blocks that reach from before the eye to behind it
+  const Extent3 cornersOf{blocks + 1};
+  const std::size_t row = cornersOf.row(), slice = cornersOf.slice();
+  Bounds<float> everywhere;  // depths of blocks that reach from before the eye to behind it
   std::size_t block = 0;
   for (int z = 0; z < blocks.z; ++z)
     for (int y = 0; y < blocks.y; ++y) {
-      std::size_t corner = static_cast<std::size_t>(z) * slice + static_cast<std::size_t>(y) * row;
+      std::size_t corner = cornersOf.index(0, y, z);
       for (int x = 0; x < blocks.x; ++x, ++block, ++corner) {
         if (of.masks[block] == 0) continue;
-        Range px, py, depth;
+        Bounds<float> px, py, depth;
         int placed = 0;
         for (const std::size_t at : {corner, corner + 1, corner + row, corner + row + 1, corner + slice,
                                      corner + slice + 1, corner + slice + row, corner + slice + row + 1}) {
@@ -108,25 +100,23 @@ StartDepths startDepths(const PictureRays& rays, glm::ivec2 size, glm::ivec3 vox
         }
         if (placed == 0) continue;  // behind the eye
         if (placed < 8) {
-          everywhere.add(depth.least);
-          everywhere.add(depth.most);
+          everywhere.add(depth);
           continue;
         }
         const glm::ivec2 tx = tilesOf(px, tilesPerPixel, out.tiles.x),
                          ty = tilesOf(py, tilesPerPixel, out.tiles.y);
         for (int tileY = ty.x; tileY <= ty.y; ++tileY) {
-          StartDepths::Depths* const line =
-              &out.depths[static_cast<std::size_t>(tileY) * static_cast<std::size_t>(out.tiles.x)];
+          StartDepths::Depths* const line = &out.depths[Extent2{out.tiles}.index(0, tileY)];
           for (int tileX = tx.x; tileX <= tx.y; ++tileX) {
-            line[tileX].first = std::min(line[tileX].first, depth.least);
-            line[tileX].last = std::max(line[tileX].last, depth.most);
+            line[tileX].first = std::min(line[tileX].first, depth.low);
+            line[tileX].last = std::max(line[tileX].last, depth.high);
           }
         }
       }
     }
   for (StartDepths::Depths& depths : out.depths) {
-    depths.first = std::min(depths.first, everywhere.least);
-    depths.last = std::max(depths.last, everywhere.most);
+    depths.first = std::min(depths.first, everywhere.low);
+    depths.last = std::max(depths.last, everywhere.high);
   }
   return out;
 }

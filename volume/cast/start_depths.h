@@ -13,6 +13,7 @@
 #include <glm/vec3.hpp>
 
 #include "volume/cast/picture_rays.h"
+#include "volume/extent.h"
 
 namespace isolux::volume {
 
@@ -24,10 +25,7 @@ struct StartDepths {
   glm::ivec2 tiles{0};
   std::vector<Depths> depths;  // x fastest
 
-  const Depths& at(int tileX, int tileY) const {
-    return depths[static_cast<std::size_t>(tileY) * static_cast<std::size_t>(tiles.x) +
-                  static_cast<std::size_t>(tileX)];
-  }
+  const Depths& at(int tileX, int tileY) const { return depths[Extent2{tiles}.index(tileX, tileY)]; }
 };
 
 // The blocks of a volume.

@@ -124,7 +124,7 @@ void SurfaceCaster::cast(const PictureRays& rays, const StartDepths& depths, con
 
 CrossingImage::CrossingImage(glm::ivec2 size)
     : area(size),
-      points(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), {0.0f, 0.0f, 0.0f, -1.0f}),
+      points(Extent2{size}.count(), {0.0f, 0.0f, 0.0f, -1.0f}),
       infos(points.size(), glm::vec2(0.0f)) {}
 
 namespace {

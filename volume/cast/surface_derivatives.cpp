@@ -1,6 +1,5 @@
 #include "volume/cast/surface_derivatives.h"
 
-#include <algorithm>
 #include <cassert>
 
 #include <glm/matrix.hpp>
@@ -42,7 +41,7 @@ void derive(const casting::DerivativesView& view, std::span<const glm::vec4> poi
             const DerivativeImages& images, TracerTarget wanted, const std::stop_token& stop) {
   const casting::CastKernels* const kernels = casting::castKernels(wanted);
   assert(kernels && images.gradient.size() == points.size());
-  assert(points.size() == static_cast<std::size_t>(area.size().x) * static_cast<std::size_t>(area.size().y));
+  assert(points.size() == Extent2{area.size()}.count());
   assert(images.diagonal.size() == images.mixed.size());
   deriveRows(area, stop, [&](std::size_t first, std::size_t count) {
     const auto of = [&](std::span<glm::vec4> image) { return image.empty() ? nullptr : &image[first]; };

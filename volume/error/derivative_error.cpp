@@ -42,8 +42,7 @@ SampleSizes sizesOf(const DerivedShape& shape, const RoundingCounts& counts, con
   const Grid& grid = shape.grid;
   const Coefficients* const coefficients = shape.scaled ? &shape.scaled->coefficients : shape.coefficients;
   const auto sample = [&](const glm::ivec3& at) {
-    return coefficients ? static_cast<double>(coefficients->values[grid.index(at.x, at.y, at.z)])
-                        : grid.stored(at.x, at.y, at.z);
+    return coefficients ? static_cast<double>(coefficients->values[grid.index(at)]) : grid.stored(at);
   };
   const glm::ivec3 last = grid.dims() - 1;
   const glm::ivec3 cell = grid.geometry().cellOf(voxel);
@@ -51,15 +50,13 @@ SampleSizes sizesOf(const DerivedShape& shape, const RoundingCounts& counts, con
   const double lowest = lowestStored(grid);
   double spread = 0.0, size = 0.0;
   int count = 0;
-  for (int z = counts.before; z <= counts.behind; ++z)
-    for (int y = counts.before; y <= counts.behind; ++y)
-      for (int x = counts.before; x <= counts.behind; ++x) {
-        const double value = sample(glm::clamp(cell + glm::ivec3(x, y, z), glm::ivec3(0), last));
-        if (!std::isfinite(value)) continue;
-        spread += (value - reference) * (value - reference);
-        size += (value - lowest) * (value - lowest);
-        ++count;
-      }
+  forEachIn(cell + counts.before, cell + counts.behind + 1, [&](glm::ivec3 at) {
+    const double value = sample(glm::clamp(at, glm::ivec3(0), last));
+    if (!std::isfinite(value)) return;
+    spread += (value - reference) * (value - reference);
+    size += (value - lowest) * (value - lowest);
+    ++count;
+  });
   const bool rounded =
       !shape.exactSamples && !coefficients && !std::holds_alternative<std::vector<float>>(grid.voxels());
   const double slope = std::abs(grid.slope()), n = std::max(count, 1);

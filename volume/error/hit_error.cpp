@@ -59,17 +59,13 @@ std::optional<FoundCrossing> nearestCrossing(const HitSource& source, std::span<
 // The largest |corner - isovalue| of the cell, data units; of the samples, of which coefficients are not far.
 double spreadAbout(const HitSource& source, const glm::dvec3& voxel, double isovalue) {
   const Grid& grid = source.grid;
-  const glm::ivec3 last = grid.dims() - 1, cell = grid.geometry().cellOf(voxel);
-  const bool cubic = source.field != scene::Field::trilinear;
-  const int before = cubic ? -1 : 0, behind = cubic ? 2 : 1;
+  const glm::ivec3 cell = grid.geometry().cellOf(voxel);
+  const int apron = source.field == scene::Field::trilinear ? 0 : 1;
   double spread = 0.0;
-  for (int z = before; z <= behind; ++z)
-    for (int y = before; y <= behind; ++y)
-      for (int x = before; x <= behind; ++x) {
-        const glm::ivec3 at = glm::clamp(cell + glm::ivec3(x, y, z), glm::ivec3(0), last);
-        const double value = grid.valueOfStored(grid.stored(at.x, at.y, at.z));
-        if (std::isfinite(value)) spread = std::max(spread, std::abs(value - isovalue));
-      }
+  forEachIn(cell - apron, cell + apron + 2, [&](glm::ivec3 at) {
+    const double value = grid.value(glm::clamp(at, glm::ivec3(0), grid.dims() - 1));
+    if (std::isfinite(value)) spread = std::max(spread, std::abs(value - isovalue));
+  });
   return spread;
 }
 

@@ -1,9 +1,7 @@
 #include "volume/field/coefficients.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include <tbb/combinable.h>
 
@@ -90,24 +88,17 @@ Coefficients samplesApart(const Grid& grid, base::Progress& progress, base::Prog
 }
 
 void findRange(Coefficients& coefficients, base::Progress& progress) {
-  struct Range {
-    float least = std::numeric_limits<float>::infinity(), most = -std::numeric_limits<float>::infinity();
-    void add(float low, float high) {
-      least = std::min(least, low);
-      most = std::max(most, high);
-    }
-  };
   const std::vector<float>& values = coefficients.values;
-  tbb::combinable<Range> partial;
+  tbb::combinable<Bounds<float>> partial;
   parallelPieces(values.size(), std::size_t{1} << 18, progress, {}, [&](std::size_t begin, std::size_t end) {
-    Range range;
-    for (std::size_t i = begin; i < end; ++i) range.add(values[i], values[i]);
-    partial.local().add(range.least, range.most);
+    Bounds<float> range;
+    for (std::size_t i = begin; i < end; ++i) range.add(values[i]);
+    partial.local().add(range);
   });
-  Range all;
-  partial.combine_each([&](const Range& range) { all.add(range.least, range.most); });
-  coefficients.least = all.least;
-  coefficients.most = all.most;
+  Bounds<float> all;
+  partial.combine_each([&](const Bounds<float>& range) { all.add(range); });
+  coefficients.least = all.low;
+  coefficients.most = all.high;
 }
 
 Coefficients interpolatingCoefficients(const Grid& grid) {

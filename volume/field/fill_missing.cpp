@@ -8,6 +8,8 @@
 
 #include <glm/common.hpp>
 
+#include "volume/extent.h"
+
 namespace isolux::volume {
 
 namespace {
@@ -24,7 +26,7 @@ class Gaps {
 
   // The missing voxels beside known ones, all marked as taken.
   Ring firstRing(base::ProgressRange share) {
-    const auto rows = static_cast<std::size_t>(dims_.y) * static_cast<std::size_t>(dims_.z);
+    const std::size_t rows = Extent3{dims_}.rows();
     std::vector<Ring> found((rows + kRows - 1) / kRows);
     parallelPieces(rows, kRows, progress_, share, [&](std::size_t begin, std::size_t end) {
       std::vector<std::uint8_t> known(static_cast<std::size_t>(dims_.x) + 2);
@@ -68,16 +70,12 @@ class Gaps {
  private:
   static constexpr std::size_t kRows = 64;
 
-  const float* row(int y, int z) const {
-    return values_.data() +
-           (static_cast<std::size_t>(z) * static_cast<std::size_t>(dims_.y) + static_cast<std::size_t>(y)) *
-               static_cast<std::size_t>(dims_.x);
-  }
+  const float* row(int y, int z) const { return values_.data() + Extent3{dims_}.index(0, y, z); }
 
   // `known` is scratch: whether any of the nine rows around has a value at x, at x + 1.
   void findBesideKnown(std::size_t index, std::vector<std::uint8_t>& known, Ring& ring) const {
-    const auto y = static_cast<int>(index % static_cast<std::size_t>(dims_.y)),
-               z = static_cast<int>(index / static_cast<std::size_t>(dims_.y));
+    const glm::ivec3 first = Extent3{dims_}.firstOfRow(index);
+    const int y = first.y, z = first.z;
     const float* const own = row(y, z);
     const auto width = static_cast<std::size_t>(dims_.x);
     if (std::none_of(own, own + width, [](float v) { return std::isnan(v); })) return;
@@ -95,15 +93,10 @@ class Gaps {
   // Calls visit(index) for the voxel and its neighbours, x fastest.
   template <class Visit>
   void forNeighbours(std::size_t voxel, const Visit& visit) const {
-    const auto width = static_cast<std::size_t>(dims_.x), height = static_cast<std::size_t>(dims_.y);
-    const glm::ivec3 at(static_cast<int>(voxel % width), static_cast<int>(voxel / width % height),
-                        static_cast<int>(voxel / (width * height)));
-    const glm::ivec3 low = glm::max(at - 1, glm::ivec3(0)), high = glm::min(at + 1, dims_ - 1);
-    for (int z = low.z; z <= high.z; ++z)
-      for (int y = low.y; y <= high.y; ++y) {
-        const auto start = static_cast<std::size_t>(row(y, z) - values_.data());
-        for (int x = low.x; x <= high.x; ++x) visit(start + static_cast<std::size_t>(x));
-      }
+    const Extent3 extent{dims_};
+    const glm::ivec3 at = extent.at(voxel);
+    forEachIn(glm::max(at - 1, 0), glm::min(at + 2, dims_),
+              [&](glm::ivec3 neighbour) { visit(extent.index(neighbour)); });
   }
 
   float meanAround(std::size_t voxel) const {

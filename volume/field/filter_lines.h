@@ -7,6 +7,7 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <glm/vec3.hpp>
 
+#include "volume/extent.h"
 #include "volume/parallel_steps.h"
 
 namespace isolux::volume {
@@ -25,7 +26,7 @@ void filterLines(int axis, std::vector<float>& values, const glm::ivec3& size, b
                  base::ProgressRange share, const Filter& filter) {
   const std::size_t dims[3] = {static_cast<std::size_t>(size.x), static_cast<std::size_t>(size.y),
                                static_cast<std::size_t>(size.z)};
-  const std::size_t strides[3] = {1, dims[0], dims[0] * dims[1]};
+  const std::size_t strides[3] = {1, Extent3{size}.row(), Extent3{size}.slice()};
   const int along = axis == 0 ? 1 : 0, across = axis == 2 ? 1 : 2;  // lines beside one another; and the rest
   const std::size_t bundles = (dims[along] + kLines - 1) / kLines;
   tbb::enumerable_thread_specific<Filter> filters(filter);

@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "volume/extent.h"
 #include "volume/field/scale_kernel.h"
 
 namespace isolux::volume {
@@ -60,10 +61,7 @@ class DirectFilter {
     double* const middle = row.data() + reach;
     for (const ReflectedSample& inZ : extendedSample(z, dims_.z, beyond_))
       for (const ReflectedSample& inY : extendedSample(y, dims_.y, beyond_)) {
-        const float* const from =
-            values_.data() + (static_cast<std::size_t>(inZ.at) * static_cast<std::size_t>(dims_.y) +
-                              static_cast<std::size_t>(inY.at)) *
-                                 width;
+        const float* const from = values_.data() + Extent3{dims_}.index(0, inY.at, inZ.at);
         for (std::size_t x = 0; x < width; ++x)
           middle[x] += inZ.factor * inY.factor * static_cast<double>(from[x]);
       }
@@ -131,16 +129,15 @@ void filterLatticeLines(std::vector<float>& values, glm::ivec3 dims, const std::
                         Beyond beyond, base::Progress& progress, base::ProgressRange share) {
   std::vector<float> result;
   resizeStoppably(result, values.size(), progress);
-  const auto width = static_cast<std::size_t>(dims.x), height = static_cast<std::size_t>(dims.y);
+  const Extent3 extent{dims};
   const double part = (share.to - share.from) / static_cast<double>(std::max<std::size_t>(lines.size(), 1));
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const DirectFilter filter(values, dims, tapsAlong(lines[i]), beyond);
     const double from = share.from + part * static_cast<double>(i);
-    parallelSteps(height * static_cast<std::size_t>(dims.z), progress, {from, from + part, share.stage},
-                  [&](std::size_t row) {
-                    filter(static_cast<int>(row % height), static_cast<int>(row / height),
-                           result.data() + row * width);
-                  });
+    parallelSteps(extent.rows(), progress, {from, from + part, share.stage}, [&](std::size_t row) {
+      const glm::ivec3 first = extent.firstOfRow(row);
+      filter(first.y, first.z, result.data() + extent.index(first));
+    });
     values.swap(result);
   }
 }

@@ -152,16 +152,15 @@ struct CellCoefficients {
   CellCoefficients(const std::vector<T>& stored, const Grid& grid, double isovalue, glm::ivec3 cell) {
     const glm::ivec3 last = grid.dims() - 1;
     std::size_t i = 0;
-    for (int z = -1; z <= 2; ++z)
-      for (int y = -1; y <= 2; ++y)
-        for (int x = -1; x <= 2; ++x, ++i) {
-          const glm::ivec3 at = glm::clamp(cell + glm::ivec3(x, y, z), glm::ivec3(0), last);
-          c[i] = grid.valueOfStored(static_cast<double>(stored[grid.index(at.x, at.y, at.z)])) - isovalue;
-          missing = missing || std::isnan(c[i]);
-          anyBelow = anyBelow || c[i] < 0.0;
-          anyAbove = anyAbove || c[i] >= 0.0;
-          largest = std::max(largest, std::abs(c[i]));
-        }
+    forEachIn(cell - 1, cell + 3, [&](glm::ivec3 beyond) {
+      const glm::ivec3 at = glm::clamp(beyond, glm::ivec3(0), last);
+      const double value = grid.valueOfStored(static_cast<double>(stored[grid.index(at)])) - isovalue;
+      missing = missing || std::isnan(value);
+      anyBelow = anyBelow || value < 0.0;
+      anyAbove = anyAbove || value >= 0.0;
+      largest = std::max(largest, std::abs(value));
+      c[i++] = value;
+    });
   }
 
   double rounding() const { return 16.0 * std::numeric_limits<double>::epsilon() * largest; }

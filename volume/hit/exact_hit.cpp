@@ -47,9 +47,8 @@ std::optional<RayHit> crossCell(const Grid& grid, const std::vector<T>& voxels, 
   CellCorners corner;
   bool anyBelow = false, anyAbove = false, missing = false;
   for (std::size_t i = 0; i < 8; ++i) {
-    const int x = cell.x + static_cast<int>(i & 1), y = cell.y + static_cast<int>(i >> 1 & 1),
-              z = cell.z + static_cast<int>(i >> 2);
-    corner[i] = grid.valueOfStored(static_cast<double>(voxels[grid.index(x, y, z)])) - isovalue;
+    const std::size_t voxel = grid.index(cell + cornerStep(i));
+    corner[i] = grid.valueOfStored(static_cast<double>(voxels[voxel])) - isovalue;
     missing = missing || std::isnan(corner[i]);
     anyBelow = anyBelow || corner[i] < 0.0;
     anyAbove = anyAbove || corner[i] >= 0.0;

@@ -28,26 +28,23 @@ std::optional<glm::vec3> nearestEdgeCrossing(const Grid& grid, glm::vec3 voxel, 
   const glm::ivec3 high = glm::clamp(glm::ivec3(glm::ceil(voxel + reach)), glm::ivec3(0), last);
   std::optional<glm::vec3> nearest;
   float least = std::numeric_limits<float>::infinity();
-  for (int z = low.z; z <= high.z; ++z)
-    for (int y = low.y; y <= high.y; ++y)
-      for (int x = low.x; x <= high.x; ++x) {
-        const glm::ivec3 at(x, y, z);
-        const float here = static_cast<float>(grid.stored(x, y, z)) - isovalue;
-        for (int axis = 0; axis < 3; ++axis) {
-          if (at[axis] == high[axis]) continue;
-          glm::ivec3 next = at;
-          ++next[axis];
-          const float there = static_cast<float>(grid.stored(next.x, next.y, next.z)) - isovalue;
-          const bool crossed = (here >= 0.0f && there < 0.0f) || (here < 0.0f && there >= 0.0f);
-          if (!crossed || (hidden && (hidden->at(at) || hidden->at(next)))) continue;
-          glm::vec3 point(at);
-          point[axis] += here / (here - there);
-          const float squared = distanceSquared(point, voxel);
-          if (squared >= least) continue;
-          least = squared;
-          nearest = point;
-        }
-      }
+  forEachIn(low, high + 1, [&](glm::ivec3 at) {
+    const float here = static_cast<float>(grid.stored(at)) - isovalue;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (at[axis] == high[axis]) continue;
+      glm::ivec3 next = at;
+      ++next[axis];
+      const float there = static_cast<float>(grid.stored(next)) - isovalue;
+      const bool crossed = (here >= 0.0f && there < 0.0f) || (here < 0.0f && there >= 0.0f);
+      if (!crossed || (hidden && (hidden->at(at) || hidden->at(next)))) continue;
+      glm::vec3 point(at);
+      point[axis] += here / (here - there);
+      const float squared = distanceSquared(point, voxel);
+      if (squared >= least) continue;
+      least = squared;
+      nearest = point;
+    }
+  });
   return nearest;
 }
 

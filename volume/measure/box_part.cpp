@@ -1,8 +1,5 @@
 #include "volume/measure/box_part.h"
 
-#include <cmath>
-#include <limits>
-
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 
@@ -24,7 +21,7 @@ bool axesOfWorld(const glm::dmat4& worldFromVoxel) {
 }  // namespace
 
 BoxWalls::BoxWalls(const GridGeometry& geometry, const WorldBox& box)
-    : worldFromVoxel_(geometry.worldFromVoxel), box_(box), aligned_(axesOfWorld(worldFromVoxel_)) {
+    : geometry_(geometry), box_(box), aligned_(axesOfWorld(geometry.worldFromVoxel)) {
   if (!aligned_) return;
   const glm::dmat4 voxelFromWorld = geometry.voxelFromWorld();
   const glm::dvec3 a(voxelFromWorld * glm::dvec4(box.lowMm, 1.0)),
@@ -34,17 +31,12 @@ BoxWalls::BoxWalls(const GridGeometry& geometry, const WorldBox& box)
 }
 
 BoxWalls::Side BoxWalls::side(glm::dvec3 low, glm::dvec3 high) const {
-  glm::dvec3 least(std::numeric_limits<double>::infinity()), most(-least);
-  for (int i = 0; i < 8; ++i) {
-    const glm::dvec3 corner(i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z);
-    const glm::dvec3 world(worldFromVoxel_ * glm::dvec4(corner, 1.0));
-    least = glm::min(least, world);
-    most = glm::max(most, world);
-  }
-  if (glm::any(glm::lessThan(most, box_.lowMm)) || glm::any(glm::greaterThan(least, box_.highMm)))
+  Bounds<glm::dvec3> world;
+  for (const glm::dvec3& corner : geometry_.corners(low, high)) world.add(corner);
+  if (glm::any(glm::lessThan(world.high, box_.lowMm)) || glm::any(glm::greaterThan(world.low, box_.highMm)))
     return Side::outside;
-  const bool inside =
-      glm::all(glm::greaterThanEqual(least, box_.lowMm)) && glm::all(glm::lessThanEqual(most, box_.highMm));
+  const bool inside = glm::all(glm::greaterThanEqual(world.low, box_.lowMm)) &&
+                      glm::all(glm::lessThanEqual(world.high, box_.highMm));
   return inside ? Side::inside : Side::cut;
 }
 
@@ -68,8 +60,7 @@ void BoxWalls::addPart(glm::ivec3 cell, const CellCorners& corners, const CellMe
   if (where == Side::outside) return;
   if (where == Side::cut && size > kFinestPart) {
     for (int i = 0; i < 8; ++i)
-      addPart(cell, corners, metric, low + 0.5 * size * glm::dvec3(i & 1, i >> 1 & 1, i >> 2), 0.5 * size,
-              part, points);
+      addPart(cell, corners, metric, low + 0.5 * size * glm::dvec3(cornerStep(i)), 0.5 * size, part, points);
     return;
   }
   const std::size_t before = points.size();

@@ -37,7 +37,7 @@ class BoxWalls {
   void addPart(glm::ivec3 cell, const CellCorners& corners, const CellMetric& metric, glm::dvec3 low,
                double size, BoxPart& part, std::vector<CellPoint>& points) const;
 
-  glm::dmat4 worldFromVoxel_;
+  GridGeometry geometry_;
   WorldBox box_;
   bool aligned_;
   glm::dvec3 lowVoxel_{0.0}, highVoxel_{0.0};  // of the box, where aligned

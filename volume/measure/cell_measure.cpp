@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "volume/extent.h"
 #include "volume/measure/slice_measure.h"
 
 namespace isolux::volume {
@@ -234,7 +235,7 @@ CellMeasure measureCellPart(const CellCorners& corners, const CellMetric& metric
   if (!(size.x > 0.0 && size.y > 0.0 && size.z > 0.0)) return {};
   CellCorners part;
   for (std::size_t i = 0; i < 8; ++i)
-    part[i] = trilinear(corners, {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
+    part[i] = trilinear(corners, glm::mix(low, high, glm::bvec3(cornerStep(i))));
   CellMetric scaled = metric;
   for (int i = 0; i < 3; ++i)
     for (int k = 0; k < 3; ++k) scaled.gradients[i][k] /= size[i] * size[k];

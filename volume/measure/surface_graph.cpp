@@ -93,9 +93,7 @@ void addLoops(const Grid& grid, glm::ivec3 cell, const CellCorners& corner, Loop
     do {
       used[static_cast<std::size_t>(here)] = true;
       const int from = here % 8, axis = here / 8;
-      loops.keys.push_back(3 * static_cast<EdgeKey>(grid.index(cell.x + (from & 1), cell.y + (from >> 1 & 1),
-                                                               cell.z + (from >> 2))) +
-                           static_cast<EdgeKey>(axis));
+      loops.keys.push_back(3 * EdgeKey{grid.index(cell + cornerStep(from))} + static_cast<EdgeKey>(axis));
       ++size;
       const auto& to = links.to[static_cast<std::size_t>(here)];
       const int next = to[0] != before ? to[0] : to[1];
@@ -111,16 +109,11 @@ void addLoops(const Grid& grid, glm::ivec3 cell, const CellCorners& corner, Loop
 }
 
 glm::dvec3 crossingOf(const Grid& grid, double isovalue, EdgeKey key) {
-  const glm::ivec3 dims = grid.dims();
-  const auto index = static_cast<std::size_t>(key / 3);
   const auto axis = static_cast<int>(key % 3);
-  const auto nx = static_cast<std::size_t>(dims.x), ny = static_cast<std::size_t>(dims.y);
-  const glm::ivec3 from(static_cast<int>(index % nx), static_cast<int>(index / nx % ny),
-                        static_cast<int>(index / (nx * ny)));
+  const glm::ivec3 from = grid.extent().at(key / 3);
   glm::ivec3 to = from;
   ++to[axis];
-  const double here = grid.value(from.x, from.y, from.z) - isovalue,
-               there = grid.value(to.x, to.y, to.z) - isovalue;
+  const double here = grid.value(from) - isovalue, there = grid.value(to) - isovalue;
   glm::dvec3 voxel(from);
   voxel[axis] += here / (here - there);
   return grid.geometry().worldOf(voxel);

@@ -32,11 +32,10 @@ double isovalueOf(const Volume& volume, base::Progress& progress) {
 template <class Visit>
 void forEachCut(const Grid& grid, double isovalue, base::Progress& progress, const Visit& visit) {
   const glm::dvec3 spacing = grid.geometry().spacingMm();
-  const auto nx = static_cast<std::size_t>(grid.dims().x), ny = static_cast<std::size_t>(grid.dims().y),
-             rows = ny * static_cast<std::size_t>(grid.dims().z);
+  const std::size_t nx = grid.extent().row(), slice = grid.extent().slice();
   const auto look = [&](const auto& voxels) {
     const auto value = [&](std::size_t i) { return grid.valueOfStored(static_cast<double>(voxels[i])); };
-    parallelPieces(rows, 16, progress, {}, [&](std::size_t begin, std::size_t end) {
+    parallelPieces(grid.extent().rows(), 16, progress, {}, [&](std::size_t begin, std::size_t end) {
       for (std::size_t row = begin; row < end; ++row)
         for (std::size_t x = 0; x < nx; ++x) {
           const std::size_t i = row * nx + x;
@@ -46,8 +45,8 @@ void forEachCut(const Grid& grid, double isovalue, base::Progress& progress, con
               visit(static_cast<float>(std::abs(here - there) / distance));
           };
           if (x > 0) compare(value(i - 1), spacing.x);
-          if (row % ny > 0) compare(value(i - nx), spacing.y);
-          if (row >= ny) compare(value(i - nx * ny), spacing.z);
+          if (i % slice >= nx) compare(value(i - nx), spacing.y);
+          if (i >= slice) compare(value(i - slice), spacing.z);
         }
     });
   };
@@ -134,19 +133,15 @@ struct Combination {
 
 Grid combine(const Grid& first, const Resampled& second, const Combination& combination,
              base::Progress& progress) {
-  const glm::ivec3 dims = first.dims();
   std::vector<float> values;
   resizeStoppably(values, first.geometry().voxelCount(), progress);
-  const auto ny = static_cast<std::size_t>(dims.y);
-  parallelSteps(ny * static_cast<std::size_t>(dims.z), progress, {0.0, 1.0, "combining"},
-                [&](std::size_t row) {
-                  const auto y = static_cast<int>(row % ny), z = static_cast<int>(row / ny);
-                  for (int x = 0; x < dims.x; ++x) {
-                    const double f1 = first.value(x, y, z);
-                    values[first.index(x, y, z)] =
-                        static_cast<float>(std::isnan(f1) ? f1 : combination(f1, second.at(x, y, z)));
-                  }
-                });
+  parallelSteps(first.extent().rows(), progress, {0.0, 1.0, "combining"}, [&](std::size_t row) {
+    for (glm::ivec3 at = first.extent().firstOfRow(row); at.x < first.dims().x; ++at.x) {
+      const double f1 = first.value(at);
+      values[first.index(at)] =
+          static_cast<float>(std::isnan(f1) ? f1 : combination(f1, second.at(at.x, at.y, at.z)));
+    }
+  });
   return {first.geometry(), std::move(values), 1.0, 0.0, progress};
 }
 
@@ -167,9 +162,8 @@ const char* signOf(scene::Csg op) {
 }
 
 bool reachesOut(const GridGeometry& second, const GridGeometry& first) {
-  glm::dvec3 low, high, low1, high1;
-  second.worldBounds(low, high);
-  first.worldBounds(low1, high1);
+  const auto [low, high] = second.worldBounds();
+  const auto [low1, high1] = first.worldBounds();
   const double slack = 1e-6 * glm::length(high1 - low1);
   return glm::any(glm::lessThan(low, low1 - slack)) || glm::any(glm::greaterThan(high, high1 + slack));
 }

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 #include <glm/geometric.hpp>
 
@@ -37,16 +35,11 @@ void measureBlock(const TriangleTree& tree, glm::ivec3 first, glm::ivec3 dims, f
   const double radius = 0.5 * glm::length(glm::dvec3(last - first));
   int nearest = -1;
   const bool near = tree.distance(middle, kDistanceBand + radius, nearest) < kDistanceBand + radius;
-  for (int z = first.z; z <= last.z; ++z)
-    for (int y = first.y; y <= last.y; ++y)
-      for (int x = first.x; x <= last.x; ++x) {
-        const std::size_t i =
-            (static_cast<std::size_t>(z) * static_cast<std::size_t>(dims.y) + static_cast<std::size_t>(y)) *
-                static_cast<std::size_t>(dims.x) +
-            static_cast<std::size_t>(x);
-        values[i] = static_cast<float>(near ? tree.distance({x, y, z}, kDistanceBand, nearest)
-                                            : double{kDistanceBand});
-      }
+  forEachIn(first, last + 1, [&](glm::ivec3 voxel) {
+    const double distance =
+        near ? tree.distance(glm::dvec3(voxel), kDistanceBand, nearest) : double{kDistanceBand};
+    values[Extent3{dims}.index(voxel)] = static_cast<float>(distance);
+  });
 }
 
 std::vector<float> unsignedDistance(const TriangleMesh& voxelMesh, glm::ivec3 dims,
@@ -62,20 +55,10 @@ std::vector<float> unsignedDistance(const TriangleMesh& voxelMesh, glm::ivec3 di
                                                   "a lower source.mesh_voxels needs less");
   const TriangleTree tree(voxelMesh, kBlock, progress);
   std::vector<float> values;
-  resizeStoppably(
-      values,
-      static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y) * static_cast<std::size_t>(dims.z),
-      progress);
-  const glm::ivec3 blocks = (dims + kBlock - 1) / kBlock;
-  const int count = blocks.x * blocks.y * blocks.z;
-  std::atomic<int> done{0};
-  parallelEach(count, [&](int i) {
-    if (progress.stopRequested()) return;
-    const glm::ivec3 block(i % blocks.x, i / blocks.x % blocks.y, i / (blocks.x * blocks.y));
-    measureBlock(tree, block * kBlock, dims, values.data());
-    progress.report(static_cast<double>(++done) / count, "measuring distances");
-  });
-  progress.throwIfStopped();
+  resizeStoppably(values, Extent3{dims}.count(), progress);
+  const Extent3 blocks{(dims + kBlock - 1) / kBlock};
+  parallelSteps(blocks.count(), progress, {0.0, 1.0, "measuring distances"},
+                [&](std::size_t i) { measureBlock(tree, blocks.at(i) * kBlock, dims, values.data()); });
   return values;
 }
 
@@ -164,13 +147,9 @@ void signSlice(const TriangleMesh& mesh, std::span<const std::uint32_t> triangle
 }  // namespace
 
 BoxMm boundsOf(const TriangleMesh& mesh) {
-  BoxMm box{glm::dvec3(std::numeric_limits<double>::infinity()),
-            glm::dvec3(-std::numeric_limits<double>::infinity())};
+  BoxMm box;
   for (const Triangle& t : mesh.triangles)
-    for (int i = 0; i < 3; ++i) {
-      box.low = glm::min(box.low, mesh.corner(t, i));
-      box.high = glm::max(box.high, mesh.corner(t, i));
-    }
+    for (int i = 0; i < 3; ++i) box.add(mesh.corner(t, i));
   return box;
 }
 
@@ -203,7 +182,7 @@ Grid signedDistance(const TriangleMesh& closed, const GridGeometry& geometry, ba
   std::vector<float> values = unsignedDistance(mesh, dims, progress);
   const Slices slices(mesh, dims.z);
   progress.throwIfStopped();
-  const auto sliceVoxels = static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y);
+  const std::size_t sliceVoxels = geometry.extent().slice();
   const auto spacing = static_cast<float>(geometry.spacingMm().x);
   parallelEach(dims.z, [&](int z) {
     if (progress.stopRequested()) return;

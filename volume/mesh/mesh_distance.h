@@ -14,9 +14,7 @@ namespace isolux::volume {
 
 inline constexpr int kDistanceBand = 16;  // voxels
 
-struct BoxMm {
-  glm::dvec3 low{0.0}, high{0.0};
-};
+using BoxMm = Bounds<glm::dvec3>;
 BoxMm boundsOf(const TriangleMesh& mesh);  // of the points that triangles use
 
 // A grid of cubic voxels round the box, `voxels` along its longest axis (range [16, 1024]); at least

@@ -8,9 +8,9 @@
 #include <map>
 #include <tuple>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "volume/bounds.h"
 #include "volume/mesh/merge_points.h"
 #include "volume/parallel_steps.h"
 
@@ -39,13 +39,10 @@ double areaOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
 
 // Points at (nearly) the same place become one; triangles that lose a corner by that are dropped.
 void mergePoints(TriangleMesh& mesh, const base::Progress& progress) {
-  glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
-  for (const glm::dvec3& point : mesh.points) {
-    low = glm::min(low, point);
-    high = glm::max(high, point);
-  }
+  Bounds<glm::dvec3> bounds;
+  for (const glm::dvec3& point : mesh.points) bounds.add(point);
   const std::vector<int> mergedTo =
-      mergedPoints(mesh.points, std::max(1e-6 * glm::length(high - low), 1e-300), progress);
+      mergedPoints(mesh.points, std::max(1e-6 * glm::length(bounds.size()), 1e-300), progress);
   progress.throwIfStopped();
   for (Triangle& t : mesh.triangles)
     for (int i = 0; i < 3; ++i) t[i] = mergedTo[static_cast<std::size_t>(t[i])];

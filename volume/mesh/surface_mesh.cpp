@@ -30,21 +30,18 @@ constexpr double kApart = 1e-3, kSame = 1e-9, kNear = 1e-6;  // voxels; kSame: o
 // outside.
 double depthOf(const Grid& grid, const SurfaceMeshRequest& request, glm::ivec3 voxel) {
   constexpr double outside = -std::numeric_limits<double>::infinity();
-  if (voxel != glm::clamp(voxel, glm::ivec3(0), grid.dims() - 1)) return outside;
-  const double value = grid.value(voxel.x, voxel.y, voxel.z);
+  if (!grid.extent().contains(voxel)) return outside;
+  const double value = grid.value(voxel);
   if (!std::isfinite(value) || (request.hidden != nullptr && request.hidden->at(voxel))) return outside;
   return request.inside == scene::Inside::above ? value - request.isovalue : request.isovalue - value;
 }
 
 // Flying edges look at sides only: they put a point in the middle of each edge of the grid that is crossed.
 void fillSamples(const Grid& grid, const SurfaceMeshRequest& request, int pad, std::span<float> samples) {
-  const glm::ivec3 dims = grid.dims() + 2 * pad;
-  parallelEach(dims.z, [&](int z) {
-    std::size_t at =
-        static_cast<std::size_t>(z) * static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y);
-    for (int y = 0; y < dims.y; ++y)
-      for (int x = 0; x < dims.x; ++x, ++at)
-        samples[at] = depthOf(grid, request, glm::ivec3(x, y, z) - pad) >= 0.0 ? 1.0f : -1.0f;
+  const Extent3 extent{grid.dims() + 2 * pad};
+  parallelEach(extent.rows(), [&](std::size_t row) {
+    for (glm::ivec3 at = extent.firstOfRow(row); at.x < extent.dims.x; ++at.x)
+      samples[extent.index(at)] = depthOf(grid, request, at - pad) >= 0.0 ? 1.0f : -1.0f;
   });
 }
 
@@ -159,10 +156,7 @@ class Maker {
         atVoxels_[voxelAt(mesh_.points[i])].push_back({i, 2.0 * (middles[i] - mesh_.points[i])});
   }
 
-  std::size_t voxelAt(const glm::dvec3& point) const {
-    const glm::ivec3 voxel(glm::round(point));
-    return grid_.index(voxel.x, voxel.y, voxel.z);
-  }
+  std::size_t voxelAt(const glm::dvec3& point) const { return grid_.index(glm::ivec3(glm::round(point))); }
 
   static bool isVoxel(const glm::dvec3& point) { return glm::distance(point, glm::round(point)) <= kNear; }
 
@@ -385,21 +379,15 @@ std::size_t estimatedTriangles(const Grid& grid, const MinMaxBlocks& blocks, dou
   std::size_t met = 0, looked = 0, crossed = 0;
   const auto cross = [&](glm::ivec3 cell) {
     int above = 0;
-    for (int i = 0; i < 8; ++i)
-      above += grid.stored(cell.x + (i & 1), cell.y + (i >> 1 & 1), cell.z + (i >> 2)) >= stored ? 1 : 0;
+    for (int i = 0; i < 8; ++i) above += grid.stored(cell + cornerStep(i)) >= stored ? 1 : 0;
     return above > 0 && above < 8;
   };
   for (std::size_t block = 0; block < flags.size(); ++block) {
     if (flags[block] == 0 || met++ % stride != 0) continue;
     ++looked;
-    const auto at = static_cast<int>(block);
-    const glm::ivec3 dims = blocks.dims();
-    const glm::ivec3 low =
-        glm::ivec3(at % dims.x, at / dims.x % dims.y, at / (dims.x * dims.y)) * blocks.blockCells();
-    const glm::ivec3 high = glm::min(low + blocks.blockCells(), cells);
-    for (int z = low.z; z < high.z; ++z)
-      for (int y = low.y; y < high.y; ++y)
-        for (int x = low.x; x < high.x; ++x) crossed += cross({x, y, z}) ? 1 : 0;
+    const glm::ivec3 low = Extent3{blocks.dims()}.at(block) * blocks.blockCells();
+    forEachIn(low, glm::min(low + blocks.blockCells(), cells),
+              [&](glm::ivec3 cell) { crossed += cross(cell) ? 1 : 0; });
   }
   if (looked == 0) return 0;
   return static_cast<std::size_t>(trianglesPerCell * static_cast<double>(crossed) *

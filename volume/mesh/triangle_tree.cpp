@@ -11,6 +11,8 @@
 #include <tbb/parallel_invoke.h>
 #include <glm/geometric.hpp>
 
+#include "volume/bounds.h"
+
 namespace isolux::volume {
 
 namespace {
@@ -118,16 +120,15 @@ class TriangleTree::Builder {
   Node bounded(int begin, int end, int& axis) const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     Node node{glm::dvec3(infinity), glm::dvec3(-infinity), begin, end - begin};
-    glm::dvec3 low(infinity), high(-infinity);
+    Bounds<glm::dvec3> middles;
     for (int i = begin; i < end; ++i) {
       const auto index = static_cast<std::size_t>(order_[static_cast<std::size_t>(i)]);
       const Corners& t = triangles_[index];
       node.low = glm::min(node.low, glm::min(t.a, glm::min(t.b, t.c)));
       node.high = glm::max(node.high, glm::max(t.a, glm::max(t.b, t.c)));
-      low = glm::min(low, middles_[index]);
-      high = glm::max(high, middles_[index]);
+      middles.add(middles_[index]);
     }
-    const glm::dvec3 extent = high - low;
+    const glm::dvec3 extent = middles.size();
     axis = extent.y > extent.x ? 1 : 0;
     if (extent.z > extent[axis]) axis = 2;
     return node;

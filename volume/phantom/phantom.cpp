@@ -65,17 +65,16 @@ struct Placement {
 template <class Field>
 std::vector<float> fill(const GridGeometry& geometry, const PhantomRequest& request, base::Progress& progress,
                         const Field& field) {
-  const glm::ivec3 dims = geometry.dims;
+  const Extent3 extent = geometry.extent();
   std::vector<float> values;
   resizeStoppably(values, geometry.voxelCount(), progress);
   const glm::dvec3 origin = geometry.originMm();
   const glm::dmat3 linear(geometry.worldFromVoxel);
-  const auto ny = static_cast<std::size_t>(dims.y), rows = ny * static_cast<std::size_t>(dims.z);
-  parallelSteps(rows, progress, {0.0, 1.0, "making the phantom"}, [&](std::size_t row) {
-    std::size_t i = row * static_cast<std::size_t>(dims.x);
-    const std::size_t y = row % ny, z = row / ny;
-    const glm::dvec3 start = origin + linear[1] * static_cast<double>(y) + linear[2] * static_cast<double>(z);
-    for (int x = 0; x < dims.x; ++x, ++i) {
+  parallelSteps(extent.rows(), progress, {0.0, 1.0, "making the phantom"}, [&](std::size_t row) {
+    const glm::dvec3 first(extent.firstOfRow(row));
+    const glm::dvec3 start = origin + linear[1] * first.y + linear[2] * first.z;
+    std::size_t i = row * extent.row();
+    for (int x = 0; x < extent.dims.x; ++x, ++i) {
       double value = field(start + linear[0] * static_cast<double>(x), i);
       if (request.noise > 0.0) value += request.noise * base::normalNoise(request.seed, i);
       values[i] = static_cast<float>(value);

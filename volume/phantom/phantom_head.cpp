@@ -1,14 +1,12 @@
 #include "volume/phantom/phantom_head.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "base/random.h"
-#include "volume/parallel_loops.h"
 #include "volume/parallel_steps.h"
 #include "volume/phantom/phantom_anatomy.h"
 
@@ -195,46 +193,32 @@ std::vector<std::int16_t> headVoxels(const GridGeometry& geometry, double noise,
   const auto w = static_cast<float>(1.4 * (spacing.x + spacing.y + spacing.z) / 3.0);
   const float margin = std::max(w, 1.5f) + kFleshOnJawMm + kFleshBlendMm;
 
-  const glm::ivec3 blocks = (dims + kShapeBlock - 1) / kShapeBlock;
-  const int rows = blocks.y * blocks.z;
-  std::atomic<int> rowsDone{0};
-  parallelRanges(rows, 1, [&](const Indices<int>& range) {
+  const Extent3 blocks{(dims + kShapeBlock - 1) / kShapeBlock};
+  parallelSteps(blocks.count(), progress, {0.0, 1.0, "making the phantom"}, [&](std::size_t block) {
     LocalAnatomy local;
-    for (int row = range.begin(); row != range.end(); ++row) {
-      for (int blockX = 0; blockX < blocks.x; ++blockX) {
-        if (progress.stopRequested()) return;
-        const glm::ivec3 low = glm::ivec3(blockX, row % blocks.y, row / blocks.y) * kShapeBlock;
-        const glm::ivec3 high = glm::min(low + kShapeBlock, dims) - 1;
-        const glm::dvec3 half = glm::dvec3(high - low) * 0.5;
-        const glm::dvec3 middle = origin + linear * (glm::dvec3(low) + half);
-        const double reach = glm::length(linear[0]) * half.x + glm::length(linear[1]) * half.y +
-                             glm::length(linear[2]) * half.z;
-        local.select(anatomy, glm::vec3(middle), static_cast<float>(reach), margin);
-        const bool air = local.air();
-        for (int z = low.z; z <= high.z; ++z) {
-          for (int y = low.y; y <= high.y; ++y) {
-            std::size_t i = (static_cast<std::size_t>(z) * static_cast<std::size_t>(dims.y) +
-                             static_cast<std::size_t>(y)) *
-                                static_cast<std::size_t>(dims.x) +
-                            static_cast<std::size_t>(low.x);
-            float values[PointRow::kPoints];
-            if (air)
-              std::fill(std::begin(values), std::end(values), hu::air);
-            else
-              local.hounsfield(pointsFrom(origin, linear, {low.x, y, z}), w, values);
-            for (int x = low.x; x <= high.x; ++x, ++i) {
-              auto value = static_cast<double>(values[x - low.x]);
-              if (noise > 0.0) value += noise * base::normalNoise(seed, i);
-              voxels[i] = static_cast<std::int16_t>(std::clamp(std::floor(value + 0.5), -1024.0, 3071.0));
-            }
-          }
+    const glm::ivec3 low = blocks.at(block) * kShapeBlock;
+    const glm::ivec3 high = glm::min(low + kShapeBlock, dims) - 1;
+    const glm::dvec3 half = glm::dvec3(high - low) * 0.5;
+    const glm::dvec3 middle = origin + linear * (glm::dvec3(low) + half);
+    const double reach =
+        glm::length(linear[0]) * half.x + glm::length(linear[1]) * half.y + glm::length(linear[2]) * half.z;
+    local.select(anatomy, glm::vec3(middle), static_cast<float>(reach), margin);
+    const bool air = local.air();
+    for (int z = low.z; z <= high.z; ++z)
+      for (int y = low.y; y <= high.y; ++y) {
+        std::size_t i = Extent3{dims}.index(low.x, y, z);
+        float values[PointRow::kPoints];
+        if (air)
+          std::fill(std::begin(values), std::end(values), hu::air);
+        else
+          local.hounsfield(pointsFrom(origin, linear, {low.x, y, z}), w, values);
+        for (int x = low.x; x <= high.x; ++x, ++i) {
+          auto value = static_cast<double>(values[x - low.x]);
+          if (noise > 0.0) value += noise * base::normalNoise(seed, i);
+          voxels[i] = static_cast<std::int16_t>(std::clamp(std::floor(value + 0.5), -1024.0, 3071.0));
         }
       }
-    }
-    const int done = rowsDone += static_cast<int>(range.size());
-    progress.report(static_cast<double>(done) / rows, "making the phantom");
   });
-  progress.throwIfStopped();
   return voxels;
 }
 

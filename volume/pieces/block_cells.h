@@ -15,6 +15,7 @@
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
 
+#include "volume/extent.h"
 #include "volume/pieces/block_voxels.h"
 #include "volume/pieces/inside_level.h"
 #include "volume/skip/row_lanes.h"
@@ -49,8 +50,7 @@ class BlockCells {
   std::array<float, 8> depths(glm::ivec3 cell) const {
     std::array<float, 8> result;
     for (int corner = 0; corner < 8; ++corner)
-      result[static_cast<std::size_t>(corner)] =
-          depth(cell + glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2));
+      result[static_cast<std::size_t>(corner)] = depth(cell + cornerStep(corner));
     return result;
   }
 
@@ -82,10 +82,8 @@ void BlockCells::load(const std::vector<T>& voxels, glm::ivec3 dims, glm::ivec3 
   for (int z = 0; z <= count_.z; ++z) {
     Layer& layer = layers_[static_cast<std::size_t>(z)] = {};
     for (int y = 0; y <= count_.y; ++y) {
-      const auto inY = static_cast<std::size_t>(std::min(first.y + y, dims.y - 1)),
-                 inZ = static_cast<std::size_t>(std::min(first.z + z, dims.z - 1));
-      const T* const row =
-          voxels.data() + (inZ * static_cast<std::size_t>(dims.y) + inY) * static_cast<std::size_t>(dims.x);
+      const T* const row = voxels.data() + Extent3{dims}.index(0, std::min(first.y + y, dims.y - 1),
+                                                               std::min(first.z + z, dims.z - 1));
       float* const depth = &depth_[at(y, z)];
       unsigned bits = 0;
       int x = 0;

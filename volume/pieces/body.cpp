@@ -30,10 +30,7 @@ struct Nodes {
   glm::ivec3 dims;
   glm::dvec3 spacingMm;
 
-  std::size_t count() const {
-    return static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y) *
-           static_cast<std::size_t>(dims.z);
-  }
+  std::size_t count() const { return Extent3{dims}.count(); }
   std::size_t stride(int axis) const {
     std::size_t stride = 1;
     for (int a = 0; a < axis; ++a) stride *= static_cast<std::size_t>(dims[a]);
@@ -181,14 +178,11 @@ Body::Body(const Grid& grid, double isovalue, base::Progress& progress) : isoval
   const Nodes nodes{dims_, glm::dvec3(step_) * spacing};
   Flags above(nodes.count());
   const InsideLevel level = InsideLevel::of(grid, isovalue, scene::Inside::above);
-  nodes.alongLines(0, [&](std::size_t first, std::size_t, std::size_t length) {
-    const std::size_t row = first / length;
-    const auto y = static_cast<int>(row % static_cast<std::size_t>(dims_.y));
-    const auto z = static_cast<int>(row / static_cast<std::size_t>(dims_.y));
-    for (std::size_t x = 0; x < length; ++x) {
-      const glm::ivec3 voxel =
-          glm::min(glm::ivec3(static_cast<int>(x), y, z) * step_ + step_ / 2, grid.dims() - 1);
-      above[first + x] = level.holds(static_cast<float>(grid.stored(voxel.x, voxel.y, voxel.z)));
+  const Extent3 all{dims_};
+  parallelEach(all.rows(), [&](std::size_t row) {
+    for (glm::ivec3 at = all.firstOfRow(row); at.x < dims_.x; ++at.x) {
+      const glm::ivec3 voxel = glm::min(at * step_ + step_ / 2, grid.dims() - 1);
+      above[all.index(at)] = level.holds(static_cast<float>(grid.stored(voxel)));
     }
   });
   progress.throwIfStopped();
@@ -198,8 +192,8 @@ Body::Body(const Grid& grid, double isovalue, base::Progress& progress) : isoval
 std::vector<std::uint64_t> voxelsInBody(const Pieces& pieces, const Body& body, double depth) {
   std::vector<std::uint64_t> result(pieces.list().size());
   const PieceBlocks& blocks = pieces.blocks();
-  const glm::ivec3 dims = blocks.dims();
-  parallelEach(dims.y * dims.z, [&](int row) {
+  const Extent3 extent{blocks.dims()};
+  parallelEach(extent.rows(), [&](std::size_t row) {
     std::uint32_t piece = 0;  // which the voxels that are not handed on yet are of
     std::uint64_t count = 0;
     const auto add = [&](std::uint32_t of, std::uint64_t more) {
@@ -210,17 +204,16 @@ std::vector<std::uint64_t> voxelsInBody(const Pieces& pieces, const Body& body, 
       piece = of;
       count += more;
     };
-    for (int x = 0; x < dims.x; ++x) {
-      const glm::ivec3 first = glm::ivec3(x, row % dims.y, row / dims.y) * kPieceBlock;
-      const PieceBlocks::View block = blocks.view(first / kPieceBlock);
+    for (glm::ivec3 at = extent.firstOfRow(row); at.x < extent.dims.x; ++at.x) {
+      const PieceBlocks::View block = blocks.view(at);
       if (!block.bits) continue;
       for (int z = 0; z < kPieceBlock; ++z)
         for (std::uint64_t bits = (*block.bits)[static_cast<std::size_t>(z)]; bits != 0; bits &= bits - 1) {
           const int bit = std::countr_zero(bits);
-          const glm::ivec3 in(bit % 8, bit / 8, z), voxel = first + in;
-          if (glm::any(glm::greaterThanEqual(voxel, blocks.voxelDims()))) continue;
-          const float at = body.depth(voxel);
-          if (at > 0.0f && static_cast<double>(at) >= depth) add(pieces.ofNode(block.nodeOf(in)), 1);
+          const glm::ivec3 in(bit % 8, bit / 8, z), voxel = kPieceBlock * at + in;
+          if (!Extent3{blocks.voxelDims()}.contains(voxel)) continue;
+          const float here = body.depth(voxel);
+          if (here > 0.0f && static_cast<double>(here) >= depth) add(pieces.ofNode(block.nodeOf(in)), 1);
         }
     }
     if (count != 0) std::atomic_ref(result[piece]).fetch_add(count, std::memory_order_relaxed);

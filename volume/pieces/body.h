@@ -14,6 +14,7 @@
 #include <glm/vec3.hpp>
 
 #include "base/progress.h"
+#include "volume/extent.h"
 
 namespace isolux::volume {
 
@@ -28,13 +29,7 @@ class Body {
 
   double isovalue() const { return isovalue_; }
   // How deep the voxel lies, as a fraction of the greatest depth; 0: outside. 1 where nothing is outside.
-  float depth(glm::ivec3 voxel) const {
-    const glm::ivec3 at = voxel / step_;
-    return depth_[static_cast<std::size_t>(at.x) +
-                  static_cast<std::size_t>(dims_.x) *
-                      (static_cast<std::size_t>(at.y) +
-                       static_cast<std::size_t>(dims_.y) * static_cast<std::size_t>(at.z))];
-  }
+  float depth(glm::ivec3 voxel) const { return depth_[Extent3{dims_}.index(voxel / step_)]; }
 
  private:
   double isovalue_;

@@ -30,10 +30,6 @@ std::uint64_t unitsOf(float cells) {
   return static_cast<std::uint64_t>(static_cast<double>(std::min(cells, 1.0f)) * kVolumeUnits + 0.5);
 }
 
-glm::ivec3 cornerStep(int corner) {
-  return {corner & 1, corner >> 1 & 1, corner >> 2};
-}
-
 }  // namespace
 
 // Lanes are the columns along z.
@@ -118,9 +114,8 @@ void CellVolumes::addCrossed(glm::ivec3 block, const PieceBlocks::View& view, co
     const std::array<float, 8> depths = cells.depths(cell);
     if (hasMissing(depths)) continue;
     const bool own = (within >> bit & 1u) != 0;
-    const std::uint32_t node =
-        own ? view.nodeOf(cell + step)
-            : blocks_.nodeOf(glm::min(kPieceBlock * block + cell + step, blocks_.voxelDims() - 1));
+    const glm::ivec3 voxel = Extent3{blocks_.voxelDims()}.corner(kPieceBlock * block + cell, corner);
+    const std::uint32_t node = own ? view.nodeOf(cell + step) : blocks_.nodeOf(voxel);
     volumes_.add(node, unitsOf(partInside(depths)));
   }
 }
@@ -131,7 +126,7 @@ void CellVolumes::addAmbiguous(glm::ivec3 cell, const std::array<float, 8>& dept
   const std::array<double, 8> shares = cornerShares(values);
   for (std::size_t corner = 0; corner < 8; ++corner) {
     if (!(shares[corner] > 0.0)) continue;
-    const glm::ivec3 voxel = glm::min(cell + cornerStep(static_cast<int>(corner)), blocks_.voxelDims() - 1);
+    const glm::ivec3 voxel = Extent3{blocks_.voxelDims()}.corner(cell, corner);
     volumes_.add(blocks_.nodeOf(voxel), unitsOf(static_cast<float>(shares[corner])));
   }
 }

@@ -10,8 +10,7 @@ HiddenVoxels::HiddenVoxels(glm::ivec3 dims, bool hidesStrays)
     : dims_(dims),
       hidesStrays_(hidesStrays),
       wordsPerRow_((dims.x + kVoxelsPerWord - 1) / kVoxelsPerWord),
-      words_(static_cast<std::size_t>(wordsPerRow_) * static_cast<std::size_t>(dims.y) *
-             static_cast<std::size_t>(dims.z)) {}
+      words_(static_cast<std::size_t>(wordsPerRow_) * Extent3{dims}.rows()) {}
 
 void HiddenVoxels::hide(int begin, int end, int y, int z) {
   any_ = any_ || begin < end;

@@ -12,6 +12,8 @@
 
 #include <glm/vec3.hpp>
 
+#include "volume/extent.h"
+
 namespace isolux::volume {
 
 class HiddenVoxels {
@@ -38,10 +40,7 @@ class HiddenVoxels {
 
  private:
   std::size_t word(glm::ivec3 voxel) const {
-    return static_cast<std::size_t>(voxel.x / kVoxelsPerWord) +
-           static_cast<std::size_t>(wordsPerRow_) *
-               (static_cast<std::size_t>(voxel.y) +
-                static_cast<std::size_t>(dims_.y) * static_cast<std::size_t>(voxel.z));
+    return Extent3{{wordsPerRow_, dims_.y, dims_.z}}.index(voxel.x / kVoxelsPerWord, voxel.y, voxel.z);
   }
 
   glm::ivec3 dims_;

@@ -60,9 +60,8 @@ void joinInCell(const Grid& grid, const PieceBlocks& blocks, InsideLevel level, 
   std::array<double, 8> values;
   std::array<glm::ivec3, 8> voxels;
   for (std::size_t corner = 0; corner < 8; ++corner) {
-    const auto bits = static_cast<int>(corner);
-    voxels[corner] = glm::min(cell + glm::ivec3(bits & 1, bits >> 1 & 1, bits >> 2), grid.dims() - 1);
-    values[corner] = level.depth(grid.stored(voxels[corner].x, voxels[corner].y, voxels[corner].z));
+    voxels[corner] = grid.extent().corner(cell, corner);
+    values[corner] = level.depth(grid.stored(voxels[corner]));
     if (std::isnan(values[corner])) return;
   }
   const auto pieces = cellPieces(values);
@@ -75,14 +74,13 @@ void joinInCell(const Grid& grid, const PieceBlocks& blocks, InsideLevel level, 
 
 NodeVolumes joinBlocks(const Grid& grid, const PieceBlocks& blocks, InsideLevel level, ConcurrentSets& sets,
                        base::Progress& progress) {
-  const glm::ivec3 dims = blocks.dims();
+  const Extent3 extent{blocks.dims()};
   const bool hasVolume = std::min({grid.dims().x, grid.dims().y, grid.dims().z}) > 1;
   NodeVolumes volumes(blocks.nodes());
   const auto joinRow = [&](const auto& voxels, std::size_t row) {
     BlockCells cells;
     CellVolumes enclosed(blocks, grid.missingCount() > 0, volumes);
-    glm::ivec3 b(0, static_cast<int>(row) % dims.y, static_cast<int>(row) / dims.y);
-    for (; b.x < dims.x; ++b.x) {
+    for (glm::ivec3 b = extent.firstOfRow(row); b.x < extent.dims.x; ++b.x) {
       joinToNext(blocks, b, sets);
       if (!blocks.crossed(blocks.index(b))) {
         enclosed.addUncrossed(b);
@@ -102,8 +100,8 @@ NodeVolumes joinBlocks(const Grid& grid, const PieceBlocks& blocks, InsideLevel 
   };
   std::visit(
       [&](const auto& voxels) {
-        parallelSteps(static_cast<std::size_t>(dims.y) * static_cast<std::size_t>(dims.z), progress,
-                      {0.3, 0.9, "finding pieces"}, [&](std::size_t row) { joinRow(voxels, row); });
+        parallelSteps(extent.rows(), progress, {0.3, 0.9, "finding pieces"},
+                      [&](std::size_t row) { joinRow(voxels, row); });
       },
       grid.voxels());
   return volumes;

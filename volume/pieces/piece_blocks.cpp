@@ -1,7 +1,6 @@
 #include "volume/pieces/piece_blocks.h"
 
 #include <algorithm>
-#include <limits>
 #include <variant>
 
 #include "volume/parallel_steps.h"
@@ -40,16 +39,15 @@ base::MemoryBudget::Held reserveForPieces(std::size_t bytes) {
 PieceBlocks::PieceBlocks(const Grid& grid, const MinMaxBlocks& blocks, InsideLevel level,
                          base::Progress& progress)
     : level_(level), voxelDims_(grid.dims()), dims_((grid.dims() + kPieceBlock - 1) / kPieceBlock) {
-  const auto rows = static_cast<std::size_t>(dims_.y) * static_cast<std::size_t>(dims_.z);
-  const std::size_t blockCount = rows * static_cast<std::size_t>(dims_.x);
-  held_ = reserveForPieces(blockCount * (sizeof(Block) + 1));
-  blocks_.resize(blockCount);
-  crossed_.resize(blocks_.size());
-  rows_.resize(rows);
+  const Extent3 extent{dims_};
+  held_ = reserveForPieces(extent.count() * (sizeof(Block) + 1));
+  blocks_.resize(extent.count());
+  crossed_.resize(extent.count());
+  rows_.resize(extent.rows());
   const bool anyMissing = grid.missingCount() > 0;
   std::visit(
       [&](const auto& voxels) {
-        parallelSteps(rows, progress, {0.0, 0.3, "finding pieces"},
+        parallelSteps(extent.rows(), progress, {0.0, 0.3, "finding pieces"},
                       [&](std::size_t row) { fillRow(voxels, blocks, anyMissing, row); });
       },
       grid.voxels());
@@ -79,8 +77,7 @@ void PieceBlocks::fillRow(const std::vector<T>& voxels, const MinMaxBlocks& boun
                           std::size_t rowIndex) {
   Row& row = rows_[rowIndex];
   const bool flat = bounds.count() == 0;  // an axis of one voxel
-  glm::ivec3 b(0, static_cast<int>(rowIndex) % dims_.y, static_cast<int>(rowIndex) / dims_.y);
-  for (; b.x < dims_.x; ++b.x) {
+  for (glm::ivec3 b = Extent3{dims_}.firstOfRow(rowIndex); b.x < dims_.x; ++b.x) {
     Block& block = blocks_[index(b)];
     // The bounds of a block's cells hold its voxels, and those of a last layer that begins no cell.
     const std::size_t cells = flat ? 0 : bounds.index(glm::min(b, bounds.dims() - 1));
@@ -102,13 +99,10 @@ void PieceBlocks::fillRow(const std::vector<T>& voxels, const MinMaxBlocks& boun
 template <class T>
 VoxelBits PieceBlocks::read(const std::vector<T>& voxels, glm::ivec3 block) const {
   const glm::ivec3 first = block * kPieceBlock, count = glm::min(voxelDims_ - first, kPieceBlock);
-  const auto width = static_cast<std::size_t>(voxelDims_.x), height = static_cast<std::size_t>(voxelDims_.y);
   VoxelBits bits{};
   for (int z = 0; z < count.z; ++z)
     for (int y = 0; y < count.y; ++y) {
-      const std::size_t row =
-          static_cast<std::size_t>(first.z + z) * height + static_cast<std::size_t>(first.y + y);
-      const T* const at = voxels.data() + row * width + static_cast<std::size_t>(first.x);
+      const T* const at = voxels.data() + Extent3{voxelDims_}.index(first + glm::ivec3(0, y, z));
       bits[static_cast<std::size_t>(z)] |= std::uint64_t{insideBits(at, count.x, level_)} << (8 * y);
     }
   return bits;

@@ -9,7 +9,6 @@
 #include <memory>
 #include <vector>
 
-#include <glm/common.hpp>
 #include <glm/vec3.hpp>
 
 #include "base/memory_budget.h"
@@ -32,12 +31,7 @@ class PieceBlocks {
 
   glm::ivec3 dims() const { return dims_; }  // in blocks
   glm::ivec3 voxelDims() const { return voxelDims_; }
-  std::size_t index(glm::ivec3 b) const {
-    return (static_cast<std::size_t>(b.z) * static_cast<std::size_t>(dims_.y) +
-            static_cast<std::size_t>(b.y)) *
-               static_cast<std::size_t>(dims_.x) +
-           static_cast<std::size_t>(b.x);
-  }
+  std::size_t index(glm::ivec3 block) const { return Extent3{dims_}.index(block); }
   std::uint32_t nodes() const { return nodes_; }
   std::size_t bytes() const;
 

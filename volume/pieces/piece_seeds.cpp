@@ -24,15 +24,14 @@ std::unordered_map<std::uint32_t, Deepest> deepestOfLayer(const Pieces& pieces, 
   std::unordered_map<std::uint32_t, Deepest> found;
   std::uint32_t last = Pieces::kNone;
   Deepest* best = nullptr;
-  for (int y = 0; y < grid.dims().y; ++y)
-    for (int x = 0; x < grid.dims().x; ++x) {
-      const std::uint32_t piece = pieces.ofVoxel({x, y, z});
-      if (piece == Pieces::kNone) continue;
-      if (piece != last) best = &found[piece];
-      last = piece;
-      const Deepest here{pieces.level().depth(grid.stored(x, y, z)), {x, y, z}, grid.index(x, y, z)};
-      if (here.before(*best)) *best = here;
-    }
+  forEachIn({0, 0, z}, {grid.dims().x, grid.dims().y, z + 1}, [&](glm::ivec3 at) {
+    const std::uint32_t piece = pieces.ofVoxel(at);
+    if (piece == Pieces::kNone) return;
+    if (piece != last) best = &found[piece];
+    last = piece;
+    const Deepest here{pieces.level().depth(grid.stored(at)), at, grid.index(at)};
+    if (here.before(*best)) *best = here;
+  });
   return found;
 }
 
@@ -54,7 +53,7 @@ std::vector<glm::ivec3> pieceSeeds(const Pieces& pieces, base::Progress& progres
 }
 
 glm::ivec3 seedAbove(const Grid& grid, InsideLevel level, glm::ivec3 voxel) {
-  const auto depth = [&](glm::ivec3 at) { return level.depth(grid.stored(at.x, at.y, at.z)); };
+  const auto depth = [&](glm::ivec3 at) { return level.depth(grid.stored(at)); };
   double here = depth(voxel);
   for (;;) {
     glm::ivec3 best = voxel;

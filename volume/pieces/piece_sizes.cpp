@@ -52,14 +52,12 @@ class VoxelCounts {
 
 std::vector<Piece> pieceSizes(const Pieces& pieces, std::size_t count, const NodeVolumes& nodeVolumes,
                               base::Progress& progress) {
-  const glm::ivec3 dims = pieces.blocks().dims();
+  const Extent3 blocks{pieces.blocks().dims()};
   std::vector<std::uint64_t> voxels(count), volumes(count);
-  parallelSteps(static_cast<std::size_t>(dims.y) * static_cast<std::size_t>(dims.z), progress,
-                {0.9, 1.0, "measuring pieces"}, [&](std::size_t row) {
-                  VoxelCounts counts(pieces, voxels);
-                  glm::ivec3 b(0, static_cast<int>(row) % dims.y, static_cast<int>(row) / dims.y);
-                  for (; b.x < dims.x; ++b.x) counts.addBlock(b);
-                });
+  parallelSteps(blocks.rows(), progress, {0.9, 1.0, "measuring pieces"}, [&](std::size_t row) {
+    VoxelCounts counts(pieces, voxels);
+    for (glm::ivec3 b = blocks.firstOfRow(row); b.x < blocks.dims.x; ++b.x) counts.addBlock(b);
+  });
   for (std::uint32_t node = 0; node < pieces.blocks().nodes(); ++node)
     volumes[pieces.ofNode(node)] += nodeVolumes[node];
   const double cellMm3 = pieces.grid().geometry().voxelMm3();

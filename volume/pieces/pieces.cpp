@@ -1,10 +1,8 @@
 #include "volume/pieces/pieces.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
-#include "volume/parallel_steps.h"
 #include "volume/pieces/cell_pieces.h"
 #include "volume/pieces/concurrent_sets.h"
 #include "volume/pieces/join_blocks.h"
@@ -72,18 +70,12 @@ std::uint32_t Pieces::ofPoint(glm::dvec3 voxel) const {
   if (glm::all(glm::lessThan(glm::abs(voxel - nearest), glm::dvec3(near))))
     return ofVoxel(glm::ivec3(nearest));
   const glm::ivec3 cell = grid_->geometry().cellOf(voxel);
-  const auto corner = [&](std::size_t i) {
-    const auto bits = static_cast<int>(i);
-    return glm::min(cell + glm::ivec3(bits & 1, bits >> 1 & 1, bits >> 2), dims - 1);
-  };
+  const Extent3 extent{dims};
   CellCorners values;
-  for (std::size_t i = 0; i < 8; ++i) {
-    const glm::ivec3 at = corner(i);
-    values[i] = level_.depth(grid_->stored(at.x, at.y, at.z));
-  }
+  for (std::size_t i = 0; i < 8; ++i) values[i] = level_.depth(grid_->stored(extent.corner(cell, i)));
   const glm::dvec3 local = glm::clamp(voxel - glm::dvec3(cell), 0.0, 1.0);
   if (!(trilinear(values, local) >= 0.0)) return kNone;
-  return ofVoxel(corner(static_cast<std::size_t>(cornerAbove(values, local))));
+  return ofVoxel(extent.corner(cell, cornerAbove(values, local)));
 }
 
 std::size_t Pieces::bytes() const {

@@ -68,22 +68,13 @@ ShownRows::ShownRows(const Grid& grid, const HiddenVoxels& hidden, InsideLevel l
 template <class Wanted, class Change>
 void forBlocksWithHidden(const Grid& grid, const HiddenVoxels& hidden, InsideLevel level, int apron,
                          glm::ivec3 blocks, const Wanted& wanted, const Change& change) {
-  parallelRanges(blocks.y * blocks.z, 1, [&](const Indices<int>& range) {
-    for (int row = range.begin(); row < range.end(); ++row)
-      for (int x = 0; x < blocks.x; ++x) {
-        const glm::ivec3 block(x, row % blocks.y, row / blocks.y);
-        if (!wanted(block)) continue;
-        const ShownRows rows(grid, hidden, level, apron, block);
-        if (rows.anyHidden()) change(block, rows);
-      }
+  parallelEach(Extent3{blocks}.rows(), [&](std::size_t row) {
+    for (glm::ivec3 block = Extent3{blocks}.firstOfRow(row); block.x < blocks.x; ++block.x) {
+      if (!wanted(block)) continue;
+      const ShownRows rows(grid, hidden, level, apron, block);
+      if (rows.anyHidden()) change(block, rows);
+    }
   });
-}
-
-std::size_t indexIn(glm::ivec3 dims, glm::ivec3 at) {
-  return (static_cast<std::size_t>(at.z) * static_cast<std::size_t>(dims.y) +
-          static_cast<std::size_t>(at.y)) *
-             static_cast<std::size_t>(dims.x) +
-         static_cast<std::size_t>(at.x);
 }
 
 // The bits x + 4 y + 16 z of `mask` that stay: boxes of `size`^3 cells from `first` on.
@@ -100,9 +91,9 @@ void keepShownBoxes(const Grid& grid, const PartlyShown& surface, bool cubic, gl
                     std::vector<std::uint64_t>& masks) {
   forBlocksWithHidden(
       grid, *surface.hidden, surface.level, cubic ? 1 : 0, blocks,
-      [&](glm::ivec3 block) { return masks[indexIn(blocks, block)] != 0; },
+      [&](glm::ivec3 block) { return masks[Extent3{blocks}.index(block)] != 0; },
       [&](glm::ivec3 block, const ShownRows& rows) {
-        std::uint64_t& mask = masks[indexIn(blocks, block)];
+        std::uint64_t& mask = masks[Extent3{blocks}.index(block)];
         mask = shownOf(mask, rows, glm::ivec3(0), 2);
       });
 }
@@ -111,8 +102,8 @@ void keepShownBoxes(const Grid& grid, const PartlyShown& surface, bool cubic, gl
 template <class Use>
 void forGroups(glm::ivec3 blocks, glm::ivec3 block, std::vector<std::uint64_t>& bits, const Use& use) {
   for (int i = 0; i < 8; ++i) {
-    const glm::ivec3 group(i & 1, i >> 1 & 1, i >> 2);
-    use(4 * group, bits[indexIn(2 * blocks, 2 * block + group)]);
+    const glm::ivec3 group = cornerStep(i);
+    use(4 * group, bits[Extent3{2 * blocks}.index(2 * block + group)]);
   }
 }
 

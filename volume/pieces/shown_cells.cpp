@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <variant>
 
@@ -16,10 +15,6 @@
 namespace isolux::volume {
 
 namespace {
-
-glm::ivec3 cornerOf(glm::ivec3 cell, int i) {
-  return cell + glm::ivec3(i & 1, i >> 1 & 1, i >> 2);
-}
 
 // The root of a cubic between two of its stops, over which it is monotone.
 double rootBetween(const BernsteinCubic& cubic, double low, double high) {
@@ -115,8 +110,8 @@ ShownCell ShownCells::cellAt(glm::ivec3 cell) const {
   CellCorners depths;
   unsigned hidden = 0;
   for (int i = 0; i < 8; ++i) {
-    const glm::ivec3 at = cornerOf(cell, i);
-    depths[static_cast<std::size_t>(i)] = level_.depth(grid_.stored(at.x, at.y, at.z));
+    const glm::ivec3 at = cell + cornerStep(i);
+    depths[static_cast<std::size_t>(i)] = level_.depth(grid_.stored(at));
     if (voxelHidden(at)) hidden |= 1u << i;
   }
   return {depths, hidden};

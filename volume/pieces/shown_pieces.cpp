@@ -86,11 +86,10 @@ std::vector<bool> shownPieces(const Pieces& pieces, const scene::Pieces& choice,
 HiddenVoxels hiddenVoxels(const Pieces& pieces, const std::vector<bool>& shown, bool hidesStrays) {
   HiddenVoxels hidden(pieces.grid().dims(), hidesStrays);
   if (std::find(shown.begin(), shown.end(), false) == shown.end()) return hidden;
-  const glm::ivec3 blocks = pieces.blocks().dims();
-  parallelRanges(blocks.y * blocks.z, 1, [&](const Indices<int>& range) {
+  const Extent3 blocks{pieces.blocks().dims()};
+  parallelEach(blocks.rows(), [&](std::size_t row) {
     RowOfHidden hide(pieces, shown, hidden);
-    for (int row = range.begin(); row < range.end(); ++row)
-      for (int x = 0; x < blocks.x; ++x) hide.block({x, row % blocks.y, row / blocks.y});
+    for (glm::ivec3 b = blocks.firstOfRow(row); b.x < blocks.dims.x; ++b.x) hide.block(b);
   });
   return hidden;
 }

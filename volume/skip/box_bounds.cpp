@@ -18,13 +18,7 @@ constexpr int kBoxes = 4;             // per axis of a block
 constexpr double kSteps = 65535.0;    // of bounds, between the least and the greatest value
 constexpr int kMostRows = 8 + 1 + 2;  // voxels of a block on an axis, with an apron of 1
 
-struct Range {
-  float low = kInfinity, high = -kInfinity;
-  void add(Range other) {
-    low = std::min(low, other.low);
-    high = std::max(high, other.high);
-  }
-};
+using Range = Bounds<float>;
 
 Range rangeOf(const Grid& grid) {
   if (grid.missingCount() == grid.geometry().voxelCount()) return {};
@@ -74,11 +68,8 @@ class BlockScan {
 
  private:
   void scanRow(int y, int z, Range* boxes) const {
-    const int at[2] = {std::clamp(first_.y - apron_ + y, 0, dims_.y - 1),
-                       std::clamp(first_.z - apron_ + z, 0, dims_.z - 1)};
-    const T* row = voxels_.data() + (static_cast<std::size_t>(at[1]) * static_cast<std::size_t>(dims_.y) +
-                                     static_cast<std::size_t>(at[0])) *
-                                        static_cast<std::size_t>(dims_.x);
+    const T* row = voxels_.data() + Extent3{dims_}.index(0, std::clamp(first_.y - apron_ + y, 0, dims_.y - 1),
+                                                         std::clamp(first_.z - apron_ + z, 0, dims_.z - 1));
     for (int box = 0; box < kBoxes; ++box)
       for (int x = 2 * box; x < 2 * box + span_; ++x) {
         const auto v = static_cast<float>(row[std::clamp(first_.x - apron_ + x, 0, dims_.x - 1)]);
@@ -96,8 +87,7 @@ class BlockScan {
 BoxBounds::BoxBounds(glm::ivec3 voxels, const base::Progress& progress) {
   const glm::ivec3 cells = glm::max(voxels - 1, glm::ivec3(0));
   dims_ = (cells + kBlockCells - 1) / kBlockCells;
-  const std::size_t blocks = static_cast<std::size_t>(dims_.x) * static_cast<std::size_t>(dims_.y) *
-                             static_cast<std::size_t>(dims_.z);
+  const std::size_t blocks = Extent3{dims_}.count();
   held_ = base::machineMemory().reserve(blocks * sizeof(Bounds), "min-max blocks",
                                         "a volume of fewer voxels needs less");
   resizeStoppably(bounds_, blocks, progress);
@@ -152,12 +142,12 @@ void BoxBounds::fill(const std::vector<T>& voxels, float lowest, float highest, 
     const double q = (static_cast<double>(v) - origin_) * scale_;
     return static_cast<std::uint16_t>(std::clamp(up ? std::ceil(q) : std::floor(q), 0.0, kSteps));
   };
-  const auto width = static_cast<std::size_t>(dims_.x), height = static_cast<std::size_t>(dims_.y);
-  parallelSteps(height * static_cast<std::size_t>(dims_.z), progress, {}, [&](std::size_t row) {
-    for (int x = 0; x < dims_.x; ++x) {
-      const glm::ivec3 block(x, static_cast<int>(row % height), static_cast<int>(row / height));
+  const Extent3 blocks{dims_};
+  parallelSteps(blocks.rows(), progress, {}, [&](std::size_t row) {
+    glm::ivec3 block = blocks.firstOfRow(row);
+    for (; block.x < dims_.x; ++block.x) {
       const auto boxes = BlockScan<T>(voxels, voxelDims, block * kBlockCells, apron).boxes();
-      Bounds& bounds = bounds_[row * width + static_cast<std::size_t>(x)];
+      Bounds& bounds = bounds_[blocks.index(block)];
       for (int i = 0; i < kBoxesPerBlock; ++i) {
         const Range& box = boxes[static_cast<std::size_t>(i)];
         bounds.low[i] = quantised(box.low, false);

@@ -49,10 +49,8 @@ class RowOfBlocks {
     Sides* sides = sides_.data();
     for (int z = 0; z < kCorners; ++z)
       for (int y = 0; y < kCorners; ++y) {
-        const auto atY = static_cast<std::size_t>(std::min(y_ + y, dims_.y - 1)),
-                   atZ = static_cast<std::size_t>(std::min(z_ + z, dims_.z - 1));
-        const T* const row = voxels_.data() + (atZ * static_cast<std::size_t>(dims_.y) + atY) *
-                                                  static_cast<std::size_t>(dims_.x);
+        const T* const row = voxels_.data() + Extent3{dims_}.index(0, std::min(y_ + y, dims_.y - 1),
+                                                                   std::min(z_ + z, dims_.z - 1));
         for (std::size_t block = 0; block < masks_.size(); ++block, ++sides)
           if (masks_[block] != 0) *sides = sidesAt(row, kCells * static_cast<int>(block), band);
       }
@@ -107,32 +105,27 @@ void cellBits(const Grid& grid, glm::ivec3 blocks, std::span<const std::uint64_t
   assert(grid.missingCount() == 0);
   const std::vector<Band> bands = bandsOf(grid, storedIsovalues);
   result.assign(8 * boxMasks.size(), 0);
-  const auto width = 2 * static_cast<std::size_t>(blocks.x), height = 2 * static_cast<std::size_t>(blocks.y);
-  const auto ofRow = [&](const auto& voxels, int y, int z) {
-    const auto masks =
-        boxMasks.subspan(static_cast<std::size_t>(z * blocks.y + y) * static_cast<std::size_t>(blocks.x),
-                         static_cast<std::size_t>(blocks.x));
+  const Extent3 extent{blocks}, groupExtent{2 * blocks};
+  const auto ofRow = [&](const auto& voxels, std::size_t index) {
+    const auto masks = boxMasks.subspan(index * extent.row(), extent.row());
     if (std::all_of(masks.begin(), masks.end(), [](std::uint64_t mask) { return mask == 0; })) return;
-    RowOfBlocks row(voxels, grid.dims(), y, z, masks);
+    const glm::ivec3 first = extent.firstOfRow(index);
+    RowOfBlocks row(voxels, grid.dims(), first.y, first.z, masks);
     for (const Band band : bands) {
       row.classify(band);
       for (std::size_t x = 0; x < masks.size(); ++x) {
         if (masks[x] == 0) continue;
         std::uint64_t groups[8] = {};
         row.add(x, groups);
-        for (std::size_t i = 0; i < 8; ++i)
-          result[((2 * static_cast<std::size_t>(z) + (i >> 2)) * height + 2 * static_cast<std::size_t>(y) +
-                  (i >> 1 & 1)) *
-                     width +
-                 2 * x + (i & 1)] |= groups[i];
+        const glm::ivec3 block = first + glm::ivec3(static_cast<int>(x), 0, 0);
+        for (int i = 0; i < 8; ++i) result[groupExtent.index(2 * block + cornerStep(i))] |= groups[i];
       }
     }
   };
   std::visit(
       [&](const auto& voxels) {
-        parallelRanges(blocks.y * blocks.z, 4, [&](const Indices<int>& range) {
-          for (int row = range.begin(); row < range.end(); ++row)
-            ofRow(voxels, row % blocks.y, row / blocks.y);
+        parallelRanges(extent.rows(), 4, [&](const Indices<std::size_t>& range) {
+          for (std::size_t row = range.begin(); row < range.end(); ++row) ofRow(voxels, row);
         });
       },
       grid.voxels());

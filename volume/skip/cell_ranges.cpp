@@ -85,13 +85,11 @@ class BlockRow {
     std::fill(most_.begin(), most_.end(), std::uint8_t{0});
     if (y > dims_.y - 2 || z > dims_.z - 2) return;
     const int count = dims_.x - 1;
-    const std::size_t row = static_cast<std::size_t>(dims_.x);
-    const std::uint8_t* a =
-        bins_ +
-        (static_cast<std::size_t>(z) * static_cast<std::size_t>(dims_.y) + static_cast<std::size_t>(y)) * row;
-    const std::uint8_t* b = a + row;
-    const std::uint8_t* c = a + row * static_cast<std::size_t>(dims_.y);
-    const std::uint8_t* d = c + row;
+    const Extent3 voxels{dims_};
+    const std::uint8_t* a = bins_ + voxels.index(0, y, z);
+    const std::uint8_t* b = a + voxels.row();
+    const std::uint8_t* c = a + voxels.slice();
+    const std::uint8_t* d = c + voxels.row();
     std::uint8_t *least = least_.data(), *most = most_.data();
     for (int x = 0; x < count; ++x) {
       const std::uint8_t lowA = std::min(a[x], a[x + 1]), highA = std::max(a[x], a[x + 1]);
@@ -141,45 +139,35 @@ std::vector<std::uint8_t> binsOf(const Grid& grid, const ValueBins& bins, base::
 }
 
 void replaceHidden(const HiddenVoxels& hidden, std::uint8_t bin, std::vector<std::uint8_t>& bins) {
-  const glm::ivec3 dims = hidden.dims();
-  const auto width = static_cast<std::size_t>(dims.x), words = static_cast<std::size_t>(hidden.wordsPerRow());
-  const auto rows = static_cast<std::size_t>(dims.y) * static_cast<std::size_t>(dims.z);
-  parallelRanges(rows, 1, [&](const auto& range) {
-    for (std::size_t row = range.begin(); row != range.end(); ++row)
-      for (std::size_t word = 0; word < words; ++word)
-        for (std::uint64_t bits = hidden.words()[row * words + word]; bits != 0; bits &= bits - 1)
-          bins[row * width + word * HiddenVoxels::kVoxelsPerWord +
-               static_cast<std::size_t>(std::countr_zero(bits))] = bin;
+  const Extent3 voxels{hidden.dims()};
+  const auto words = static_cast<std::size_t>(hidden.wordsPerRow());
+  parallelEach(voxels.rows(), [&](std::size_t row) {
+    for (std::size_t word = 0; word < words; ++word)
+      for (std::uint64_t bits = hidden.words()[row * words + word]; bits != 0; bits &= bits - 1)
+        bins[row * voxels.row() + word * HiddenVoxels::kVoxelsPerWord +
+             static_cast<std::size_t>(std::countr_zero(bits))] = bin;
   });
 }
 
 // The last two bytes of every word: the range of its block of 4^3 words.
 void fillLargeBlocks(std::uint8_t* words, glm::ivec3 dims, base::Progress& progress) {
-  const auto word = [=](int x, int y, int z) {
-    return words + 4 * ((static_cast<std::size_t>(z) * static_cast<std::size_t>(dims.y) +
-                         static_cast<std::size_t>(y)) *
-                            static_cast<std::size_t>(dims.x) +
-                        static_cast<std::size_t>(x));
-  };
-  parallelSteps(static_cast<std::size_t>((dims.z + 3) / 4), progress, {}, [&](std::size_t layer) {
-    const int z = 4 * static_cast<int>(layer);
-    for (int y = 0; y < dims.y; y += 4)
-      for (int x = 0; x < dims.x; x += 4) {
-        const int ex = std::min(x + 4, dims.x), ey = std::min(y + 4, dims.y), ez = std::min(z + 4, dims.z);
-        std::uint8_t least = 255, most = 0;
-        for (int k = z; k < ez; ++k)
-          for (int j = y; j < ey; ++j)
-            for (int i = x; i < ex; ++i) {
-              least = std::min(least, word(i, j, k)[0]);
-              most = std::max(most, word(i, j, k)[1]);
-            }
-        for (int k = z; k < ez; ++k)
-          for (int j = y; j < ey; ++j)
-            for (int i = x; i < ex; ++i) {
-              word(i, j, k)[2] = least;
-              word(i, j, k)[3] = most;
-            }
-      }
+  const Extent3 large{(dims + 3) / 4};
+  parallelSteps(large.rows(), progress, {}, [&](std::size_t row) {
+    glm::ivec3 block = large.firstOfRow(row);
+    for (; block.x < large.dims.x; ++block.x) {
+      const glm::ivec3 low = 4 * block, end = glm::min(low + 4, dims);
+      std::uint8_t least = 255, most = 0;
+      forEachIn(low, end, [&](glm::ivec3 at) {
+        const std::uint8_t* const word = words + 4 * Extent3{dims}.index(at);
+        least = std::min(least, word[0]);
+        most = std::max(most, word[1]);
+      });
+      forEachIn(low, end, [&](glm::ivec3 at) {
+        std::uint8_t* const word = words + 4 * Extent3{dims}.index(at);
+        word[2] = least;
+        word[3] = most;
+      });
+    }
   });
 }
 
@@ -211,15 +199,10 @@ glm::ivec3 blocksOf(glm::ivec3 dims) {
   return dims.x < 2 || dims.y < 2 || dims.z < 2 ? glm::ivec3(0) : (dims + 2) / 4;
 }
 
-std::size_t productOf(glm::ivec3 dims) {
-  return static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y) *
-         static_cast<std::size_t>(dims.z);
-}
-
 }  // namespace
 
 std::size_t CellRanges::bytesOf(glm::ivec3 dims) {
-  const std::size_t blocks = productOf(blocksOf(dims));
+  const std::size_t blocks = Extent3{blocksOf(dims)}.count();
   // Two bytes more than the cells: kernels read four at a time.
   return blocks == 0 ? 0 : 4 * blocks + 128 * blocks + 2;
 }
@@ -229,20 +212,21 @@ CellRanges::CellRanges(const Grid& grid, base::Progress& progress, const HiddenV
     : bins_(grid) {
   const glm::ivec3 dims = grid.dims();
   blockDims_ = blocksOf(dims);
-  cellBytes_ = 4 * productOf(blockDims_);
+  cellBytes_ = 4 * Extent3{blockDims_}.count();
   if (cellBytes_ == 0) return;
   table_.reserve(bytesOf(dims));
   preferHugePages(table_.data(), table_.capacity(), progress);  // before anything touches them
   resizeStoppably(table_, bytesOf(dims), progress);
   std::vector<std::uint8_t> bins = binsOf(grid, bins_, progress);
   if (hidden) replaceHidden(*hidden, insideHigh ? 0 : kMissing - 1, bins);
-  parallelRanges(blockDims_.y * blockDims_.z, 1, [&](const Indices<int>& range) {
+  const Extent3 blocks{blockDims_};
+  parallelRanges(blocks.rows(), 1, [&](const Indices<std::size_t>& range) {
     if (progress.stopRequested()) return;
     BlockRow row(bins.data(), dims, blockDims_.x);
-    for (int i = range.begin(); i != range.end(); ++i) {
-      const std::size_t first = static_cast<std::size_t>(i) * static_cast<std::size_t>(blockDims_.x);
-      row.fill(i % blockDims_.y, i / blockDims_.y, table_.data() + 4 * first,
-               table_.data() + cellBytes_ + 128 * first);
+    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+      const glm::ivec3 first = blocks.firstOfRow(i);
+      const std::size_t index = blocks.index(first);
+      row.fill(first.y, first.z, table_.data() + 4 * index, table_.data() + cellBytes_ + 128 * index);
     }
   });
   progress.throwIfStopped();

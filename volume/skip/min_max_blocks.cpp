@@ -4,7 +4,7 @@
 #include <cassert>
 #include <limits>
 
-#include "volume/parallel_loops.h"
+#include "volume/parallel_steps.h"
 
 namespace isolux::volume {
 
@@ -19,11 +19,7 @@ void blockRange(const T* voxels, glm::ivec3 dims, glm::ivec3 low, glm::ivec3 hig
   const int width = high.x - low.x + 1;
   for (int z = low.z; z <= high.z; ++z) {
     for (int y = low.y; y <= high.y; ++y) {
-      const T* row =
-          voxels +
-          (static_cast<std::size_t>(z) * static_cast<std::size_t>(dims.y) + static_cast<std::size_t>(y)) *
-              static_cast<std::size_t>(dims.x) +
-          low.x;
+      const T* row = voxels + Extent3{dims}.index(low.x, y, z);
       for (int x = 0; x < width; ++x) {
         least = row[x] < least ? row[x] : least;
         most = row[x] > most ? row[x] : most;
@@ -40,10 +36,8 @@ MinMaxBlocks::MinMaxBlocks(glm::ivec3 voxels, int blockCells) : blockCells_(bloc
   assert(blockCells == 4 || blockCells == 8);
   const glm::ivec3 cells = glm::max(voxels - 1, glm::ivec3(0));
   dims_ = (cells + blockCells - 1) / blockCells;
-  const std::size_t total = static_cast<std::size_t>(dims_.x) * static_cast<std::size_t>(dims_.y) *
-                            static_cast<std::size_t>(dims_.z);
-  minimum_.resize(total, std::numeric_limits<float>::max());
-  maximum_.resize(total, std::numeric_limits<float>::lowest());
+  minimum_.resize(Extent3{dims_}.count(), std::numeric_limits<float>::max());
+  maximum_.resize(minimum_.size(), std::numeric_limits<float>::lowest());
 }
 
 MinMaxBlocks::MinMaxBlocks(const Grid& grid, int blockCells, base::Progress& progress)
@@ -68,27 +62,22 @@ MinMaxBlocks MinMaxBlocks::ofCubic(const Coefficients& coefficients, const Grid&
 template <class T>
 void MinMaxBlocks::fill(const std::vector<T>& voxels, const Grid& grid, int apron, base::Progress& progress) {
   if (count() == 0) return;
-  const int rows = dims_.y * dims_.z;
-  parallelRanges(rows, 1, [&](const Indices<int>& range) {
-    for (int row = range.begin(); row != range.end(); ++row) {
-      if (progress.stopRequested()) return;
-      for (int x = 0; x < dims_.x; ++x) {
-        const glm::ivec3 block(x, row % dims_.y, row / dims_.y);
-        const glm::ivec3 first = block * blockCells_;
-        const glm::ivec3 low = glm::max(first - apron, glm::ivec3(0));
-        const glm::ivec3 high = glm::min(first + blockCells_ + apron, grid.dims() - 1);
-        const std::size_t i = index(block);
-        blockRange(voxels.data(), grid.dims(), low, high, minimum_[i], maximum_[i]);
-      }
+  parallelSteps(Extent3{dims_}.rows(), progress, {}, [&](std::size_t row) {
+    glm::ivec3 block = Extent3{dims_}.firstOfRow(row);
+    for (; block.x < dims_.x; ++block.x) {
+      const glm::ivec3 first = block * blockCells_;
+      const glm::ivec3 low = glm::max(first - apron, glm::ivec3(0));
+      const glm::ivec3 high = glm::min(first + blockCells_ + apron, grid.dims() - 1);
+      const std::size_t i = index(block);
+      blockRange(voxels.data(), grid.dims(), low, high, minimum_[i], maximum_[i]);
     }
   });
-  progress.throwIfStopped();
 }
 
 template <class T>
 void MinMaxBlocks::setLayers(int layer, std::span<const T> slab, glm::ivec3 voxels,
                              base::Progress& progress) {
-  const std::size_t slice = static_cast<std::size_t>(voxels.x) * static_cast<std::size_t>(voxels.y);
+  const std::size_t slice = Extent3{voxels}.slice();
   if (count() == 0 || slice == 0) return;
   const int first = layer * blockCells_, slices = static_cast<int>(slab.size() / slice);
   const int behind = std::min(first + slices, voxels.z);  // the first slice that is not given

@@ -53,12 +53,7 @@ class MinMaxBlocks {
   int blockCells() const { return blockCells_; }
   glm::ivec3 dims() const { return dims_; }  // in blocks; any axis 0 if the grid has no cells
   std::size_t count() const { return minimum_.size(); }
-  std::size_t index(glm::ivec3 b) const {
-    return (static_cast<std::size_t>(b.z) * static_cast<std::size_t>(dims_.y) +
-            static_cast<std::size_t>(b.y)) *
-               static_cast<std::size_t>(dims_.x) +
-           static_cast<std::size_t>(b.x);
-  }
+  std::size_t index(glm::ivec3 block) const { return Extent3{dims_}.index(block); }
   float minimum(std::size_t block) const { return minimum_[block]; }
   float maximum(std::size_t block) const { return maximum_[block]; }
 

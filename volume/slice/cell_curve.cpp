@@ -25,14 +25,9 @@ double mixed(double from, double to, double t) {
   return (1.0 - t) * from + t * to;
 }
 
-struct CurveRange {
-  double least = 1e300, most = -1e300;
-  void add(double x) {
-    least = std::min(least, x);
-    most = std::max(most, x);
-  }
-  bool changesSign(double rounding) const { return least < -rounding && most > rounding; }
-};
+bool changesSign(const Bounds<double>& range, double rounding) {
+  return range.low < -rounding && range.high > rounding;
+}
 
 }  // namespace
 
@@ -41,34 +36,30 @@ CellCurves::CellCurves(const SliceField& field, const PlaneLattice& lattice, dou
 
 bool CellCurves::mayHoldCurve(glm::ivec2 square, int k) {
   const Grid& grid = field_.grid;
-  CurveRange range;
+  Bounds<double> range;
   for (int corner = 0; corner < 8; ++corner) {
-    const glm::ivec3 voxel =
-        lattice_.voxelIndex(square.x + (corner & 1), square.y + (corner >> 1 & 1), k + (corner >> 2 & 1));
-    const double depth = grid.value(voxel.x, voxel.y, voxel.z) - isovalue_;
+    const glm::ivec3 at = glm::ivec3(square, k) + cornerStep(corner);
+    const double depth = grid.value(lattice_.voxelIndex(at.x, at.y, at.z)) - isovalue_;
     if (std::isnan(depth)) return false;
     corners_[corner] = depth;
     range.add(depth);
   }
-  rounding_ = kRounding * (std::max(-range.least, range.most) + std::abs(isovalue_));
-  if (field_.field == scene::Field::trilinear) return range.least < 0.0 && range.most >= 0.0;
+  rounding_ = kRounding * (std::max(-range.low, range.high) + std::abs(isovalue_));
+  if (field_.field == scene::Field::trilinear) return range.low < 0.0 && range.high >= 0.0;
   // A spline lies between the coefficients that it looks up.
   range = {};
-  const glm::ivec3 last = grid.dims() - 1;
+  bool missing = false;
   const glm::ivec3 cell = lattice_.voxelIndex(square.x, square.y, k);
-  for (int z = -1; z <= 2; ++z)
-    for (int y = -1; y <= 2; ++y)
-      for (int x = -1; x <= 2; ++x) {
-        const glm::ivec3 at = glm::clamp(cell + glm::ivec3(x, y, z), glm::ivec3(0), last);
-        const double stored =
-            field_.coefficients
-                ? field_.coefficients->offset +
-                      static_cast<double>(field_.coefficients->values[grid.index(at.x, at.y, at.z)])
-                : grid.stored(at.x, at.y, at.z);
-        if (std::isnan(stored)) return false;
-        range.add(grid.valueOfStored(stored) - isovalue_);
-      }
-  return range.least < 0.0 && range.most >= 0.0;
+  forEachIn(cell - 1, cell + 3, [&](glm::ivec3 beyond) {
+    const glm::ivec3 at = glm::clamp(beyond, glm::ivec3(0), grid.dims() - 1);
+    const double stored =
+        field_.coefficients
+            ? field_.coefficients->offset + static_cast<double>(field_.coefficients->values[grid.index(at)])
+            : grid.stored(at);
+    missing = missing || std::isnan(stored);
+    range.add(grid.valueOfStored(stored) - isovalue_);
+  });
+  return !missing && range.low < 0.0 && range.high >= 0.0;
 }
 
 double CellCurves::depth(glm::dvec2 at) const {
@@ -98,14 +89,14 @@ CellCurves::Edge CellCurves::edgeOf(const Corner& p, const Corner& q) const {
   const double one = depth(low.at + way * (1.0 / 3.0)), two = depth(low.at + way * (2.0 / 3.0));
   const double inner[2] = {(-5.0 * low.f + 18.0 * one - 9.0 * two + 2.0 * high.f) / 6.0,
                            (2.0 * low.f - 9.0 * one + 18.0 * two - 5.0 * high.f) / 6.0};
-  CurveRange values, steps;
+  Bounds<double> values, steps;
   for (const double x : {low.f, inner[0], inner[1], high.f}) values.add(x);
   for (const double x : {inner[0] - low.f, inner[1] - inner[0], high.f - inner[1]}) steps.add(x);
   const double length = glm::length(way), rounding = 32.0 * rounding_;
-  const bool active = values.changesSign(rounding);
+  const bool active = changesSign(values, rounding);
   const bool spline = field_.field != scene::Field::trilinear;
   const bool split = (length > kLongestCurveEdge && (active || spline)) ||
-                     (length > kShortestCurveEdge && active && steps.changesSign(rounding));
+                     (length > kShortestCurveEdge && active && changesSign(steps, rounding));
   return turned ? Edge{{inner[1], inner[0]}, split} : Edge{{inner[0], inner[1]}, split};
 }
 
@@ -162,17 +153,17 @@ bool CellCurves::mayHideCurve(const Corner& a, const Corner& b, const Corner& c,
   const double middle = depth((a.at + b.at + c.at) / 3.0);
   const double b111 =
       (27.0 * middle - (b300 + b030 + b003) - 3.0 * (b210 + b120 + b021 + b012 + b102 + b201)) / 6.0;
-  CurveRange values;
+  Bounds<double> values;
   for (const double x : {b300, b030, b003, b210, b120, b021, b012, b102, b201, b111}) values.add(x);
   const double rounding = 256.0 * rounding_;
-  if (!values.changesSign(rounding)) return false;
+  if (!changesSign(values, rounding)) return false;
   const double steps[3][6] = {{b210 - b300, b120 - b210, b030 - b120, b111 - b201, b021 - b111, b012 - b102},
                               {b021 - b030, b012 - b021, b003 - b012, b111 - b120, b102 - b111, b201 - b210},
                               {b102 - b003, b201 - b102, b300 - b201, b111 - b012, b210 - b111, b120 - b021}};
   for (const auto& alongEdge : steps) {
-    CurveRange range;
+    Bounds<double> range;
     for (const double x : alongEdge) range.add(x);
-    if (!range.changesSign(rounding)) return false;
+    if (!changesSign(range, rounding)) return false;
   }
   return true;
 }

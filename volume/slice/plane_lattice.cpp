@@ -58,12 +58,10 @@ glm::ivec3 PlaneLattice::voxelIndex(int a, int b, int c) const {
 }
 
 PlaneLattice::Cells PlaneLattice::cellsAbove(glm::ivec2 square) const {
-  double low = 1e300, high = -1e300;
-  for (int corner = 0; corner < 4; ++corner) {
-    const double at = c(glm::dvec2(square + glm::ivec2(corner & 1, corner >> 1)));
-    low = std::min(low, at);
-    high = std::max(high, at);
-  }
+  Bounds<double> cells;
+  for (int corner = 0; corner < 4; ++corner)
+    cells.add(c(glm::dvec2(square + glm::ivec2(corner & 1, corner >> 1))));
+  const auto [low, high] = cells;
   if (high < 0.0 || low > lastC_) return {};
   const double lastCell = std::max(lastC_ - 1, 0);
   return {static_cast<int>(std::clamp(std::floor(low), 0.0, lastCell)),

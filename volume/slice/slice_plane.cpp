@@ -11,18 +11,12 @@ namespace isolux::volume {
 namespace {
 
 // What the volume's domain covers in the directions of a picture, mm.
-struct Outline {
-  glm::dvec2 low{1e300}, high{-1e300};
-  glm::dvec2 extent() const { return high - low; }
-};
+using Outline = Bounds<glm::dvec2>;
 
 Outline outlineOf(const GridGeometry& geometry, const SliceFrame& frame) {
   Outline outline;
-  for (const glm::dvec3& corner : geometry.corners()) {
-    const glm::dvec2 at(glm::dot(corner, frame.right), glm::dot(corner, frame.down));
-    outline.low = glm::min(outline.low, at);
-    outline.high = glm::max(outline.high, at);
-  }
+  for (const glm::dvec3& corner : geometry.corners())
+    outline.add({glm::dot(corner, frame.right), glm::dot(corner, frame.down)});
   return outline;
 }
 
@@ -91,7 +85,7 @@ SliceFrame SlicePlane::frame() const {
 
 SlicePlane nativeSlice(const GridGeometry& geometry, const SliceFrame& frame, glm::dvec3 pointMm) {
   const Outline outline = outlineOf(geometry, frame);
-  const glm::dvec2 extent = outline.extent();
+  const glm::dvec2 extent = outline.size();
   const double pixel =
       std::max(nativePixel(geometry, frame), std::max(extent.x, extent.y) / (kLargestSlice - 1));
   const glm::ivec2 size = glm::ivec2(glm::ceil(extent / pixel - 1e-6)) + 1;
@@ -101,7 +95,7 @@ SlicePlane nativeSlice(const GridGeometry& geometry, const SliceFrame& frame, gl
 SlicePlane fittedSlice(const GridGeometry& geometry, const SliceFrame& frame, glm::dvec3 pointMm,
                        glm::ivec2 size) {
   const Outline outline = outlineOf(geometry, frame);
-  const glm::dvec2 pixels = outline.extent() / glm::max(glm::dvec2(size) - 1.0, glm::dvec2(0.5));
+  const glm::dvec2 pixels = outline.size() / glm::max(glm::dvec2(size) - 1.0, glm::dvec2(0.5));
   const double pixel = std::max(pixels.x, pixels.y);
   return planeAbout(frame, pointMm, outline, pixel > 0.0 ? pixel : nativePixel(geometry, frame), size);
 }

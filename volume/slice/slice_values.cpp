@@ -26,13 +26,9 @@ struct SlabWay {
 SlabWay slabWay(const GridGeometry& geometry, const SlicePlane& plane, double mm) {
   if (!(mm > 0.0)) return {};
   const glm::dvec3 normal = plane.frame().normal();
-  double low = 1e300, high = -1e300;
-  for (const glm::dvec3& corner : geometry.corners()) {
-    const double at = glm::dot(corner - plane.originMm, normal);
-    low = std::min(low, at);
-    high = std::max(high, at);
-  }
-  const double from = std::max(-0.5 * mm, low), to = std::min(0.5 * mm, high);
+  Bounds<double> ends;
+  for (const glm::dvec3& corner : geometry.corners()) ends.add(glm::dot(corner - plane.originMm, normal));
+  const double from = std::max(-0.5 * mm, ends.low), to = std::min(0.5 * mm, ends.high);
   if (!(from < to)) return {};  // beside the volume, or at most touching it
   const double steps = std::ceil((to - from) / (0.5 * voxelAlong(geometry, normal)) - 1e-9);
   SlabWay way;
@@ -45,27 +41,25 @@ SlabWay slabWay(const GridGeometry& geometry, const SlicePlane& plane, double mm
 
 double slabValue(const SliceField& field, glm::dvec3 voxel, const SlabWay& way, scene::SlabMode mode) {
   if (way.steps == 0) return field.value(voxel);
-  double sum = 0.0, weights = 0.0, least = 1e300, most = -1e300;
+  double sum = 0.0, weights = 0.0;
+  Bounds<double> values;
   for (int i = 0; i <= way.steps; ++i) {
     const double value = field.value(voxel + way.offset + static_cast<double>(i) * way.step);
     if (std::isnan(value)) continue;
     const double weight = i == 0 || i == way.steps ? 0.5 : 1.0;
     sum += weight * value;
     weights += weight;
-    least = std::min(least, value);
-    most = std::max(most, value);
+    values.add(value);
   }
   if (weights == 0.0) return kNan;
   if (mode == scene::SlabMode::mean) return sum / weights;
-  return mode == scene::SlabMode::maximum ? most : least;
+  return mode == scene::SlabMode::maximum ? values.high : values.low;
 }
 
 bool cornerMissing(const Grid& grid, glm::dvec3 voxel) {
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::ivec3 up(corner & 1, corner >> 1 & 1, corner >> 2 & 1);
-    const glm::ivec3 at = glm::ivec3(glm::floor(voxel)) + up * glm::ivec3(glm::ceil(glm::fract(voxel)));
-    if (std::isnan(grid.stored(at.x, at.y, at.z))) return true;
-  }
+  const glm::ivec3 low(glm::floor(voxel)), between(glm::ceil(glm::fract(voxel)));
+  for (int i = 0; i < 8; ++i)
+    if (std::isnan(grid.stored(low + cornerStep(i) * between))) return true;
   return false;
 }
 
@@ -81,8 +75,8 @@ double SliceField::value(glm::dvec3 voxel) const {
 
 SliceValues sliceValues(const SliceField& field, const SlicePlane& plane, const Slab& slab,
                         base::Progress& progress) {
-  const auto width = static_cast<std::size_t>(plane.size.x);
-  const std::size_t count = width * static_cast<std::size_t>(plane.size.y);
+  const Extent2 extent{plane.size};
+  const std::size_t count = extent.count();
   SliceValues slice;
   slice.size = plane.size;
   slice.held = base::machineMemory().reserve(count * sizeof(float), "the values of a slice",
@@ -98,8 +92,8 @@ SliceValues sliceValues(const SliceField& field, const SlicePlane& plane, const 
   parallelPieces(count, std::max<std::size_t>(1, 8192 / samples), progress, {0.0, 1.0, "slicing"},
                  [&](std::size_t begin, std::size_t end) {
                    for (std::size_t i = begin; i < end; ++i) {
-                     const glm::dvec3 voxel = origin + static_cast<double>(i % width) * right +
-                                              static_cast<double>(i / width) * down;
+                     const glm::dvec2 at(extent.at(i));
+                     const glm::dvec3 voxel = origin + at.x * right + at.y * down;
                      slice.values[i] = static_cast<float>(slabValue(field, voxel, way, slab.mode));
                    }
                  });

@@ -29,16 +29,9 @@ double radiansOf(double degrees) {
   return degrees * std::numbers::pi / 180.0;
 }
 
-struct Box {
-  glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
-  glm::dvec3 size() const { return high - low; }
-};
-Box boxOf(std::span<const OutlineSample> samples) {
-  Box box;
-  for (const OutlineSample& sample : samples) {
-    box.low = glm::min(box.low, sample.positionMm);
-    box.high = glm::max(box.high, sample.positionMm);
-  }
+Bounds<glm::dvec3> boxOf(std::span<const OutlineSample> samples) {
+  Bounds<glm::dvec3> box;
+  for (const OutlineSample& sample : samples) box.add(sample.positionMm);
   return box;
 }
 
@@ -73,7 +66,7 @@ glm::dvec3 upOfSurface(std::span<const OutlineSample> samples, glm::dvec3 habit)
 // from a pixel to the next it shows more.
 double visibleShape(std::span<const OutlineSample> samples, glm::dvec3 toEye, glm::dvec3 up) {
   const glm::dvec3 right = glm::normalize(glm::cross(up, toEye)), top = glm::cross(toEye, right);
-  const Box box = boxOf(samples);
+  const Bounds<glm::dvec3> box = boxOf(samples);
   const glm::dvec3 centre = 0.5 * (box.low + box.high);
   const double size = glm::length(box.size());
   if (!(size > 0.0)) return 0.0;

@@ -31,7 +31,7 @@ double sliceRoughness(const Grid& grid, int axis, int slice) {
   long count = 0;
   const auto value = [&](glm::ivec3 at, int offset) {
     at[axis] += offset;
-    return grid.value(at.x, at.y, at.z);
+    return grid.value(at);
   };
   glm::ivec3 at(slice);
   for (at[v] = 0; at[v] < dims[v]; at[v] += std::max(1, dims[v] / kScanLines))

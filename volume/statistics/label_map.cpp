@@ -12,12 +12,12 @@ namespace isolux::volume {
 
 namespace {
 
-constexpr std::size_t kMostValues = 2048;    // atlases have some hundreds
-constexpr double kMostUnequal = 0.4;         // of neighbours within objects; thin vessels come near it
-constexpr double kLeastJumps = 0.2;          // of unequal neighbours
-constexpr std::size_t kFrequent = 200;       // voxels: a label of so many fills more than its border
-constexpr double kLeastBodies = 0.5;         // of frequent values
-constexpr std::ptrdiff_t kEnough = 1 << 20;  // voxels that neighbours are compared of
+constexpr std::size_t kMostValues = 2048;  // atlases have some hundreds
+constexpr double kMostUnequal = 0.4;       // of neighbours within objects; thin vessels come near it
+constexpr double kLeastJumps = 0.2;        // of unequal neighbours
+constexpr std::size_t kFrequent = 200;     // voxels: a label of so many fills more than its border
+constexpr double kLeastBodies = 0.5;       // of frequent values
+constexpr std::size_t kEnough = 1 << 20;   // voxels that neighbours are compared of
 
 using ValueCounts = std::map<double, std::size_t>;  // of values
 
@@ -52,13 +52,13 @@ void compare(double a, double b, double background, const std::vector<double>& v
 }
 
 bool insideItsRegion(const Grid& grid, glm::ivec3 at) {
-  const double value = grid.value(at.x, at.y, at.z);
+  const double value = grid.value(at);
   for (int axis = 0; axis < 3; ++axis)
     for (const int step : {-1, 1}) {
       glm::ivec3 beside = at;
       beside[axis] += step;
       const bool exists = beside[axis] >= 0 && beside[axis] < grid.dims()[axis];
-      if (exists && grid.value(beside.x, beside.y, beside.z) != value) return false;
+      if (exists && grid.value(beside) != value) return false;
     }
   return true;
 }
@@ -67,12 +67,13 @@ bool insideItsRegion(const Grid& grid, glm::ivec3 at) {
 
 std::optional<LabelMap> labelMapOf(const Grid& grid, bool asked, const base::Progress& progress) {
   const glm::ivec3 dims = grid.dims();
-  const std::ptrdiff_t rows = std::ptrdiff_t{dims.y} * dims.z;
-  const std::ptrdiff_t stride = std::max<std::ptrdiff_t>(1, rows * dims.x / kEnough);
-  const auto eachRow = [&](std::ptrdiff_t step, const auto& body) {
-    for (std::ptrdiff_t row = 0; row < rows; row += step) {
+  const Extent3 extent{dims};
+  const std::size_t stride = std::max<std::size_t>(1, extent.count() / kEnough);
+  const auto eachRow = [&](std::size_t step, const auto& body) {
+    for (std::size_t row = 0; row < extent.rows(); row += step) {
       progress.throwIfStopped();
-      if (!body(static_cast<int>(row % dims.y), static_cast<int>(row / dims.y))) return false;
+      const glm::ivec3 first = extent.firstOfRow(row);
+      if (!body(first.y, first.z)) return false;
     }
     return true;
   };

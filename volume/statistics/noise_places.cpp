@@ -69,9 +69,9 @@ class Looker {
   }
 
  private:
-  double stored(glm::ivec3 at) const { return static_cast<double>(voxels_[grid_.index(at.x, at.y, at.z)]); }
+  double stored(glm::ivec3 at) const { return static_cast<double>(voxels_[grid_.index(at)]); }
   double dithered(glm::ivec3 at) const {
-    const std::size_t index = grid_.index(at.x, at.y, at.z);
+    const std::size_t index = grid_.index(at);
     const auto value = static_cast<double>(voxels_[index]);
     if constexpr (std::is_integral_v<T>)
       return value + 0x1p-32 * static_cast<double>(base::hash32(index)) - 0.5;
@@ -139,7 +139,7 @@ double mostFrequentConstant(const Grid& grid) {
   for (std::uint64_t i = 0; i < kPlaces / 4; ++i) {
     const glm::ivec3 at = randomVoxel(dims, i);
     if (at.x + 1 >= dims.x) continue;
-    const double value = grid.stored(at.x, at.y, at.z);
+    const double value = grid.stored(at);
     if (value == grid.stored(at.x + 1, at.y, at.z)) ++counts[value];
   }
   const auto most = std::max_element(counts.begin(), counts.end(),

@@ -31,26 +31,21 @@ void eachCrossing(const std::vector<T>& stored, const Grid& grid, const ShownSur
                   scene::Inside inside, glm::ivec3 low, glm::ivec3 high, const Each& each) {
   const double isovalue = grid.storedOfValue(surface.isovalue);
   const bool insideIsPositive = (inside == scene::Inside::above) == (grid.slope() > 0.0);
-  const auto at = [&](glm::ivec3 v) {
-    return static_cast<double>(stored[grid.index(v.x, v.y, v.z)]) - isovalue;
-  };
-  for (int z = low.z; z <= high.z; ++z)
-    for (int y = low.y; y <= high.y; ++y)
-      for (int x = low.x; x <= high.x; ++x) {
-        const glm::ivec3 begin(x, y, z);
-        const double f = at(begin);
-        for (int axis = 0; axis < 3; ++axis) {
-          glm::ivec3 end = begin;
-          if (++end[axis] > high[axis]) continue;
-          const double g = at(end);
-          if ((f >= 0.0) == (g >= 0.0) || std::isnan(f) || std::isnan(g)) continue;
-          const glm::ivec3 within = (f >= 0.0) == insideIsPositive ? begin : end;
-          if (surface.hidden && surface.hidden->at(within)) continue;
-          glm::dvec3 point(begin);
-          point[axis] += f / (f - g);
-          each(begin, point);
-        }
-      }
+  const auto at = [&](glm::ivec3 v) { return static_cast<double>(stored[grid.index(v)]) - isovalue; };
+  forEachIn(low, high + 1, [&](glm::ivec3 begin) {
+    const double f = at(begin);
+    for (int axis = 0; axis < 3; ++axis) {
+      glm::ivec3 end = begin;
+      if (++end[axis] > high[axis]) continue;
+      const double g = at(end);
+      if ((f >= 0.0) == (g >= 0.0) || std::isnan(f) || std::isnan(g)) continue;
+      const glm::ivec3 within = (f >= 0.0) == insideIsPositive ? begin : end;
+      if (surface.hidden && surface.hidden->at(within)) continue;
+      glm::dvec3 point(begin);
+      point[axis] += f / (f - g);
+      each(begin, point);
+    }
+  });
 }
 
 }  // namespace isolux::volume

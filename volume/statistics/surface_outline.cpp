@@ -1,7 +1,6 @@
 #include "volume/statistics/surface_outline.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -43,7 +42,7 @@ const std::vector<glm::dvec3>& outlineDirections() {
 
 // Clears the flags of groups (by faces, edges and corners) that are small.
 void dropSpecks(const MinMaxBlocks& blocks, std::vector<std::uint8_t>& active) {
-  const glm::ivec3 dims = blocks.dims();
+  const Extent3 extent{blocks.dims()};
   const auto all = static_cast<double>(std::count(active.begin(), active.end(), 1));
   std::vector<std::uint8_t> seen(active.size(), 0);
   std::vector<std::vector<std::size_t>> groups;
@@ -52,16 +51,13 @@ void dropSpecks(const MinMaxBlocks& blocks, std::vector<std::uint8_t>& active) {
     std::vector<std::size_t>& group = groups.emplace_back(1, first);
     seen[first] = 1;
     for (std::size_t next = 0; next < group.size(); ++next) {
-      const int b = static_cast<int>(group[next]);
-      const glm::ivec3 at(b % dims.x, b / dims.x % dims.y, b / (dims.x * dims.y));
-      const glm::ivec3 low = glm::max(at - 1, glm::ivec3(0)), high = glm::min(at + 1, dims - 1);
-      for (int z = low.z; z <= high.z; ++z)
-        for (int y = low.y; y <= high.y; ++y)
-          for (int x = low.x; x <= high.x; ++x)
-            if (const std::size_t i = blocks.index({x, y, z}); active[i] && !seen[i]) {
-              seen[i] = 1;
-              group.push_back(i);
-            }
+      const glm::ivec3 at = extent.at(group[next]);
+      forEachIn(glm::max(at - 1, 0), glm::min(at + 2, extent.dims), [&](glm::ivec3 neighbour) {
+        const std::size_t i = extent.index(neighbour);
+        if (!active[i] || seen[i]) return;
+        seen[i] = 1;
+        group.push_back(i);
+      });
     }
   }
   for (const std::vector<std::size_t>& group : groups)
@@ -91,9 +87,9 @@ glm::dvec3 gradientAt(const std::vector<T>& stored, const Grid& grid, const glm:
     low[axis] = std::max(at[axis] - 1, 0);
     high[axis] = std::min(at[axis] + 1, grid.dims()[axis] - 1);
     if (high[axis] == low[axis]) continue;
-    gradient[axis] = (static_cast<double>(stored[grid.index(high.x, high.y, high.z)]) -
-                      static_cast<double>(stored[grid.index(low.x, low.y, low.z)])) /
-                     (high[axis] - low[axis]);
+    gradient[axis] =
+        (static_cast<double>(stored[grid.index(high)]) - static_cast<double>(stored[grid.index(low)])) /
+        (high[axis] - low[axis]);
   }
   return worldOfGradient * gradient;
 }
@@ -139,10 +135,7 @@ class OutlineSearch {
 
  private:
   void addBlock(const ShownSurface& surface, std::size_t block, std::size_t every) {
-    const glm::ivec3 dims = blocks_.dims();
-    const int b = static_cast<int>(block);
-    const glm::ivec3 low =
-        glm::ivec3(b % dims.x, b / dims.x % dims.y, b / (dims.x * dims.y)) * blocks_.blockCells();
+    const glm::ivec3 low = Extent3{blocks_.dims()}.at(block) * blocks_.blockCells();
     const glm::ivec3 high = glm::min(low + blocks_.blockCells(), grid_.dims() - 1);
     Extremes& extremes = extremes_.local();
     const glm::dvec3 centre(world_ * glm::dvec4(glm::dvec3(low + low + blocks_.blockCells()) * 0.5, 1.0));
@@ -157,7 +150,7 @@ class OutlineSearch {
                        [&](glm::ivec3 voxel, glm::dvec3 crossing) {
                          const glm::dvec3 point(world_ * glm::dvec4(crossing, 1.0));
                          if (!cut_.keeps(surface.isovalue, crossing)) return;
-                         const std::size_t number = grid_.index(voxel.x, voxel.y, voxel.z);
+                         const std::size_t number = grid_.index(voxel);
                          for (const std::size_t i : open)
                            extremes[i].take({glm::dot(outlineDirections()[i], point), number, point});
                          if (every == 0 || found++ % every != 0) return;

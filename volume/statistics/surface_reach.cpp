@@ -23,7 +23,6 @@ bool foldCrossings(const PreparedVolume& volume, const scene::Scene& resolved, V
                    const Join& join, base::Progress& progress) {
   const Grid& grid = volume.grid();
   const MinMaxBlocks& blocks = *volume.blocks;
-  const glm::ivec3 dims = blocks.dims(), last = grid.dims() - 1;
   const SurfaceCut cut(resolved, grid.geometry());
   const Value nothing = all;
   std::mutex mutex;
@@ -33,10 +32,8 @@ bool foldCrossings(const PreparedVolume& volume, const scene::Scene& resolved, V
     blocks.activeBlocks(grid.storedIsovalue(surface.isovalue), active);
     parallelSteps(blocks.count(), progress, {}, [&](std::size_t index) {
       if (!active[index]) return;
-      const int b = static_cast<int>(index);
-      const glm::ivec3 low =
-          glm::ivec3(b % dims.x, b / dims.x % dims.y, b / (dims.x * dims.y)) * blocks.blockCells();
-      const glm::ivec3 high = glm::min(low + blocks.blockCells(), last);
+      const glm::ivec3 low = Extent3{blocks.dims()}.at(index) * blocks.blockCells();
+      const glm::ivec3 high = glm::min(low + blocks.blockCells(), grid.dims() - 1);
       Value part = nothing;
       bool found = false;
       const auto each = [&](glm::dvec3 point) {

@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 
 #include "base/progress.h"
+#include "volume/extent.h"
 
 namespace isolux::volume {
 
@@ -18,17 +19,17 @@ namespace isolux::volume {
 // differs. Throws Error{interrupted}, and what rowOf throws.
 template <class RowOf>
 double typicalStep(glm::ivec3 dims, const RowOf& rowOf, const base::Progress& progress) {
-  constexpr std::ptrdiff_t enough = 1 << 16;
-  const std::ptrdiff_t rows = std::ptrdiff_t{dims.y} * dims.z,
-                       stride = std::max<std::ptrdiff_t>(1, rows * dims.x / enough);
+  constexpr std::size_t enough = 1 << 16;
+  const Extent3 extent{dims};
+  const std::size_t stride = std::max<std::size_t>(1, extent.count() / enough);
   std::vector<double> steps;
   const auto add = [&](double here, double there) {
     const double step = std::abs(there - here);
     if (step > 0.0) steps.push_back(step);  // false for missing voxels
   };
-  for (std::ptrdiff_t row = 0; row < rows; row += stride) {
+  for (std::size_t row = 0; row < extent.rows(); row += stride) {
     progress.throwIfStopped();
-    const int y = static_cast<int>(row % dims.y), z = static_cast<int>(row / dims.y);
+    const int y = extent.firstOfRow(row).y, z = extent.firstOfRow(row).z;
     const auto here = rowOf(y, z);
     const std::vector<double> values(here.begin(), here.end());
     for (std::size_t x = 1; x < values.size(); ++x) add(values[x - 1], values[x]);

@@ -1,8 +1,6 @@
 #include "volume/statistics/visible_points.h"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -42,17 +40,12 @@ class Beam {
     right_ = glm::normalize(
         glm::cross(direction, std::abs(direction.z) < 0.7 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0)));
     up_ = glm::cross(right_, direction);
-    least_ = glm::dvec3(std::numeric_limits<double>::infinity());
-    most_ = -least_;
-    for (const glm::dvec3& corner : geometry.corners(low, high)) {
-      const glm::dvec3 at(glm::dot(corner, right_), glm::dot(corner, up_), glm::dot(corner, direction));
-      least_ = glm::min(least_, at);
-      most_ = glm::max(most_, at);
-    }
+    for (const glm::dvec3& corner : geometry.corners(low, high))
+      along_.add({glm::dot(corner, right_), glm::dot(corner, up_), glm::dot(corner, direction)});
   }
   Ray ray(glm::dvec2 part) const {
-    const glm::dvec2 at = glm::dvec2(least_) + part * glm::dvec2(most_ - least_);
-    const double before = least_.z - 0.01 * (most_.z - least_.z);
+    const glm::dvec2 at = glm::dvec2(along_.low) + part * glm::dvec2(along_.size());
+    const double before = along_.low.z - 0.01 * along_.size().z;
     Ray ray;
     ray.origin =
         glm::dvec3(voxelFromWorld_ * glm::dvec4(at.x * right_ + at.y * up_ + before * direction_, 1.0));
@@ -63,26 +56,17 @@ class Beam {
 
  private:
   glm::dmat4 voxelFromWorld_;
-  glm::dvec3 direction_, right_{0.0}, up_{0.0}, least_{0.0}, most_{0.0};
+  glm::dvec3 direction_, right_{0.0}, up_{0.0};
+  Bounds<glm::dvec3> along_;  // the box, along right, up and direction, mm
 };
 
-struct VoxelBox {
-  glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
-};
-
-VoxelBox boxOfSurface(const Grid& grid, const MinMaxBlocks& blocks, double isovalue) {
-  VoxelBox box;
-  const auto stored = grid.storedIsovalue(isovalue);
-  const glm::ivec3 dims = blocks.dims();
-  std::size_t i = 0;
-  for (int z = 0; z < dims.z; ++z)
-    for (int y = 0; y < dims.y; ++y)
-      for (int x = 0; x < dims.x; ++x, ++i)
-        if (blocks.active(i, stored)) {
-          const glm::dvec3 at(x, y, z);
-          box.low = glm::min(box.low, at);
-          box.high = glm::max(box.high, at + 1.0);
-        }
+Bounds<glm::dvec3> boxOfSurface(const Grid& grid, const MinMaxBlocks& blocks, double isovalue) {
+  Bounds<glm::dvec3> box;
+  const float stored = grid.storedIsovalue(isovalue);
+  forEachIn(glm::ivec3(0), blocks.dims(), [&](glm::ivec3 block) {
+    if (!blocks.active(blocks.index(block), stored)) return;
+    box.add({glm::dvec3(block), glm::dvec3(block + 1)});
+  });
   const double cells = blocks.blockCells();
   return {box.low * cells, glm::min(box.high * cells, glm::dvec3(grid.dims() - 1))};
 }
@@ -92,7 +76,7 @@ VoxelBox boxOfSurface(const Grid& grid, const MinMaxBlocks& blocks, double isova
 std::vector<VisiblePoint> visiblePoints(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
                                         std::size_t wanted, const HiddenPieces& hidden) {
   std::vector<VisiblePoint> points;
-  const VoxelBox box = boxOfSurface(grid, blocks, isovalue);
+  const Bounds<glm::dvec3> box = boxOfSurface(grid, blocks, isovalue);
   if (!(box.low.x <= box.high.x) || !std::isfinite(isovalue)) return points;
   std::vector<Beam> beams;
   for (std::size_t i = 0; i < kDirections; ++i)

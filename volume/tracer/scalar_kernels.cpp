@@ -108,10 +108,8 @@ template <class T>
 template <bool any>
 float Tracer<T>::entryInCell(const PreparedRay& ray, const int cell[3], float tIn, float tOut,
                              bool& outside) const {
-  const std::size_t row = static_cast<std::size_t>(view_.dims.x);
-  const std::size_t slice = row * static_cast<std::size_t>(view_.dims.y);
-  const std::size_t at = static_cast<std::size_t>(cell[2]) * slice + static_cast<std::size_t>(cell[1]) * row +
-                         static_cast<std::size_t>(cell[0]);
+  const Extent3 extent{view_.dims};
+  const std::size_t row = extent.row(), slice = extent.slice(), at = extent.index(cell[0], cell[1], cell[2]);
   const float c000 = value(at, ray.isovalue), c100 = value(at + 1, ray.isovalue);
   const float c010 = value(at + row, ray.isovalue), c110 = value(at + row + 1, ray.isovalue);
   const float c001 = value(at + slice, ray.isovalue), c101 = value(at + slice + 1, ray.isovalue);
@@ -174,11 +172,7 @@ float Tracer<T>::trace(const PreparedRay& ray) const {
   bool blockActive = false;
   std::uint8_t word[4] = {};
   for (;;) {
-    const std::size_t block =
-        (static_cast<std::size_t>(cell[2] >> 2) * static_cast<std::size_t>(view_.blockDims.y) +
-         static_cast<std::size_t>(cell[1] >> 2)) *
-            static_cast<std::size_t>(view_.blockDims.x) +
-        static_cast<std::size_t>(cell[0] >> 2);
+    const std::size_t block = Extent3{view_.blockDims}.index(cell[0] >> 2, cell[1] >> 2, cell[2] >> 2);
     if (block != lastBlock) {
       std::memcpy(word, view_.table + 4 * block, 4);
       blockActive = word[0] <= ray.bin && ray.bin <= word[1];

@@ -137,8 +137,7 @@ TEST_F(SliceViewsTest, TheWheelStepsByAVoxelAndStaysInTheVolume) {
   EXPECT_TRUE(waitUntil([&] { return std::abs(axial->position().z - z) > 1e-9; }));
   EXPECT_NEAR(std::abs(axial->position().z - z), 5.0, 1e-9);
   wheel(axial, axial->rect().center(), 100);
-  glm::dvec3 low, high;
-  window_->document()->volume()->grid().geometry().worldBounds(low, high);
+  const auto [low, high] = window_->document()->volume()->grid().geometry().worldBounds();
   EXPECT_LE(axial->position().z, high.z);
   EXPECT_GE(axial->position().z, low.z);
 }
@@ -189,8 +188,7 @@ TEST_F(SliceViewsTest, PanMovesThePictureWithThePointerAndNoUndoStep) {
   EXPECT_LT(glm::distance(under(from), held), 1e-6);
   EXPECT_EQ(steps(), done);
   drag(axial, from, from + QPoint(20000, 0), Qt::MiddleButton, {}, 3);
-  glm::dvec3 low, high;
-  window_->document()->volume()->grid().geometry().worldBounds(low, high);
+  const auto [low, high] = window_->document()->volume()->grid().geometry().worldBounds();
   EXPECT_GE(under(from).x, low.x - 2.0 * axial->plane()->pixelMm()) << "the volume stays in sight";
   EXPECT_TRUE(complete());
 }

@@ -202,8 +202,7 @@ TEST(Csg, TwoMeshesShareAGridThatHoldsBoth) {
                               progress);
   };
   const auto both = load(Csg::unite);
-  glm::dvec3 low, high;
-  both->grid().geometry().worldBounds(low, high);
+  const auto [low, high] = both->grid().geometry().worldBounds();
   EXPECT_LT(low.x, -5.0);
   EXPECT_GT(high.x, 10.0);
   EXPECT_FALSE(test::warns(both->volume, "cut off"));

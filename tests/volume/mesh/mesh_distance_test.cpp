@@ -127,8 +127,7 @@ TEST(MeshDistance, GridKeepsTheSurfaceOffItsBorder) {
   for (const int voxels : {16, 33, 128}) {
     const GridGeometry geometry = volume::gridAround({{1, 2, 3}, {11, 4, 8}}, voxels);
     EXPECT_EQ(geometry.dims.x, voxels);
-    glm::dvec3 low, high;
-    geometry.worldBounds(low, high);
+    const auto [low, high] = geometry.worldBounds();
     const double h = geometry.spacingMm().x;
     for (int axis = 0; axis < 3; ++axis) {
       EXPECT_GE(glm::dvec3(1, 2, 3)[axis] - low[axis], 3.999 * h);

@@ -30,9 +30,9 @@ Grid randomGrid(glm::ivec3 dims, double missingFraction = 0.0) {
 }
 
 // Of blocks, from one value after the other.
-class Bounds {
+class BlockBounds {
  public:
-  explicit Bounds(std::size_t blocks) : low_(blocks, kInfinity), high_(blocks, -kInfinity) {}
+  explicit BlockBounds(std::size_t blocks) : low_(blocks, kInfinity), high_(blocks, -kInfinity) {}
   void add(std::size_t block, double value) {
     if (std::isnan(value)) return;
     low_[block] = std::min(low_[block], static_cast<float>(value));
@@ -59,7 +59,7 @@ void compareWithCells(const Grid& grid, int blockCells) {
   base::Progress progress;
   const MinMaxBlocks blocks(grid, blockCells, progress);
   const glm::ivec3 cells = grid.dims() - 1;
-  Bounds bounds(blocks.count());
+  BlockBounds bounds(blocks.count());
   for (int z = 0; z < cells.z; ++z)
     for (int y = 0; y < cells.y; ++y)
       for (int x = 0; x < cells.x; ++x)
@@ -119,7 +119,7 @@ void compareCubicWithCells(const Grid& grid, const Coefficients* coefficients, i
                                            : MinMaxBlocks::ofCubic(grid, blockCells, progress);
   EXPECT_EQ(blocks.dims(), MinMaxBlocks(grid, blockCells, progress).dims());
   const glm::ivec3 last = grid.dims() - 1;
-  Bounds bounds(blocks.count());
+  BlockBounds bounds(blocks.count());
   for (int z = 0; z < last.z; ++z)
     for (int y = 0; y < last.y; ++y)
       for (int x = 0; x < last.x; ++x)

@@ -159,11 +159,9 @@ ArrayChunk ArrayVolume::readOneChunk(VolumePart part, std::size_t level, glm::iv
   const auto stride = [&](const std::optional<std::size_t>& axis) {
     return axis ? read.strides[*axis] : std::uint64_t{0};
   };
-  const auto nx = static_cast<std::uint64_t>(destination.size.x);
-  const std::array<std::uint64_t, 3> toStrides = {1, nx, nx * static_cast<std::uint64_t>(destination.size.y)};
-  const glm::ivec3 at = wanted.low - destination.low;
-  To* const to = voxels + static_cast<std::uint64_t>(at.x) + static_cast<std::uint64_t>(at.y) * toStrides[1] +
-                 static_cast<std::uint64_t>(at.z) * toStrides[2];
+  const Extent3 extent{destination.size};
+  const std::array<std::uint64_t, 3> toStrides = {1, extent.row(), extent.slice()};
+  To* const to = voxels + extent.index(wanted.low - destination.low);
   withType(layout.type, [&](auto zero) {
     using From = decltype(zero);
     if constexpr (std::is_same_v<From, To> || std::is_same_v<To, float>)
@@ -179,16 +177,13 @@ std::size_t ArrayVolume::readBox(VolumePart part, std::size_t level, Box box, Bo
   const glm::ivec3 chunk = chunkOf(arrays_[level]->layout());
   const glm::ivec3 first = box.low / chunk, last = (box.low + box.size - 1) / chunk;
   std::size_t bytes = 0;
-  for (int z = first.z; z <= last.z; ++z)
-    for (int y = first.y; y <= last.y; ++y)
-      for (int x = first.x; x <= last.x; ++x) {
-        const glm::ivec3 index(x, y, z);
-        const glm::ivec3 low = glm::max(box.low, index * chunk);
-        const glm::ivec3 high = glm::min(box.low + box.size, (index + 1) * chunk);
-        const ArrayChunk read = readOneChunk(part, level, index, {low, high - low}, destination, voxels);
-        bytes += read.bytesRead;
-        if (missing != nullptr && read.missing) ++*missing;
-      }
+  forEachIn(first, last + 1, [&](glm::ivec3 index) {
+    const glm::ivec3 low = glm::max(box.low, index * chunk);
+    const glm::ivec3 high = glm::min(box.low + box.size, (index + 1) * chunk);
+    const ArrayChunk read = readOneChunk(part, level, index, {low, high - low}, destination, voxels);
+    bytes += read.bytesRead;
+    if (missing != nullptr && read.missing) ++*missing;
+  });
   return bytes;
 }
 

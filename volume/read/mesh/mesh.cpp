@@ -73,10 +73,7 @@ MeshFile readTriangles(const std::filesystem::path& path, const ReadOptions& opt
 GridGeometry geometryFor(const TriangleMesh& mesh, const ReadOptions& options) {
   if (options.grid && hasCubicVoxels(*options.grid)) return *options.grid;
   BoxMm box = boundsOf(mesh);
-  if (options.alsoHold) {
-    box.low = glm::min(box.low, options.alsoHold->low);
-    box.high = glm::max(box.high, options.alsoHold->high);
-  }
+  if (options.alsoHold) box.add(*options.alsoHold);
   return gridAround(box, options.meshVoxels);
 }
 

@@ -97,8 +97,7 @@ TriangleMesh contour(glm::ivec3 dims, const std::function<void(std::span<float>)
   options.budgetBytes = budgetBytes;
   Request request = requestFor(Task::contour, "the surface", options);
   request.contourDims = dims;
-  const std::uint64_t count = static_cast<std::uint64_t>(dims.x) * static_cast<std::uint64_t>(dims.y) *
-                              static_cast<std::uint64_t>(dims.z);
+  const std::uint64_t count = Extent3{dims}.count();
   ReaderProcess reader(readerProgram(surfaceReader), request, progress);
   reader.lend(count * sizeof(float), [&](std::span<std::byte> bytes) {
     fill({reinterpret_cast<float*>(bytes.data()), static_cast<std::size_t>(count)});
