@@ -11,8 +11,8 @@
 #include "base/progress.h"
 #include "scene/scene.h"
 #include "volume/bricks/chunked_volume.h"
-#include "volume/read/reader.h"
 #include "volume/read/volume_file.h"
+#include "volume/volume.h"
 
 namespace isolux::volume {
 

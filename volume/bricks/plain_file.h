@@ -10,7 +10,7 @@
 #include "volume/read/file_format.h"
 #include "volume/read/input/bytes.h"
 #include "volume/read/input/image_header.h"
-#include "volume/read/reader.h"
+#include "volume/read/input/read_options.h"
 
 namespace isolux::volume {
 

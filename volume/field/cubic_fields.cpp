@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "scene/rules/needs.h"
-#include "volume/prepared_volume.h"
 
 namespace isolux::volume {
 
