@@ -6,7 +6,7 @@
 #include "base/number_text.h"
 #include "gi/sampling/built_in_light.h"
 #include "scene/rules/environment.h"
-#include "scene/setting/choice_names.h"
+#include "scene/settings/choice_names.h"
 #include "scene/shown_surfaces.h"
 
 namespace isolux::gi {

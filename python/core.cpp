@@ -12,7 +12,6 @@
 #include <pybind11/pybind11.h>
 
 #include "app/annotation/annotation.h"
-#include "app/commands/render_report.h"
 #include "app/documents/picture_scene.h"
 #include "app/documents/session.h"
 #include "app/files/files.h"
@@ -20,13 +19,14 @@
 #include "app/light/light_picture.h"
 #include "app/light/light_report.h"
 #include "app/light/light_resume.h"
+#include "app/report/render_report.h"
 #include "app/study/study.h"
 #include "app/study_report/study_report.h"
 #include "base/error.h"
 #include "base/numbers.h"
 #include "scene/rules/automatic.h"
 #include "scene/rules/relevance.h"
-#include "scene/setting/assignment.h"
+#include "scene/settings/assignment.h"
 #include "volume/read/input/convert.h"
 #include "volume/read/input/payload.h"
 #include "volume/read/step_files.h"

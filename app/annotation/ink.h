@@ -12,7 +12,7 @@
 
 #include "render/graph/frame.h"
 #include "render/legend/font.h"
-#include "volume/extent.h"
+#include "volume/voxels/extent.h"
 
 namespace isolux::app {
 

@@ -10,10 +10,10 @@
 #include "app/cluster/mpi_ranks.h"
 #include "app/cluster/rank_facts.h"
 #include "app/commands/command.h"
-#include "app/commands/progress_bar.h"
 #include "app/files/files.h"
 #include "app/light/light_report.h"
 #include "app/light/light_resume.h"
+#include "app/process/progress_bar.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "gi/arithmetic.h"
@@ -21,7 +21,7 @@
 #include "render/offscreen_renderer.h"
 #include "scene/rules/needs.h"
 #include "scene/rules/relevance.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::app {
 

@@ -26,9 +26,9 @@
 #include "app/series/frame_range.h"
 #include "base/progress.h"
 #include "render/gl/gl_context.h"
-#include "scene/machine.h"
 #include "scene/scene.h"
-#include "volume/prepared_volume.h"
+#include "scene/settings/machine.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
 
@@ -96,6 +96,5 @@ std::shared_ptr<const volume::PreparedVolume> loadWithProgressBar(const scene::S
                                                                   base::Progress& progress);
 // Parses "i/n" of --part, 1 <= i <= n <= most. Throws Error{usage}.
 std::pair<int, int> parsePart(const std::string& text, int most);
-std::string bytesText(std::uint64_t bytes);  // "13.5 MiB"
 
 }  // namespace isolux::app

@@ -4,9 +4,9 @@
 #include <tuple>
 
 #include "app/commands/command.h"
-#include "app/commands/progress_bar.h"
+#include "app/process/progress_bar.h"
 #include "base/error.h"
-#include "volume/bricks/index_file.h"
+#include "volume/large/index_file.h"
 #include "volume/read/volume_file.h"
 
 namespace isolux::app {
@@ -50,7 +50,7 @@ void runIndex(const IndexOptions& options, base::Progress& progress) {
     written = kept.make(*file, part, index, progress);
   }
   std::printf("%s: %zu of %zu slabs, %s read\n", written.c_str(), index->unitsDone(), index->units(),
-              bytesText(index->bytesRead()).c_str());
+              base::memoryText(index->bytesRead()).c_str());
   tellDamage();
 }
 

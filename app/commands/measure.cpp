@@ -9,14 +9,14 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/command.h"
-#include "app/commands/curvature_report.h"
-#include "app/commands/measure_points.h"
-#include "app/commands/measure_report.h"
-#include "app/commands/progress_bar.h"
 #include "app/files/files.h"
 #include "app/files/number_rows.h"
 #include "app/marks/mark_evaluator.h"
 #include "app/marks/markups_file.h"
+#include "app/process/progress_bar.h"
+#include "app/report/curvature_report.h"
+#include "app/report/measure_points.h"
+#include "app/report/measure_report.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "base/printable.h"
@@ -24,7 +24,7 @@
 #include "volume/measure/surface_measure.h"
 #include "volume/measure/voxel_noise.h"
 #include "volume/pieces/shown_pieces.h"
-#include "volume/read/length_doubt.h"
+#include "volume/read/input/length_doubt.h"
 
 namespace isolux::app {
 

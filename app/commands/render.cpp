@@ -8,16 +8,13 @@
 
 #include <unistd.h>
 
+#include "app/accuracy/accuracy_report.h"
 #include "app/accuracy/error_images.h"
 #include "app/accuracy/error_overlay.h"
 #include "app/accuracy/hidden_structure.h"
 #include "app/annotation/annotation.h"
-#include "app/commands/accuracy_report.h"
 #include "app/commands/command.h"
-#include "app/commands/derivative_report.h"
-#include "app/commands/progress_bar.h"
 #include "app/commands/render_plan.h"
-#include "app/commands/render_report.h"
 #include "app/commands/render_target.h"
 #include "app/documents/picture_scene.h"
 #include "app/documents/session.h"
@@ -27,6 +24,9 @@
 #include "app/light/finished_picture.h"
 #include "app/light/light_picture.h"
 #include "app/light/light_report.h"
+#include "app/process/progress_bar.h"
+#include "app/report/derivative_report.h"
+#include "app/report/render_report.h"
 #include "app/series/movie.h"
 #include "app/target/target_report.h"
 #include "base/error.h"
@@ -35,7 +35,7 @@
 #include "scene/rules/automatic.h"
 #include "scene/rules/ghosts.h"
 #include "scene/rules/whole_voxels.h"
-#include "scene/setting/assignment.h"
+#include "scene/settings/assignment.h"
 
 namespace isolux::app {
 

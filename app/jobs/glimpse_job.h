@@ -1,4 +1,4 @@
-// A picture of a volume that is still being read (volume/bricks/glimpse.h), for whoever waits for it.
+// A picture of a volume that is still being read (volume/large/glimpse.h), for whoever waits for it.
 #pragma once
 
 #include <memory>
@@ -7,7 +7,7 @@
 #include "base/task.h"
 #include "render/graph/frame.h"
 #include "scene/scene.h"
-#include "volume/bricks/glimpse.h"
+#include "volume/large/glimpse.h"
 
 namespace isolux::app {
 

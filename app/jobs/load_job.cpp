@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "volume/bricks/coarse_level.h"
+#include "volume/large/coarse_level.h"
 #include "volume/read/step_files.h"
 
 namespace isolux::app {

@@ -10,7 +10,7 @@
 #include "base/task.h"
 #include "scene/scene.h"
 #include "volume/measure/piece_measure.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
 

@@ -11,10 +11,10 @@
 #include <glm/vec2.hpp>
 
 #include "base/task.h"
-#include "gi/trace/reference.h"
+#include "gi/reference/reference.h"
 #include "render/graph/frame.h"
 #include "scene/scene.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/jobs/field_job.h"
 #include "app/jobs/give_way.h"
+#include "app/picture/field_job.h"
 #include "base/memory_budget.h"
 #include "scene/rules/automatic.h"
 #include "scene/rules/whole_voxels.h"

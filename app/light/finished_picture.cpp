@@ -3,9 +3,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/jobs/field_job.h"
-#include "app/jobs/rest_scene.h"
 #include "app/light/light_picture.h"
+#include "app/picture/field_job.h"
+#include "app/picture/rest_scene.h"
 #include "base/quantiles.h"
 
 namespace isolux::app {

@@ -14,7 +14,7 @@
 #include "base/retire.h"
 #include "gi/arithmetic.h"
 #include "gi/file/bake_file.h"
-#include "scene/setting/choice_names.h"
+#include "scene/settings/choice_names.h"
 
 namespace isolux::app {
 

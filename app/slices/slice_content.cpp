@@ -1,7 +1,7 @@
 #include "app/slices/slice_content.h"
 
 #include "scene/shown_surfaces.h"
-#include "volume/pieces/hidden_pieces.h"
+#include "volume/visible/hidden_pieces.h"
 
 namespace isolux::app {
 

@@ -9,7 +9,7 @@
 #include "render/passes/view_uniforms.h"
 #include "volume/field/curvature.h"
 #include "volume/field/reconstruct.h"
-#include "volume/parallel_loops.h"
+#include "volume/parallel/parallel_loops.h"
 
 namespace isolux::app {
 

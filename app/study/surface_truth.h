@@ -19,7 +19,7 @@
 #include "volume/field/curvature.h"
 #include "volume/field/reconstruct.h"
 #include "volume/hit/exact_cubic_hit.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
 

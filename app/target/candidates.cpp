@@ -6,8 +6,8 @@
 
 #include "app/target/work.h"
 #include "base/number_text.h"
-#include "scene/setting/choice_names.h"
-#include "scene/settings.h"
+#include "scene/settings/choice_names.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::app {
 

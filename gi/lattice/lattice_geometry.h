@@ -14,7 +14,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "volume/extent.h"
+#include "volume/voxels/extent.h"
 
 namespace isolux::gi {
 

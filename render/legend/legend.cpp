@@ -8,7 +8,7 @@
 
 #include "base/color.h"
 #include "render/legend/font.h"
-#include "volume/extent.h"
+#include "volume/voxels/extent.h"
 
 namespace isolux::render {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "volume/parallel_loops.h"
+#include "volume/parallel/parallel_loops.h"
 
 namespace isolux::render {
 

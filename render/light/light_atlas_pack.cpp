@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "render/constants.h"
+#include "render/gl/constants.h"
 #include "render/light/isovalues_about.h"
 #include "render/light/light_atlas.h"
 #include "volume/field/reconstruct.h"

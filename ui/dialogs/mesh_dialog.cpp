@@ -16,8 +16,8 @@
 
 #include "scene/rules/needs.h"
 #include "scene/shown_surfaces.h"
-#include "ui/editors/number_text.h"
-#include "volume/mesh/surface_mesh.h"
+#include "ui/language/number_text.h"
+#include "volume/extraction/surface_mesh.h"
 
 namespace isolux::ui {
 

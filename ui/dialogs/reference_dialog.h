@@ -12,7 +12,7 @@
 
 #include "app/jobs/reference_job.h"
 #include "ui/document/background_task.h"
-#include "ui/editors/time_left.h"
+#include "ui/widgets/time_left.h"
 
 class QComboBox;
 class QLabel;

@@ -5,8 +5,8 @@
 
 #include <QPainter>
 
-#include "ui/editors/number_text.h"
-#include "ui/window/style.h"
+#include "ui/language/number_text.h"
+#include "ui/theme/style.h"
 
 namespace isolux::ui {
 

@@ -14,10 +14,10 @@
 
 #include "app/interaction/piece_choice.h"
 #include "scene/shown_surfaces.h"
-#include "ui/editors/number_text.h"
 #include "ui/editors/setting_editor.h"
+#include "ui/language/number_text.h"
+#include "ui/theme/style.h"
 #include "ui/viewport/pointed_piece.h"
-#include "ui/window/style.h"
 #include "volume/pieces/shown_pieces.h"
 
 namespace isolux::ui {

@@ -8,7 +8,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
-#include "volume/bounds.h"
+#include "volume/voxels/bounds.h"
 
 namespace isolux::volume {
 

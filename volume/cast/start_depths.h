@@ -13,7 +13,7 @@
 #include <glm/vec3.hpp>
 
 #include "volume/cast/picture_rays.h"
-#include "volume/extent.h"
+#include "volume/voxels/extent.h"
 
 namespace isolux::volume {
 

@@ -16,8 +16,8 @@
 #include "volume/cast/picture_rays.h"
 #include "volume/field/coefficients.h"
 #include "volume/hit/cell_walk.h"
-#include "volume/pieces/hidden_pieces.h"
 #include "volume/skip/min_max_blocks.h"
+#include "volume/visible/hidden_pieces.h"
 
 namespace isolux::volume {
 

@@ -8,7 +8,7 @@
 
 #include <glm/common.hpp>
 
-#include "volume/extent.h"
+#include "volume/voxels/extent.h"
 
 namespace isolux::volume {
 

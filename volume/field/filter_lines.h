@@ -7,8 +7,8 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <glm/vec3.hpp>
 
-#include "volume/extent.h"
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_steps.h"
+#include "volume/voxels/extent.h"
 
 namespace isolux::volume {
 

@@ -7,8 +7,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "volume/extent.h"
 #include "volume/field/scale_kernel.h"
+#include "volume/voxels/extent.h"
 
 namespace isolux::volume {
 

@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "volume/extent.h"
 #include "volume/measure/slice_measure.h"
+#include "volume/voxels/extent.h"
 
 namespace isolux::volume {
 

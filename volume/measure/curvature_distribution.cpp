@@ -12,10 +12,10 @@
 #include "base/memory_budget.h"
 #include "base/numbers.h"
 #include "scene/looks.h"
+#include "volume/derived/shape_field.h"
 #include "volume/field/curvature.h"
-#include "volume/field/shape_field.h"
 #include "volume/measure/surface_patches.h"
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_steps.h"
 
 namespace isolux::volume {
 

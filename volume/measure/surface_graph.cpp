@@ -11,7 +11,7 @@
 #include "volume/hit/bernstein_cubic.h"
 #include "volume/measure/slice_measure.h"
 #include "volume/measure/surface_sums.h"
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_steps.h"
 
 namespace isolux::volume {
 

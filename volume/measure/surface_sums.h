@@ -14,7 +14,7 @@
 #include "volume/measure/cell_measure.h"
 #include "volume/measure/sampling_error.h"
 #include "volume/measure/surface_measure.h"
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_steps.h"
 #include "volume/skip/min_max_blocks.h"
 
 namespace isolux::volume {

@@ -10,9 +10,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "volume/bounds.h"
 #include "volume/mesh/merge_points.h"
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_steps.h"
+#include "volume/voxels/bounds.h"
 
 namespace isolux::volume {
 

@@ -11,7 +11,7 @@
 #include <tbb/parallel_invoke.h>
 #include <glm/geometric.hpp>
 
-#include "volume/bounds.h"
+#include "volume/voxels/bounds.h"
 
 namespace isolux::volume {
 

@@ -15,10 +15,10 @@
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
 
-#include "volume/extent.h"
 #include "volume/pieces/block_voxels.h"
-#include "volume/pieces/inside_level.h"
 #include "volume/skip/row_lanes.h"
+#include "volume/visible/inside_level.h"
+#include "volume/voxels/extent.h"
 
 namespace isolux::volume {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <variant>
 
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_steps.h"
 #include "volume/skip/row_lanes.h"
 
 namespace isolux::volume {

@@ -5,7 +5,7 @@
 
 #include <glm/matrix.hpp>
 
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_steps.h"
 #include "volume/pieces/running_sums.h"
 
 namespace isolux::volume {

@@ -1,8 +1,8 @@
 #include "volume/read/reader.h"
 
 #include "base/error.h"
-#include "volume/bricks/hdf5/hdf5.h"
 #include "volume/read/file_format.h"
+#include "volume/read/hdf5/hdf5.h"
 #include "volume/read/input/bytes.h"
 #include "volume/read/known_formats.h"
 #include "volume/read/mesh/mesh.h"

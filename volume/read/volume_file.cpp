@@ -4,21 +4,21 @@
 #include <new>
 
 #include "base/error.h"
-#include "volume/bricks/chunked_header.h"
-#include "volume/bricks/chunks/array_volume.h"
-#include "volume/bricks/hdf5/hdf5.h"
-#include "volume/bricks/plain_file.h"
-#include "volume/bricks/zarr/zarr.h"
 #include "volume/phantom/phantom.h"
+#include "volume/read/chunks/array_volume.h"
 #include "volume/read/dicom/dicom_files.h"
 #include "volume/read/file_format.h"
+#include "volume/read/hdf5/hdf5.h"
+#include "volume/read/input/chunked_header.h"
 #include "volume/read/input/payload.h"
 #include "volume/read/input/text.h"
 #include "volume/read/known_formats.h"
 #include "volume/read/mesh/mesh.h"
+#include "volume/read/plain_file.h"
 #include "volume/read/process/foreign.h"
 #include "volume/read/step_files.h"
 #include "volume/read/tiff/tiff_pages.h"
+#include "volume/read/zarr/zarr.h"
 
 namespace isolux::volume {
 

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <limits>
 
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_steps.h"
 
 namespace isolux::volume {
 

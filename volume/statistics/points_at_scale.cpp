@@ -11,7 +11,7 @@
 #include "volume/field/reconstruct.h"
 #include "volume/field/symmetric_filter.h"
 #include "volume/field/tensor_product.h"
-#include "volume/parallel_loops.h"
+#include "volume/parallel/parallel_loops.h"
 
 namespace isolux::volume {
 

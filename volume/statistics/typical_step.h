@@ -10,7 +10,7 @@
 #include <glm/vec3.hpp>
 
 #include "base/progress.h"
-#include "volume/extent.h"
+#include "volume/voxels/extent.h"
 
 namespace isolux::volume {
 

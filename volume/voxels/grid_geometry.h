@@ -15,8 +15,8 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
-#include "volume/bounds.h"
-#include "volume/extent.h"
+#include "volume/voxels/bounds.h"
+#include "volume/voxels/extent.h"
 
 namespace isolux::volume {
 

@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_steps.h"
 #include "volume/read/input/streams.h"
 #include "volume/read/input/text.h"
 
