@@ -11,7 +11,7 @@
 
 #include "app/accuracy/accuracy.h"
 #include "app/accuracy/error_images.h"
-#include "app/commands/command.h"
+#include "app/options/scene_options.h"
 #include "app/light/light_controller.h"
 #include "python/desk.h"
 #include "render/renderer.h"

@@ -8,7 +8,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include "app/commands/doctor.h"
+#include "app/report/machine_report.h"
 #include "app/commands/settings_report.h"
 #include "app/documents/session.h"
 #include "app/documents/session_accuracy.h"

@@ -1,26 +1,18 @@
-// Provides scalar volumes: voxels in their smallest exact type, and their position in the world.
+// Provides scalar volumes: voxels in their smallest exact type, and their geometry (voxels/grid_geometry.h).
 //
-// Voxel space: sample i is at integer coordinate i; the domain is [0, n-1] per axis; x varies fastest in
-// memory. World: millimetres, DICOM/LPS, by worldFromVoxel, which may be oblique, anisotropic, left-handed.
 // Value (shown to the user, data units) = slope * stored + intercept. A Grid is immutable once shared.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <span>
-#include <string>
-#include <string_view>
 #include <utility>
-#include <variant>
-#include <vector>
 
-#include <glm/mat3x3.hpp>
-#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
 #include "base/memory_budget.h"
+#include "volume/voxels/grid_geometry.h"
 
 namespace isolux::base {
 class Progress;
@@ -29,34 +21,6 @@ class Progress;
 namespace isolux::volume {
 
 class BrickSource;  // volume/bricks/brick_source.h
-
-// Voxel types of files. Grids store only int8, uint8, int16, uint16 and float32.
-enum class VoxelType { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
-std::string_view nameOf(VoxelType type);  // "int16", ...
-std::size_t bytesOf(VoxelType type);      // of one voxel
-
-struct GridGeometry {
-  glm::ivec3 dims{0};
-  glm::dmat4 worldFromVoxel{1.0};  // affine, invertible
-
-  std::size_t voxelCount() const {
-    return static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y) *
-           static_cast<std::size_t>(dims.z);
-  }
-  glm::dmat4 voxelFromWorld() const;
-  glm::dvec3 spacingMm() const;   // lengths of the columns
-  glm::dmat3 directions() const;  // unit columns: world direction of each voxel axis
-  glm::dvec3 originMm() const;    // world position of voxel (0,0,0)
-  bool leftHanded() const;        // negative determinant
-  void worldBounds(glm::dvec3& minimumMm, glm::dvec3& maximumMm) const;  // of the domain [0, n-1]^3
-
-  static GridGeometry make(glm::ivec3 dims, glm::dvec3 spacingMm, glm::dvec3 originMm = glm::dvec3(0.0),
-                           glm::dmat3 directions = glm::dmat3(1.0));
-};
-
-// Voxels as read, in one of the five stored types.
-using VoxelArray = std::variant<std::vector<std::int8_t>, std::vector<std::uint8_t>,
-                                std::vector<std::int16_t>, std::vector<std::uint16_t>, std::vector<float>>;
 
 // The results of a pass over the voxels, known without one (volume/bricks/volume_index.h): stored units.
 struct VoxelFacts {

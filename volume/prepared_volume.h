@@ -9,7 +9,7 @@
 #include "volume/color/second_volume.h"
 #include "volume/field/cubic_fields.h"
 #include "volume/pieces/piece_sets.h"
-#include "volume/read/reader.h"
+#include "volume/volume.h"
 #include "volume/skip/box_bounds.h"
 #include "volume/skip/min_max_blocks.h"
 #include "volume/statistics/data_kind.h"
@@ -19,9 +19,6 @@
 #include "volume/statistics/white_matter.h"
 
 namespace isolux::volume {
-
-// Cells per axis of the min-max blocks; docs/records/2026-11-benchmarks.md has the measurements behind it.
-inline constexpr int kBlockCells = 8;
 
 struct PreparedVolume {
   Volume volume;

@@ -12,6 +12,7 @@
 #include "volume/read/input/payload.h"
 #include "volume/read/step_files.h"
 #include "volume/time_steps.h"
+#include "volume/read/reader.h"
 
 namespace isolux::volume {
 

@@ -16,6 +16,7 @@
 #include "volume/read/patient.h"
 #include "volume/read/step_files.h"
 #include "volume/same_geometry.h"
+#include "volume/read/reader.h"
 
 namespace isolux::volume {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "base/progress.h"
-#include "volume/read/reader.h"
+#include "volume/volume.h"
 
 namespace isolux::volume {
 

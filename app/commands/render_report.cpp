@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/accuracy_report.h"
-#include "app/commands/command.h"
+#include "app/report/notes.h"
 #include "app/light/light_report.h"
 #include "app/version.h"
 #include "base/number_text.h"

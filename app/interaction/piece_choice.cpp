@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "volume/pieces/piece_seeds.h"
-#include "volume/pieces/surface_voxel.h"
+#include "volume/pieces/pieces.h"
 
 namespace isolux::app {
 

@@ -15,7 +15,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "gi/light_scene.h"
+#include "gi/sampling/lamp_light.h"
 #include "volume/grid.h"
 
 namespace isolux::gi {

@@ -3,7 +3,7 @@
 #include <stop_token>
 
 #include "volume/parallel_loops.h"
-#include "volume/pieces/surface_voxel.h"
+#include "volume/pieces/pieces.h"
 
 namespace isolux::render {
 

@@ -6,7 +6,7 @@
 #include <QImage>
 #include <QString>
 
-#include "volume/read/reader.h"
+#include "volume/read/input/read_options.h"
 
 namespace isolux::ui {
 

@@ -17,6 +17,7 @@
 #include "ui/document/privacy.h"
 #include "volume/read/step_files.h"
 #include "volume/statistics/surface_outline.h"
+#include "volume/read/reader.h"
 
 namespace isolux::ui {
 

@@ -1,10 +1,6 @@
-// A panel of the window, and the table of all of them: the window makes, docks and feeds them from it, and
-// knows none of them by name.
-//
-// A panel overrides the functions for what it shows; they cost nothing where they are not overridden.
+// A panel of the window: overrides the functions for what it shows; they cost nothing where they are not
+// overridden.
 #pragma once
-
-#include <span>
 
 #include <QEvent>
 #include <QWidget>
@@ -37,15 +33,5 @@ class Panel : public QWidget {
   void dragEnded();
   void failed(const QString& message);
 };
-
-struct PanelInfo {
-  const char* name;   // in saved layouts, for showPanel() and --panel; never translated
-  const char* title;  // on its tab and in the View menu
-  Panel* (*make)(QWidget* parent);
-  bool atFirst = true;  // shown before the user has chosen; the rest waits in the View menu
-};
-
-// From left to right; the first is in front when the window opens.
-std::span<const PanelInfo> panels();
 
 }  // namespace isolux::ui

@@ -7,6 +7,7 @@
 
 #include "ui/editors/setting_editor.h"
 #include "ui/language/translated.h"
+#include "volume/read/reader.h"
 
 namespace isolux::ui {
 

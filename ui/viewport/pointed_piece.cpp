@@ -5,7 +5,7 @@
 #include <QLocale>
 
 #include "ui/editors/number_text.h"
-#include "volume/pieces/surface_voxel.h"
+#include "volume/pieces/pieces.h"
 
 namespace isolux::ui {
 

@@ -35,7 +35,7 @@
 #include "ui/editors/time_left.h"
 #include "ui/panels/isovalue_panel.h"
 #include "ui/panels/light_status.h"
-#include "ui/panels/panel.h"
+#include "ui/window/panel_table.h"
 #include "ui/panels/passes_panel.h"
 #include "ui/panels/volume_panel.h"
 #include "ui/slices/slice_board.h"
@@ -46,6 +46,7 @@
 #include "ui/window/picture_dot.h"
 #include "ui/window/style.h"
 #include "ui/window/window_layout.h"
+#include "volume/read/reader.h"
 
 namespace isolux::ui {
 

@@ -34,6 +34,7 @@
 #include "ui/window/window_layout.h"
 #include "volume/bricks/zarr/zarr.h"
 #include "volume/read/step_files.h"
+#include "volume/read/reader.h"
 
 namespace isolux::ui {
 

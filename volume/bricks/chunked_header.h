@@ -6,7 +6,7 @@
 
 #include "volume/bricks/chunked_volume.h"
 #include "volume/read/input/image_header.h"
-#include "volume/read/reader.h"
+#include "volume/volume.h"
 
 namespace isolux::volume {
 

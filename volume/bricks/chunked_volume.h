@@ -16,7 +16,7 @@
 #include <glm/vector_relational.hpp>
 
 #include "scene/world_axes.h"
-#include "volume/grid.h"
+#include "volume/voxels/grid_geometry.h"
 
 namespace isolux::volume {
 

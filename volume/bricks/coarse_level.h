@@ -11,7 +11,7 @@
 #include "base/progress.h"
 #include "scene/scene.h"
 #include "volume/bricks/chunked_volume.h"
-#include "volume/read/reader.h"
+#include "volume/volume.h"
 
 namespace isolux::volume {
 

@@ -14,7 +14,7 @@
 
 #include "base/progress.h"
 #include "volume/bricks/volume_index.h"
-#include "volume/read/reader.h"
+#include "volume/read/input/read_options.h"
 
 namespace isolux::volume {
 

@@ -10,7 +10,7 @@
 #include "base/progress.h"
 #include "volume/bricks/chunked_volume.h"
 #include "volume/bricks/damage.h"
-#include "volume/grid.h"
+#include "volume/voxels/grid_geometry.h"
 
 namespace isolux::volume {
 

@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "volume/bricks/open_arrays.h"
 #include "volume/bricks/plain_file.h"
-#include "volume/read/reader.h"
+#include "volume/read/input/read_options.h"
 #include "volume/read/step_files.h"
 
 namespace isolux::volume {

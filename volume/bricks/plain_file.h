@@ -9,7 +9,7 @@
 
 #include "volume/bricks/chunked_volume.h"
 #include "volume/read/input/image_header.h"
-#include "volume/read/reader.h"
+#include "volume/read/input/read_options.h"
 
 namespace isolux::volume {
 

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cstdint>
 
-#include "volume/grid.h"
+#include "volume/voxels/grid_geometry.h"
 
 namespace isolux::volume {
 

@@ -11,7 +11,7 @@
 #include "scene/scene.h"
 #include "volume/field/coefficients.h"
 #include "volume/grid.h"
-#include "volume/read/reader.h"
+#include "volume/volume.h"
 
 namespace isolux::volume {
 

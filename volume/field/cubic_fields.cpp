@@ -4,7 +4,6 @@
 
 #include "base/make_room.h"
 #include "scene/rules/needs.h"
-#include "volume/prepared_volume.h"
 
 namespace isolux::volume {
 

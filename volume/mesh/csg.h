@@ -20,7 +20,7 @@
 
 #include "base/progress.h"
 #include "scene/choices.h"
-#include "volume/read/reader.h"
+#include "volume/volume.h"
 
 namespace isolux::volume {
 

@@ -6,14 +6,12 @@
 #include <span>
 #include <vector>
 
-#include "base/progress.h"
 #include "scene/scene.h"
 #include "volume/pieces/hidden_voxels.h"
 
 namespace isolux::volume {
 
 class Grid;
-class PieceSets;
 
 struct HiddenPieces {
   const HiddenVoxels* voxels = nullptr;  // null: all is shown
@@ -26,15 +24,6 @@ struct HiddenOfSurface {
   std::shared_ptr<const HiddenVoxels> voxels;
   scene::Inside inside = scene::Inside::above;
 };
-// Of each isosurface of the scene that has something hidden; makes what is not there yet. Throws Error:
-// interrupted; memory.
-std::vector<HiddenOfSurface> hiddenOf(const scene::Scene& resolved, const PieceSets& pieces,
-                                      base::Progress& progress);
-// The same of what is known already: nobody waits.
-std::vector<HiddenOfSurface> knownHidden(const scene::Scene& resolved, const PieceSets& pieces);
-// Whether making takes no longer than a step of the isovalue.
-bool hiddenIsReady(const scene::Scene& resolved, const PieceSets& pieces);
-
 HiddenPieces hiddenAt(std::span<const HiddenOfSurface> surfaces, double isovalue);
 // The same by the stored isovalue that rays compare with.
 HiddenPieces hiddenAt(std::span<const HiddenOfSurface> surfaces, const Grid& grid, float storedIsovalue);

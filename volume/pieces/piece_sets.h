@@ -12,7 +12,7 @@
 #include "base/progress.h"
 #include "scene/scene.h"
 #include "volume/pieces/body.h"
-#include "volume/pieces/hidden_voxels.h"
+#include "volume/pieces/hidden_pieces.h"
 #include "volume/pieces/pieces.h"
 #include "volume/skip/min_max_blocks.h"
 
@@ -62,5 +62,14 @@ class PieceSets {
   mutable std::vector<Hidden> hidden_;
   mutable std::vector<std::shared_ptr<const Body>> bodies_;
 };
+
+// Of each isosurface of the scene that has something hidden; makes what is not there yet. Throws Error:
+// interrupted; memory.
+std::vector<HiddenOfSurface> hiddenOf(const scene::Scene& resolved, const PieceSets& pieces,
+                                      base::Progress& progress);
+// The same of what is known already: nobody waits.
+std::vector<HiddenOfSurface> knownHidden(const scene::Scene& resolved, const PieceSets& pieces);
+// Whether making takes no longer than a step of the isovalue.
+bool hiddenIsReady(const scene::Scene& resolved, const PieceSets& pieces);
 
 }  // namespace isolux::volume

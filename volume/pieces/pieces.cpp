@@ -9,6 +9,7 @@
 #include "volume/pieces/concurrent_sets.h"
 #include "volume/pieces/join_blocks.h"
 #include "volume/pieces/piece_sizes.h"
+#include "volume/pieces/surface_voxel.h"
 
 namespace isolux::volume {
 
@@ -88,6 +89,11 @@ std::uint32_t Pieces::ofPoint(glm::dvec3 voxel) const {
 
 std::size_t Pieces::bytes() const {
   return blocks_->bytes() + pieceOfNode_.size() * sizeof(std::uint32_t) + list_.size() * sizeof(Piece);
+}
+
+std::uint32_t pieceOfSurface(const Pieces& pieces, const glm::dvec3& voxel) {
+  const auto inside = surfaceVoxel(pieces.grid(), pieces.level(), voxel);
+  return inside ? pieces.ofVoxel(*inside) : Pieces::kNone;
 }
 
 }  // namespace isolux::volume

@@ -70,4 +70,7 @@ class Pieces {
   base::MemoryBudget::Held held_;  // all but the blocks
 };
 
+// Of a point on the isosurface, up to the rounding of hits; Pieces::kNone where there is none.
+std::uint32_t pieceOfSurface(const Pieces& pieces, const glm::dvec3& voxel);
+
 }  // namespace isolux::volume

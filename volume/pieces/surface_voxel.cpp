@@ -47,9 +47,4 @@ std::optional<glm::ivec3> surfaceVoxel(const Grid& grid, InsideLevel level, cons
   return surfaceVoxel(grid, level, cell, glm::clamp(voxel - glm::dvec3(cell), 0.0, 1.0));
 }
 
-std::uint32_t pieceOfSurface(const Pieces& pieces, const glm::dvec3& voxel) {
-  const auto inside = surfaceVoxel(pieces.grid(), pieces.level(), voxel);
-  return inside ? pieces.ofVoxel(*inside) : Pieces::kNone;
-}
-
 }  // namespace isolux::volume

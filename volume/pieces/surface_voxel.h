@@ -1,4 +1,4 @@
-// The voxel by which a surface point belongs to a piece, and the piece of a surface point.
+// The voxel by which a surface point belongs to a piece.
 //
 // Of the trilinear field it is the corner above the point (cornerAbove()). Points of cubic fields, which have
 // no pieces of their own, may have that corner outside; there the nearest inside sample of the 4^3 around the
@@ -9,7 +9,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "volume/pieces/pieces.h"
+#include "volume/pieces/inside_level.h"
 
 namespace isolux::volume {
 
@@ -18,8 +18,5 @@ std::optional<glm::ivec3> surfaceVoxel(const Grid& grid, InsideLevel level, glm:
                                        const glm::dvec3& local);
 // `voxel`: a surface point in voxel coordinates.
 std::optional<glm::ivec3> surfaceVoxel(const Grid& grid, InsideLevel level, const glm::dvec3& voxel);
-
-// Of a point on the isosurface, up to the rounding of hits; Pieces::kNone where there is none.
-std::uint32_t pieceOfSurface(const Pieces& pieces, const glm::dvec3& voxel);
 
 }  // namespace isolux::volume

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "volume/read/reader.h"
+#include "volume/read/input/read_options.h"
 
 namespace isolux::volume {
 

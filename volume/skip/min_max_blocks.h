@@ -26,6 +26,9 @@
 
 namespace isolux::volume {
 
+// Cells per axis of the min-max blocks; docs/records/2026-11-benchmarks.md has the measurements behind it.
+inline constexpr int kBlockCells = 8;
+
 class MinMaxBlocks {
  public:
   // Requires `blockCells` 4 or 8. Multithreaded; throws Error{interrupted}.

@@ -9,7 +9,7 @@
 
 #include "scene/choices.h"
 #include "scene/noise.h"
-#include "volume/read/reader.h"
+#include "volume/volume.h"
 #include "volume/statistics/histogram.h"
 
 namespace isolux::volume {

@@ -9,7 +9,8 @@
 #include "volume/bricks/chunked_volume.h"
 #include "volume/bricks/chunks/chunked_array.h"
 #include "volume/read/input/convert.h"
-#include "volume/read/reader.h"
+#include "volume/read/input/read_options.h"
+#include "volume/volume.h"
 
 namespace isolux::volume {
 

@@ -13,7 +13,7 @@
 #include <glm/vec3.hpp>
 
 #include "volume/grid.h"
-#include "volume/read/reader.h"
+#include "volume/read/input/read_options.h"
 
 namespace isolux::volume {
 

@@ -9,7 +9,8 @@
 #include <string>
 
 #include "volume/mesh/mesh_distance.h"
-#include "volume/read/reader.h"
+#include "volume/read/input/read_options.h"
+#include "volume/volume.h"
 
 namespace isolux::volume {
 

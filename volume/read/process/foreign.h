@@ -12,7 +12,8 @@
 
 #include "base/progress.h"
 #include "volume/read/process/reader_messages.h"
-#include "volume/read/reader.h"
+#include "volume/read/input/read_options.h"
+#include "volume/volume.h"
 
 namespace isolux::volume {
 

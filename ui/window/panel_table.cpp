@@ -1,4 +1,4 @@
-#include "ui/panels/panel.h"
+#include "ui/window/panel_table.h"
 
 #include "ui/accuracy/accuracy_panel.h"
 #include "ui/panels/marks_panel.h"
