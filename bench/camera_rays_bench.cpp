@@ -8,7 +8,7 @@
 #include "bench/subjects.h"
 #include "render/passes/view_uniforms.h"
 #include "volume/cast/surface_caster.h"
-#include "volume/field/cubic_fields.h"
+#include "volume/derived/cubic_fields.h"
 #include "volume/skip/active_blocks.h"
 #include "volume/skip/box_bounds.h"
 #include "volume/tracer/isosurface_tracer.h"

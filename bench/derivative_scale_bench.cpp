@@ -19,7 +19,7 @@
 #include "volume/field/curvature.h"
 #include "volume/field/reconstruct.h"
 #include "volume/field/scaled_field.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 #include "volume/statistics/visible_points.h"
 
 namespace isolux::bench {

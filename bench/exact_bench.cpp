@@ -16,7 +16,7 @@
 #include "tests/support/trilinear_oracle.h"
 #include "volume/field/reconstruct.h"
 #include "volume/hit/exact_hit.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::bench {
 namespace {

@@ -26,7 +26,7 @@
 #include "render/passes/view_uniforms.h"
 #include "tests/support/rays.h"
 #include "tests/support/trilinear_oracle.h"
-#include "volume/parallel_loops.h"
+#include "volume/parallel/parallel_loops.h"
 
 namespace isolux::bench {
 namespace {

@@ -6,7 +6,7 @@
 #include "bench/bench.h"
 #include "bench/pass_times.h"
 #include "render/gl/gl_context.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::bench {
 namespace {

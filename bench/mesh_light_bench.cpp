@@ -9,7 +9,7 @@
 #include "bench/subjects.h"
 #include "gi/trace/primary_hits.h"
 #include "tests/support/test_data.h"
-#include "volume/parallel_loops.h"
+#include "volume/parallel/parallel_loops.h"
 
 namespace isolux::bench {
 namespace {

@@ -9,7 +9,7 @@
 #include "bench/papers_light.h"
 #include "bench/pass_times.h"
 #include "render/gl/gl_context.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 #include "tests/support/test_data.h"
 
 namespace isolux::bench {

@@ -8,7 +8,7 @@
 #include "bench/bench.h"
 #include "bench/frame.h"
 #include "gi/light_scene.h"
-#include "gi/trace/reference.h"
+#include "gi/reference/reference.h"
 
 namespace isolux::bench {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "bench/bench.h"
 #include "tests/support/test_data.h"
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_steps.h"
 #include "volume/phantom/phantom.h"
 #include "volume/pieces/pieces.h"
 #include "volume/pieces/shown_pieces.h"

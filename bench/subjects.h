@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::bench {
 

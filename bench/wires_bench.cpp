@@ -12,7 +12,7 @@
 
 #include "base/quantiles.h"
 #include "bench/bench.h"
-#include "volume/field/cubic_fields.h"
+#include "volume/derived/cubic_fields.h"
 #include "volume/hit/exact_cubic_hit.h"
 #include "volume/hit/exact_hit.h"
 #include "volume/phantom/phantom.h"

@@ -19,7 +19,7 @@
 #include "scene/albedo.h"
 #include "scene/rules/gi_choice.h"
 #include "scene/scene.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 #include "volume/tracer/isosurface_tracer.h"
 
 namespace isolux::gi {

@@ -11,12 +11,12 @@
 
 #include "app/accuracy/accuracy.h"
 #include "app/accuracy/error_images.h"
-#include "app/options/scene_options.h"
 #include "app/light/light_controller.h"
+#include "app/options/scene_options.h"
 #include "python/desk.h"
 #include "render/renderer.h"
 #include "render/still_picture.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::python {
 

@@ -8,18 +8,18 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include "app/report/machine_report.h"
-#include "app/commands/settings_report.h"
 #include "app/documents/session.h"
 #include "app/documents/session_accuracy.h"
 #include "app/files/image_io.h"
 #include "app/process/program_store.h"
 #include "app/process/thread_limit.h"
+#include "app/report/machine_report.h"
+#include "app/report/settings_report.h"
 #include "app/version.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "python/questions.h"
-#include "scene/setting/choice_names.h"
+#include "scene/settings/choice_names.h"
 #include "volume/read/process/reader_process.h"
 
 namespace isolux::python {

@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/commands/measure_report.h"
-#include "app/commands/piece_report.h"
+#include "app/report/measure_report.h"
+#include "app/report/piece_report.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "volume/clip/surface_cut.h"
@@ -16,9 +16,9 @@
 #include "volume/measure/point_probe.h"
 #include "volume/measure/surface_point.h"
 #include "volume/measure/voxel_noise.h"
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_steps.h"
 #include "volume/pieces/shown_pieces.h"
-#include "volume/read/length_doubt.h"
+#include "volume/read/input/length_doubt.h"
 
 namespace isolux::python {
 

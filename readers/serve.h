@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "volume/bricks/hdf5/hdf5_layout.h"
+#include "volume/read/hdf5/hdf5_layout.h"
 #include "volume/read/process/reader_messages.h"
 
 namespace isolux::readers {

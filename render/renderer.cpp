@@ -6,19 +6,19 @@
 #include <utility>
 
 #include "base/error.h"
-#include "render/empty_picture.h"
 #include "render/gl/gl_messages.h"
 #include "render/gl/program_cache.h"
-#include "render/graph/pass_declarations.h"
+#include "render/graph/empty_picture.h"
+#include "render/passes/brick_rounds.h"
 #include "render/passes/curvature_ranges.h"
 #include "render/passes/cut_faces_pass.h"
 #include "render/passes/frame_state.h"
 #include "render/passes/hit_passes.h"
 #include "render/passes/light_passes.h"
+#include "render/passes/pass_declarations.h"
 #include "render/passes/pass_list.h"
+#include "render/passes/readback.h"
 #include "render/passes/second_volume_pass.h"
-#include "render/readback.h"
-#include "render/volume/brick_rounds.h"
 #include "scene/rules/ghosts.h"
 #include "scene/rules/needs.h"
 

@@ -15,9 +15,9 @@
 #include "gi/picture_light.h"
 #include "gi/seen_points.h"
 #include "render/graph/frame.h"
-#include "scene/machine.h"
 #include "scene/scene.h"
-#include "volume/prepared_volume.h"
+#include "scene/settings/machine.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::render {
 
@@ -43,7 +43,7 @@ class Renderer {
   void setLight(std::shared_ptr<const gi::PictureLight> light);
 
   // Renders a frame. Requires a resolved `scene` (scene::resolve). Chooses automatic settings of derivatives
-  // here unless that was done before (volume/statistics/derivative_choices.h: takes long). Computes only
+  // here unless that was done before (volume/prepared/derivative_choices.h: takes long). Computes only
   // results that `request` needs and that changed since the last call.
   const FrameReport& render(const scene::Scene& scene, const FrameRequest& request);
 

@@ -8,10 +8,10 @@
 
 #include "base/error.h"
 #include "base/memory_budget.h"
-#include "render/graph/pass_declarations.h"
 #include "render/passes/effect_passes.h"
 #include "render/passes/gloss_passes.h"
 #include "render/passes/line_passes.h"
+#include "render/passes/pass_declarations.h"
 #include "scene/rules/needs.h"
 
 namespace isolux::render {

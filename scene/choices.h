@@ -1,6 +1,7 @@
 // Defines the enumerations of settings, for code that needs no Scene.
 //
-// scene/settings.cpp has their names on the command line and in sessions; scene/looks.h those of looks.
+// scene/settings/settings.cpp has their names on the command line and in sessions; scene/looks.h those of
+// looks.
 #pragma once
 
 namespace isolux::scene {

@@ -1,8 +1,8 @@
 // Defines the Scene: everything that determines an image, as one plain value.
 //
 // Widgets, --set, sessions, undo and recordings all edit Scenes; no other state changes an image. Each member
-// is listed once in scene/settings.cpp with its path, default, range, unit and meaning. JSON, --set, undo,
-// hashing and the documentation use that list.
+// is listed once in scene/settings/settings.cpp with its path, default, range, unit and meaning. JSON, --set,
+// undo, hashing and the documentation use that list.
 //
 // World space is millimetres, DICOM/LPS (+x patient left, +y posterior, +z superior). Colours are linear
 // RGB (ITU-R BT.709 primaries) in [0, 1]. An empty optional means "automatic": scene::resolve() in
@@ -33,7 +33,7 @@ struct Source {
   int level = 0;                   // 0: full resolution; n: means of about 2^n voxels along each axis
   bool aroundDamage = false;       // unreadable chunks become missing voxels; else the file is rejected
   int meshVoxels = 128;            // of a mesh's distance field, along its longest axis
-  Csg csg = Csg::none;             // volume/mesh/csg.h
+  Csg csg = Csg::none;             // volume/prepared/csg.h
   std::string csgPath;             // the second volume, as `path`
   std::optional<double> csgValue;  // the second volume's isovalue, its data units
   double csgWeight = 0.5;          // of the second volume; csg blend

@@ -11,7 +11,7 @@
 #include "base/error.h"
 #include "base/hash.h"
 #include "volume/bricks/brick_source.h"
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_steps.h"
 
 namespace isolux::volume {
 

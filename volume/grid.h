@@ -22,7 +22,7 @@ namespace isolux::volume {
 
 class BrickSource;  // volume/bricks/brick_source.h
 
-// The results of a pass over the voxels, known without one (volume/bricks/volume_index.h): stored units.
+// The results of a pass over the voxels, known without one (volume/large/volume_index.h): stored units.
 struct VoxelFacts {
   VoxelType storedType = VoxelType::uint8;  // one of the five
   double storedMinimum = 0.0, storedMaximum = 0.0;

@@ -22,7 +22,7 @@ struct Volume {
   scene::WorldAxes axes =
       scene::WorldAxes::zUp;          // anatomical only if the file states the patient orientation
   int components = 1, timeSteps = 1;  // available in the file; components are channels
-  int coarsestLevel = 0;              // of a volume read at a level (volume/bricks/coarse_level.h)
+  int coarsestLevel = 0;              // of a volume read at a level (volume/large/coarse_level.h)
   std::string damage;                 // unreadable parts, one line; "": none (Source::aroundDamage)
   std::optional<double> isovalue;     // to show first, if the source states it
   std::optional<double> noise;        // standard deviation of a voxel, data units, if the source states it

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/accuracy/error_images.h"
-#include "app/target/target.h"
+#include "app/accuracy/error_limits.h"
 #include "render/graph/frame.h"
 
 namespace isolux::app {

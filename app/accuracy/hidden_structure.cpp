@@ -15,7 +15,7 @@
 #include "scene/camera.h"
 #include "scene/rules/ghosts.h"
 #include "volume/clip/surface_cut.h"
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_steps.h"
 
 namespace isolux::app {
 

@@ -1,4 +1,4 @@
-// What a coarser level of a volume may hide of a picture, pixel by pixel (volume/bricks/level_gaps.h).
+// What a coarser level of a volume may hide of a picture, pixel by pixel (volume/large/level_gaps.h).
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 #include "app/accuracy/picture_errors.h"
 #include "render/graph/frame.h"
 #include "render/renderer.h"
-#include "volume/bricks/level_gaps.h"
+#include "volume/large/level_gaps.h"
 
 namespace isolux::app {
 

@@ -14,7 +14,7 @@
 #include "app/study/light_truth.h"
 #include "base/quantiles.h"
 #include "gi/lattice/half_lattice.h"
-#include "gi/trace/reference.h"
+#include "gi/reference/reference.h"
 #include "render/still_picture.h"
 #include "scene/opacity.h"
 #include "scene/rules/ghosts.h"

@@ -10,7 +10,7 @@
 #include <glm/vec2.hpp>
 
 #include "render/graph/frame.h"
-#include "render/legend/legend_overlay.h"
+#include "render/passes/legend_overlay.h"
 #include "scene/choices.h"
 
 namespace isolux::app {

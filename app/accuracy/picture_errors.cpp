@@ -22,7 +22,7 @@
 #include "volume/field/curvature.h"
 #include "volume/measure/surface_point.h"
 #include "volume/measure/voxel_noise.h"
-#include "volume/parallel_loops.h"
+#include "volume/parallel/parallel_loops.h"
 
 namespace isolux::app {
 

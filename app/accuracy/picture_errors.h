@@ -10,7 +10,7 @@
 
 #include "base/progress.h"
 #include "scene/scene.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
 
@@ -46,8 +46,8 @@ struct PictureErrors {
 };
 inline constexpr double kNoiseLevel = 0.95;
 
-// `scene`: as it was drawn, complete (app/jobs/field_job.h, with images). Throws Error: interrupted; memory
-// of fields that are not made yet.
+// `scene`: as it was drawn, complete (app/picture/field_job.h, with images). Throws Error: interrupted;
+// memory of fields that are not made yet.
 PictureErrors pictureErrors(const volume::PreparedVolume& volume, const scene::Scene& scene,
                             const DrawnHits& drawn, base::Progress& progress);
 

@@ -12,9 +12,9 @@
 #include "base/number_text.h"
 #include "base/numbers.h"
 #include "scene/rules/needs.h"
-#include "volume/pieces/hidden_pieces.h"
 #include "volume/pieces/piece_sets.h"
-#include "volume/read/length_doubt.h"
+#include "volume/read/input/length_doubt.h"
+#include "volume/visible/hidden_pieces.h"
 
 namespace isolux::app {
 

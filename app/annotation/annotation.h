@@ -13,7 +13,7 @@
 
 #include "render/graph/frame.h"
 #include "scene/camera.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
 

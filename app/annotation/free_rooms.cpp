@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/annotation/annotation_layout.h"
-#include "render/legend/legend_overlay.h"
+#include "render/passes/legend_overlay.h"
 
 namespace isolux::app {
 

@@ -5,7 +5,7 @@
 
 #include "scene/framing.h"
 #include "scene/scene.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
 

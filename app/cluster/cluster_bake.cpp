@@ -15,7 +15,7 @@
 #include "gi/arithmetic.h"
 #include "gi/sampling/built_in_light.h"
 #include "scene/rules/environment.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::app {
 

@@ -5,7 +5,7 @@
 
 #include "app/cluster/ranks.h"
 #include "gi/sampling/environment.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
 

@@ -10,7 +10,7 @@
 #include "app/cluster/rank_facts.h"
 #include "app/version.h"
 #include "base/error.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::app {
 

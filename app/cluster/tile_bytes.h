@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "gi/bake/wish.h"
 #include "gi/lattice/light_lattice.h"
+#include "gi/lattice/wish.h"
 
 namespace isolux::app {
 

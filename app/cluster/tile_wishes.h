@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "gi/bake/wish.h"
 #include "gi/lattice/lattice_geometry.h"
+#include "gi/lattice/wish.h"
 
 namespace isolux::app {
 

@@ -11,11 +11,11 @@
 #include "app/cluster/rank_facts.h"
 #include "app/commands/bake_part.h"
 #include "app/commands/command.h"
-#include "app/commands/progress_bar.h"
 #include "app/files/files.h"
 #include "app/light/light_picture.h"
 #include "app/light/light_report.h"
 #include "app/light/light_resume.h"
+#include "app/process/progress_bar.h"
 #include "app/version.h"
 #include "base/error.h"
 #include "base/number_text.h"
@@ -23,7 +23,7 @@
 #include "gi/file/bake_file.h"
 #include "scene/rules/needs.h"
 #include "scene/rules/relevance.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::app {
 

@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::app {
 

@@ -13,12 +13,12 @@
 #include <tbb/info.h>
 #include <nlohmann/json.hpp>
 
-#include "app/commands/progress_bar.h"
 #include "app/documents/session.h"
 #include "app/files/files.h"
 #include "app/files/image_io.h"
 #include "app/files/number_rows.h"
 #include "app/presets/preset_list.h"
+#include "app/process/progress_bar.h"
 #include "base/error.h"
 #include "base/memory_budget.h"
 #include "base/printable.h"
@@ -26,8 +26,8 @@
 #include "scene/rules/automatic.h"
 #include "scene/rules/needs.h"
 #include "scene/rules/quality.h"
-#include "scene/setting/assignment.h"
-#include "scene/settings.h"
+#include "scene/settings/assignment.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::app {
 
@@ -288,11 +288,6 @@ std::shared_ptr<const volume::PreparedVolume> loadWithProgressBar(const scene::S
                                                                   base::Progress& progress) {
   const ProgressBar bar(progress);
   return volume::loadVolume(source, machine, progress);
-}
-
-
-std::string bytesText(std::uint64_t bytes) {
-  return base::memoryText(static_cast<std::size_t>(bytes));
 }
 
 }  // namespace isolux::app

@@ -22,9 +22,9 @@
 #include "app/series/frame_range.h"
 #include "base/progress.h"
 #include "render/gl/gl_context.h"
-#include "scene/machine.h"
 #include "scene/scene.h"
-#include "volume/prepared_volume.h"
+#include "scene/settings/machine.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
 
@@ -73,6 +73,5 @@ std::shared_ptr<const volume::PreparedVolume> loadWithProgressBar(const scene::S
 std::shared_ptr<const volume::PreparedVolume> loadWithProgressBar(const scene::Source& source,
                                                                   const scene::Machine& machine,
                                                                   base::Progress& progress);
-std::string bytesText(std::uint64_t bytes);  // "13.5 MiB"
 
 }  // namespace isolux::app

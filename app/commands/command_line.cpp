@@ -20,7 +20,7 @@
 #include "base/error.h"
 #include "base/printable.h"
 #include "base/suggestion.h"
-#include "volume/bricks/hdf5/hdf5.h"
+#include "volume/read/hdf5/hdf5.h"
 #include "volume/read/step_files.h"
 
 namespace isolux::app {

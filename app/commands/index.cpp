@@ -4,10 +4,11 @@
 #include <optional>
 
 #include "app/commands/command.h"
-#include "app/commands/progress_bar.h"
+#include "app/process/progress_bar.h"
 #include "base/error.h"
-#include "volume/bricks/index_file.h"
-#include "volume/bricks/open_chunked.h"
+#include "base/memory_budget.h"
+#include "volume/large/index_file.h"
+#include "volume/read/open_chunked.h"
 
 namespace isolux::app {
 
@@ -62,7 +63,7 @@ void runIndex(const IndexOptions& options, base::Progress& progress) {
     written = kept.make(*file, part, index, progress);
   }
   std::printf("%s: %zu of %zu slabs, %s read\n", written.c_str(), index->unitsDone(), index->units(),
-              bytesText(index->bytesRead()).c_str());
+              base::memoryText(index->bytesRead()).c_str());
   tellDamage();
 }
 

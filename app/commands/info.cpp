@@ -5,15 +5,16 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/command.h"
-#include "app/commands/derivative_report.h"
-#include "app/commands/edge_report.h"
-#include "app/commands/piece_report.h"
-#include "app/commands/progress_bar.h"
 #include "app/commands/series_report.h"
+#include "app/process/progress_bar.h"
+#include "app/report/derivative_report.h"
+#include "app/report/edge_report.h"
+#include "app/report/piece_report.h"
+#include "base/memory_budget.h"
 #include "base/number_text.h"
 #include "base/printable.h"
 #include "scene/rules/automatic.h"
-#include "scene/setting/choice_names.h"
+#include "scene/settings/choice_names.h"
 
 namespace isolux::app {
 
@@ -207,7 +208,7 @@ void printText(const PreparedVolume& prepared, const InfoMeasures& measured, std
     std::replace(series.begin(), series.end(), '\t', ' ');
     row("series", series);
   }
-  row("memory", bytesText(grid.bytes()));
+  row("memory", base::memoryText(grid.bytes()));
   row("hash", base::hexText(grid.hash()));
   for (const std::string& warning : v.warnings) row("warning", warning);
 }

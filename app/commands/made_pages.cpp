@@ -7,7 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "render/graph/frame.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::app {
 

@@ -8,14 +8,14 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/command.h"
-#include "app/commands/curvature_report.h"
-#include "app/commands/measure_marks.h"
-#include "app/commands/measure_points.h"
-#include "app/commands/measure_report.h"
-#include "app/commands/piece_report.h"
-#include "app/commands/progress_bar.h"
 #include "app/files/files.h"
 #include "app/files/number_rows.h"
+#include "app/process/progress_bar.h"
+#include "app/report/curvature_report.h"
+#include "app/report/measure_marks.h"
+#include "app/report/measure_points.h"
+#include "app/report/measure_report.h"
+#include "app/report/piece_report.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "scene/rules/automatic.h"
@@ -23,7 +23,7 @@
 #include "volume/measure/surface_measure.h"
 #include "volume/measure/voxel_noise.h"
 #include "volume/pieces/shown_pieces.h"
-#include "volume/read/length_doubt.h"
+#include "volume/read/input/length_doubt.h"
 
 namespace isolux::app {
 

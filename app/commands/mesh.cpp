@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/command.h"
-#include "app/commands/progress_bar.h"
 #include "app/files/files.h"
 #include "app/mesh/mesh_export.h"
+#include "app/process/progress_bar.h"
 #include "base/error.h"
 #include "scene/rules/automatic.h"
 #include "volume/write/mesh_writer.h"

@@ -4,8 +4,8 @@
 #include <cstdio>
 
 #include "app/commands/command.h"
-#include "app/commands/progress_bar.h"
 #include "app/files/files.h"
+#include "app/process/progress_bar.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "base/suggestion.h"

@@ -2,8 +2,8 @@
 #include <iostream>
 
 #include "app/commands/command.h"
-#include "app/commands/progress_bar.h"
 #include "app/presets/preset_list.h"
+#include "app/process/progress_bar.h"
 #include "base/error.h"
 #include "base/printable.h"
 

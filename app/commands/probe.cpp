@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/command.h"
-#include "app/commands/measure_report.h"
 #include "app/files/number_rows.h"
+#include "app/report/measure_report.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "scene/rules/automatic.h"

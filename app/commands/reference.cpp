@@ -5,17 +5,17 @@
 #include <optional>
 
 #include "app/commands/command.h"
-#include "app/commands/progress_bar.h"
 #include "app/documents/picture_scene.h"
 #include "app/documents/session.h"
 #include "app/files/files.h"
 #include "app/files/image_io.h"
 #include "app/files/reference_image.h"
+#include "app/process/progress_bar.h"
 #include "app/version.h"
 #include "base/color.h"
 #include "base/error.h"
 #include "base/number_text.h"
-#include "gi/trace/reference.h"
+#include "gi/reference/reference.h"
 
 namespace isolux::app {
 

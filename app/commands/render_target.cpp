@@ -1,8 +1,8 @@
 #include "app/commands/render_target.h"
 
 #include "app/commands/command.h"
-#include "app/jobs/field_job.h"
 #include "app/light/light_picture.h"
+#include "app/picture/field_job.h"
 #include "scene/rules/automatic.h"
 
 namespace isolux::app {

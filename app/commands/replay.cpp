@@ -7,22 +7,22 @@
 
 #include "app/annotation/annotation.h"
 #include "app/commands/command.h"
-#include "app/commands/progress_bar.h"
 #include "app/documents/picture_scene.h"
 #include "app/documents/recording.h"
 #include "app/documents/session.h"
 #include "app/files/files.h"
 #include "app/files/image_io.h"
-#include "app/jobs/field_job.h"
-#include "app/jobs/rest_scene.h"
 #include "app/light/light_picture.h"
+#include "app/picture/field_job.h"
+#include "app/picture/rest_scene.h"
+#include "app/process/progress_bar.h"
 #include "app/series/movie.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "render/renderer.h"
 #include "render/still_picture.h"
 #include "scene/rules/automatic.h"
-#include "scene/scene_diff.h"
+#include "scene/settings/scene_diff.h"
 
 namespace isolux::app {
 

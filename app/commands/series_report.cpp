@@ -9,8 +9,8 @@
 #include "app/browser/index_job.h"
 #include "app/browser/series_text.h"
 #include "app/commands/command.h"
-#include "app/commands/progress_bar.h"
 #include "app/documents/anonymous.h"
+#include "app/process/progress_bar.h"
 #include "base/printable.h"
 
 namespace isolux::app {

@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/command.h"
-#include "app/commands/settings_report.h"
+#include "app/report/settings_report.h"
 #include "base/number_text.h"
 #include "scene/looks.h"
-#include "scene/machine.h"
-#include "scene/settings.h"
+#include "scene/settings/machine.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::app {
 

@@ -7,17 +7,17 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/command.h"
-#include "app/commands/measure_report.h"
-#include "app/commands/progress_bar.h"
 #include "app/files/files.h"
 #include "app/files/image_io.h"
 #include "app/files/number_rows.h"
+#include "app/process/progress_bar.h"
+#include "app/report/measure_report.h"
 #include "app/slices/slice_labels.h"
 #include "app/slices/slice_picture.h"
 #include "app/version.h"
 #include "base/error.h"
 #include "scene/rules/automatic.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::app {
 

@@ -2,9 +2,9 @@
 #include <iostream>
 
 #include "app/commands/command.h"
-#include "app/commands/progress_bar.h"
 #include "app/files/files.h"
 #include "app/process/external_program.h"
+#include "app/process/progress_bar.h"
 #include "app/study/study.h"
 #include "app/study_report/study_plot.h"
 #include "app/study_report/study_report.h"

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "scene/scene.h"
-#include "volume/read/patient.h"
+#include "volume/read/input/patient.h"
 
 namespace isolux::app {
 

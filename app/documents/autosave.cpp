@@ -17,8 +17,8 @@
 #include "app/files/state_folder.h"
 #include "app/process/caught_error.h"
 #include "app/version.h"
-#include "scene/scene_diff.h"
-#include "scene/settings.h"
+#include "scene/settings/scene_diff.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::app {
 

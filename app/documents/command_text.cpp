@@ -8,8 +8,8 @@
 
 #include "base/number_text.h"
 #include "scene/rules/needs.h"
-#include "scene/scene_diff.h"
-#include "scene/settings.h"
+#include "scene/settings/scene_diff.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::app {
 

@@ -6,8 +6,8 @@
 #include <glm/vec2.hpp>
 #include <nlohmann/json_fwd.hpp>
 
-#include "scene/machine.h"
 #include "scene/scene.h"
+#include "scene/settings/machine.h"
 
 namespace isolux::app {
 

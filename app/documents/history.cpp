@@ -1,5 +1,5 @@
 #include "app/documents/history.h"
-#include "scene/scene_diff.h"
+#include "scene/settings/scene_diff.h"
 
 #include <stdexcept>
 #include <utility>

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene_diff.h"
-#include "scene/settings.h"
+#include "scene/settings/scene_diff.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::app {
 

@@ -12,7 +12,7 @@
 #include "app/files/files.h"
 #include "app/version.h"
 #include "base/error.h"
-#include "scene/scene_diff.h"
+#include "scene/settings/scene_diff.h"
 
 namespace isolux::app {
 

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "scene/flow_clock.h"
-#include "scene/scene_diff.h"
-#include "scene/settings.h"
+#include "scene/rules/flow_clock.h"
+#include "scene/settings/scene_diff.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::app {
 

@@ -10,7 +10,7 @@
 #include "app/files/image_io.h"
 #include "app/version.h"
 #include "base/error.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::app {
 

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/commands/accuracy_report.h"
+#include "app/accuracy/accuracy_report.h"
 
 namespace isolux::app {
 

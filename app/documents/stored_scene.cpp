@@ -9,7 +9,7 @@
 #include "app/documents/path_text.h"
 #include "app/documents/places.h"
 #include "base/error.h"
-#include "volume/bricks/hdf5/hdf5.h"
+#include "volume/read/hdf5/hdf5.h"
 #include "volume/read/step_files.h"
 
 namespace isolux::app {

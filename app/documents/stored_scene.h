@@ -12,8 +12,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "scene/settings.h"
-#include "volume/read/patient.h"
+#include "scene/settings/settings.h"
+#include "volume/read/input/patient.h"
 
 namespace isolux::app {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "scene/scene_diff.h"
-#include "scene/settings.h"
+#include "scene/settings/scene_diff.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::app {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "gi/trace/reference.h"
+#include "gi/reference/reference.h"
 #include "render/graph/frame.h"
 
 namespace isolux::app {

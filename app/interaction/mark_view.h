@@ -11,7 +11,7 @@
 #include "app/marks/mark_report.h"
 #include "scene/camera.h"
 #include "scene/scene.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
 

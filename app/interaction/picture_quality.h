@@ -14,8 +14,8 @@
 #include <glm/vec2.hpp>
 
 #include "render/graph/frame.h"
-#include "scene/machine.h"
 #include "scene/scene.h"
+#include "scene/settings/machine.h"
 
 namespace isolux::app {
 

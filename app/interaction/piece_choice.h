@@ -12,7 +12,7 @@
 #include "app/interaction/surface_pick.h"
 #include "scene/scene.h"
 #include "volume/pieces/pieces.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
 

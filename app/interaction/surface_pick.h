@@ -10,7 +10,7 @@
 #include "scene/camera.h"
 #include "scene/scene.h"
 #include "volume/hit/cell_walk.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
 

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "app/jobs/field_job.h"
-#include "app/jobs/quiet_renderer.h"
+#include "app/picture/field_job.h"
+#include "app/picture/quiet_renderer.h"
 #include "render/still_picture.h"
 #include "scene/rules/automatic.h"
 

@@ -1,4 +1,4 @@
-// A picture of a volume that is still being read (volume/bricks/glimpse.h), for whoever waits for it.
+// A picture of a volume that is still being read (volume/large/glimpse.h), for whoever waits for it.
 #pragma once
 
 #include <optional>
@@ -6,7 +6,7 @@
 #include "app/jobs/quiet_job.h"
 #include "render/graph/frame.h"
 #include "scene/scene.h"
-#include "volume/bricks/glimpse.h"
+#include "volume/large/glimpse.h"
 
 namespace isolux::app {
 

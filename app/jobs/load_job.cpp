@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "app/process/caught_error.h"
-#include "volume/bricks/coarse_level.h"
-#include "volume/bricks/open_chunked.h"
+#include "volume/large/coarse_level.h"
+#include "volume/read/open_chunked.h"
 
 namespace isolux::app {
 

@@ -10,7 +10,7 @@
 #include "base/progress.h"
 #include "base/retire.h"
 #include "scene/scene.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
 

@@ -28,9 +28,9 @@
 #include "render/gl/handed_picture.h"
 #include "render/graph/frame.h"
 #include "render/still_picture.h"
-#include "scene/machine.h"
 #include "scene/scene.h"
-#include "volume/prepared_volume.h"
+#include "scene/settings/machine.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
 

@@ -14,7 +14,7 @@
 #include "base/retire.h"
 #include "scene/scene.h"
 #include "volume/measure/piece_measure.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
 

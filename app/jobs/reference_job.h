@@ -15,10 +15,10 @@
 #include "base/error.h"
 #include "base/progress.h"
 #include "base/retire.h"
-#include "gi/trace/reference.h"
+#include "gi/reference/reference.h"
 #include "render/graph/frame.h"
 #include "scene/scene.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
 

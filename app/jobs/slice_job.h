@@ -11,7 +11,7 @@
 #include "base/retire.h"
 #include "render/graph/frame.h"
 #include "scene/scene.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 #include "volume/slice/slice_plane.h"
 
 namespace isolux::app {

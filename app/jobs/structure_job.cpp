@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "app/jobs/field_job.h"
-#include "app/jobs/quiet_renderer.h"
-#include "app/jobs/rest_scene.h"
+#include "app/picture/field_job.h"
+#include "app/picture/quiet_renderer.h"
+#include "app/picture/rest_scene.h"
 #include "scene/rules/ghosts.h"
 
 namespace isolux::app {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/jobs/field_job.h"
+#include "app/picture/field_job.h"
 #include "base/memory_budget.h"
 #include "scene/rules/automatic.h"
 #include "scene/rules/whole_voxels.h"

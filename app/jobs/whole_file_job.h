@@ -1,14 +1,14 @@
 // Opens a volume with its voxels left in their file, on a background thread that gives way: what draws level
 // 0 of a volume of which a coarser level is in memory. Where it has no index one is made, which reads the
-// file once; what is done of it when the job goes is kept (volume/bricks/index_file.h).
+// file once; what is done of it when the job goes is kept (volume/large/index_file.h).
 #pragma once
 
 #include <memory>
 
 #include "app/jobs/quiet_job.h"
-#include "scene/machine.h"
 #include "scene/scene.h"
-#include "volume/prepared_volume.h"
+#include "scene/settings/machine.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
 

@@ -23,7 +23,7 @@
 #include "gi/seen_points.h"
 #include "scene/rules/gi_choice.h"
 #include "scene/scene.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
 

@@ -15,7 +15,7 @@
 #include "gi/trace/lattice_estimator.h"
 #include "scene/rules/environment.h"
 #include "scene/rules/relevance.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::app {
 

@@ -28,7 +28,7 @@
 #include "gi/trace/exposure_meter.h"
 #include "scene/rules/gi_choice.h"
 #include "scene/scene.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
 

@@ -9,7 +9,7 @@
 #include "base/number_text.h"
 #include "volume/measure/points.h"
 #include "volume/measure/voxel_noise.h"
-#include "volume/read/length_doubt.h"
+#include "volume/read/input/length_doubt.h"
 
 namespace isolux::app {
 

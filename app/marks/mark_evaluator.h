@@ -19,7 +19,7 @@
 #include "volume/measure/points.h"
 #include "volume/measure/surface_graph.h"
 #include "volume/measure/surface_point.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
 

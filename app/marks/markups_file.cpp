@@ -11,7 +11,7 @@
 #include "app/marks/mark_kinds.h"
 #include "base/color.h"
 #include "base/error.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::app {
 

@@ -6,8 +6,8 @@
 #include "base/error.h"
 #include "base/memory_budget.h"
 #include "base/number_text.h"
-#include "volume/mesh/surface_arrays.h"
-#include "volume/pieces/hidden_pieces.h"
+#include "volume/extraction/surface_arrays.h"
+#include "volume/visible/hidden_pieces.h"
 #include "volume/write/mesh_writer.h"
 
 namespace isolux::app {

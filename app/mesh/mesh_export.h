@@ -8,8 +8,8 @@
 
 #include "base/progress.h"
 #include "scene/scene.h"
-#include "volume/mesh/surface_mesh.h"
-#include "volume/prepared_volume.h"
+#include "volume/extraction/surface_mesh.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
 

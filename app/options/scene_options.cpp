@@ -11,8 +11,8 @@
 #include "scene/named_camera.h"
 #include "scene/rules/automatic.h"
 #include "scene/rules/needs.h"
-#include "scene/setting/assignment.h"
-#include "scene/settings.h"
+#include "scene/settings/assignment.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::app {
 

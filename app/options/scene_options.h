@@ -10,9 +10,9 @@
 #include "app/files/output_guard.h"
 #include "app/series/camera_wish.h"
 #include "base/progress.h"
-#include "scene/machine.h"
 #include "scene/scene.h"
-#include "volume/prepared_volume.h"
+#include "scene/settings/machine.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
 

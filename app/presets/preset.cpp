@@ -9,9 +9,9 @@
 #include "app/presets/preset_list.h"
 #include "app/presets/preset_value.h"
 #include "base/error.h"
-#include "scene/machine.h"
-#include "scene/scene_diff.h"
-#include "scene/settings.h"
+#include "scene/settings/machine.h"
+#include "scene/settings/scene_diff.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::app {
 

@@ -3,8 +3,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "scene/settings.h"
-#include "volume/prepared_volume.h"
+#include "scene/settings/settings.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
 

@@ -1,6 +1,5 @@
 #include "app/report/machine_report.h"
 
-// isolux doctor: what this machine offers, and what Isolux would use.
 #include <unistd.h>
 
 #include <algorithm>
@@ -24,7 +23,7 @@
 #include "render/renderer.h"
 #include "scene/rules/automatic.h"
 #include "volume/cast/surface_caster.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 #include "volume/read/process/foreign.h"
 
 namespace isolux::app {
@@ -40,7 +39,7 @@ std::string memoryText() {
   const auto pages = [page](int name) {
     return page * static_cast<std::uint64_t>(std::max(::sysconf(name), 0L));
   };
-  return bytesText(pages(_SC_PHYS_PAGES)) + ", " + bytesText(pages(_SC_AVPHYS_PAGES)) + " free";
+  return base::memoryText(pages(_SC_PHYS_PAGES)) + ", " + base::memoryText(pages(_SC_AVPHYS_PAGES)) + " free";
 }
 
 std::string dotted(int major, int minor, int patch) {
@@ -77,7 +76,8 @@ std::string storedProgramsText() {
   const std::filesystem::path folder = programFolder();
   if (folder.empty()) return "none: the user has no home folder";
   const render::StoredPrograms stored = render::storedPrograms(folder);
-  return std::to_string(stored.count) + " programs, " + bytesText(stored.bytes) + ", in " + folder.string();
+  return std::to_string(stored.count) + " programs, " + base::memoryText(stored.bytes) + ", in " +
+         folder.string();
 }
 
 // Prints what the driver has of what Isolux uses, and what follows.
@@ -96,8 +96,8 @@ void printLimits(std::ostream& out, const render::Gl& gl) {
     out << "  The memory of the card is unknown; memory.gpu_budget_mb (default " << asked
         << ") limits its use.\n";
   else
-    out << "  The card has " << bytesText(gl.memoryBytes) << "; memory.gpu_budget_mb (default " << asked
-        << ") is limited to " << gl.budgetMb(std::numeric_limits<int>::max()) << ".\n";
+    out << "  The card has " << base::memoryText(gl.memoryBytes) << "; memory.gpu_budget_mb (default "
+        << asked << ") is limited to " << gl.budgetMb(std::numeric_limits<int>::max()) << ".\n";
 }
 
 // Which executor finds hits and gradients sooner here, and which one is taken.
@@ -134,7 +134,7 @@ void printDoctor(std::ostream& out, const std::string& window, base::Progress& p
   row(out, "compiler", __VERSION__);
   row(out, "CPU threads", std::to_string(tbb::info::default_concurrency()));
   row(out, "memory", memoryText());
-  row(out, "memory budget", bytesText(base::machineMemory().limit()));
+  row(out, "memory budget", base::memoryText(base::machineMemory().limit()));
   for (const std::string& version : volume::readerVersions(progress)) row(out, "file reader", version);
   row(out, "oneTBB", TBB_runtime_version());
   row(out, "GLM", dotted(GLM_VERSION_MAJOR, GLM_VERSION_MINOR, GLM_VERSION_PATCH));

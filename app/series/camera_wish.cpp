@@ -7,8 +7,8 @@
 #include "base/error.h"
 #include "scene/framing.h"
 #include "scene/named_camera.h"
-#include "volume/statistics/surface_outline.h"
-#include "volume/statistics/surface_reach.h"
+#include "volume/prepared/surface_outline.h"
+#include "volume/prepared/surface_reach.h"
 
 namespace isolux::app {
 

@@ -8,9 +8,9 @@
 #include "base/decimal_text.h"
 #include "base/error.h"
 #include "base/number_text.h"
-#include "scene/machine.h"
-#include "scene/setting/assignment.h"
-#include "scene/settings.h"
+#include "scene/settings/assignment.h"
+#include "scene/settings/machine.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::app {
 

@@ -1,6 +1,6 @@
 #include "app/slices/slice_content.h"
 
-#include "volume/pieces/hidden_pieces.h"
+#include "volume/visible/hidden_pieces.h"
 
 namespace isolux::app {
 

@@ -7,7 +7,7 @@
 
 #include "base/progress.h"
 #include "scene/scene.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 #include "volume/slice/slice_contours.h"
 #include "volume/slice/slice_values.h"
 #include "volume/statistics/grey_window.h"

@@ -10,7 +10,7 @@
 
 #include "base/color.h"
 #include "scene/color_maps.h"
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_steps.h"
 
 namespace isolux::app {
 

@@ -7,7 +7,7 @@
 
 #include "scene/rules/needs.h"
 #include "scene/rules/relevance.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::app {
 

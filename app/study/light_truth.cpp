@@ -5,7 +5,7 @@
 
 #include "base/random.h"
 #include "gi/trace/path_tracer.h"
-#include "volume/parallel_loops.h"
+#include "volume/parallel/parallel_loops.h"
 
 namespace isolux::app {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/compare/flip.h"
-#include "app/jobs/field_job.h"
+#include "app/picture/field_job.h"
 #include "base/quantiles.h"
 #include "render/still_picture.h"
 

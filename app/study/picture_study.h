@@ -12,7 +12,7 @@
 #include "app/study/study_results.h"
 #include "base/progress.h"
 #include "render/renderer.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
 

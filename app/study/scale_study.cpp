@@ -13,7 +13,7 @@
 #include "volume/field/reconstruct.h"
 #include "volume/field/scale_kernel.h"
 #include "volume/field/symmetric_filter.h"
-#include "volume/parallel_loops.h"
+#include "volume/parallel/parallel_loops.h"
 
 namespace isolux::app {
 

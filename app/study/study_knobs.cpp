@@ -10,7 +10,7 @@
 #include "base/suggestion.h"
 #include "scene/rules/environment.h"
 #include "scene/rules/relevance.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::app {
 

@@ -20,7 +20,7 @@
 #include "volume/field/reconstruct.h"
 #include "volume/hit/cell_walk.h"
 #include "volume/hit/exact_hit.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
 

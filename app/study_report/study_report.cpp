@@ -19,7 +19,7 @@
 #include "app/version.h"
 #include "base/number_text.h"
 #include "base/printable.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::app {
 

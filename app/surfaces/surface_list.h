@@ -8,7 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "scene/scene.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
 

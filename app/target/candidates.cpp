@@ -6,7 +6,7 @@
 
 #include "app/target/work.h"
 #include "base/number_text.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::app {
 

@@ -16,8 +16,8 @@
 #include <string>
 #include <vector>
 
+#include "app/accuracy/error_limits.h"
 #include "app/study/study_errors.h"
-#include "app/target/target.h"
 
 namespace isolux::app {
 

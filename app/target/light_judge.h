@@ -18,7 +18,7 @@
 #include "app/study/surface_truth.h"
 #include "app/target/choice.h"
 #include "render/renderer.h"
-#include "scene/machine.h"
+#include "scene/settings/machine.h"
 
 namespace isolux::app {
 

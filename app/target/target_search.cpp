@@ -4,14 +4,14 @@
 #include <cmath>
 #include <iterator>
 
-#include "app/jobs/field_job.h"
-#include "app/jobs/rest_scene.h"
 #include "app/light/light_picture.h"
+#include "app/picture/field_job.h"
+#include "app/picture/rest_scene.h"
 #include "app/target/drawn_images.h"
 #include "app/target/stages.h"
 #include "app/target/work.h"
 #include "base/error.h"
-#include "render/graph/pass_declarations.h"
+#include "render/passes/pass_declarations.h"
 #include "scene/rules/automatic.h"
 #include "scene/rules/gi_choice.h"
 

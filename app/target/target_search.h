@@ -22,7 +22,7 @@
 #include "app/target/light_judge.h"
 #include "base/progress.h"
 #include "render/renderer.h"
-#include "scene/machine.h"
+#include "scene/settings/machine.h"
 
 namespace isolux::app {
 

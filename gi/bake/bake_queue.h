@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "gi/bake/wish.h"
+#include "gi/lattice/wish.h"
 
 namespace isolux::gi {
 

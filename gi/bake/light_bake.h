@@ -21,8 +21,8 @@
 #include <vector>
 
 #include "gi/bake/texel_estimator.h"
-#include "gi/bake/wish.h"
 #include "gi/lattice/light_lattice.h"
+#include "gi/lattice/wish.h"
 
 namespace isolux::gi {
 

@@ -27,7 +27,7 @@
 #include "gi/lattice/lattice_part.h"
 #include "gi/lattice/light_lattice.h"
 #include "volume/grid.h"
-#include "volume/pieces/hidden_pieces.h"
+#include "volume/visible/hidden_pieces.h"
 
 namespace isolux::gi {
 

@@ -7,7 +7,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "gi/gloss/gloss_lobe.h"
+#include "gi/sampling/gloss_lobe.h"
 
 namespace isolux::gi {
 

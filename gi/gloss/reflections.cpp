@@ -11,7 +11,7 @@
 #include "gi/picture_light.h"
 #include "gi/trace/path_wave.h"
 #include "scene/rules/needs.h"
-#include "volume/parallel_loops.h"
+#include "volume/parallel/parallel_loops.h"
 
 namespace isolux::gi {
 

@@ -1,6 +1,6 @@
 // Traces what glossy surface points reflect: exact rays against the isosurface of each point.
 //
-// Two estimates of R (gi/gloss/gloss_lobe.h):
+// Two estimates of R (gi/sampling/gloss_lobe.h):
 //   reflectionsOf()      for frames: R = visible / open * filtered environment + met * light / baked, and the
 //                        visible fraction of each light source. Without anything in the way it has no noise.
 //                        What rays meet has the light that is baked there. A source without shadows is
@@ -21,8 +21,8 @@
 
 #include "gi/bake/texel_estimator.h"
 #include "gi/gloss/filtered_environment.h"
-#include "gi/gloss/gloss_lobe.h"
 #include "gi/light_scene.h"
+#include "gi/sampling/gloss_lobe.h"
 #include "gi/trace/path_tracer.h"
 
 namespace isolux::gi {
@@ -61,7 +61,7 @@ struct Reflection {
   glm::vec3 unoccluded{0.0f};  // radiance that takes the place of light / baked where nothing is baked
   // Luminance of the environment in the directions of the lobe: all of it, and what reaches the point.
   float open = 0.0f, visible = 0.0f;
-  glm::vec3 lamps{1.0f};  // visible fraction of each light source
+  glm::vec3 lamps{1.0f};                                   // visible fraction of each light source
   glm::vec3 hit{std::numeric_limits<float>::quiet_NaN()};  // voxel that the last ray met; NaN: none
 
   void add(const Reflection& other, float weight) {

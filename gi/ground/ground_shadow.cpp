@@ -15,8 +15,8 @@
 #include "gi/sampling/directions.h"
 #include "gi/sampling/lamp_sampling.h"
 #include "scene/opacity.h"
-#include "volume/parallel_steps.h"
-#include "volume/statistics/surface_reach.h"
+#include "volume/parallel/parallel_steps.h"
+#include "volume/prepared/surface_reach.h"
 
 namespace isolux::gi {
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "gi/bake/wish.h"
 #include "gi/lattice/lattice_geometry.h"
+#include "gi/lattice/wish.h"
 
 namespace isolux::gi {
 

@@ -12,12 +12,12 @@
 
 #include "base/color.h"
 #include "base/error.h"
+#include "base/huge_pages.h"
 #include "base/portable_math.h"
 #include "base/random.h"
 #include "gi/harmonics/spherical_harmonics.h"
 #include "gi/sampling/directions.h"
 #include "gi/sampling/guide_table.h"
-#include "volume/tracer/huge_pages.h"
 
 namespace isolux::gi {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "gi/lattice/texel_bits.h"
-#include "volume/parallel_loops.h"
+#include "volume/parallel/parallel_loops.h"
 
 namespace isolux::gi {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "gi/bake/wish.h"
 #include "gi/lattice/light_lattice.h"
+#include "gi/lattice/wish.h"
 #include "scene/choices.h"
 #include "volume/grid.h"
 

@@ -6,8 +6,8 @@
 
 #include <glm/vec3.hpp>
 
-#include "gi/bake/wish.h"
 #include "gi/lattice/light_lattice.h"
+#include "gi/lattice/wish.h"
 
 namespace isolux::gi {
 

@@ -19,7 +19,7 @@
 #include "volume/clip/cut_faces.h"
 #include "volume/hit/cell_walk.h"
 #include "volume/hit/exact_hit.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 #include "volume/skip/min_max_blocks.h"
 
 namespace isolux::gi {
@@ -35,7 +35,7 @@ class PrimaryHits {
   struct Surface {
     double isovalue;  // data units
     glm::vec3 albedo;
-    double specular = 0.0, roughness = 1.0;  // gi/gloss/gloss_lobe.h
+    double specular = 0.0, roughness = 1.0;  // gi/sampling/gloss_lobe.h
   };
 
   // Throws Error{interrupted}.

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/error.h"
-#include "volume/read/length_doubt.h"
+#include "volume/read/input/length_doubt.h"
 
 namespace isolux::readers {
 

@@ -8,7 +8,7 @@
 
 #include <hdf5.h>
 
-#include "volume/bricks/chunks/cf_attributes.h"
+#include "volume/read/chunks/cf_attributes.h"
 
 namespace isolux::readers {
 

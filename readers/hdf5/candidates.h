@@ -8,7 +8,7 @@
 
 #include <hdf5.h>
 
-#include "volume/bricks/chunks/chunk_format.h"
+#include "volume/read/chunks/chunk_format.h"
 
 namespace isolux::readers {
 

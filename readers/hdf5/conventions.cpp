@@ -15,9 +15,9 @@
 #include "base/number_text.h"
 #include "readers/hdf5/attributes.h"
 #include "readers/hdf5/hdf5_handles.h"
-#include "volume/bricks/zarr/ome.h"
 #include "volume/read/input/convert.h"
 #include "volume/read/input/text.h"
+#include "volume/read/zarr/ome.h"
 
 namespace isolux::readers {
 

@@ -8,7 +8,7 @@
 #include <hdf5.h>
 
 #include "readers/hdf5/candidates.h"
-#include "volume/bricks/chunks/array_statements.h"
+#include "volume/read/chunks/array_statements.h"
 
 namespace isolux::readers {
 

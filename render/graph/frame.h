@@ -12,7 +12,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "render/empty_picture.h"
+#include "render/graph/empty_picture.h"
 
 namespace isolux::render {
 
@@ -149,7 +149,8 @@ struct FrameReport {
   std::size_t gpuBytes = 0;    // the same with the textures and buffers of the volume and of baked light
   std::optional<EmptyPicture> empty;  // no surface is visible, and why
   std::optional<Tile> legend;         // its place in the whole image, if it was drawn
-  // Values of automatic settings that were derived from the surface, by the paths of scene/settings.h.
+  // Values of automatic settings that were derived from the surface, by the paths of
+  // scene/settings/settings.h.
   std::map<std::string, double> found;
   // The driver's errors in this frame (render/gl/gl_messages.h): the image may be wrong.
   std::vector<std::string> glErrors;

@@ -1,7 +1,7 @@
 // Defines a pass of the renderer: name, shader, the images it reads and writes, the settings that its result
 // depends on, and its execution. render/passes/pass_list.cpp lists the passes in their order.
 //
-// A pass depends on a set of paths of scene/settings.h; a value counts only if the setting is active
+// A pass depends on a set of paths of scene/settings/settings.h; a value counts only if the setting is active
 // (scene/rules/relevance.h). Passes also depend on inputs that are not settings (the volume, the image size).
 // They may depend on numbers derived from settings (the phase of a flow), too.
 #pragma once
@@ -18,7 +18,7 @@
 #include "base/hash.h"
 #include "render/graph/frame_graph.h"
 #include "scene/scene.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::render {
 
@@ -55,8 +55,8 @@ inline constexpr const char *activeBlocks = "active blocks", *segments = "ray se
                             *occlusion = "occlusions", *flowField = "flow fields", *flow = "streaks",
                             *extrema = "curvature extrema", *lineField = "line fields", *lines = "lines",
                             *light = "stored light", *cutFaces = "cut faces", *irradiance = "irradiances",
-                            *reflections = "reflections", *front = "front colour",
-                            *color = "colour", *background = "background", *picture = "picture",
+                            *reflections = "reflections", *front = "front colour", *color = "colour",
+                            *background = "background", *picture = "picture",
                             *linear = "linear picture";  // the image before it is encoded
 }
 

@@ -5,7 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 
-#include "volume/parallel_loops.h"
+#include "volume/parallel/parallel_loops.h"
 
 namespace isolux::render {
 

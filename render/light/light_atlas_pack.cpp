@@ -5,7 +5,7 @@
 
 #include <glm/common.hpp>
 
-#include "render/constants.h"
+#include "render/gl/constants.h"
 #include "render/light/isovalues_about.h"
 #include "render/light/light_atlas.h"
 #include "volume/field/reconstruct.h"

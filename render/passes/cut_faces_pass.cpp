@@ -8,7 +8,7 @@
 #include "scene/color_maps.h"
 #include "scene/opacity.h"
 #include "scene/rules/needs.h"
-#include "volume/parallel_loops.h"
+#include "volume/parallel/parallel_loops.h"
 
 namespace isolux::render {
 

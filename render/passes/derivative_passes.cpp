@@ -4,8 +4,8 @@
 
 #include <glm/matrix.hpp>
 
-#include "render/constants.h"
-#include "render/graph/pass_declarations.h"
+#include "render/gl/constants.h"
+#include "render/passes/pass_declarations.h"
 #include "scene/rules/needs.h"
 #include "volume/edge/surface_edges.h"
 #include "volume/field/curvature.h"

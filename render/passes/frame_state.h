@@ -40,7 +40,7 @@ struct Surface {
   double opacity;
   double facingOpacity = 1.0;              // scene/opacity.h
   bool clipped = true;                     // by scene::Clip
-  double specular = 0.0, roughness = 1.0;  // gi/gloss/gloss_lobe.h
+  double specular = 0.0, roughness = 1.0;  // gi/sampling/gloss_lobe.h
   bool opaque() const { return scene::isOpaque(*this); }
 };
 // Returns the first isosurface and the shown further ones, without those of opacity 0: none to four.
@@ -90,15 +90,15 @@ struct FrameState {
   std::optional<RayStarts> starts;         // of the rays that shaders cast; set by the segments pass
   std::vector<Pass*> used;                 // the passes that this frame needs, run or cached, in order
 
-  // Rays in bricks (render/volume/brick_rounds.h). `onlyWaiting`: the cast is of the rays that waited for a
+  // Rays in bricks (render/passes/brick_rounds.h). `onlyWaiting`: the cast is of the rays that waited for a
   // brick. `keepHits`: passes do not clear the images of the hits, because some parts cannot be drawn again.
   bool onlyWaiting = false, keepHits = false;
   std::optional<volume::Rectangle> raysOfRound;  // the only part drawn; nullopt: everything
 
   // The crossing drawn now ("" the first, otherwise one behind: layers pass), and the one before it.
   std::string layer, layerBefore;
-  bool anyBehind = false;     // the layer's cast found a crossing
-  gi::SeenPoints hitsBehind;  // of the layers, if the look reads baked lighting
+  bool anyBehind = false;                // the layer's cast found a crossing
+  gi::SeenPoints hitsBehind;             // of the layers, if the look reads baked lighting
   std::vector<glm::vec3> reflectedHits;  // that the first crossing reflects; those of layers are hitsBehind
 
   // The drawn part: the image, or a tile of it.

@@ -13,7 +13,7 @@
 #include "render/passes/light_passes.h"
 #include "scene/rules/needs.h"
 #include "volume/field/reconstruct.h"
-#include "volume/parallel_loops.h"
+#include "volume/parallel/parallel_loops.h"
 
 namespace isolux::render {
 

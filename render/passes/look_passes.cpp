@@ -8,18 +8,18 @@
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
-#include "render/legend/legend_overlay.h"
 #include "render/passes/curvature_ranges.h"
 #include "render/passes/effect_passes.h"
+#include "render/passes/legend_overlay.h"
 #include "render/passes/light_passes.h"
+#include "render/passes/readback.h"
 #include "render/passes/second_volume_pass.h"
-#include "render/readback.h"
 #include "scene/color_maps.h"
 #include "scene/looks.h"
 #include "scene/opacity.h"
 #include "scene/rules/needs.h"
-#include "scene/setting/choice_names.h"
-#include "scene/settings.h"
+#include "scene/settings/choice_names.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::render {
 

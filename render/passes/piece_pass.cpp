@@ -2,7 +2,7 @@
 
 #include <stop_token>
 
-#include "volume/parallel_loops.h"
+#include "volume/parallel/parallel_loops.h"
 #include "volume/pieces/pieces.h"
 
 namespace isolux::render {

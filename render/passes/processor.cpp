@@ -6,7 +6,7 @@
 
 #include <glm/common.hpp>
 
-#include "render/constants.h"
+#include "render/gl/constants.h"
 #include "render/passes/frame_state.h"
 #include "render/passes/hit_passes.h"
 #include "scene/rules/needs.h"

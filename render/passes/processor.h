@@ -16,8 +16,8 @@
 #include "render/gl/image_pool.h"
 #include "render/graph/pass.h"
 #include "render/volume/gpu_volume.h"
-#include "scene/machine.h"
 #include "scene/scene.h"
+#include "scene/settings/machine.h"
 #include "volume/cast/surface_caster.h"
 #include "volume/edge/edge_walk.h"
 

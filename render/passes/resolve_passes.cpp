@@ -1,8 +1,8 @@
 #include "render/passes/resolve_passes.h"
 
-#include "render/legend/legend_overlay.h"
 #include "render/passes/curvature_ranges.h"
 #include "render/passes/cut_faces_pass.h"
+#include "render/passes/legend_overlay.h"
 #include "render/passes/light_passes.h"
 #include "render/passes/second_volume_pass.h"
 #include "scene/rules/gi_choice.h"

@@ -5,11 +5,11 @@
 #include <glm/geometric.hpp>
 
 #include "base/number_text.h"
-#include "render/constants.h"
+#include "render/gl/constants.h"
 #include "scene/color_maps.h"
 #include "volume/color/second_values.h"
 #include "volume/field/reconstruct.h"
-#include "volume/parallel_loops.h"
+#include "volume/parallel/parallel_loops.h"
 #include "volume/statistics/visible_points.h"
 
 namespace isolux::render {

@@ -13,11 +13,11 @@
 #include "render/volume/part_boxes.h"
 #include "render/volume/surface_blocks.h"
 #include "render/volume/volume_texture.h"
-#include "scene/machine.h"
 #include "scene/scene.h"
+#include "scene/settings/machine.h"
 #include "volume/edge/edge_walk.h"
 #include "volume/field/scaled_field.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 #include "volume/skip/box_bounds.h"
 #include "volume/statistics/curvature_statistics.h"
 #include "volume/statistics/visible_points.h"
@@ -125,7 +125,7 @@ class GpuVolume {
   void makeWhole(std::size_t budgetBytes);
   void makeBricks(std::size_t budgetBytes);
   const TexelSource& sourceOf(const FieldAt& of) const;
-  // Returns the data of a cubic field; computes them at the first call (see volume/field/cubic_fields.h:
+  // Returns the data of a cubic field; computes them at the first call (see volume/derived/cubic_fields.h:
   // takes long).
   const volume::CubicField& cubic(scene::Field field) const;
   SurfaceBlocks& blocksOf(scene::Field field);  // becomes the last used

@@ -4,7 +4,7 @@
 
 #include "render/volume/brick_cache.h"
 #include "volume/bricks/brick_source.h"
-#include "volume/bricks/stored_type.h"
+#include "volume/voxels/stored_type.h"
 
 namespace isolux::render {
 

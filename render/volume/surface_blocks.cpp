@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "render/volume/brick_cache.h"
-#include "volume/parallel_loops.h"
+#include "volume/parallel/parallel_loops.h"
 #include "volume/skip/cell_bits.h"
 
 namespace isolux::render {

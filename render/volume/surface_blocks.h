@@ -10,10 +10,10 @@
 #include "render/gl/gl_objects.h"
 #include "render/volume/part_boxes.h"
 #include "scene/scene.h"
-#include "volume/pieces/hidden_pieces.h"
-#include "volume/pieces/shown_boxes.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 #include "volume/skip/active_blocks.h"
+#include "volume/skip/shown_boxes.h"
+#include "volume/visible/hidden_pieces.h"
 
 namespace isolux::render {
 

@@ -6,10 +6,10 @@
 #include <span>
 
 #include "base/error.h"
-#include "render/constants.h"
+#include "render/gl/constants.h"
 #include "volume/bricks/brick_source.h"
-#include "volume/bricks/stored_type.h"
 #include "volume/field/value_scaling.h"
+#include "volume/voxels/stored_type.h"
 
 namespace isolux::render {
 

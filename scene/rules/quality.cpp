@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "scene/setting/setting_value.h"
-#include "scene/settings.h"
+#include "scene/settings/setting_value.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::scene {
 

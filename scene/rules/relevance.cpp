@@ -10,7 +10,7 @@
 #include "scene/looks.h"
 #include "scene/rules/environment.h"
 #include "scene/rules/gi_choice.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::scene {
 

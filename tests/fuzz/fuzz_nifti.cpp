@@ -1,6 +1,6 @@
 // NIfTI files in memory, not gzipped.
 #include "tests/fuzz/fuzz_support.h"
-#include "volume/read/nifti.h"
+#include "volume/read/plain/nifti.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace isolux;

@@ -1,6 +1,6 @@
 // NRRD files in memory: header, then the voxels behind it.
 #include "tests/fuzz/fuzz_support.h"
-#include "volume/read/nrrd.h"
+#include "volume/read/plain/nrrd.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace isolux;

@@ -2,7 +2,7 @@
 #include <cstdlib>
 
 #include "tests/fuzz/fuzz_support.h"
-#include "volume/read/raw.h"
+#include "volume/read/plain/raw.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace isolux;

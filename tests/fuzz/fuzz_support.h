@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 #include "volume/read/input/payload.h"
 
 namespace isolux::fuzz {

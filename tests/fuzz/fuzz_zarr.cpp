@@ -6,7 +6,7 @@
 #include <string>
 
 #include "tests/fuzz/fuzz_support.h"
-#include "volume/bricks/zarr/zarr.h"
+#include "volume/read/zarr/zarr.h"
 
 namespace {
 

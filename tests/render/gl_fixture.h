@@ -11,7 +11,7 @@
 #include "render/renderer.h"
 #include "scene/camera.h"
 #include "scene/rules/automatic.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 #include "tests/support/volumes.h"
 
 namespace isolux::test {

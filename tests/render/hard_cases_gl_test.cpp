@@ -8,7 +8,7 @@
 #include <glm/vector_relational.hpp>
 
 #include "base/error.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/support/analytic_fields.h"
 

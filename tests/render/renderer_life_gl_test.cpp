@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "render/gl/gl.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 #include "tests/render/gl_fixture.h"
 
 namespace isolux::test {

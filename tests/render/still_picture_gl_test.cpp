@@ -12,7 +12,7 @@
 
 #include "base/error.h"
 #include "render/gl/gl.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/render/picture_difference.h"
 #include "volume/hit/exact_hit.h"

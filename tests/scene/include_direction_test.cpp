@@ -132,7 +132,7 @@ const std::vector<SlowLibrary>& slowLibraries() {
   static const std::vector<SlowLibrary> list{
       {"tbb/", {"volume/field/filter_lines.h", "volume/cast/cell_bits_on_demand.h"}},
       {"nlohmann/json.hpp",
-       {"scene/scene_diff.h", "scene/setting/setting_value.h", "app/documents/stored_scene.h",
+       {"scene/settings/scene_diff.h", "scene/settings/setting_value.h", "app/documents/stored_scene.h",
         "app/presets/preset.h"}},
       {"CLI/", {"app/commands/command.h", "app/commands/render_target.h"}},
       {"hwy/", {"-inl.h"}},
@@ -156,7 +156,7 @@ std::vector<std::string> slowIncludes(const std::string& path, const std::string
   // Kernels and fields need what settings choose among, not all of the Scene.
   static const std::regex kernels(R"(volume/(cast|tracer|field|skip|hit)/.*)");
   static const std::array<std::string_view, 3> ofScenes{
-      "volume/field/cubic_fields.h", "volume/field/curvature.h", "volume/field/noise_gain.h"};
+      "volume/derived/cubic_fields.h", "volume/field/curvature.h", "volume/field/noise_gain.h"};
   if (std::regex_match(path, kernels) && std::find(ofScenes.begin(), ofScenes.end(), path) == ofScenes.end())
     for (const std::string& name : includesOf(content))
       if (name == "scene/scene.h") wrong.push_back(path + ": scene/scene.h: scene/choices.h has the choices");

@@ -6,7 +6,7 @@
 #include <random>
 #include <string>
 
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::test {
 

@@ -8,7 +8,7 @@
 
 #include "tests/support/volumes.h"
 #include "volume/grid.h"
-#include "volume/pieces/hidden_voxels.h"
+#include "volume/visible/hidden_voxels.h"
 
 namespace isolux::test {
 

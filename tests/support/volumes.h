@@ -8,7 +8,7 @@
 
 #include <glm/mat4x4.hpp>
 
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::test {
 

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
-#include "volume/bricks/open_arrays.h"
+#include "volume/read/open_arrays.h"
 #include "volume/read/reader.h"
 
 namespace {

@@ -14,8 +14,8 @@
 #include <QValueAxis>
 
 #include "render/legend/legend.h"
-#include "ui/editors/number_text.h"
-#include "ui/window/style.h"
+#include "ui/language/number_text.h"
+#include "ui/theme/style.h"
 
 namespace isolux::ui {
 

@@ -7,13 +7,13 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 #include "ui/accuracy/accuracy_chart.h"
 #include "ui/accuracy/error_overlay_box.h"
 #include "ui/accuracy/target_box.h"
-#include "ui/editors/number_text.h"
+#include "ui/language/number_text.h"
 #include "ui/language/translated.h"
-#include "ui/window/style.h"
+#include "ui/theme/style.h"
 
 namespace isolux::ui {
 

@@ -2,7 +2,7 @@
 // and what searches are of.
 #include <algorithm>
 
-#include "render/graph/pass_declarations.h"
+#include "render/passes/pass_declarations.h"
 #include "scene/rules/needs.h"
 #include "ui/accuracy/accuracy_panel.h"
 #include "ui/accuracy/accuracy_text.h"

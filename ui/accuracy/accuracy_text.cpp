@@ -9,8 +9,8 @@
 #include <QStringList>
 
 #include "app/study/study_knobs.h"
-#include "scene/settings.h"
-#include "ui/editors/number_text.h"
+#include "scene/settings/settings.h"
+#include "ui/language/number_text.h"
 #include "ui/language/sentences.h"
 #include "ui/language/translated.h"
 

@@ -5,8 +5,8 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
-#include "ui/viewport/picture_pixels.h"
-#include "ui/window/style.h"
+#include "ui/document/picture_pixels.h"
+#include "ui/theme/style.h"
 
 namespace isolux::ui {
 

@@ -12,8 +12,8 @@
 
 #include "scene/rules/needs.h"
 #include "ui/accuracy/accuracy_text.h"
-#include "ui/editors/number_spin_box.h"
-#include "ui/window/style.h"
+#include "ui/theme/style.h"
+#include "ui/widgets/number_spin_box.h"
 
 namespace isolux::ui {
 

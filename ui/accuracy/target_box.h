@@ -1,5 +1,5 @@
 // "Error at most", "Time at most": searches the settings that keep one of them for the view on show
-// (app/jobs/target_job.h), says what they cost, and applies them as one edit.
+// (app/target/target_job.h), says what they cost, and applies them as one edit.
 //
 // A search begins with a click and ends at once when anything of its question changes.
 #pragma once
@@ -10,7 +10,7 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "app/jobs/target_job.h"
+#include "app/target/target_job.h"
 #include "ui/document/edit.h"
 
 class QComboBox;

@@ -23,7 +23,7 @@
 #include "base/color.h"
 #include "ui/browser/series_index.h"
 #include "ui/document/privacy.h"
-#include "ui/window/style.h"
+#include "ui/theme/style.h"
 
 namespace isolux::ui {
 

@@ -11,7 +11,7 @@
 #include <QToolButton>
 
 #include "ui/document/privacy.h"
-#include "ui/window/style.h"
+#include "ui/theme/style.h"
 
 namespace isolux::ui {
 

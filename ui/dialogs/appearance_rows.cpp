@@ -5,9 +5,9 @@
 #include <QLabel>
 
 #include "ui/document/preferences.h"
-#include "ui/editors/number_spin_box.h"
 #include "ui/theme/interface_scale.h"
-#include "ui/window/style.h"
+#include "ui/theme/style.h"
+#include "ui/widgets/number_spin_box.h"
 
 namespace isolux::ui {
 

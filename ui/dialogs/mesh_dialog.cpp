@@ -15,8 +15,8 @@
 #include <QVBoxLayout>
 
 #include "scene/rules/needs.h"
-#include "ui/editors/number_text.h"
-#include "volume/mesh/surface_mesh.h"
+#include "ui/language/number_text.h"
+#include "volume/extraction/surface_mesh.h"
 
 namespace isolux::ui {
 

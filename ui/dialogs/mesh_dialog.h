@@ -9,8 +9,8 @@
 #include <QTimer>
 
 #include "app/mesh/mesh_job.h"
-#include "ui/editors/time_left.h"
-#include "ui/window/style.h"
+#include "ui/theme/style.h"
+#include "ui/widgets/time_left.h"
 
 class QCheckBox;
 class QComboBox;

@@ -17,9 +17,9 @@
 #include "base/error.h"
 #include "ui/dialogs/appearance_rows.h"
 #include "ui/dialogs/privacy_box.h"
-#include "ui/editors/number_text.h"
 #include "ui/editors/value_widgets.h"
 #include "ui/language/language.h"
+#include "ui/language/number_text.h"
 #include "ui/language/translated.h"
 
 namespace isolux::ui {

@@ -6,7 +6,7 @@
 
 #include <QDialog>
 
-#include "scene/machine.h"
+#include "scene/settings/machine.h"
 
 class QCheckBox;
 class QComboBox;

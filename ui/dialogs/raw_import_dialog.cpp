@@ -17,9 +17,9 @@
 
 #include "ui/dialogs/raw_slice.h"
 #include "ui/dialogs/slice_preview.h"
-#include "ui/editors/number_spin_box.h"
-#include "ui/editors/number_text.h"
-#include "ui/window/style.h"
+#include "ui/language/number_text.h"
+#include "ui/theme/style.h"
+#include "ui/widgets/number_spin_box.h"
 
 namespace isolux::ui {
 

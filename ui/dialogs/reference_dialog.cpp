@@ -19,10 +19,10 @@
 #include "app/documents/session.h"
 #include "app/files/image_io.h"
 #include "app/files/reference_image.h"
-#include "ui/dialogs/save_dialog.h"
 #include "ui/document/privacy.h"
-#include "ui/editors/number_text.h"
-#include "ui/window/style.h"
+#include "ui/language/number_text.h"
+#include "ui/theme/style.h"
+#include "ui/widgets/save_dialog.h"
 
 namespace isolux::ui {
 

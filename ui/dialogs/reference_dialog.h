@@ -11,7 +11,7 @@
 #include <QTimer>
 
 #include "app/jobs/reference_job.h"
-#include "ui/editors/time_left.h"
+#include "ui/widgets/time_left.h"
 
 class QComboBox;
 class QLabel;

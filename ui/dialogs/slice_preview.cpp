@@ -4,7 +4,7 @@
 
 #include <QPainter>
 
-#include "ui/window/style.h"
+#include "ui/theme/style.h"
 
 namespace isolux::ui {
 

@@ -13,11 +13,11 @@
 #include "app/files/image_io.h"
 #include "app/files/output_guard.h"
 #include "scene/rules/automatic.h"
-#include "scene/scene_diff.h"
+#include "scene/settings/scene_diff.h"
 #include "ui/document/privacy.h"
-#include "volume/read/step_files.h"
-#include "volume/statistics/surface_outline.h"
+#include "volume/prepared/surface_outline.h"
 #include "volume/read/reader.h"
+#include "volume/read/step_files.h"
 
 namespace isolux::ui {
 

@@ -23,8 +23,8 @@
 #include "app/jobs/load_job.h"
 #include "app/jobs/step_ahead.h"
 #include "app/jobs/step_player.h"
-#include "scene/flow_clock.h"
 #include "scene/rules/automatic.h"
+#include "scene/rules/flow_clock.h"
 #include "ui/document/edit.h"
 
 namespace isolux::ui {

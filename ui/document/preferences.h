@@ -1,8 +1,8 @@
-// What is kept for this user between runs: what the machine is asked for (scene/machine.h), and how the
-// window looks.
+// What is kept for this user between runs: what the machine is asked for (scene/settings/machine.h), and how
+// the window looks.
 #pragma once
 
-#include "scene/machine.h"
+#include "scene/settings/machine.h"
 #include "ui/theme/theme.h"
 
 namespace isolux::ui {

@@ -4,7 +4,7 @@
 #include <QString>
 
 #include "ui/document/document.h"
-#include "volume/read/patient.h"
+#include "volume/read/input/patient.h"
 
 namespace isolux::ui {
 

@@ -13,11 +13,11 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/color_maps.h"
-#include "scene/setting/setting_value.h"
-#include "ui/editors/color_button.h"
-#include "ui/editors/number_spin_box.h"
-#include "ui/editors/number_text.h"
-#include "ui/window/style.h"
+#include "scene/settings/setting_value.h"
+#include "ui/language/number_text.h"
+#include "ui/theme/style.h"
+#include "ui/widgets/color_button.h"
+#include "ui/widgets/number_spin_box.h"
 
 namespace isolux::ui {
 

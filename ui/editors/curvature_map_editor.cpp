@@ -17,9 +17,9 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/curvature_map.h"
-#include "ui/editors/color_button.h"
-#include "ui/editors/number_spin_box.h"
-#include "ui/window/style.h"
+#include "ui/theme/style.h"
+#include "ui/widgets/color_button.h"
+#include "ui/widgets/number_spin_box.h"
 
 namespace isolux::ui {
 

@@ -15,8 +15,8 @@
 #include "base/color.h"
 #include "scene/camera.h"
 #include "scene/rules/environment.h"
-#include "ui/editors/environment_edit.h"
-#include "ui/window/style.h"
+#include "ui/document/environment_edit.h"
+#include "ui/theme/style.h"
 
 namespace isolux::ui {
 

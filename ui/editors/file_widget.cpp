@@ -8,7 +8,7 @@
 #include <QToolButton>
 #include <nlohmann/json.hpp>
 
-#include "ui/window/icons.h"
+#include "ui/theme/icons.h"
 
 namespace isolux::ui {
 

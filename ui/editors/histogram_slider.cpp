@@ -8,8 +8,8 @@
 #include <QPainter>
 
 #include "base/retire.h"
-#include "ui/editors/number_text.h"
-#include "ui/window/style.h"
+#include "ui/language/number_text.h"
+#include "ui/theme/style.h"
 
 namespace isolux::ui {
 

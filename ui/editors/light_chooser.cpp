@@ -5,9 +5,9 @@
 
 #include "app/light/light_thumbnail.h"
 #include "scene/rules/environment.h"
-#include "scene/setting/choice_names.h"
-#include "ui/editors/environment_edit.h"
-#include "ui/editors/number_text.h"
+#include "scene/settings/choice_names.h"
+#include "ui/document/environment_edit.h"
+#include "ui/language/number_text.h"
 
 namespace isolux::ui {
 

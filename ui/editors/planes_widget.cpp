@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/scene.h"
-#include "ui/editors/number_spin_box.h"
+#include "ui/widgets/number_spin_box.h"
 
 namespace isolux::ui {
 

@@ -4,8 +4,8 @@
 #include <QLabel>
 #include <nlohmann/json.hpp>
 
-#include "ui/editors/number_spin_box.h"
-#include "ui/window/style.h"
+#include "ui/theme/style.h"
+#include "ui/widgets/number_spin_box.h"
 
 namespace isolux::ui {
 

@@ -11,9 +11,9 @@
 #include "base/error.h"
 #include "scene/color_maps.h"
 #include "scene/rules/relevance.h"
-#include "ui/editors/number_text.h"
+#include "ui/language/number_text.h"
 #include "ui/language/translated.h"
-#include "ui/window/icons.h"
+#include "ui/theme/icons.h"
 
 namespace isolux::ui {
 

@@ -5,7 +5,7 @@
 
 #include <QWidget>
 
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 #include "ui/document/edit.h"
 #include "ui/editors/value_widgets.h"
 

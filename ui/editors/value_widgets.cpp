@@ -15,16 +15,16 @@
 #include <nlohmann/json.hpp>
 
 #include "base/numbers.h"
-#include "scene/setting/assignment.h"
-#include "ui/editors/color_button.h"
+#include "scene/settings/assignment.h"
 #include "ui/editors/color_points_editor.h"
 #include "ui/editors/curvature_map_editor.h"
 #include "ui/editors/file_widget.h"
-#include "ui/editors/number_spin_box.h"
-#include "ui/editors/number_text.h"
 #include "ui/editors/planes_widget.h"
 #include "ui/editors/rotation_widget.h"
+#include "ui/language/number_text.h"
 #include "ui/language/translated.h"
+#include "ui/widgets/color_button.h"
+#include "ui/widgets/number_spin_box.h"
 
 namespace isolux::ui {
 

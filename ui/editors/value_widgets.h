@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "scene/setting/setting.h"
+#include "scene/settings/setting.h"
 
 namespace isolux::ui {
 

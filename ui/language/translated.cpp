@@ -5,7 +5,7 @@
 
 #include <QCoreApplication>
 
-#include "ui/editors/number_text.h"
+#include "ui/language/number_text.h"
 
 namespace isolux::ui {
 

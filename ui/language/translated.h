@@ -8,13 +8,13 @@
 
 #include <QString>
 
-#include "scene/setting/setting.h"
+#include "scene/settings/setting.h"
 
 namespace isolux::ui {
 
 namespace texts {
 inline constexpr auto words =
-    "words";  // choices, labels, names of looks and phantoms: ui/editors/number_text.h
+    "words";  // choices, labels, names of looks and phantoms: ui/language/number_text.h
 inline constexpr auto settings = "settings";    // meanings of settings
 inline constexpr auto units = "units";          // their units
 inline constexpr auto reasons = "reasons";      // why settings do not act

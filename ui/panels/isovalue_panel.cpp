@@ -7,11 +7,11 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "ui/editors/color_button.h"
 #include "ui/editors/histogram_slider.h"
-#include "ui/editors/number_spin_box.h"
-#include "ui/editors/number_text.h"
+#include "ui/language/number_text.h"
 #include "ui/surfaces/surface_list.h"
+#include "ui/widgets/color_button.h"
+#include "ui/widgets/number_spin_box.h"
 
 namespace isolux::ui {
 

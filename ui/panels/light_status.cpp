@@ -9,9 +9,9 @@
 #include <QToolButton>
 
 #include "ui/editors/elided_label.h"
-#include "ui/editors/number_text.h"
-#include "ui/window/icons.h"
-#include "ui/window/style.h"
+#include "ui/language/number_text.h"
+#include "ui/theme/icons.h"
+#include "ui/theme/style.h"
 
 namespace isolux::ui {
 

@@ -5,7 +5,7 @@
 #include <QWidget>
 
 #include "app/light/light_controller.h"
-#include "ui/editors/time_left.h"
+#include "ui/widgets/time_left.h"
 
 class QLabel;
 class QProgressBar;

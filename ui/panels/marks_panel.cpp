@@ -16,9 +16,9 @@
 #include <QVBoxLayout>
 
 #include "app/marks/mark_kinds.h"
-#include "ui/editors/color_button.h"
 #include "ui/language/mark_text.h"
-#include "ui/window/style.h"
+#include "ui/theme/style.h"
+#include "ui/widgets/color_button.h"
 
 namespace isolux::ui {
 

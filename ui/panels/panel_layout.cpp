@@ -5,7 +5,7 @@
 
 #include <QObject>
 
-#include "ui/editors/number_text.h"
+#include "ui/language/number_text.h"
 #include "ui/language/translated.h"
 
 namespace isolux::ui {

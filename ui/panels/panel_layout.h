@@ -8,7 +8,7 @@
 
 #include <QString>
 
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::ui {
 

@@ -12,9 +12,9 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
-#include "ui/editors/number_text.h"
+#include "ui/language/number_text.h"
 #include "ui/language/translated.h"
-#include "ui/window/style.h"
+#include "ui/theme/style.h"
 
 namespace isolux::ui {
 

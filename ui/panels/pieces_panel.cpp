@@ -13,10 +13,10 @@
 #include <QVBoxLayout>
 
 #include "app/interaction/piece_choice.h"
-#include "ui/editors/number_text.h"
 #include "ui/editors/setting_editor.h"
+#include "ui/language/number_text.h"
+#include "ui/theme/style.h"
 #include "ui/viewport/pointed_piece.h"
-#include "ui/window/style.h"
 #include "volume/pieces/shown_pieces.h"
 
 namespace isolux::ui {

@@ -9,13 +9,13 @@
 #include <QVBoxLayout>
 #include <nlohmann/json.hpp>
 
-#include "ui/editors/environment_edit.h"
+#include "ui/document/environment_edit.h"
 #include "ui/editors/environment_preview.h"
 #include "ui/editors/light_chooser.h"
-#include "ui/editors/number_text.h"
 #include "ui/editors/setting_editor.h"
+#include "ui/language/number_text.h"
 #include "ui/language/translated.h"
-#include "ui/window/style.h"
+#include "ui/theme/style.h"
 
 namespace isolux::ui {
 

@@ -17,14 +17,14 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "scene/setting/choice_names.h"
+#include "scene/settings/choice_names.h"
 #include "ui/document/privacy.h"
-#include "ui/editors/number_spin_box.h"
-#include "ui/editors/number_text.h"
-#include "ui/editors/wrapped_text.h"
+#include "ui/language/number_text.h"
 #include "ui/language/sentences.h"
 #include "ui/panels/source_panel.h"
-#include "ui/window/style.h"
+#include "ui/theme/style.h"
+#include "ui/widgets/number_spin_box.h"
+#include "ui/widgets/wrapped_text.h"
 
 namespace isolux::ui {
 

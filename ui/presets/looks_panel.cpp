@@ -16,11 +16,11 @@
 
 #include "app/presets/applied_preset.h"
 #include "app/presets/preset_list.h"
-#include "ui/editors/number_spin_box.h"
-#include "ui/editors/number_text.h"
+#include "ui/language/number_text.h"
 #include "ui/language/translated.h"
 #include "ui/presets/thumbnail_painter.h"
-#include "ui/window/style.h"
+#include "ui/theme/style.h"
+#include "ui/widgets/number_spin_box.h"
 
 namespace isolux::ui {
 

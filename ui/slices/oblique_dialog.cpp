@@ -8,8 +8,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "ui/editors/number_spin_box.h"
 #include "ui/slices/slice_view.h"
+#include "ui/widgets/number_spin_box.h"
 
 namespace isolux::ui {
 

@@ -7,7 +7,7 @@
 #include <QMenu>
 
 #include "app/surfaces/surface_list.h"
-#include "ui/editors/number_text.h"
+#include "ui/language/number_text.h"
 #include "ui/slices/oblique_dialog.h"
 #include "ui/slices/slice_view.h"
 #include "volume/field/reconstruct.h"

@@ -10,8 +10,8 @@
 #include <QSlider>
 #include <QToolButton>
 
-#include "ui/editors/color_button.h"
-#include "ui/editors/number_spin_box.h"
+#include "ui/widgets/color_button.h"
+#include "ui/widgets/number_spin_box.h"
 
 namespace isolux::ui {
 

@@ -5,7 +5,7 @@
 #include <QPainter>
 #include <QTimer>
 
-#include "ui/window/style.h"
+#include "ui/theme/style.h"
 
 namespace isolux::ui {
 

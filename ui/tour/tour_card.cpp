@@ -8,7 +8,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "ui/window/style.h"
+#include "ui/theme/style.h"
 
 namespace isolux::ui {
 

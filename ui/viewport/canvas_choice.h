@@ -12,7 +12,7 @@
 #include <QString>
 
 #include "render/gl/gl_context.h"
-#include "scene/machine.h"
+#include "scene/settings/machine.h"
 #include "ui/viewport/canvas.h"
 
 namespace isolux::ui {

@@ -7,7 +7,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "ui/window/style.h"
+#include "ui/theme/style.h"
 
 namespace isolux::ui {
 

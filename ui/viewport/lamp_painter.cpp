@@ -3,8 +3,8 @@
 #include <QPainter>
 #include <QPainterPath>
 
-#include "ui/editors/color_button.h"
-#include "ui/window/style.h"
+#include "ui/theme/style.h"
+#include "ui/widgets/color_button.h"
 
 namespace isolux::ui {
 

@@ -7,7 +7,7 @@
 #include <QPainter>
 #include <QPainterPath>
 
-#include "ui/editors/color_button.h"
+#include "ui/widgets/color_button.h"
 
 namespace isolux::ui {
 

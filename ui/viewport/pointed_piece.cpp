@@ -4,7 +4,7 @@
 
 #include <QLocale>
 
-#include "ui/editors/number_text.h"
+#include "ui/language/number_text.h"
 #include "volume/pieces/pieces.h"
 
 namespace isolux::ui {

@@ -4,8 +4,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/jobs/rest_scene.h"
 #include "app/marks/mark_kinds.h"
+#include "app/picture/rest_scene.h"
 #include "ui/language/translated.h"
 #include "ui/viewport/viewport.h"
 #include "ui/viewport/viewport_overlay.h"

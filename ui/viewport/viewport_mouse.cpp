@@ -13,7 +13,7 @@
 #include "app/interaction/turning.h"
 #include "scene/rules/automatic.h"
 #include "scene/rules/environment.h"
-#include "ui/editors/environment_edit.h"
+#include "ui/document/environment_edit.h"
 #include "ui/language/translated.h"
 #include "ui/viewport/viewport.h"
 #include "ui/viewport/viewport_overlay.h"

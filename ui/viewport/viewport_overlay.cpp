@@ -14,11 +14,11 @@
 #include "app/annotation/annotation.h"
 #include "app/annotation/free_places.h"
 #include "base/color.h"
-#include "ui/editors/number_text.h"
+#include "ui/language/number_text.h"
+#include "ui/theme/style.h"
 #include "ui/viewport/cut_painter.h"
 #include "ui/viewport/lamp_painter.h"
 #include "ui/viewport/mark_painter.h"
-#include "ui/window/style.h"
 
 namespace isolux::ui {
 

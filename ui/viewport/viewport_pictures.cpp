@@ -5,16 +5,16 @@
 
 #include <QPushButton>
 
-#include "app/jobs/rest_scene.h"
+#include "app/picture/rest_scene.h"
 #include "render/gl/gl.h"
 #include "render/graph/pass.h"
 #include "scene/rules/relevance.h"
-#include "ui/dialogs/waiting.h"
 #include "ui/language/sentences.h"
 #include "ui/language/translated.h"
 #include "ui/viewport/posted_call.h"
 #include "ui/viewport/viewport.h"
 #include "ui/viewport/viewport_overlay.h"
+#include "ui/widgets/waiting.h"
 
 namespace isolux::ui {
 

@@ -21,13 +21,13 @@
 #include "ui/document/preferences.h"
 #include "ui/language/language.h"
 #include "ui/theme/focus_ring.h"
+#include "ui/theme/icons.h"
 #include "ui/theme/interface_scale.h"
+#include "ui/theme/style.h"
 #include "ui/viewport/canvas_choice.h"
 #include "ui/viewport/viewport.h"
-#include "ui/window/icons.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
-#include "ui/window/style.h"
 
 namespace isolux::ui {
 

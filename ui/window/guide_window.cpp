@@ -7,7 +7,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "ui/window/icons.h"
+#include "ui/theme/icons.h"
 
 namespace isolux::ui {
 

@@ -10,9 +10,9 @@
 #include <QProgressBar>
 #include <QPushButton>
 
-#include "ui/editors/number_text.h"
-#include "ui/viewport/picture_pixels.h"
-#include "ui/window/style.h"
+#include "ui/document/picture_pixels.h"
+#include "ui/language/number_text.h"
+#include "ui/theme/style.h"
 
 namespace isolux::ui {
 

@@ -9,7 +9,7 @@
 #include <QTimer>
 
 #include "app/jobs/glimpse_job.h"
-#include "ui/editors/time_left.h"
+#include "ui/widgets/time_left.h"
 
 class QLabel;
 class QProgressBar;

@@ -13,7 +13,7 @@
 #include "app/presets/preset.h"
 #include "render/graph/frame.h"
 #include "render/still_picture.h"
-#include "scene/machine.h"
+#include "scene/settings/machine.h"
 #include "ui/document/document.h"
 #include "ui/document/recent_files.h"
 #include "ui/tour/tour.h"

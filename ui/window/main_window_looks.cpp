@@ -6,14 +6,14 @@
 
 #include "scene/rules/automatic.h"
 #include "ui/accuracy/accuracy_panel.h"
-#include "ui/accuracy/level_marks.h"
-#include "ui/accuracy/level_zero.h"
 #include "ui/document/baked_light.h"
 #include "ui/editors/elided_label.h"
+#include "ui/levels/level_marks.h"
+#include "ui/levels/level_zero.h"
 #include "ui/presets/looks_panel.h"
+#include "ui/theme/style.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
-#include "ui/window/style.h"
 
 namespace isolux::ui {
 

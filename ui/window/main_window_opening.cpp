@@ -14,9 +14,9 @@
 #include "ui/window/load_card.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
-#include "volume/bricks/hdf5/hdf5.h"
-#include "volume/bricks/zarr/zarr.h"
+#include "volume/read/hdf5/hdf5.h"
 #include "volume/read/step_files.h"
+#include "volume/read/zarr/zarr.h"
 
 namespace isolux::ui {
 

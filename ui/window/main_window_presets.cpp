@@ -7,9 +7,9 @@
 
 #include "app/presets/preset_list.h"
 #include "scene/rules/relevance.h"
-#include "scene/setting/choice_names.h"
+#include "scene/settings/choice_names.h"
 #include "ui/document/baked_light.h"
-#include "ui/editors/number_text.h"
+#include "ui/language/number_text.h"
 #include "ui/language/translated.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"

@@ -9,9 +9,9 @@
 #include <QStyle>
 #include <QToolButton>
 
-#include "ui/editors/wrapped_text.h"
-#include "ui/window/icons.h"
-#include "ui/window/style.h"
+#include "ui/theme/icons.h"
+#include "ui/theme/style.h"
+#include "ui/widgets/wrapped_text.h"
 
 namespace isolux::ui {
 
@@ -63,7 +63,7 @@ void MessageBar::present(Message message) {
   raise();
 }
 
-// In the colours of the theme (ui/window/style.h).
+// In the colours of the theme (ui/theme/style.h).
 void MessageBar::dress() {
   const bool error = shown_.kind == Kind::error, warning = shown_.kind == Kind::warning;
   const QColor colour = error ? colours::error : warning ? colours::warning : colours::accent;

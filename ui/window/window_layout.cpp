@@ -18,7 +18,7 @@
 
 #include "ui/slices/slice_board.h"
 #include "ui/viewport/viewport.h"
-#include "ui/window/screen_fit.h"
+#include "ui/widgets/screen_fit.h"
 
 namespace isolux::ui {
 

@@ -16,7 +16,7 @@
 #include "base/error.h"
 #include "base/memory_budget.h"
 #include "base/retire.h"
-#include "volume/bricks/stored_type.h"
+#include "volume/voxels/stored_type.h"
 
 namespace isolux::volume {
 

@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 
 #include "base/error.h"
-#include "volume/bricks/stored_type.h"
+#include "volume/voxels/stored_type.h"
 
 namespace isolux::volume {
 

@@ -10,8 +10,8 @@
 
 #include <glm/common.hpp>
 
-#include "volume/bricks/stored_type.h"
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_steps.h"
+#include "volume/voxels/stored_type.h"
 
 namespace isolux::volume {
 

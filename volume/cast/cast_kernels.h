@@ -15,7 +15,7 @@
 #include "volume/cast/surface_caster.h"
 #include "volume/clip/clip_region.h"
 #include "volume/edge/edge_walk.h"
-#include "volume/pieces/shown_cells.h"
+#include "volume/hit/shown_cells.h"
 #include "volume/tracer/simd_set.h"
 
 namespace isolux::volume::casting {

@@ -9,7 +9,7 @@
 
 #include "volume/cast/cast_kernels.h"
 #include "volume/field/value_scaling.h"
-#include "volume/parallel_loops.h"
+#include "volume/parallel/parallel_loops.h"
 
 namespace isolux::volume {
 

@@ -6,7 +6,7 @@
 #include <glm/matrix.hpp>
 
 #include "volume/cast/cast_kernels.h"
-#include "volume/parallel_loops.h"
+#include "volume/parallel/parallel_loops.h"
 
 namespace isolux::volume {
 

@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "volume/clip/surface_cut.h"
-#include "volume/field/cubic_fields.h"
+#include "volume/derived/cubic_fields.h"
 #include "volume/hit/cell_walk.h"
-#include "volume/pieces/hidden_pieces.h"
-#include "volume/pieces/shown_cells.h"
+#include "volume/hit/shown_cells.h"
+#include "volume/visible/hidden_pieces.h"
 
 namespace isolux::volume {
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/make_room.h"
+#include "volume/read/reader.h"
 
 namespace isolux::volume {
 

@@ -6,8 +6,8 @@
 
 #include "base/quantiles.h"
 #include "scene/rules/needs.h"
-#include "volume/parallel_loops.h"
-#include "volume/prepared_volume.h"
+#include "volume/parallel/parallel_loops.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::volume {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "volume/derived/cubic_fields.h"
 #include "volume/edge/edge_finder.h"
-#include "volume/field/cubic_fields.h"
 #include "volume/statistics/visible_points.h"
 
 namespace isolux::volume {

@@ -14,10 +14,10 @@
 #include <glm/vec3.hpp>
 
 #include "volume/cast/picture_rays.h"
-#include "volume/field/cubic_fields.h"
+#include "volume/derived/cubic_fields.h"
 #include "volume/hit/cell_walk.h"
-#include "volume/pieces/hidden_pieces.h"
 #include "volume/skip/min_max_blocks.h"
+#include "volume/visible/hidden_pieces.h"
 
 namespace isolux::volume {
 

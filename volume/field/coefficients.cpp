@@ -9,7 +9,7 @@
 
 #include "volume/field/fill_missing.h"
 #include "volume/field/filter_lines.h"
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_steps.h"
 
 namespace isolux::volume {
 

@@ -7,7 +7,7 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <glm/vec3.hpp>
 
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_steps.h"
 
 namespace isolux::volume {
 

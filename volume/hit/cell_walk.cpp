@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "volume/pieces/shown_cells.h"
+#include "volume/hit/shown_cells.h"
 
 namespace isolux::volume {
 

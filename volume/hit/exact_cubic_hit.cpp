@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "volume/field/cubic_weights.h"
-#include "volume/pieces/shown_cells.h"
+#include "volume/hit/shown_cells.h"
 
 namespace isolux::volume {
 

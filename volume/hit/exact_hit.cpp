@@ -5,7 +5,7 @@
 
 #include "volume/hit/bernstein_cubic.h"
 #include "volume/hit/cell_walk.h"
-#include "volume/pieces/shown_cells.h"
+#include "volume/hit/shown_cells.h"
 
 namespace isolux::volume {
 

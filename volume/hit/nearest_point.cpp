@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "volume/field/reconstruct.h"
-#include "volume/pieces/shown_cells.h"
+#include "volume/hit/shown_cells.h"
 
 namespace isolux::volume {
 

@@ -6,7 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include "volume/grid.h"
-#include "volume/pieces/hidden_pieces.h"
+#include "volume/visible/hidden_pieces.h"
 
 namespace isolux::volume {
 

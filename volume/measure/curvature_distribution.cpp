@@ -11,10 +11,10 @@
 
 #include "base/memory_budget.h"
 #include "scene/looks.h"
+#include "volume/derived/shape_field.h"
 #include "volume/field/curvature.h"
-#include "volume/field/shape_field.h"
 #include "volume/measure/surface_patches.h"
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_steps.h"
 
 namespace isolux::volume {
 

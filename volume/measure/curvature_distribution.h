@@ -1,9 +1,9 @@
 // How an isosurface, or pieces of it, is curved: what parts of its area have which curvature.
 //
-// Curvature is that of the field that derivatives are taken of, at its scale (volume/field/shape_field.h), at
-// points of the trilinear surface, about one in each cell and piece, that stand for the area of the surface
-// there. Noise makes a surface rough, and its distribution wider by the `noise` that is stated; what is not
-// above three deviations of it in either principal curvature is not told from flat.
+// Curvature is that of the field that derivatives are taken of, at its scale (volume/derived/shape_field.h),
+// at points of the trilinear surface, about one in each cell and piece, that stand for the area of the
+// surface there. Noise makes a surface rough, and its distribution wider by the `noise` that is stated; what
+// is not above three deviations of it in either principal curvature is not told from flat.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@
 #include "scene/scene.h"
 #include "volume/measure/box_part.h"
 #include "volume/pieces/pieces.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::volume {
 

@@ -8,7 +8,7 @@
 #include <glm/common.hpp>
 
 #include "volume/measure/surface_sums.h"
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_steps.h"
 
 namespace isolux::volume {
 

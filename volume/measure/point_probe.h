@@ -9,9 +9,9 @@
 
 #include "base/progress.h"
 #include "scene/scene.h"
+#include "volume/derived/shape_field.h"
 #include "volume/field/curvature.h"
-#include "volume/field/shape_field.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::volume {
 

@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "volume/hit/bernstein_cubic.h"
 #include "volume/measure/slice_measure.h"
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_steps.h"
 
 namespace isolux::volume {
 

@@ -10,7 +10,7 @@
 #include "base/number_text.h"
 #include "volume/measure/box_part.h"
 #include "volume/measure/surface_sums.h"
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_steps.h"
 
 namespace isolux::volume {
 

@@ -4,7 +4,7 @@
 #include "base/progress.h"
 #include "scene/noise.h"
 #include "scene/scene.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::volume {
 

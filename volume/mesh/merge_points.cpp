@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/random.h"
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_steps.h"
 
 namespace isolux::volume {
 

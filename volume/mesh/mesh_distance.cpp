@@ -12,8 +12,8 @@
 #include "base/error.h"
 #include "base/memory_budget.h"
 #include "volume/mesh/triangle_tree.h"
-#include "volume/parallel_loops.h"
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_loops.h"
+#include "volume/parallel/parallel_steps.h"
 
 namespace isolux::volume {
 

@@ -12,7 +12,7 @@
 #include <glm/geometric.hpp>
 
 #include "volume/mesh/merge_points.h"
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_steps.h"
 
 namespace isolux::volume {
 

@@ -11,7 +11,7 @@
 
 #include "base/random.h"
 #include "volume/field/cubic_weights.h"
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_steps.h"
 #include "volume/phantom/phantom_head.h"
 
 namespace isolux::volume {

@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 
 #include "base/random.h"
-#include "volume/parallel_loops.h"
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_loops.h"
+#include "volume/parallel/parallel_steps.h"
 #include "volume/phantom/phantom_anatomy.h"
 
 namespace isolux::volume {

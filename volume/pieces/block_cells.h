@@ -16,8 +16,8 @@
 #include <glm/vec3.hpp>
 
 #include "volume/pieces/block_voxels.h"
-#include "volume/pieces/inside_level.h"
 #include "volume/skip/row_lanes.h"
+#include "volume/visible/inside_level.h"
 
 namespace isolux::volume {
 

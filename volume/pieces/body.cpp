@@ -10,9 +10,9 @@
 #include <glm/geometric.hpp>
 
 #include "volume/grid.h"
-#include "volume/parallel_loops.h"
-#include "volume/pieces/inside_level.h"
+#include "volume/parallel/parallel_loops.h"
 #include "volume/pieces/pieces.h"
+#include "volume/visible/inside_level.h"
 
 namespace isolux::volume {
 

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "volume/pieces/cell_pieces.h"
+#include "volume/hit/cell_pieces.h"
 #include "volume/skip/row_lanes.h"
 
 namespace isolux::volume {

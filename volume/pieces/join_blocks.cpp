@@ -5,9 +5,9 @@
 #include <cmath>
 #include <variant>
 
-#include "volume/parallel_steps.h"
+#include "volume/hit/cell_pieces.h"
+#include "volume/parallel/parallel_steps.h"
 #include "volume/pieces/block_cells.h"
-#include "volume/pieces/cell_pieces.h"
 
 namespace isolux::volume {
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <variant>
 
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_steps.h"
 #include "volume/skip/row_lanes.h"
 
 namespace isolux::volume {

@@ -15,8 +15,8 @@
 #include "base/memory_budget.h"
 #include "base/progress.h"
 #include "volume/pieces/block_voxels.h"
-#include "volume/pieces/inside_level.h"
 #include "volume/skip/min_max_blocks.h"
+#include "volume/visible/inside_level.h"
 
 namespace isolux::volume {
 

@@ -3,7 +3,7 @@
 #include <mutex>
 #include <unordered_map>
 
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_steps.h"
 
 namespace isolux::volume {
 

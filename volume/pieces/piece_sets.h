@@ -12,9 +12,9 @@
 #include "base/progress.h"
 #include "scene/scene.h"
 #include "volume/pieces/body.h"
-#include "volume/pieces/hidden_pieces.h"
 #include "volume/pieces/pieces.h"
 #include "volume/skip/min_max_blocks.h"
+#include "volume/visible/hidden_pieces.h"
 
 namespace isolux::volume {
 

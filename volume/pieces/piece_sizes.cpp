@@ -6,7 +6,7 @@
 
 #include <glm/matrix.hpp>
 
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_steps.h"
 
 namespace isolux::volume {
 

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <numeric>
 
-#include "volume/parallel_steps.h"
-#include "volume/pieces/cell_pieces.h"
+#include "volume/hit/cell_pieces.h"
+#include "volume/hit/surface_voxel.h"
+#include "volume/parallel/parallel_steps.h"
 #include "volume/pieces/concurrent_sets.h"
 #include "volume/pieces/join_blocks.h"
 #include "volume/pieces/piece_sizes.h"
-#include "volume/pieces/surface_voxel.h"
 
 namespace isolux::volume {
 

@@ -6,8 +6,8 @@
 
 #include "scene/scene.h"
 #include "volume/pieces/body.h"
-#include "volume/pieces/hidden_voxels.h"
 #include "volume/pieces/pieces.h"
+#include "volume/visible/hidden_voxels.h"
 
 namespace isolux::volume {
 

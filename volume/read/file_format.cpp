@@ -5,8 +5,8 @@
 #include "volume/read/input/text.h"
 #include "volume/read/known_formats.h"
 #include "volume/read/mesh/mesh.h"
-#include "volume/read/meta_image.h"
-#include "volume/read/nifti.h"
+#include "volume/read/plain/meta_image.h"
+#include "volume/read/plain/nifti.h"
 #include "volume/read/process/foreign.h"
 #include "volume/read/tiff/tiff_pages.h"
 

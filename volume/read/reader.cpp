@@ -3,22 +3,22 @@
 #include <new>
 
 #include "base/error.h"
-#include "volume/bricks/hdf5/hdf5.h"
-#include "volume/bricks/zarr/zarr.h"
 #include "volume/phantom/phantom.h"
 #include "volume/read/dicom/dicom_files.h"
 #include "volume/read/file_format.h"
+#include "volume/read/hdf5/hdf5.h"
 #include "volume/read/input/bytes.h"
 #include "volume/read/input/text.h"
 #include "volume/read/known_formats.h"
 #include "volume/read/mesh/mesh.h"
-#include "volume/read/meta_image.h"
-#include "volume/read/nifti.h"
-#include "volume/read/nrrd.h"
+#include "volume/read/plain/meta_image.h"
+#include "volume/read/plain/nifti.h"
+#include "volume/read/plain/nrrd.h"
+#include "volume/read/plain/raw.h"
 #include "volume/read/process/foreign.h"
-#include "volume/read/raw.h"
 #include "volume/read/tiff/tiff_pages.h"
 #include "volume/read/vtk/vtk_legacy.h"
+#include "volume/read/zarr/zarr.h"
 
 namespace isolux::volume {
 

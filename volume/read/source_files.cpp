@@ -3,15 +3,15 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "volume/bricks/hdf5/hdf5.h"
-#include "volume/bricks/zarr/zarr.h"
 #include "volume/read/dicom/dicom_files.h"
+#include "volume/read/hdf5/hdf5.h"
 #include "volume/read/input/bytes.h"
 #include "volume/read/input/image_header.h"
 #include "volume/read/input/text.h"
-#include "volume/read/meta_image.h"
-#include "volume/read/nrrd.h"
+#include "volume/read/plain/meta_image.h"
+#include "volume/read/plain/nrrd.h"
 #include "volume/read/step_files.h"
+#include "volume/read/zarr/zarr.h"
 
 namespace isolux::volume {
 

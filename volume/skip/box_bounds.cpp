@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "volume/parallel_loops.h"
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_loops.h"
+#include "volume/parallel/parallel_steps.h"
 
 namespace isolux::volume {
 

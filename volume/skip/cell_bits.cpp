@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "volume/parallel_loops.h"
+#include "volume/parallel/parallel_loops.h"
 #include "volume/skip/row_lanes.h"
 
 namespace isolux::volume {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstring>
 
-#include "volume/parallel_loops.h"
-#include "volume/parallel_steps.h"
-#include "volume/tracer/huge_pages.h"
+#include "base/huge_pages.h"
+#include "volume/parallel/parallel_loops.h"
+#include "volume/parallel/parallel_steps.h"
 
 namespace isolux::volume {
 

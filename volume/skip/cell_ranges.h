@@ -20,7 +20,7 @@
 
 #include "base/progress.h"
 #include "volume/grid.h"
-#include "volume/pieces/hidden_voxels.h"
+#include "volume/visible/hidden_voxels.h"
 
 namespace isolux::volume {
 

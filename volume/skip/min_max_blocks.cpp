@@ -4,7 +4,7 @@
 #include <cassert>
 #include <limits>
 
-#include "volume/parallel_loops.h"
+#include "volume/parallel/parallel_loops.h"
 
 namespace isolux::volume {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "volume/parallel_steps.h"
-#include "volume/pieces/shown_cells.h"
+#include "volume/hit/shown_cells.h"
+#include "volume/parallel/parallel_steps.h"
 #include "volume/slice/cell_curve.h"
 #include "volume/slice/join_curves.h"
 #include "volume/slice/plane_lattice.h"

@@ -8,8 +8,8 @@
 
 #include <vector>
 
-#include "volume/pieces/hidden_pieces.h"
 #include "volume/slice/slice_values.h"
+#include "volume/visible/hidden_pieces.h"
 
 namespace isolux::volume {
 

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "volume/field/reconstruct.h"
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_steps.h"
 
 namespace isolux::volume {
 

@@ -6,8 +6,8 @@
 #include "scene/looks.h"
 #include "volume/field/scaled_field.h"
 #include "volume/grid.h"
-#include "volume/pieces/hidden_pieces.h"
 #include "volume/skip/min_max_blocks.h"
+#include "volume/visible/hidden_pieces.h"
 
 namespace isolux::volume {
 

@@ -7,7 +7,7 @@
 
 #include <tbb/combinable.h>
 
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_steps.h"
 #include "volume/statistics/value_bins.h"
 
 namespace isolux::volume {

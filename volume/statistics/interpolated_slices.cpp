@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/quantiles.h"
-#include "volume/parallel_loops.h"
+#include "volume/parallel/parallel_loops.h"
 
 namespace isolux::volume {
 

@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "base/random.h"
-#include "volume/parallel_steps.h"
+#include "volume/parallel/parallel_steps.h"
 
 namespace isolux::volume {
 

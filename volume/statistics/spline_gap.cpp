@@ -9,7 +9,7 @@
 
 #include "volume/field/cubic_weights.h"
 #include "volume/field/reconstruct.h"
-#include "volume/parallel_loops.h"
+#include "volume/parallel/parallel_loops.h"
 
 namespace isolux::volume {
 

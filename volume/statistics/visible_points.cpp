@@ -11,7 +11,7 @@
 
 #include "volume/hit/cell_walk.h"
 #include "volume/hit/exact_hit.h"
-#include "volume/parallel_loops.h"
+#include "volume/parallel/parallel_loops.h"
 
 namespace isolux::volume {
 

@@ -9,8 +9,8 @@
 #include <glm/vec3.hpp>
 
 #include "volume/grid.h"
-#include "volume/pieces/hidden_pieces.h"
 #include "volume/skip/min_max_blocks.h"
+#include "volume/visible/hidden_pieces.h"
 
 namespace isolux::volume {
 

@@ -7,9 +7,9 @@
 #include "base/memory_budget.h"
 #include "base/progress.h"
 #include "volume/grid.h"
-#include "volume/pieces/hidden_pieces.h"
-#include "volume/pieces/shown_cells.h"
+#include "volume/hit/shown_cells.h"
 #include "volume/skip/cell_ranges.h"
+#include "volume/visible/hidden_pieces.h"
 
 namespace isolux::volume::tracing {
 

@@ -20,7 +20,7 @@
 #include "scene/choices.h"
 #include "volume/clip/surface_cut.h"
 #include "volume/grid.h"
-#include "volume/pieces/hidden_pieces.h"
+#include "volume/visible/hidden_pieces.h"
 
 namespace isolux::volume {
 

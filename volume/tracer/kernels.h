@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "volume/pieces/shown_cells.h"
+#include "volume/hit/shown_cells.h"
 #include "volume/skip/cell_ranges.h"
 #include "volume/tracer/isosurface_tracer.h"
 #include "volume/tracer/simd_set.h"

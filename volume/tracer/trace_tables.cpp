@@ -5,8 +5,8 @@
 #include <type_traits>
 #include <variant>
 
-#include "volume/parallel_steps.h"
-#include "volume/tracer/huge_pages.h"
+#include "base/huge_pages.h"
+#include "volume/parallel/parallel_steps.h"
 
 namespace isolux::volume::tracing {
 

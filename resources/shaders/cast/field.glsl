@@ -4,7 +4,7 @@
 uniform sampler3D uVolume;
 uniform ivec3 uDims;
 
-const float missingTexel = 1e30;  // stands for a missing voxel; render/constants.h holds the same number
+const float missingTexel = 1e30;  // stands for a missing voxel; render/gl/constants.h holds the same number
 bool isMissing(float v) { return v > 1e20; }
 
 ivec3 cellOf(vec3 p) { return clamp(ivec3(floor(p)), ivec3(0), max(uDims - 2, ivec3(0))); }

@@ -1,6 +1,6 @@
 // Which pieces of the isosurfaces' inside are hidden. In cells whose inside corners are all hidden nothing is seen; in
 // those that have both kinds, what lies inside belongs to the piece of the corner that one comes to by going, per axis
-// in turn, to the end of the cell where the field lies deeper inside (volume/pieces/shown_cells.h does the same).
+// in turn, to the end of the cell where the field lies deeper inside (volume/hit/shown_cells.h does the same).
 // Part of trace.glsl.
 
 uniform usampler3D uHidden;  // of each 4x4x2 voxels a bit for each that is hidden, x + 4 y + 16 z; a channel a surface

@@ -146,7 +146,7 @@ bool sampleInside(float texel, int k) { return (texel >= uSampleIsovalues[k]) ==
 
 // Of the spline at p, in the cell's [0, 1]^3, which lies inside: whether the piece is hidden of the sample that the
 // ascent in the cell leads to, or where that one lies outside, of the nearest inside one among the 4 x 4 x 4 around. Of samples
-// as near as rounding leaves open the first counts (volume/pieces/surface_voxel.cpp does the same).
+// as near as rounding leaves open the first counts (volume/hit/surface_voxel.cpp does the same).
 bool splineHidden(ivec3 cell, vec3 p, int k) {
   vec4 low, high;
   cellCorners(cell, low, high);

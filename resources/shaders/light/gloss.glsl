@@ -1,4 +1,4 @@
-// What a glossy surface reflects: the environment filtered by its lobe (gi/gloss/gloss_lobe.h) as far as it is seen,
+// What a glossy surface reflects: the environment filtered by its lobe (gi/sampling/gloss_lobe.h) as far as it is seen,
 // the surface itself, and the light sources. Needs surface.glsl. LAMP_COUNT: as in local_light.glsl.
 #include "local_light.glsl"
 

@@ -31,7 +31,7 @@ float curvednessOf(vec2 kappa) { return sqrt(0.5) * length(kappa); }
 #ifdef EDGE
 uniform sampler2D uEdge;  // offset of the edge, mm; its strength
 
-const float noEdge = 1e30;  // render/constants.h holds the same number
+const float noEdge = 1e30;  // render/gl/constants.h holds the same number
 
 vec3 edgeColor(ivec2 pixel) {
   float offset = texelFetch(uEdge, pixel, 0).r;

@@ -8,7 +8,7 @@ uniform int uSecondFades;         // 1: the strength rises from 0 at the low end
 uniform float uIsolines;          // from line to line; 0: none
 uniform float uIsolineWidth;      // rays
 
-const float noValue = 3e38;  // render/constants.h holds the same number
+const float noValue = 3e38;  // render/gl/constants.h holds the same number
 
 // How much of the ray's footprint lines cover: by the distance to the nearest, over the tangent plane and in rays, so
 // that they are equally wide everywhere. Where they would be closer than they are wide, they fade.

@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "app/accuracy/accuracy.h"
-#include "app/jobs/field_job.h"
 #include "app/light/light_picture.h"
+#include "app/picture/field_job.h"
 #include "app/study/light_truth.h"
 #include "app/study/surface_truth.h"
 #include "base/number_text.h"

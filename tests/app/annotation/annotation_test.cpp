@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "scene/rules/automatic.h"
-#include "volume/pieces/hidden_pieces.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
+#include "volume/visible/hidden_pieces.h"
 
 namespace isolux::app {
 namespace {

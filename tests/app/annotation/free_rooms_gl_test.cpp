@@ -4,11 +4,11 @@
 #include <algorithm>
 
 #include "app/annotation/annotation.h"
-#include "app/jobs/field_job.h"
+#include "app/picture/field_job.h"
 #include "app/series/camera_wish.h"
 #include "scene/named_camera.h"
 #include "tests/render/gl_fixture.h"
-#include "volume/statistics/surface_outline.h"
+#include "volume/prepared/surface_outline.h"
 
 namespace isolux::app {
 namespace {

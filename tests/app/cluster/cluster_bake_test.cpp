@@ -11,7 +11,7 @@
 #include "app/cluster/cluster_volume.h"
 #include "app/cluster/rank_facts.h"
 #include "scene/rules/automatic.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 #include "tests/app/cluster/thread_ranks.h"
 #include "tests/app/commands/run_isolux.h"
 #include "tests/support/test_data.h"

@@ -12,7 +12,7 @@
 
 #include "app/files/files.h"
 #include "app/files/state_folder.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 #include "tests/app/commands/run_isolux.h"
 #include "tests/support/test_data.h"
 

@@ -8,7 +8,7 @@
 #include "app/documents/history.h"
 #include "app/documents/recording.h"
 #include "app/documents/session.h"
-#include "scene/scene_diff.h"
+#include "scene/settings/scene_diff.h"
 #include "tests/scene/random_scene.h"
 #include "tests/support/test_data.h"
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "scene/scene_diff.h"
+#include "scene/settings/scene_diff.h"
 
 namespace isolux::app {
 namespace {

@@ -8,7 +8,7 @@
 #include <sys/resource.h>
 
 #include "base/error.h"
-#include "scene/scene_diff.h"
+#include "scene/settings/scene_diff.h"
 #include "tests/app/commands/run_isolux.h"
 #include "tests/support/test_data.h"
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::app {
 namespace {

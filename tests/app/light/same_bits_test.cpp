@@ -11,11 +11,11 @@
 #include "app/light/light_controller.h"
 #include "base/progress.h"
 #include "scene/rules/automatic.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 #include "tests/app/commands/run_isolux.h"
 #include "tests/app/same_picture/ways.h"
 #include "tests/support/test_data.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::test {
 namespace {

@@ -9,7 +9,7 @@
 #include "app/presets/preset_list.h"
 #include "app/presets/preset_value.h"
 #include "base/error.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 #include "tests/support/test_data.h"
 
 namespace isolux::app {

@@ -23,7 +23,7 @@
 #include "base/quantiles.h"
 #include "base/retire.h"
 #include "scene/rules/automatic.h"
-#include "scene/scene_diff.h"
+#include "scene/settings/scene_diff.h"
 #include "tests/app/commands/run_isolux.h"
 #include "tests/support/busy_processes.h"
 #include "tests/support/poll.h"

@@ -6,11 +6,11 @@
 #include <hwy/targets.h>
 #include <tbb/global_control.h>
 
-#include "app/jobs/field_job.h"
 #include "app/light/light_controller.h"
+#include "app/picture/field_job.h"
 #include "render/renderer.h"
 #include "scene/rules/automatic.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 #include "tests/support/test_data.h"
 #include "tests/support/volumes.h"
 

@@ -11,9 +11,9 @@
 #include "app/accuracy/picture_errors.h"
 #include "render/gl/gl_context.h"
 #include "render/graph/frame.h"
-#include "scene/machine.h"
 #include "scene/scene.h"
-#include "volume/prepared_volume.h"
+#include "scene/settings/machine.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::test {
 

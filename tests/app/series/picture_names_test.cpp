@@ -4,7 +4,7 @@
 
 #include "app/series/sweep.h"
 #include "base/error.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 #include "tests/support/test_data.h"
 
 namespace isolux::app {

@@ -5,7 +5,7 @@
 
 #include "base/color.h"
 #include "scene/rules/automatic.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::test {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/scene_diff.h"
-#include "scene/settings.h"
+#include "scene/settings/scene_diff.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::app {
 namespace {

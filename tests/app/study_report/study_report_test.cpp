@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/volumes.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
 namespace {

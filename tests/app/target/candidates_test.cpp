@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "app/target/work.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::app {
 namespace {

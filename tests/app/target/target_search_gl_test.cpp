@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "scene/machine.h"
+#include "scene/settings/machine.h"
 #include "tests/render/gl_fixture.h"
 
 namespace isolux::test {

@@ -18,9 +18,9 @@
 #include "tests/gi/bake/formula_estimator.h"
 #include "tests/support/volumes.h"
 #include "volume/hit/nearest_point.h"
-#include "volume/pieces/hidden_pieces.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 #include "volume/read/reader.h"
+#include "volume/visible/hidden_pieces.h"
 
 namespace isolux::gi {
 namespace {

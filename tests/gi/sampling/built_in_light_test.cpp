@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/color.h"
-#include "scene/setting/choice_names.h"
+#include "scene/settings/choice_names.h"
 
 namespace isolux::gi {
 namespace {

@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "render/graph/pass_declarations.h"
+#include "render/passes/pass_declarations.h"
 #include "render/passes/pass_list.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::render {
 namespace {

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "render/legend/font.h"
-#include "render/legend/legend_overlay.h"
+#include "render/passes/legend_overlay.h"
 #include "scene/color_maps.h"
 #include "scene/curvature_map.h"
 

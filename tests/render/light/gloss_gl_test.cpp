@@ -7,7 +7,7 @@
 #include "app/light/light_picture.h"
 #include "base/color.h"
 #include "gi/light_scene.h"
-#include "gi/trace/reference.h"
+#include "gi/reference/reference.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/support/volumes.h"
 

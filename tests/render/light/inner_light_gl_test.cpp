@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "app/light/light_controller.h"
-#include "gi/trace/reference.h"
+#include "gi/reference/reference.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/render/light/light_support.h"
 #include "tests/support/cut_ball.h"

@@ -11,7 +11,7 @@
 #include "gi/harmonics/spherical_harmonics.h"
 #include "gi/harmonics/transfer_basis.h"
 #include "scene/opacity.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/render/light/light_support.h"
 

@@ -1,5 +1,5 @@
 // C++ and GLSL must agree on the numbers they share; shader files must resolve.
-#include "render/constants.h"
+#include "render/gl/constants.h"
 
 #include <algorithm>
 #include <cctype>
@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "render/gl/shader_library.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::render {
 namespace {

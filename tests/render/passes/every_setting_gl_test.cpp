@@ -11,7 +11,7 @@
 
 #include "gi/ground/ground_shadow.h"
 #include "scene/rules/relevance.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/render/light/light_support.h"
 

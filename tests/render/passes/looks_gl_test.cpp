@@ -9,7 +9,7 @@
 
 #include "scene/color_maps.h"
 #include "scene/looks.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 #include "tests/render/gl_fixture.h"
 
 namespace isolux::test {

@@ -6,7 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 #include "tests/render/gl_fixture.h"
 
 namespace isolux::test {

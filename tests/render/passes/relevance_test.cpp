@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "render/graph/pass_declarations.h"
-#include "scene/settings.h"
+#include "render/passes/pass_declarations.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::test {
 

@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "render/gl/gl.h"
-#include "render/graph/pass_declarations.h"
+#include "render/passes/pass_declarations.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/support/volumes.h"
 #include "volume/hit/exact_hit.h"

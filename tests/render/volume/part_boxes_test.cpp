@@ -8,7 +8,7 @@
 #include "render/volume/brick_cache.h"
 #include "tests/support/test_data.h"
 #include "tests/support/volumes.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 #include "volume/write/writer.h"
 
 namespace isolux::test {

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/rules/automatic.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::test {
 

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::test {
 

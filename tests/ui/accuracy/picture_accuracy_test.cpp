@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/files/image_io.h"
-#include "app/jobs/target_job.h"
+#include "app/target/target_job.h"
 #include "tests/support/ui/window_fixture.h"
 #include "ui/accuracy/accuracy_panel.h"
 #include "ui/accuracy/accuracy_text.h"
@@ -126,7 +126,8 @@ TEST(AccuracyText, UnitsAreThoseOneReads) {
             "Depth ± 0.23 µm · normal ± 0.012° · curvature ± 4.6 % · 0.5 % of pixels uncertain");
   accuracy.depthMm.most99 = 0.0234;
   accuracy.normalDegrees.most99 = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(ui::accuracyText(accuracy, false), "Depth ± 0.023 mm · normal ± unbounded · 0.5 % of pixels uncertain");
+  EXPECT_EQ(ui::accuracyText(accuracy, false),
+            "Depth ± 0.023 mm · normal ± unbounded · 0.5 % of pixels uncertain");
   accuracy.normalDegrees.most99 = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(ui::accuracyText(accuracy, false), "Depth ± 0.023 mm · 0.5 % of pixels uncertain");
   accuracy.seen = accuracy.uncertain = 0;

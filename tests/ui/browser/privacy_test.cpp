@@ -12,7 +12,7 @@
 
 #include "app/documents/session.h"
 #include "app/files/image_io.h"
-#include "scene/machine.h"
+#include "scene/settings/machine.h"
 #include "tests/support/test_data.h"
 #include "tests/support/ui/dialog_answers.h"
 #include "tests/volume/read/dicom_disc.h"
@@ -20,9 +20,9 @@
 #include "ui/dialogs/preferences_dialog.h"
 #include "ui/dialogs/privacy_box.h"
 #include "ui/document/privacy.h"
-#include "ui/editors/wrapped_text.h"
 #include "ui/panels/volume_panel.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/wrapped_text.h"
 #include "ui/window/message_bar.h"
 
 namespace isolux::test {

@@ -14,12 +14,12 @@
 
 #include "tests/support/ui/window_fixture.h"
 #include "ui/cuts/cut_menu.h"
-#include "ui/editors/number_spin_box.h"
 #include "ui/editors/planes_widget.h"
 #include "ui/editors/setting_editor.h"
 #include "ui/panels/settings_panel.h"
 #include "ui/viewport/cut_painter.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/number_spin_box.h"
 #include "ui/window/message_bar.h"
 
 namespace isolux::test {

@@ -10,8 +10,8 @@
 #include "app/documents/history.h"
 #include "scene/curvature_map.h"
 #include "tests/support/ui/window_fixture.h"
-#include "ui/editors/color_button.h"
 #include "ui/panels/settings_panel.h"
+#include "ui/widgets/color_button.h"
 
 namespace isolux::test {
 

@@ -8,9 +8,9 @@
 #include <QTest>
 #include <QToolTip>
 
-#include "ui/editors/number_spin_box.h"
 #include "ui/editors/setting_editor.h"
 #include "ui/panels/settings_panel.h"
+#include "ui/widgets/number_spin_box.h"
 
 namespace isolux::test {
 namespace {

@@ -12,11 +12,11 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "ui/editors/color_button.h"
-#include "ui/editors/number_spin_box.h"
-#include "ui/editors/number_text.h"
 #include "ui/editors/setting_editor.h"
+#include "ui/language/number_text.h"
 #include "ui/panels/settings_panel.h"
+#include "ui/widgets/color_button.h"
+#include "ui/widgets/number_spin_box.h"
 
 namespace isolux::test {
 
@@ -91,8 +91,7 @@ TEST_F(SettingsPanelTest, RowsThatDoNothingAreHiddenUntilTheyActAndASearchSaysWh
   EXPECT_FALSE(panel_.shows("look.mode"));
   const ui::SettingEditor* rate = panel_.editor("hit.rate");
   EXPECT_FALSE(rate->isEnabled());
-  EXPECT_TRUE(rate->toolTip().startsWith("Has no effect: hits are exact."))
-      << rate->toolTip().toStdString();
+  EXPECT_TRUE(rate->toolTip().startsWith("Has no effect: hits are exact.")) << rate->toolTip().toStdString();
   auto* method = panel_.editor("hit.method")->findChild<QComboBox*>();
   method->setCurrentIndex(method->findData("sampled"));
   EXPECT_TRUE(rate->isEnabled());

@@ -12,18 +12,18 @@
 #include <QSettings>
 #include <QXmlStreamReader>
 
+#include "app/accuracy/error_limits.h"
 #include "app/documents/autosave.h"
 #include "app/marks/mark_kinds.h"
-#include "app/target/target.h"
 #include "tests/support/paths.h"
 #include "tests/support/test_data.h"
 #include "tests/support/ui/window_fixture.h"
 #include "tests/ui/language/listed_texts.h"
 #include "ui/dialogs/preferences_dialog.h"
-#include "ui/editors/number_text.h"
 #include "ui/editors/setting_editor.h"
 #include "ui/language/language.h"
 #include "ui/language/mark_text.h"
+#include "ui/language/number_text.h"
 #include "ui/language/sentences.h"
 #include "ui/language/translated.h"
 #include "ui/panels/marks_panel.h"

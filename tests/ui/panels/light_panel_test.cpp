@@ -20,11 +20,11 @@
 #include "ui/editors/environment_preview.h"
 #include "ui/editors/file_widget.h"
 #include "ui/editors/light_chooser.h"
-#include "ui/editors/number_spin_box.h"
 #include "ui/editors/rotation_widget.h"
 #include "ui/editors/setting_editor.h"
 #include "ui/panels/settings_panel.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/number_spin_box.h"
 #include "ui/window/message_bar.h"
 
 namespace isolux::test {

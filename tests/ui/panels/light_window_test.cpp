@@ -9,8 +9,8 @@
 #include "ui/editors/environment_preview.h"
 #include "ui/panels/light_status.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/picture_dot.h"
 #include "ui/window/message_bar.h"
-#include "ui/window/picture_dot.h"
 
 namespace isolux::test {
 

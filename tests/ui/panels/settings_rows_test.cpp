@@ -11,9 +11,9 @@
 #include <QSlider>
 #include <QStyle>
 
-#include "ui/editors/number_spin_box.h"
 #include "ui/editors/setting_editor.h"
 #include "ui/panels/settings_panel.h"
+#include "ui/widgets/number_spin_box.h"
 
 namespace isolux::test {
 namespace {

@@ -12,11 +12,11 @@
 #include <glm/geometric.hpp>
 
 #include "tests/support/ui/window_fixture.h"
-#include "ui/editors/number_spin_box.h"
 #include "ui/panels/marks_panel.h"
 #include "ui/slices/oblique_dialog.h"
 #include "ui/slices/slice_board.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/number_spin_box.h"
 
 namespace isolux::test {
 namespace {

@@ -13,11 +13,11 @@
 
 #include "tests/support/ui/window_fixture.h"
 #include "ui/editors/histogram_slider.h"
-#include "ui/editors/number_spin_box.h"
 #include "ui/panels/isovalue_panel.h"
 #include "ui/slices/slice_board.h"
 #include "ui/slices/slice_view.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/number_spin_box.h"
 
 namespace isolux::test {
 

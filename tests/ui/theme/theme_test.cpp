@@ -14,9 +14,9 @@
 #include "ui/dialogs/appearance_rows.h"
 #include "ui/dialogs/preferences_dialog.h"
 #include "ui/document/preferences.h"
+#include "ui/theme/icons.h"
 #include "ui/theme/interface_scale.h"
-#include "ui/window/icons.h"
-#include "ui/window/style.h"
+#include "ui/theme/style.h"
 
 namespace isolux::test {
 namespace {

@@ -22,8 +22,8 @@
 #include <QTemporaryDir>
 #include <QThread>
 
-#include "scene/machine.h"
-#include "scene/settings.h"
+#include "scene/settings/machine.h"
+#include "scene/settings/settings.h"
 #include "tests/ui/tools/tool.h"
 #include "ui/document/preferences.h"
 #include "ui/viewport/canvas_choice.h"

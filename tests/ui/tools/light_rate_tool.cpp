@@ -18,8 +18,8 @@
 #include <QThread>
 
 #include "scene/camera.h"
-#include "scene/machine.h"
-#include "scene/settings.h"
+#include "scene/settings/machine.h"
+#include "scene/settings/settings.h"
 #include "tests/ui/tools/tool.h"
 #include "ui/document/baked_light.h"
 #include "ui/viewport/viewport.h"

@@ -30,8 +30,8 @@
 #include <QThread>
 
 #include "app/presets/preset_list.h"
-#include "scene/machine.h"
-#include "scene/settings.h"
+#include "scene/settings/machine.h"
+#include "scene/settings/settings.h"
 #include "tests/ui/tools/tool.h"
 #include "ui/accuracy/accuracy_panel.h"
 #include "ui/accuracy/accuracy_text.h"
@@ -52,11 +52,11 @@
 #include "ui/presets/thumbnail_painter.h"
 #include "ui/slices/slice_board.h"
 #include "ui/theme/interface_scale.h"
+#include "ui/theme/style.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/application.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
-#include "ui/window/style.h"
 
 namespace {
 

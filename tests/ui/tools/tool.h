@@ -8,8 +8,8 @@
 #include <QElapsedTimer>
 
 #include "app/commands/command_line.h"
-#include "scene/machine.h"
-#include "scene/settings.h"
+#include "scene/settings/machine.h"
+#include "scene/settings/settings.h"
 
 namespace isolux::test {
 

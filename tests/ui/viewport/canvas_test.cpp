@@ -15,7 +15,7 @@
 #include "base/retire.h"
 #include "render/gl/gl_messages.h"
 #include "render/gl/handed_picture.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 #include "tests/support/losing_context.h"
 #include "ui/viewport/canvas_choice.h"
 #include "ui/viewport/shared_context.h"

@@ -5,9 +5,9 @@
 #include <QLabel>
 #include <QStatusBar>
 
-#include "ui/editors/wrapped_text.h"
 #include "ui/panels/volume_panel.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/wrapped_text.h"
 
 namespace isolux::test {
 namespace {

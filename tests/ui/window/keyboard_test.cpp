@@ -16,8 +16,8 @@
 #include "ui/panels/settings_panel.h"
 #include "ui/slices/slice_board.h"
 #include "ui/theme/focus_ring.h"
+#include "ui/theme/style.h"
 #include "ui/viewport/viewport.h"
-#include "ui/window/style.h"
 
 namespace isolux::test {
 namespace {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <map>
 
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 #include "tests/support/test_data.h"
 #include "ui/accuracy/accuracy_panel.h"
 #include "ui/accuracy/picture_accuracy.h"
@@ -91,8 +91,7 @@ TEST_F(ReopenTest, TheFileOnShowIsShownAgainUnderItsStoredLight) {
   window_->document()->edit(edit);
   const ui::BakedLight* const light = window_->light();
   const auto lit = [&] {
-    return light->isShown() && !light->changing() &&
-           light->state().phase == app::LightState::Phase::finished;
+    return light->isShown() && !light->changing() && light->state().phase == app::LightState::Phase::finished;
   };
   ASSERT_TRUE(waitUntil(lit));
   const QString session = newFile("lit.isolux");

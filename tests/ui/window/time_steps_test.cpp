@@ -15,9 +15,9 @@
 
 #include "tests/support/ui/window_fixture.h"
 #include "ui/document/recent_files.h"
-#include "ui/editors/number_spin_box.h"
 #include "ui/panels/volume_panel.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/number_spin_box.h"
 
 namespace isolux::test {
 namespace {

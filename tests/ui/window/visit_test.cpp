@@ -13,7 +13,7 @@
 
 #include "render/gl/gl_messages.h"
 #include "render/gl/handed_picture.h"
-#include "scene/settings.h"
+#include "scene/settings/settings.h"
 #include "tests/support/test_data.h"
 #include "tests/support/ui/dialog_answers.h"
 #include "tests/support/ui/time_bound.h"

@@ -15,12 +15,12 @@
 #include "app/files/image_io.h"
 #include "ui/document/recent_files.h"
 #include "ui/editors/histogram_slider.h"
-#include "ui/editors/number_spin_box.h"
 #include "ui/editors/setting_editor.h"
 #include "ui/panels/isovalue_panel.h"
 #include "ui/panels/source_panel.h"
 #include "ui/panels/volume_panel.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/number_spin_box.h"
 #include "ui/window/message_bar.h"
 
 namespace isolux::test {

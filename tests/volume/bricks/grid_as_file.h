@@ -13,8 +13,8 @@
 
 #include "base/error.h"
 #include "volume/bricks/chunked_volume.h"
-#include "volume/bricks/stored_type.h"
 #include "volume/grid.h"
+#include "volume/voxels/stored_type.h"
 
 namespace isolux::test {
 

@@ -8,9 +8,9 @@
 
 #include "base/random.h"
 #include "volume/hit/exact_hit.h"
-#include "volume/pieces/shown_boxes.h"
 #include "volume/skip/box_bounds.h"
 #include "volume/skip/min_max_blocks.h"
+#include "volume/skip/shown_boxes.h"
 
 namespace isolux::test::casting {
 

@@ -10,7 +10,7 @@
 #include "scene/scene.h"
 #include "volume/cast/surface_caster.h"
 #include "volume/clip/clip_region.h"
-#include "volume/field/cubic_fields.h"
+#include "volume/derived/cubic_fields.h"
 #include "volume/hit/cell_walk.h"
 #include "volume/hit/exact_cubic_hit.h"
 

@@ -6,7 +6,7 @@
 
 #include "tests/support/hidden_balls.h"
 #include "tests/volume/cast/caster_checks.h"
-#include "volume/pieces/hidden_voxels.h"
+#include "volume/visible/hidden_voxels.h"
 
 namespace isolux::volume {
 namespace {

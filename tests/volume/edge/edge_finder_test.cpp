@@ -15,7 +15,7 @@
 #include "tests/support/analytic_fields.h"
 #include "tests/support/volumes.h"
 #include "volume/field/reconstruct.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 #include "volume/statistics/visible_points.h"
 
 namespace isolux::volume {

@@ -19,7 +19,7 @@
 #include "tests/support/test_data.h"
 #include "volume/field/cubic_weights.h"
 #include "volume/field/reconstruct.h"
-#include "volume/parallel_loops.h"
+#include "volume/parallel/parallel_loops.h"
 #include "volume/read/reader.h"
 
 namespace isolux::volume {

@@ -11,7 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "tests/support/volumes.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::test {
 namespace {

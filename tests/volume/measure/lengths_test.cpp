@@ -15,7 +15,7 @@
 #include "volume/measure/points.h"
 #include "volume/measure/surface_graph.h"
 #include "volume/measure/thickness.h"
-#include "volume/read/length_doubt.h"
+#include "volume/read/input/length_doubt.h"
 
 namespace isolux::test {
 namespace {

@@ -11,7 +11,7 @@
 #include "tests/volume/read/reader_support.h"
 #include "volume/mesh/mesh_repair.h"
 #include "volume/mesh/triangle_tree.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux {
 namespace {

@@ -5,10 +5,10 @@
 
 #include "tests/support/hidden_balls.h"
 #include "tests/support/rays.h"
-#include "volume/field/cubic_fields.h"
+#include "volume/derived/cubic_fields.h"
 #include "volume/hit/exact_cubic_hit.h"
 #include "volume/hit/exact_hit.h"
-#include "volume/pieces/shown_cells.h"
+#include "volume/hit/shown_cells.h"
 
 namespace isolux::volume {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "tests/support/stop_latency.h"
 #include "tests/support/test_data.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::volume {
 namespace {

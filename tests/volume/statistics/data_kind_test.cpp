@@ -11,7 +11,7 @@
 #include "base/progress.h"
 #include "tests/support/test_data.h"
 #include "volume/phantom/phantom.h"
-#include "volume/prepared_volume.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::volume {
 namespace {

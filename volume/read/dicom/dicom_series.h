@@ -10,7 +10,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "volume/read/patient.h"
+#include "volume/read/input/patient.h"
 
 namespace isolux::volume {
 

@@ -1,5 +1,5 @@
 #include "volume/read/input/image_header.h"
-#include "volume/read/length_doubt.h"
+#include "volume/read/input/length_doubt.h"
 
 #include <cmath>
 

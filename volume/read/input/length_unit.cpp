@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "volume/read/input/length_doubt.h"
 #include "volume/read/input/text.h"
-#include "volume/read/length_doubt.h"
 
 namespace isolux::volume {
 

@@ -37,7 +37,7 @@ enum class MessageKind : std::uint64_t {
   image,     // reader: size of an image
   text,      // reader: versions of its libraries; its last word
   series,    // reader: a DicomSeries that it has found, or knows more of
-  chunks,    // reader: an Hdf5Layout (volume/bricks/hdf5/hdf5_layout.h) without its table of chunks
+  chunks,    // reader: an Hdf5Layout (volume/read/hdf5/hdf5_layout.h) without its table of chunks
   index,     // reader: a DicomIndexEnd, when it has looked at all files; its last word
   done       // reader: the shared memory is filled; its last word
 };

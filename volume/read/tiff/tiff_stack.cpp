@@ -10,9 +10,9 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "volume/read/input/length_doubt.h"
 #include "volume/read/input/length_unit.h"
 #include "volume/read/input/text.h"
-#include "volume/read/length_doubt.h"
 #include "volume/read/tiff/ome_tiff.h"
 
 namespace isolux::volume {

@@ -7,9 +7,9 @@
 
 #include "base/error.h"
 #include "volume/read/input/convert.h"
+#include "volume/read/input/length_doubt.h"
 #include "volume/read/input/payload.h"
 #include "volume/read/input/text.h"
-#include "volume/read/length_doubt.h"
 
 namespace isolux::volume {
 

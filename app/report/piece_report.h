@@ -1,0 +1,28 @@
+// The connected pieces of an isosurface's inside, as JSON and as a table.
+#pragma once
+
+#include <cstddef>
+#include <ostream>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "base/progress.h"
+#include "scene/scene.h"
+#include "volume/measure/piece_measure.h"
+#include "volume/prepared/prepared_volume.h"
+
+namespace isolux::app {
+
+// {"id", "volume_mm3", "area_mm2", "bounds_mm", "open"}.
+nlohmann::ordered_json pieceJson(std::size_t id, const volume::PieceMeasure& piece);
+
+// {"isovalue", "inside", "count", "list"} of the isosurface of a resolved scene: all pieces, each with its
+// voxels, its seed and whether the scene's choice shows it. Throws Error: interrupted, memory.
+nlohmann::ordered_json piecesJson(const volume::PreparedVolume& prepared, const scene::Scene& scene,
+                                  base::Progress& progress);
+
+// A line for each of the largest.
+void printPieceTable(const nlohmann::ordered_json& pieces, const volume::PreparedVolume& prepared,
+                     std::ostream& out);
+
+}  // namespace isolux::app

@@ -1,0 +1,37 @@
+// Lists the settings: each member of Scene once, with path, type, default, range, unit and meaning.
+//
+// JSON, --set, undo, recordings, hashing, `isolux settings` and the documentation are generated from this
+// list. Paths are "group.name" or "group.subgroup.name" in snake_case. Errors are base::Error of kind usage
+// that name the path.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/scene.h"
+#include "scene/settings/setting.h"
+
+namespace isolux::scene {
+
+using Setting = SettingOf<Scene>;
+
+std::span<const Setting> settings();
+// Returns whether a pattern covers a path: "camera." all paths of a group, '#' the number of a list item
+// ("lamp#.kind"), otherwise the path itself.
+bool covers(std::string_view pattern, std::string_view path);
+const Setting& setting(std::string_view path);  // throws Error, with the nearest path as a suggestion
+
+// Applies an assignment as on the command line: scene/settings/assignment.h.
+void applyAssignment(Scene& scene, std::string_view assignment);
+
+// Convert whole scenes to and from nested JSON objects. A missing key takes its default; an unknown key
+// throws, naming its path. Host settings (scene/settings/machine.h), which older files contain, are ignored.
+nlohmann::json toJson(const Scene& scene);
+Scene fromJson(const nlohmann::json& json);
+
+// Returns a name for the change, derived from the settings that differ ("Change look.mode").
+std::string describeChange(const Scene& from, const Scene& to);
+
+}  // namespace isolux::scene

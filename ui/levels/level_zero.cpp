@@ -1,0 +1,214 @@
+#include "ui/levels/level_zero.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <QSettings>
+
+#include "base/retire.h"
+#include "ui/document/picture_pixels.h"
+#include "ui/language/number_text.h"
+#include "ui/language/translated.h"
+#include "ui/widgets/waiting.h"
+
+namespace isolux::ui {
+
+namespace {
+
+constexpr int zeroPollMilliseconds = 100;
+constexpr const char* wantedKey = "levelZeroAtRest";
+
+QString whatOf(const std::exception_ptr& failure) {
+  try {
+    std::rethrow_exception(failure);
+  } catch (const std::exception& error) {
+    return QString::fromStdString(error.what());
+  } catch (...) {
+    return QObject::tr("internal error");
+  }
+}
+
+bool sameVolume(scene::Source a, const scene::Source& b) {
+  a.level = b.level;
+  return a == b;
+}
+
+}  // namespace
+
+LevelZero::LevelZero(QObject* parent)
+    : QObject(parent), wanted_(QSettings().value(wantedKey, true).toBool()) {
+  pollTimer_.setInterval(zeroPollMilliseconds);
+  connect(&pollTimer_, &QTimer::timeout, this, &LevelZero::poll);
+}
+
+LevelZero::~LevelZero() = default;
+
+void LevelZero::setSource(const std::optional<scene::Source>& source) {
+  const bool same = source && source_ && sameVolume(*source, *source_);
+  source_ = source;
+  if (same) return;
+  show({});
+  opening_.reset();
+  base::retire(std::exchange(whole_, nullptr));  // gigabytes
+  refused_.reset();
+  thread_.reset();
+  say({}, {});
+}
+
+void LevelZero::show(const std::optional<Shown>& shown) {
+  const bool same = shown.has_value() == shown_.has_value() &&
+                    (!shown || shown->picture.cacheKey() == shown_->picture.cacheKey());
+  if (same) return;
+  stopDrawing();
+  image_ = {};
+  shown_ = shown;
+  if (!shown_ || !wanted_ || !source_) return;
+  if (whole_)
+    draw();
+  else
+    open();
+}
+
+void LevelZero::setWanted(bool wanted) {
+  if (wanted == wanted_) return;
+  wanted_ = wanted;
+  QSettings().setValue(wantedKey, wanted);
+  const std::optional<Shown> shown = std::exchange(shown_, std::nullopt);
+  stopDrawing();
+  image_ = {};
+  if (!wanted) {
+    opening_.reset();  // what is done of an index is kept
+    say({}, {});
+    if (shown) Q_EMIT painted({}, shown->picture);
+  }
+  refused_.reset();
+  show(shown);
+}
+
+void LevelZero::open() {
+  if (refused_) return say({}, *refused_);
+  if (!opening_)
+    opening_ = std::make_unique<app::WholeFileJob>(app::WholeFileWork::Subject{*source_, machine_});
+  pollTimer_.start();
+}
+
+app::PictureOrder LevelZero::order(const render::FrameRequest& request) const {
+  app::PictureOrder order;
+  order.volume = whole_;
+  order.scene = app::sceneOfWholeFile(shown_->scene, shown_->resolved, *whole_);
+  order.machine = wholeMachine_;
+  order.request = request;
+  return order;
+}
+
+void LevelZero::draw() {
+  render::FrameRequest request;
+  request.size = {shown_->picture.width(), shown_->picture.height()};
+  request.supersampling = std::clamp(shown_->resolved.picture.supersampling, 1, 4);
+  request.pixelRatio = shown_->pixelRatio;
+  try {
+    app::PictureOrder wanted = order(request);
+    wanted.scene.picture.transparent = false;
+    if (!thread_)
+      thread_ = std::make_unique<app::PictureThread>(
+          app::PictureThread::Options{.priority = app::PictureThread::Priority::background});
+    thread_->drawStill(std::move(wanted));
+  } catch (const base::Error& error) {
+    return say({}, tr("Full resolution is not drawn: %1").arg(QString::fromStdString(error.reason())));
+  }
+  drawing_ = true;
+  say(tr("drawing full resolution"), {});
+  pollTimer_.start();
+}
+
+void LevelZero::stopDrawing() {
+  if (!drawing_) return;
+  drawing_ = false;
+  thread_->stopStill();
+}
+
+void LevelZero::poll() {
+  if (opening_ && opening_->finished()) takeVolume();
+  if (opening_) {
+    const base::Progress& progress = opening_->progress();
+    say(tr("%1: %2 %")
+            .arg(translated(texts::words, progress.stage()))
+            .arg(std::lround(100.0 * progress.fraction())),
+        tr("Full resolution is drawn from the file once its index exists."));
+  }
+  if (thread_) {
+    const app::PictureThread::Context* const context = thread_->context();
+    const std::unique_ptr<app::PictureThread::Still> still = thread_->takeStill();
+    if (still && drawing_)
+      takePicture(*still);
+    else if (drawing_ && context && context->failure) {
+      drawing_ = false;
+      say({}, tr("Full resolution is not drawn: %1").arg(whatOf(context->failure)));
+    }
+  }
+  if (!opening_ && !drawing_) pollTimer_.stop();
+}
+
+void LevelZero::takeVolume() {
+  const std::unique_ptr<app::WholeFileJob> job = std::move(opening_);
+  if (job->error()) {
+    refused_ = tr("Full resolution is not drawn: %1").arg(QString::fromStdString(job->error()->what()));
+    return say({}, *refused_);
+  }
+  whole_ = job->volume();
+  wholeMachine_ = job->machine();
+  say({}, {});
+  Q_EMIT opened();
+  if (shown_) draw();
+}
+
+void LevelZero::takePicture(app::PictureThread::Still& still) {
+  if (const auto* const failure = std::get_if<std::exception_ptr>(&still)) {
+    drawing_ = false;
+    return say({}, tr("Full resolution is not drawn: %1").arg(whatOf(*failure)));
+  }
+  drawing_ = false;
+  const auto& picture = std::get<render::StillPicture>(still);
+  image_ = imageOf(picture.color);
+  const render::BrickReport& bricks = picture.report.bricks;
+  const auto percent = [](double share) { return numberText(100.0 * share, 2); };
+  QString meaning = tr("When the view is idle, the image shows the file at full resolution (level 0).");
+  if (bricks.lost > 0.0)
+    meaning = tr("%1 % of the image is hatched, because the volume is unreadable there: %2")
+                  .arg(percent(bricks.lost), QString::fromStdString(bricks.lostReason));
+  else if (bricks.missing > 0.0)
+    meaning = tr("%1 % of the image is missing; raise Graphics memory (memory.gpu_budget_mb)")
+                  .arg(percent(bricks.missing));
+  Q_EMIT painted(image_, shown_->picture);
+  say({}, meaning);
+  Q_EMIT changed();
+}
+
+render::StillPicture LevelZero::picture(const render::FrameRequest& request, bool transparent,
+                                        QWidget* window, const QString& what) {
+  app::PictureOrder wanted = order(request);
+  wanted.scene.picture.transparent = transparent;
+  thread_->drawStill(std::move(wanted));
+  std::unique_ptr<app::PictureThread::Still> still;
+  waitFor(window, {what,
+                   [&] {
+                     if (!still) still = thread_->takeStill();
+                     return still != nullptr;
+                   },
+                   [&] { return thread_->stillFraction(); }, [&] { thread_->stopStill(); }});
+  if (!still)
+    throw base::Error(base::ErrorKind::interrupted, "", "",
+                      tr("waiting for the image was cancelled").toStdString());
+  if (auto* const drawn = std::get_if<render::StillPicture>(still.get())) return std::move(*drawn);
+  std::rethrow_exception(std::get<std::exception_ptr>(*still));
+}
+
+void LevelZero::say(const QString& text, const QString& meaning) {
+  if (text == text_ && meaning == meaning_) return;
+  text_ = text;
+  meaning_ = meaning;
+  Q_EMIT changed();
+}
+
+}  // namespace isolux::ui

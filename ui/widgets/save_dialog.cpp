@@ -1,0 +1,36 @@
+#include "ui/widgets/save_dialog.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+
+namespace isolux::ui {
+
+namespace {
+// "png" of "PNG, with session (*.png)".
+QString suffixOf(const QString& filter) {
+  return filter.section("(*.", -1).section(QChar(')'), 0, 0).section(QChar(' '), 0, 0);
+}
+}  // namespace
+
+SaveAnswer askForFileToSave(QWidget* parent, const SaveQuestion& question) {
+  const QFileInfo proposal(question.proposal);
+  QFileDialog dialog(parent, question.title, proposal.absolutePath());
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setFileMode(QFileDialog::AnyFile);
+  dialog.setNameFilters(question.filters);
+  dialog.setDefaultSuffix(suffixOf(question.filters.first()));
+  dialog.selectFile(proposal.fileName());
+  QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog,
+                   [&dialog](const QString& filter) { dialog.setDefaultSuffix(suffixOf(filter)); });
+  if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return {};
+  return {QDir::cleanPath(dialog.selectedFiles().first()), dialog.selectedNameFilter()};
+}
+
+QString folderBeside(const QString& source, const QString& otherwise) {
+  const bool isFile = !source.isEmpty() && !source.startsWith("phantom:");
+  const QString folder = isFile ? QFileInfo(QDir::cleanPath(source)).absolutePath() : QString();
+  return isFile && QFileInfo(folder).isWritable() ? folder : otherwise;
+}
+
+}  // namespace isolux::ui

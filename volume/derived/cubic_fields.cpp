@@ -1,0 +1,125 @@
+#include "volume/derived/cubic_fields.h"
+
+#include <algorithm>
+
+#include "base/make_room.h"
+#include "scene/rules/needs.h"
+
+namespace isolux::volume {
+
+namespace {
+
+CubicField made(const Grid& grid, scene::Field field, base::Progress& progress) {
+  if (field == scene::Field::cubic) {
+    progress.report(0.0, "building blocks");
+    MinMaxBlocks blocks = MinMaxBlocks::ofCubic(grid, kBlockCells, progress);
+    return {std::nullopt, std::move(blocks), BoxBounds::ofCubic(grid, progress)};
+  }
+  Coefficients coefficients = interpolatingCoefficients(grid, progress);
+  MinMaxBlocks blocks = MinMaxBlocks::ofCubic(coefficients, grid, kBlockCells, progress);
+  BoxBounds boxes = BoxBounds::ofCubic(coefficients, grid, progress);
+  return {std::move(coefficients), std::move(blocks), std::move(boxes)};
+}
+
+constexpr std::size_t kKeptScales = 2;
+
+// The scales that derivatives of the scene are read at, mm; 0 is none.
+std::vector<double> scalesOf(const scene::Scene& scene) {
+  std::vector<double> scales;
+  if (scene::needsSecondDerivatives(scene)) scales.push_back(scene.derivatives.scale.value_or(0.0));
+  if (scene::needsGradient(scene)) scales.push_back(scene.derivatives.normalScale.value_or(0.0));
+  return scales;
+}
+
+// Calls visit(field) and visitScaled(field, scaleMm) for what must be made of a scene.
+template <class Visit, class VisitScaled>
+void forEachNeeded(const scene::Scene& scene, const Visit& visit, const VisitScaled& visitScaled) {
+  const scene::Field derived = scene.derivatives.field;
+  if (scene.hit.field != scene::Field::trilinear) visit(scene.hit.field);
+  if (scene::showsCutFaces(scene) && scene.slice.field == scene::Field::cubic_interpolating)
+    visit(scene.slice.field);
+  if (derived == scene::Field::trilinear) return;
+  const std::vector<double> scales = scalesOf(scene);
+  const bool atNone = scales.empty() || std::find(scales.begin(), scales.end(), 0.0) != scales.end();
+  if (derived == scene::Field::cubic_interpolating && atNone && scene.hit.field != derived) visit(derived);
+  for (const double scale : scales)
+    if (scale > 0.0) visitScaled(derived, scale);
+}
+
+}  // namespace
+
+std::shared_ptr<const CubicField> CubicFields::find(scene::Field field) const {
+  if (field == scene::Field::trilinear) return nullptr;
+  const std::lock_guard lock(mutex_);
+  return field == scene::Field::cubic ? cubic_ : interpolating_;
+}
+
+std::shared_ptr<const CubicField> CubicFields::make(scene::Field field, base::Progress& progress) {
+  if (field == scene::Field::trilinear) return nullptr;
+  if (auto there = find(field)) return there;
+  auto fresh =
+      base::madeWithRoom([&] { return std::make_shared<const CubicField>(made(*grid_, field, progress)); },
+                         [this] { return forgetOldestScale(); });
+  const std::lock_guard lock(mutex_);
+  std::shared_ptr<const CubicField>& slot = field == scene::Field::cubic ? cubic_ : interpolating_;
+  if (!slot) slot = std::move(fresh);
+  return slot;
+}
+
+std::shared_ptr<const ScaledField> CubicFields::scaledFound(scene::Field field, double scaleMm) const {
+  const auto found = std::find_if(scaled_.begin(), scaled_.end(), [&](const auto& scaled) {
+    return scaled->field == field && scaled->scaleMm == scaleMm;
+  });
+  if (found == scaled_.end()) return nullptr;
+  std::rotate(found, found + 1, scaled_.end());
+  return scaled_.back();
+}
+
+std::shared_ptr<const ScaledField> CubicFields::find(scene::Field field, double scaleMm) const {
+  const std::lock_guard lock(mutex_);
+  return scaledFound(field, scaleMm);
+}
+
+std::shared_ptr<const ScaledField> CubicFields::make(scene::Field field, double scaleMm,
+                                                     base::Progress& progress) {
+  if (field == scene::Field::trilinear || !(scaleMm > 0.0)) return nullptr;
+  const auto leaveRoom = [&] {
+    if (scaled_.size() == kKeptScales) scaled_.erase(scaled_.begin());
+  };
+  {
+    const std::lock_guard lock(mutex_);
+    if (auto there = scaledFound(field, scaleMm)) return there;
+    leaveRoom();  // first, so that three never take memory at once
+  }
+  auto fresh = base::madeWithRoom(
+      [&] { return std::make_shared<const ScaledField>(scaledField(*grid_, field, scaleMm, progress)); },
+      [this] { return forgetOldestScale(); });
+  const std::lock_guard lock(mutex_);
+  if (auto there = scaledFound(field, scaleMm)) return there;
+  leaveRoom();
+  scaled_.push_back(fresh);
+  return fresh;
+}
+
+bool CubicFields::forgetOldestScale() {
+  const std::lock_guard lock(mutex_);
+  if (scaled_.empty()) return false;
+  scaled_.erase(scaled_.begin());
+  return true;
+}
+
+bool CubicFields::readyFor(const scene::Scene& scene) const {
+  bool ready = true;
+  forEachNeeded(
+      scene, [&](scene::Field field) { ready = ready && find(field) != nullptr; },
+      [&](scene::Field field, double scaleMm) { ready = ready && find(field, scaleMm) != nullptr; });
+  return ready;
+}
+
+void CubicFields::makeFor(const scene::Scene& scene, base::Progress& progress) {
+  forEachNeeded(
+      scene, [&](scene::Field field) { make(field, progress); },
+      [&](scene::Field field, double scaleMm) { make(field, scaleMm, progress); });
+}
+
+}  // namespace isolux::volume

@@ -1,0 +1,156 @@
+#include "volume/large/coarse_level.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <glm/common.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "base/error.h"
+#include "base/memory_budget.h"
+#include "base/number_text.h"
+#include "volume/bricks/level_voxels.h"
+#include "volume/read/hdf5/hdf5.h"
+#include "volume/read/input/chunked_header.h"
+#include "volume/read/input/payload.h"
+#include "volume/read/open_chunked.h"
+#include "volume/read/step_files.h"
+
+namespace isolux::volume {
+
+namespace {
+
+constexpr int kLeastVoxels = 8;  // that halving leaves of an axis
+
+LevelOrigin originOf(const ChunkedFacts& facts, int level) {
+  const int last = static_cast<int>(facts.levels.size()) - 1, own = std::min(level, last);
+  LevelOrigin origin{static_cast<std::size_t>(own), glm::ivec3(1)};
+  const glm::ivec3 dims = facts.levels[origin.fileLevel].geometry.dims;
+  for (int halving = own; halving < level; ++halving)
+    for (int axis = 0; axis < 3; ++axis)
+      if (dims[axis] / (2 * origin.factor[axis]) >= kLeastVoxels) origin.factor[axis] *= 2;
+  return origin;
+}
+
+std::string timesText(glm::dvec3 n) {
+  return base::shortText(n.x) + "x" + base::shortText(n.y) + "x" + base::shortText(n.z);
+}
+
+std::shared_ptr<const ChunkedVolume> opened(const scene::Source& source, base::Progress& progress) {
+  std::string reason;
+  std::shared_ptr<const ChunkedVolume> file = openChunked(source, reason, progress);
+  if (file) return file;
+  throw base::Error(base::ErrorKind::usage, source.path, "source.level=" + std::to_string(source.level),
+                    "only files that are read in parts have coarser levels: " + reason);
+}
+
+// Before all that the header says.
+void putFirst(std::string warning, ImageHeader& header) {
+  header.warnings.insert(header.warnings.begin(), std::move(warning));
+}
+
+// Where any are missing, of a type that knows missing ones.
+FileVoxels voxelsOf(LevelVoxels&& read, const scene::Source& source, const ReadOptions& options,
+                    base::Progress& progress) {
+  const auto asRead = [](auto&& voxels) -> FileVoxels { return std::forward<decltype(voxels)>(voxels); };
+  if (read.unknown.empty()) return std::visit(asRead, std::move(read.voxels));
+  const std::size_t count = std::visit([](const auto& voxels) { return voxels.size(); }, read.voxels);
+  checkBudget(count * sizeof(float), "voxels some of which are missing", "a higher source.level needs less",
+              source.path, options);
+  return withMissing(read, progress);
+}
+
+bool isAllMissing(const Grid& grid) {
+  return grid.missingCount() == grid.geometry().voxelCount();
+}
+
+}  // namespace
+
+int coarsestLevel(const ChunkedFacts& facts) {
+  const glm::ivec3 dims = facts.levels.back().geometry.dims;
+  int level = static_cast<int>(facts.levels.size()) - 1;
+  for (int longest = std::max({dims.x, dims.y, dims.z}); longest / 2 >= kLeastVoxels; longest /= 2) ++level;
+  return level;
+}
+
+GridGeometry levelGeometry(const ChunkedFacts& facts, int level) {
+  const LevelOrigin origin = originOf(facts, level);
+  GridGeometry geometry = facts.levels[origin.fileLevel].geometry;
+  if (origin.factor == glm::ivec3(1)) return geometry;
+  const glm::dvec3 factor(origin.factor);
+  geometry.dims = (geometry.dims + origin.factor - 1) / origin.factor;
+  geometry.worldFromVoxel = glm::scale(glm::translate(geometry.worldFromVoxel, 0.5 * (factor - 1.0)), factor);
+  return geometry;
+}
+
+std::size_t levelBytes(const ChunkedFacts& facts, int level) {
+  const std::size_t voxels = levelGeometry(facts, level).voxelCount();
+  const std::size_t own = bytesOf(facts.storedType);
+  return voxels * (level == 0 ? std::max(own, facts.wholeVoxelBytes) : own) + voxels / 2;
+}
+
+std::string levelNote(const ChunkedFacts& facts, int level) {
+  const GridGeometry& whole = facts.levels.front().geometry;
+  const GridGeometry coarse = levelGeometry(facts, level);
+  const glm::dvec3 factor = coarse.spacingMm() / whole.spacingMm(), thin = 2.0 * coarse.spacingMm();
+  return "level " + std::to_string(level) + ": each voxel is the mean of " + timesText(factor) +
+         " of the file's " + timesText(whole.dims) + "; structures thinner than " +
+         base::shortText(std::max({thin.x, thin.y, thin.z}), 3) + " mm may be missing";
+}
+
+int levelThatFits(const scene::Source& asked, base::Progress& progress, int finest, double share) {
+  if (asked.path.starts_with("phantom:")) return 0;
+  const scene::Source source = sourceOfStep(asked, static_cast<int>(asked.timeStep));
+  const std::size_t left = base::machineMemory().left();
+  // To open an HDF5 file takes a process: small ones are not opened twice.
+  constexpr std::size_t packedAtMost = 20;
+  std::error_code ignored;
+  if (const auto dataset = hdf5PathOf(source.path);
+      finest == 0 && dataset && std::filesystem::file_size(dataset->file, ignored) < left / packedAtMost)
+    return 0;
+  try {
+    std::string reason;
+    const std::shared_ptr<const ChunkedVolume> file = openChunked(source, reason, progress);
+    if (!file) return 0;
+    const int last = coarsestLevel(file->facts());
+    int level = std::min(finest, last);
+    const auto room = [&] {
+      return level == 0 ? left : static_cast<std::size_t>(share * static_cast<double>(left));
+    };
+    while (level < last && levelBytes(file->facts(), level) > room()) ++level;
+    return level;
+  } catch (const base::Error&) {
+    return 0;
+  }
+}
+
+Volume readLevel(const scene::Source& source, base::Progress& progress) {
+  const std::shared_ptr<const ChunkedVolume> file = opened(source, progress);
+  const ChunkedFacts& facts = file->facts();
+  if (source.level > coarsestLevel(facts))
+    throw base::Error(base::ErrorKind::usage, source.path, "source.level",
+                      "level " + std::to_string(source.level) + " does not exist; the coarsest is " +
+                          std::to_string(coarsestLevel(facts)));
+  const ReadOptions options = readOptions(source);
+  const GridGeometry geometry = levelGeometry(facts, source.level);
+  ImageHeader header = chunkedHeader(facts, geometry, facts.storedType);
+  checkBudget(header, source.path, options);
+  const VolumePart part{static_cast<int>(source.timeStep), source.component};
+  const LevelOrigin origin = originOf(facts, source.level);
+  LevelVoxels read = readLevelVoxels(*file, part, origin, geometry.dims, source.aroundDamage, progress);
+  const std::string damage = read.damaged.empty() ? "" : damageText(read.damaged);
+  if (source.level > 0) putFirst(levelNote(facts, source.level), header);
+  if (!damage.empty()) putFirst(damage + "; its voxels count as missing", header);
+  Volume volume =
+      finishVolume(header, voxelsOf(std::move(read), source, options, progress), options, progress);
+  if (!damage.empty() && isAllMissing(*volume.grid)) base::throwInput(source.path, "", damage);
+  volume.damage = damage;
+  volume.coarsestLevel = coarsestLevel(facts);
+  takeNames(volume, facts);
+  return volume;
+}
+
+}  // namespace isolux::volume

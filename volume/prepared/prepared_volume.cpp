@@ -1,0 +1,362 @@
+#include "volume/prepared/prepared_volume.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include <tbb/combinable.h>
+
+#include "base/error.h"
+#include "base/number_text.h"
+#include "volume/bricks/brick_source.h"
+#include "volume/large/coarse_level.h"
+#include "volume/large/index_file.h"
+#include "volume/parallel/parallel_steps.h"
+#include "volume/prepared/first_view.h"
+#include "volume/prepared/read_source.h"
+#include "volume/prepared/surface_outline.h"
+#include "volume/read/input/chunked_header.h"
+#include "volume/read/input/payload.h"
+#include "volume/read/open_chunked.h"
+#include "volume/statistics/label_map.h"
+#include "volume/statistics/typical_step.h"
+
+namespace isolux::volume {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+struct BlockBox {
+  glm::ivec3 first, last;  // of blocks; last.x < 0 when there is none
+};
+
+// The smallest box with all blocks for which isWanted(index) holds.
+template <class IsWanted>
+BlockBox boxOfBlocks(const MinMaxBlocks& blocks, const IsWanted& isWanted, base::Progress& progress) {
+  const glm::ivec3 dims = blocks.dims();
+  tbb::combinable<BlockBox> partial([&] { return BlockBox{dims, glm::ivec3(-1)}; });
+  parallelSteps(static_cast<std::size_t>(dims.z), progress, {}, [&](std::size_t layer) {
+    BlockBox& box = partial.local();
+    const auto z = static_cast<int>(layer);
+    std::size_t i = blocks.index({0, 0, z});
+    for (int y = 0; y < dims.y; ++y)
+      for (int x = 0; x < dims.x; ++x, ++i)
+        if (isWanted(i)) {
+          box.first = glm::min(box.first, glm::ivec3(x, y, z));
+          box.last = glm::max(box.last, glm::ivec3(x, y, z));
+        }
+  });
+  BlockBox all{dims, glm::ivec3(-1)};
+  partial.combine_each([&](const BlockBox& box) {
+    all.first = glm::min(all.first, box.first);
+    all.last = glm::max(all.last, box.last);
+  });
+  return all;
+}
+
+double mostFrequent(const Histogram& histogram) {
+  const auto most = std::max_element(histogram.counts.begin(), histogram.counts.end());
+  return histogram.binCentre(static_cast<std::size_t>(std::distance(histogram.counts.begin(), most)));
+}
+
+// Where the user will look: the world box of the blocks with structure in them, i.e. a surface of the
+// suggested isovalue, or of the one half-way from the most frequent value (the background) to it, or a tenth
+// of the whole range of values. So dragging the isovalue from bone down to skin stays in the picture, while
+// noise in air does not count. The whole domain when there is no such block. An axis along which the box has
+// no extent (a single slice) gets half a voxel on both sides, so that a camera can be placed before any
+// volume.
+void setBounds(PreparedVolume& prepared, base::Progress& progress) {
+  const Grid& grid = prepared.grid();
+  const MinMaxBlocks& blocks = *prepared.blocks;
+  const Histogram& histogram = prepared.histogram;
+  scene::VolumeFacts& facts = prepared.facts;
+
+  glm::ivec3 low(0), high = grid.dims() - 1;
+  if (!histogram.counts.empty()) {
+    const double background = mostFrequent(histogram);
+    const auto upper = static_cast<float>(grid.storedOfValue(facts.suggestedIsovalue));
+    const auto lower = static_cast<float>(grid.storedOfValue(0.5 * (background + facts.suggestedIsovalue)));
+    const auto contrast =
+        static_cast<float>(0.1 * (grid.maximum() - grid.minimum()) / std::abs(grid.slope()));
+    const BlockBox box = boxOfBlocks(
+        blocks,
+        [&](std::size_t i) {
+          return blocks.active(i, upper) || blocks.active(i, lower) ||
+                 blocks.maximum(i) - blocks.minimum(i) > contrast;
+        },
+        progress);
+    const glm::ivec3 first = box.first, last = box.last;
+    if (last.x >= 0) {
+      low = first * blocks.blockCells();
+      high = glm::min((last + 1) * blocks.blockCells(), high);
+    }
+  }
+  facts.boundsMinMm = glm::dvec3(std::numeric_limits<double>::infinity());
+  facts.boundsMaxMm = -facts.boundsMinMm;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec4 voxel((corner & 1) ? high.x : low.x, (corner & 2) ? high.y : low.y,
+                           (corner & 4) ? high.z : low.z, 1.0);
+    const glm::dvec3 world(grid.geometry().worldFromVoxel * voxel);
+    facts.boundsMinMm = glm::min(facts.boundsMinMm, world);
+    facts.boundsMaxMm = glm::max(facts.boundsMaxMm, world);
+  }
+  const glm::dvec3 spacing = grid.geometry().spacingMm();
+  const glm::dvec3 extent = facts.boundsMaxMm - facts.boundsMinMm;
+  const double least = std::min({spacing.x, spacing.y, spacing.z});
+  for (int axis = 0; axis < 3; ++axis) {
+    if (extent[axis] >= least * 1e-6) continue;
+    facts.boundsMinMm[axis] -= 0.5 * least;
+    facts.boundsMaxMm[axis] += 0.5 * least;
+  }
+}
+
+void setFirstView(PreparedVolume& prepared, base::Progress& progress) {
+  const scene::Scene first = scene::resolve({}, prepared.facts);
+  SurfaceOutline outline = surfaceOutline(prepared, first, true, progress);
+  const auto [toEye, up] = firstView(outline.samples, prepared.facts.axes);
+  prepared.facts.toEye = toEye;
+  prepared.facts.up = up;
+  prepared.facts.outlineMm = std::move(outline.pointsMm);
+}
+
+std::vector<double> valuesOfRow(const Grid& grid, int y, int z) {
+  std::vector<double> values;
+  for (int x = 0; x < grid.dims().x; ++x) values.push_back(grid.value(x, y, z));
+  return values;
+}
+
+// A unit that cannot be right is worse than none. Who says what the values are has the last word.
+void noteUnit(Volume& volume, const Histogram& histogram) {
+  if (volume.kind != scene::DataKind::automatic) {
+    if (volume.kind == scene::DataKind::ct_hu)
+      volume.unit = "HU";
+    else if (volume.unit == "HU")
+      volume.unit.clear();
+    return;
+  }
+  if (volume.unit != "HU" || !looksOffsetBy1024(histogram, volume.grid->minimum())) return;
+  volume.unit.clear();
+  volume.warnings.emplace_back("values look offset by 1024: not Hounsfield units as stored");
+}
+
+// Labels are names: between them lies no isovalue, and they have no noise. What is shown first encloses all.
+void noteLabels(Volume& volume, const base::Progress& progress) {
+  const bool asked = volume.kind == scene::DataKind::labels;
+  if (!asked && volume.kind != scene::DataKind::automatic) return;
+  if (!asked && (volume.isovalue || volume.unit == "HU")) return;  // the source knows better
+  const std::optional<LabelMap> map = labelMapOf(*volume.grid, asked, progress);
+  if (!map) return;
+  volume.labels = map->labels;
+  volume.noise = 0.0;
+  volume.isovalue = map->background + (map->background < volume.grid->maximum() ? 0.5 : -0.5);
+  volume.warnings.push_back(std::string(asked ? "is taken for" : "looks like") + " a label map of " +
+                            std::to_string(map->labels) +
+                            " labels: values are names of regions, not quantities; the isosurface at " +
+                            base::shortText(*volume.isovalue) + " encloses all of them");
+}
+
+// With what is made when it is first asked for.
+std::shared_ptr<PreparedVolume> withBlocks(Volume volume, std::shared_ptr<const MinMaxBlocks> blocks) {
+  auto prepared = std::make_shared<PreparedVolume>();
+  prepared->volume = std::move(volume);
+  prepared->blocks = std::move(blocks);
+  prepared->cubicFields = std::make_shared<CubicFields>(prepared->volume.grid);
+  prepared->derivativeChoices = std::make_shared<DerivativeChoices>(
+      prepared->volume.grid, prepared->blocks, prepared->volume.noise, prepared->volume.isMesh);
+  prepared->stillHits = std::make_shared<StillHits>(prepared->volume.grid, prepared->blocks);
+  prepared->pieces = std::make_shared<PieceSets>(prepared->volume.grid, prepared->blocks);
+  prepared->secondVolumes = std::make_shared<SecondVolumes>(prepared->volume.grid);
+  return prepared;
+}
+
+// What is noise of the background is no object: an isovalue lies so many of its deviations away, as far as
+// the border within the object.
+double awayFromNoise(const PreparedVolume& prepared, double isovalue, double contrast,
+                     base::Progress& progress) {
+  constexpr double deviations = 3.5;
+  const double background = mostFrequent(prepared.histogram);
+  const double away = deviations * prepared.derivativeChoices->noise(progress).at(isovalue);
+  if (isovalue > background) return std::max(isovalue, std::min(background + away, contrast));
+  return std::min(isovalue, std::max(background - away, contrast));
+}
+
+// As presets of MR have it: {"between": -0.4}.
+double skinOfMr(const scene::VolumeFacts& facts) {
+  return std::lerp(facts.contrastIsovalue, facts.minimum, 0.4);
+}
+
+void setKind(PreparedVolume& prepared, base::Progress& progress) {
+  const scene::VolumeFacts& facts = prepared.facts;
+  const Volume& volume = prepared.volume;
+  prepared.kind = dataKindOf(volume, prepared.histogram, prepared.derivativeChoices->noise(progress));
+  const bool maybeBrain = prepared.kind.kind == scene::DataKind::mr && volume.grid->isWhole();
+  prepared.whiteMatter = maybeBrain ? std::make_shared<KeptWhiteMatter>(volume.grid, skinOfMr(facts))
+                                    : std::make_shared<KeptWhiteMatter>(std::nullopt);
+}
+
+void setFacts(const std::shared_ptr<PreparedVolume>& prepared, Histogram histogram, double typicalStep,
+              base::Progress& progress) {
+  prepared->histogram = std::move(histogram);
+  noteUnit(prepared->volume, prepared->histogram);
+  scene::VolumeFacts& facts = prepared->facts;
+  const std::string& unit = prepared->volume.unit;
+  if (const std::optional<double>& known = prepared->volume.isovalue) {
+    facts.suggestedIsovalue = facts.contrastIsovalue = *known;
+  } else {
+    facts.contrastIsovalue = contrastIsovalue(prepared->grid(), prepared->histogram, unit);
+    facts.suggestedIsovalue =
+        awayFromNoise(*prepared, suggestIsovalue(prepared->grid(), prepared->histogram, unit),
+                      facts.contrastIsovalue, progress);
+  }
+  facts.suggestedIsovalues =
+      prepared->volume.labels > 0
+          ? std::vector<double>{facts.suggestedIsovalue}
+          : suggestIsovalues(prepared->grid(), prepared->histogram, unit, facts.suggestedIsovalue);
+  facts.axes = prepared->volume.axes;
+  facts.spacingMm = prepared->grid().geometry().spacingMm();
+  facts.minimum = prepared->grid().minimum();
+  facts.maximum = prepared->grid().maximum();
+  facts.typicalStep = typicalStep;
+  setKind(*prepared, progress);
+  setBounds(*prepared, progress);
+  setFirstView(*prepared, progress);
+}
+
+std::shared_ptr<PreparedVolume> prepare(Volume volume, base::Progress& progress) {
+  const Clock::time_point start = Clock::now();
+  progress.report(0.0, "building blocks");
+  noteLabels(volume, progress);
+  auto blocks = std::make_shared<MinMaxBlocks>(*volume.grid, kBlockCells, progress);
+  const std::shared_ptr<PreparedVolume> prepared = withBlocks(std::move(volume), std::move(blocks));
+  progress.report(0.3, "building blocks");
+  prepared->boxes = std::make_shared<BoxBounds>(prepared->grid(), progress);
+  progress.report(0.7, "counting values");
+  const Grid& grid = prepared->grid();
+  Histogram histogram = makeHistogram(grid, 512, progress);
+  const double step = typicalStep(
+      grid.dims(), [&](int y, int z) { return valuesOfRow(grid, y, z); }, progress);
+  setFacts(prepared, std::move(histogram), step, progress);
+  prepared->prepareSeconds = secondsSince(start);
+  progress.report(1.0, "ready");
+  return prepared;
+}
+
+// The index of the file, made where there is none; what hinders keeping it is a warning.
+VolumeIndex indexOf(const ChunkedVolume& file, const scene::Source& source,
+                    std::vector<std::string>& warnings, base::Progress& progress) {
+  const IndexFile kept(source.path, readOptions(source));
+  std::optional<VolumeIndex> index = kept.find(file);
+  if (index) return std::move(*index);
+  try {
+    kept.make(file, {}, index, progress);
+  } catch (const base::Error& error) {
+    if (error.kind() != base::ErrorKind::input || !index || !index->isComplete()) throw;
+    warnings.push_back(std::string("the index could not be kept: ") + error.what());
+  }
+  return std::move(*index);
+}
+
+// What is left of the budget beside the blocks, their flags and masks, which are in memory all the time; at
+// least a quarter.
+std::size_t brickBudget(int ramBudgetMb, const MinMaxBlocks& blocks) {
+  const std::size_t budget = static_cast<std::size_t>(ramBudgetMb) << 20,
+                    index =
+                        blocks.count() * (2 * sizeof(float) + sizeof(std::uint8_t) + sizeof(std::uint64_t));
+  return std::max(budget / 4, budget - std::min(budget, index));
+}
+
+std::shared_ptr<PreparedVolume> prepareFile(const std::shared_ptr<const ChunkedVolume>& file,
+                                            const scene::Source& source, int ramBudgetMb,
+                                            base::Progress& progress) {
+  const Clock::time_point start = Clock::now();
+  const ChunkedFacts& facts = file->facts();
+  Volume volume;
+  takeNames(volume, facts);
+  volume.format = facts.format;
+  volume.fileType = facts.storedType;
+  volume.unit = facts.unit;
+  volume.axes = facts.axes;
+  volume.kind = source.kind;
+  volume.components = facts.channels;
+  volume.timeSteps = facts.times;
+  volume.warnings = facts.warnings;
+  noteChoices(volume, readOptions(source));
+  noteStep(volume, source.timeStep);
+  const VolumeIndex index = indexOf(*file, source, volume.warnings, progress);
+  const double readSeconds = secondsSince(start);
+  auto bricks =
+      std::make_shared<BrickSource>(file, VolumePart{static_cast<int>(source.timeStep), source.component},
+                                    brickBudget(ramBudgetMb, *index.blocks()));
+  const auto gridOf = [&](double slope, double intercept) {
+    return std::make_shared<Grid>(facts.levels.front().geometry, index.voxelFacts(slope, intercept), slope,
+                                  intercept, bricks);
+  };
+  std::shared_ptr<Grid> grid = gridOf(facts.slope, facts.intercept);
+  bool scaled = facts.slope != 1.0 || facts.intercept != 0.0;
+  if (scaled && !scalingIsUsable(*grid)) {
+    volume.warnings.emplace_back(kScalingLeftOut);
+    grid = gridOf(1.0, 0.0);
+    scaled = false;
+  }
+  noteMissing(volume, *grid);
+  if (!index.damaged().empty()) volume.warnings.push_back(damageText(index.damaged()));
+  volume.grid = std::move(grid);
+  const std::shared_ptr<PreparedVolume> prepared = withBlocks(std::move(volume), index.blocks());
+  setFacts(prepared, index.histogram(prepared->grid()), index.typicalStep(scaled), progress);
+  prepared->readSeconds = readSeconds;
+  prepared->prepareSeconds = secondsSince(start) - readSeconds;
+  return prepared;
+}
+
+// Null: its voxels are read whole.
+std::shared_ptr<const ChunkedVolume> fileToStayIn(const scene::Source& source, scene::VoxelPlace place,
+                                                  base::Progress& progress) {
+  if (place == scene::VoxelPlace::memory || (source.level > 0 && place == scene::VoxelPlace::automatic))
+    return nullptr;
+  if (source.level > 0)
+    throw base::Error(base::ErrorKind::usage, source.path, "memory.voxels=file",
+                      "is of level 0 alone, and source.level is " + std::to_string(source.level));
+  std::string reason;
+  const std::shared_ptr<const ChunkedVolume> file = openChunked(source, reason, progress);
+  if (place == scene::VoxelPlace::file && !file)
+    base::throwInput(source.path, "memory.voxels=file", "cannot be read in parts: " + reason);
+  if (!file || place == scene::VoxelPlace::file) return file;
+  return levelBytes(file->facts(), 0) > base::machineMemory().left() ? file : nullptr;
+}
+
+}  // namespace
+
+std::shared_ptr<const PreparedVolume> prepareVolume(Volume volume, base::Progress& progress) {
+  return prepare(std::move(volume), progress);
+}
+
+std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, const scene::Machine& machine,
+                                                 base::Progress& progress) {
+  const std::shared_ptr<const ChunkedVolume> file = fileToStayIn(source, machine.voxels, progress);
+  return file ? prepareFile(file, source, machine.ramBudgetMb, progress) : loadVolume(source, progress);
+}
+
+std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, base::Progress& progress) {
+  const Clock::time_point start = Clock::now();
+  progress.report(0.0, "reading");
+  CsgResult read = readSource(source, progress);
+  if (source.csg != scene::Csg::none) read.volume.noise.reset();  // known of the first alone
+  const double readSeconds = secondsSince(start);
+  read.volume.kind = source.kind;
+  const std::shared_ptr<PreparedVolume> prepared = prepare(std::move(read.volume), progress);
+  prepared->readSeconds = readSeconds;
+  prepared->facts.csgIsovalue = read.secondIsovalue;
+  return prepared;
+}
+
+}  // namespace isolux::volume

@@ -1,0 +1,196 @@
+#include "volume/prepared/surface_outline.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <mutex>
+#include <numbers>
+#include <tuple>
+
+#include <tbb/combinable.h>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "volume/clip/surface_cut.h"
+#include "volume/parallel/parallel_steps.h"
+#include "volume/prepared/surface_crossings.h"
+
+namespace isolux::volume {
+
+namespace {
+
+constexpr std::size_t kOutlineDirections = 96;
+constexpr double kLeastGroup = 0.01;           // of all active blocks
+constexpr std::size_t kSamplesWanted = 60000;  // about so many
+constexpr std::size_t kOfBlock = 100;          // crossings, about
+
+// Evenly over the sphere (Fibonacci), and the axes.
+const std::vector<glm::dvec3>& outlineDirections() {
+  static const std::vector<glm::dvec3> list = [] {
+    std::vector<glm::dvec3> all = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    for (std::size_t i = 0; i < kOutlineDirections; ++i) {
+      const double z = 1.0 - (2.0 * static_cast<double>(i) + 1.0) / static_cast<double>(kOutlineDirections);
+      const double angle = static_cast<double>(i) * std::numbers::pi * (3.0 - std::sqrt(5.0));
+      const double across = std::sqrt(1.0 - z * z);
+      all.emplace_back(across * std::cos(angle), across * std::sin(angle), z);
+    }
+    return all;
+  }();
+  return list;
+}
+
+// Clears the flags of groups (by faces, edges and corners) that are small.
+void dropSpecks(const MinMaxBlocks& blocks, std::vector<std::uint8_t>& active) {
+  const glm::ivec3 dims = blocks.dims();
+  const auto all = static_cast<double>(std::count(active.begin(), active.end(), 1));
+  std::vector<std::uint8_t> seen(active.size(), 0);
+  std::vector<std::vector<std::size_t>> groups;
+  for (std::size_t first = 0; first < active.size(); ++first) {
+    if (!active[first] || seen[first]) continue;
+    std::vector<std::size_t>& group = groups.emplace_back(1, first);
+    seen[first] = 1;
+    for (std::size_t next = 0; next < group.size(); ++next) {
+      const int b = static_cast<int>(group[next]);
+      const glm::ivec3 at(b % dims.x, b / dims.x % dims.y, b / (dims.x * dims.y));
+      const glm::ivec3 low = glm::max(at - 1, glm::ivec3(0)), high = glm::min(at + 1, dims - 1);
+      for (int z = low.z; z <= high.z; ++z)
+        for (int y = low.y; y <= high.y; ++y)
+          for (int x = low.x; x <= high.x; ++x)
+            if (const std::size_t i = blocks.index({x, y, z}); active[i] && !seen[i]) {
+              seen[i] = 1;
+              group.push_back(i);
+            }
+    }
+  }
+  for (const std::vector<std::size_t>& group : groups)
+    if (static_cast<double>(group.size()) < kLeastGroup * all)
+      for (const std::size_t i : group) active[i] = 0;
+}
+
+// Farthest along one direction. Of points that are as far the one of the first voxel, whatever thread came
+// first.
+struct Extreme {
+  double reach = -std::numeric_limits<double>::infinity();
+  std::size_t voxel = 0;
+  glm::dvec3 point{0.0};
+  void take(const Extreme& other) {
+    if (std::tie(other.reach, voxel) > std::tie(reach, other.voxel)) *this = other;
+  }
+};
+using Extremes = std::vector<Extreme>;
+
+// The gradient at a voxel, world, by differences of neighbours; of any length.
+template <class T>
+glm::dvec3 gradientAt(const std::vector<T>& stored, const Grid& grid, const glm::dmat3& worldOfGradient,
+                      glm::ivec3 at) {
+  glm::dvec3 gradient(0.0);
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::ivec3 low = at, high = at;
+    low[axis] = std::max(at[axis] - 1, 0);
+    high[axis] = std::min(at[axis] + 1, grid.dims()[axis] - 1);
+    if (high[axis] == low[axis]) continue;
+    gradient[axis] = (static_cast<double>(stored[grid.index(high.x, high.y, high.z)]) -
+                      static_cast<double>(stored[grid.index(low.x, low.y, low.z)])) /
+                     (high[axis] - low[axis]);
+  }
+  return worldOfGradient * gradient;
+}
+
+class OutlineSearch {
+ public:
+  OutlineSearch(const PreparedVolume& volume, const scene::Scene& resolved)
+      : grid_(volume.grid()),
+        blocks_(*volume.blocks),
+        inside_(resolved.isosurface.inside),
+        cut_(resolved, grid_.geometry()),
+        world_(grid_.geometry().worldFromVoxel),
+        worldOfGradient_(glm::transpose(glm::inverse(glm::dmat3(world_)))),
+        extremes_([] { return Extremes(outlineDirections().size()); }) {
+    const double half = 0.5 * blocks_.blockCells();
+    for (int axis = 0; axis < 3; ++axis) radius_ += half * glm::length(glm::dvec3(world_[axis]));
+  }
+
+  void add(const ShownSurface& surface, bool withSamples, base::Progress& progress) {
+    std::vector<std::uint8_t> active;
+    blocks_.activeBlocks(static_cast<float>(grid_.storedOfValue(surface.isovalue)), active);
+    dropSpecks(blocks_, active);
+    const auto count = static_cast<std::size_t>(std::count(active.begin(), active.end(), 1));
+    const std::size_t every = withSamples ? std::max<std::size_t>(1, count * kOfBlock / kSamplesWanted) : 0;
+    samples_.resize(active.size());
+    parallelSteps(active.size(), progress, {}, [&](std::size_t block) {
+      if (active[block]) addBlock(surface, block, every);
+    });
+  }
+
+  SurfaceOutline result() {
+    Extremes all(outlineDirections().size());
+    extremes_.combine_each([&](const Extremes& part) {
+      for (std::size_t i = 0; i < all.size(); ++i) all[i].take(part[i]);
+    });
+    SurfaceOutline outline;
+    for (const Extreme& extreme : all)
+      if (std::isfinite(extreme.reach)) outline.pointsMm.push_back(extreme.point);
+    for (const std::vector<OutlineSample>& part : samples_)
+      outline.samples.insert(outline.samples.end(), part.begin(), part.end());
+    return outline;
+  }
+
+ private:
+  void addBlock(const ShownSurface& surface, std::size_t block, std::size_t every) {
+    const glm::ivec3 dims = blocks_.dims();
+    const int b = static_cast<int>(block);
+    const glm::ivec3 low =
+        glm::ivec3(b % dims.x, b / dims.x % dims.y, b / (dims.x * dims.y)) * blocks_.blockCells();
+    const glm::ivec3 high = glm::min(low + blocks_.blockCells(), grid_.dims() - 1);
+    Extremes& extremes = extremes_.local();
+    const glm::dvec3 centre(world_ * glm::dvec4(glm::dvec3(low + low + blocks_.blockCells()) * 0.5, 1.0));
+    std::vector<std::size_t> open;  // directions in which this block may be the farthest
+    for (std::size_t i = 0; i < extremes.size(); ++i)
+      if (glm::dot(outlineDirections()[i], centre) + radius_ >= extremes[i].reach) open.push_back(i);
+    if (open.empty() && every == 0) return;
+    std::visit(
+        [&](const auto& stored) {
+          std::size_t found = block;  // not the same of each block's
+          eachCrossing(stored, grid_, surface, inside_, low, high,
+                       [&](glm::ivec3 voxel, glm::dvec3 crossing) {
+                         const glm::dvec3 point(world_ * glm::dvec4(crossing, 1.0));
+                         if (!cut_.keeps(surface.isovalue, crossing)) return;
+                         const std::size_t number = grid_.index(voxel.x, voxel.y, voxel.z);
+                         for (const std::size_t i : open)
+                           extremes[i].take({glm::dot(outlineDirections()[i], point), number, point});
+                         if (every == 0 || found++ % every != 0) return;
+                         const glm::dvec3 gradient = gradientAt(stored, grid_, worldOfGradient_, voxel);
+                         const double length = glm::length(gradient);
+                         const bool rises = (inside_ == scene::Inside::above) == (grid_.slope() > 0.0);
+                         if (length > 0.0)
+                           samples_[block].push_back({point, gradient * ((rises ? -1.0 : 1.0) / length)});
+                       });
+        },
+        grid_.voxels());
+  }
+
+  const Grid& grid_;
+  const MinMaxBlocks& blocks_;
+  scene::Inside inside_;
+  SurfaceCut cut_;
+  glm::dmat4 world_;
+  glm::dmat3 worldOfGradient_;
+  double radius_ = 0.0;  // of a block, mm
+  tbb::combinable<Extremes> extremes_;
+  std::vector<std::vector<OutlineSample>> samples_;  // of each block
+};
+
+}  // namespace
+
+SurfaceOutline surfaceOutline(const PreparedVolume& volume, const scene::Scene& resolved, bool withSamples,
+                              base::Progress& progress) {
+  if (!volume.grid().isWhole()) return {};
+  OutlineSearch search(volume, resolved);
+  for (const ShownSurface& surface : shownSurfaces(volume, resolved, progress))
+    search.add(surface, withSamples, progress);
+  return search.result();
+}
+
+}  // namespace isolux::volume

@@ -1,0 +1,185 @@
+#include "volume/read/zarr/zarr_array.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "base/memory_budget.h"
+#include "volume/read/chunks/checksums.h"
+#include "volume/read/zarr/json_fields.h"
+#include "volume/read/zarr/zarr_statements.h"
+
+namespace isolux::volume {
+
+using base::throwInput;
+
+namespace {
+
+constexpr std::size_t kKeptShardIndices = 64;
+constexpr std::uint64_t kMostChunksInShard = std::uint64_t{1} << 24;
+
+std::uint64_t littleOrBig64(std::span<const std::byte> bytes, std::size_t at, bool big) {
+  std::uint64_t number = 0;
+  for (std::size_t i = 0; i < 8; ++i)
+    number |= static_cast<std::uint64_t>(bytes[at + i]) << (8 * (big ? 7 - i : i));
+  return number;
+}
+
+std::string placeText(std::span<const std::uint64_t> index) {
+  std::string text = "chunk ";
+  for (std::size_t axis = 0; axis < index.size(); ++axis)
+    text += (axis > 0 ? "/" : "") + std::to_string(index[axis]);
+  return text;
+}
+
+// What is packed is not longer than this, or it is something else.
+void checkPackedSize(const ChunkFormat& format, std::uint64_t size, const std::string& file,
+                     const std::string& place) {
+  const std::uint64_t wanted = format.fileBytes();
+  if (format.codecs.empty() ? size != wanted : size > longestPacked(static_cast<std::size_t>(wanted)))
+    throwInput(
+        file, place,
+        "damaged: it has " + std::to_string(size) + " bytes, its voxels take " + std::to_string(wanted));
+}
+
+}  // namespace
+
+bool ZarrArray::isArray(const ZarrStore& store, const std::string& key) {
+  if (const auto text = store.text(joinedKey(key, "zarr.json"))) {
+    const nlohmann::json json = parseJson(*text, store.nameOf(joinedKey(key, "zarr.json")));
+    return json.value("node_type", nlohmann::json()) == "array";
+  }
+  return store.open(joinedKey(key, ".zarray")) != nullptr;
+}
+
+ZarrArray::ZarrArray(std::shared_ptr<const ZarrStore> store, std::string key)
+    : store_(std::move(store)), key_(std::move(key)) {
+  const std::string v3 = joinedKey(key_, "zarr.json"), v2 = joinedKey(key_, ".zarray");
+  nlohmann::json attributes = nlohmann::json::object();
+  if (const auto text = store_->text(v3)) {
+    const std::string file = store_->nameOf(v3);
+    const nlohmann::json json = parseJson(*text, file, &warnings_);
+    if (json.value("node_type", nlohmann::json()) != "array")
+      throwInput(file, "node_type", "is not an array");
+    metadata_ = parseZarrV3(json, file);
+    if (json.contains("attributes") && json["attributes"].is_object()) attributes = json["attributes"];
+  } else if (const auto old = store_->text(v2)) {
+    const std::string file = store_->nameOf(v2);
+    metadata_ = parseZarrV2(parseJson(*old, file, &warnings_), file);
+    const std::string beside = joinedKey(key_, ".zattrs");
+    if (const auto more = store_->text(beside))
+      attributes = parseJson(*more, store_->nameOf(beside), &warnings_);
+  } else {
+    throwInput(store_->nameOf(key_), "", "is not a Zarr array: it has neither zarr.json nor .zarray");
+  }
+  attributes_ = std::make_shared<const nlohmann::json>(std::move(attributes));
+  metadata_.format.number = withSign(attributesOf(*this), metadata_.format.number);
+  layout_ = {metadata_.dims, metadata_.format.dims, metadata_.format.number.type};
+  if (metadata_.shards) {
+    std::uint64_t chunks = 1;
+    for (std::size_t axis = 0; axis < layout_.dims.size(); ++axis) {
+      chunks *= metadata_.shards->dims[axis] / layout_.chunk[axis];
+      if (chunks > kMostChunksInShard)
+        throwInput(store_->nameOf(v3), "chunk_shape", "a shard has more than 16777216 chunks");
+    }
+  }
+}
+
+std::string ZarrArray::keyOf(std::span<const std::uint64_t> index) const {
+  std::string text = metadata_.keyPrefix;
+  for (std::size_t axis = 0; axis < index.size(); ++axis)
+    text += (axis > 0 ? metadata_.separator : "") + std::to_string(index[axis]);
+  return joinedKey(key_, text);
+}
+
+// A chunk that has no file has the fill value; but not where all is gone.
+void ZarrArray::checkStillThere() const {
+  const std::string key = joinedKey(key_, metadata_.version == 2 ? ".zarray" : "zarr.json");
+  if (!store_->open(key)) throwInput(store_->nameOf(key), "", "is no longer there");
+}
+
+ZarrArray::ShardIndex ZarrArray::readShardIndex(const Bytes& shard) const {
+  const ZarrShards& shards = *metadata_.shards;
+  std::size_t count = 1;
+  for (std::size_t axis = 0; axis < layout_.dims.size(); ++axis)
+    count *= static_cast<std::size_t>(shards.dims[axis] / layout_.chunk[axis]);
+  std::vector<std::byte> bytes(16 * count + (shards.indexSummed ? 4 : 0));
+  if (bytes.size() > shard.size())
+    throwInput(shard.name(), "index", "damaged: the shard is shorter than its index");
+  shard.read(shards.indexAtStart ? 0 : shard.size() - bytes.size(), bytes);
+  if (shards.indexSummed) {
+    std::uint32_t sum = 0;
+    for (std::size_t i = 0; i < 4; ++i) sum |= static_cast<std::uint32_t>(bytes[16 * count + i]) << (8 * i);
+    if (crc32c(std::span(bytes).first(16 * count)) != sum)
+      throwInput(shard.name(), "index", "damaged: the checksum of the shard's index is wrong");
+  }
+  ShardIndex index(count);
+  for (std::size_t i = 0; i < count; ++i)
+    index[i] = {littleOrBig64(bytes, 16 * i, shards.indexBig),
+                littleOrBig64(bytes, 16 * i + 8, shards.indexBig)};
+  return index;
+}
+
+std::shared_ptr<const ZarrArray::ShardIndex> ZarrArray::shardIndex(const Bytes& shard,
+                                                                   const std::string& key) const {
+  {
+    const std::lock_guard lock(mutex_);
+    for (auto entry = indices_.begin(); entry != indices_.end(); ++entry)
+      if (entry->first == key) {
+        indices_.splice(indices_.begin(), indices_, entry);
+        return entry->second;
+      }
+  }
+  auto index = std::make_shared<const ShardIndex>(readShardIndex(shard));
+  const std::lock_guard lock(mutex_);
+  indices_.emplace_front(key, index);
+  if (indices_.size() > kKeptShardIndices) indices_.pop_back();
+  return index;
+}
+
+ZarrArray::Place ZarrArray::placeInShard(const Bytes& shard, const std::string& key,
+                                         std::span<const std::uint64_t> index) const {
+  std::uint64_t at = 0;
+  for (std::size_t axis = 0; axis < index.size(); ++axis) {
+    const std::uint64_t count = metadata_.shards->dims[axis] / layout_.chunk[axis];
+    at = at * count + index[axis] % count;
+  }
+  const Place place = (*shardIndex(shard, key))[static_cast<std::size_t>(at)];
+  constexpr std::uint64_t none = ~std::uint64_t{0};
+  if (place.offset == none && place.size == none) return place;
+  if (place.offset > shard.size() || place.size > shard.size() - place.offset)
+    throwInput(shard.name(), placeText(index), "damaged: beyond the end of the shard");
+  return place;
+}
+
+ArrayChunk ZarrArray::read(std::span<const std::uint64_t> index, std::span<const std::uint64_t> low,
+                           std::span<const std::uint64_t> size) const {
+  const ChunkFormat& format = metadata_.format;
+  std::vector<std::uint64_t> file(index.begin(), index.end());
+  if (metadata_.shards)
+    for (std::size_t axis = 0; axis < file.size(); ++axis)
+      file[axis] /= metadata_.shards->dims[axis] / layout_.chunk[axis];
+  const std::string key = keyOf(file);
+  const std::unique_ptr<Bytes> bytes = store_->open(key);
+  if (!bytes) {
+    checkStillThere();
+    return missingChunk(format);
+  }
+  Place place{0, bytes->size()};
+  if (metadata_.shards) {
+    place = placeInShard(*bytes, key, index);
+    if (place.offset == ~std::uint64_t{0} && place.size == ~std::uint64_t{0}) return missingChunk(format);
+  }
+  const std::string text = placeText(index);
+  checkPackedSize(format, place.size, bytes->name(), text);
+  if (plain()) return readPlainChunk(format, *bytes, place.offset, low, size);
+  const auto held = base::machineMemory().reserve(
+      static_cast<std::size_t>(place.size + 2 * format.fileBytes()), "a chunk of " + bytes->name(), "");
+  std::vector<std::byte> packed(static_cast<std::size_t>(place.size));
+  bytes->read(place.offset, packed);
+  return unpackChunk(format, packed, bytes->name(), text);
+}
+
+}  // namespace isolux::volume

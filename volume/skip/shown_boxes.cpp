@@ -1,0 +1,162 @@
+#include "volume/skip/shown_boxes.h"
+
+#include <array>
+#include <bit>
+#include <variant>
+
+#include <glm/common.hpp>
+
+#include "volume/parallel/parallel_loops.h"
+#include "volume/skip/cell_bits.h"
+
+namespace isolux::volume {
+
+namespace {
+
+constexpr int kCellsOfBlock = 8;                // of a block, along an axis
+constexpr int kMostVoxels = kCellsOfBlock + 3;  // with an apron
+
+// The voxels that a block's cells look up, row by row: a bit for each along x that is inside and shown.
+class ShownRows {
+ public:
+  ShownRows(const Grid& grid, const HiddenVoxels& hidden, InsideLevel level, int apron, glm::ivec3 block);
+
+  bool anyHidden() const { return anyHidden_; }
+  // Whether one is, of those that a box of `size`^3 cells at `cell` of the block looks up.
+  bool any(glm::ivec3 cell, int size) const {
+    const int voxels = size + 1 + 2 * apron_;
+    const unsigned window = (1u << voxels) - 1;
+    unsigned found = 0;
+    for (int z = 0; z < voxels; ++z)
+      for (int y = 0; y < voxels; ++y)
+        found |= rows_[static_cast<std::size_t>((cell.z + z) * kMostVoxels + cell.y + y)] >> cell.x & window;
+    return found != 0;
+  }
+
+ private:
+  int apron_;
+  bool anyHidden_ = false;
+  std::array<std::uint16_t, std::size_t{kMostVoxels} * kMostVoxels> rows_{};  // beyond the border none
+};
+
+ShownRows::ShownRows(const Grid& grid, const HiddenVoxels& hidden, InsideLevel level, int apron,
+                     glm::ivec3 block)
+    : apron_(apron) {
+  const glm::ivec3 first = block * kCellsOfBlock - apron;
+  const glm::ivec3 low = glm::max(first, glm::ivec3(0)),
+                   high = glm::min(first + kCellsOfBlock + 2 * apron, grid.dims() - 1);
+  const auto fill = [&](const auto& voxels) {
+    for (int z = low.z; z <= high.z; ++z)
+      for (int y = low.y; y <= high.y; ++y) {
+        const auto* const row = voxels.data() + grid.index(0, y, z);
+        unsigned bits = 0;
+        for (int x = low.x; x <= high.x; ++x) {
+          const bool isHidden = hidden.at({x, y, z});
+          anyHidden_ |= isHidden;
+          bits |= static_cast<unsigned>(!isHidden && level.holds(static_cast<float>(row[x])))
+                  << (x - first.x);
+        }
+        rows_[static_cast<std::size_t>((z - first.z) * kMostVoxels + y - first.y)] =
+            static_cast<std::uint16_t>(bits);
+      }
+  };
+  std::visit(fill, grid.voxels());
+}
+
+// Calls change(block index, block, rows) for blocks that something hidden is in or around; wanted(index):
+// others are left out.
+template <class Wanted, class Change>
+void forBlocksWithHidden(const Grid& grid, const HiddenVoxels& hidden, InsideLevel level, int apron,
+                         glm::ivec3 blocks, const Wanted& wanted, const Change& change) {
+  parallelRanges(blocks.y * blocks.z, 1, [&](const Indices<int>& range) {
+    for (int row = range.begin(); row < range.end(); ++row)
+      for (int x = 0; x < blocks.x; ++x) {
+        const glm::ivec3 block(x, row % blocks.y, row / blocks.y);
+        if (!wanted(block)) continue;
+        const ShownRows rows(grid, hidden, level, apron, block);
+        if (rows.anyHidden()) change(block, rows);
+      }
+  });
+}
+
+std::size_t indexIn(glm::ivec3 dims, glm::ivec3 at) {
+  return (static_cast<std::size_t>(at.z) * static_cast<std::size_t>(dims.y) +
+          static_cast<std::size_t>(at.y)) *
+             static_cast<std::size_t>(dims.x) +
+         static_cast<std::size_t>(at.x);
+}
+
+// The bits x + 4 y + 16 z of `mask` that stay: boxes of `size`^3 cells from `first` on.
+std::uint64_t shownOf(std::uint64_t mask, const ShownRows& rows, glm::ivec3 first, int size) {
+  std::uint64_t kept = 0;
+  for (std::uint64_t bits = mask; bits != 0; bits &= bits - 1) {
+    const int bit = std::countr_zero(bits);
+    if (rows.any(first + size * glm::ivec3(bit & 3, bit >> 2 & 3, bit >> 4), size)) kept |= bits & -bits;
+  }
+  return kept;
+}
+
+void keepShownBoxes(const Grid& grid, const PartlyShown& surface, bool cubic, glm::ivec3 blocks,
+                    std::vector<std::uint64_t>& masks) {
+  forBlocksWithHidden(
+      grid, *surface.hidden, surface.level, cubic ? 1 : 0, blocks,
+      [&](glm::ivec3 block) { return masks[indexIn(blocks, block)] != 0; },
+      [&](glm::ivec3 block, const ShownRows& rows) {
+        std::uint64_t& mask = masks[indexIn(blocks, block)];
+        mask = shownOf(mask, rows, glm::ivec3(0), 2);
+      });
+}
+
+// Calls use(first cell in the block, mask) for the groups of 4^3 cells of a block.
+template <class Use>
+void forGroups(glm::ivec3 blocks, glm::ivec3 block, std::vector<std::uint64_t>& bits, const Use& use) {
+  for (int i = 0; i < 8; ++i) {
+    const glm::ivec3 group(i & 1, i >> 1 & 1, i >> 2);
+    use(4 * group, bits[indexIn(2 * blocks, 2 * block + group)]);
+  }
+}
+
+void keepShownCells(const Grid& grid, const PartlyShown& surface, glm::ivec3 blocks,
+                    std::vector<std::uint64_t>& bits) {
+  forBlocksWithHidden(
+      grid, *surface.hidden, surface.level, 0, blocks,
+      [&](glm::ivec3 block) {
+        std::uint64_t any = 0;
+        forGroups(blocks, block, bits, [&](glm::ivec3, std::uint64_t mask) { any |= mask; });
+        return any != 0;
+      },
+      [&](glm::ivec3 block, const ShownRows& rows) {
+        forGroups(blocks, block, bits,
+                  [&](glm::ivec3 first, std::uint64_t& mask) { mask = shownOf(mask, rows, first, 1); });
+      });
+}
+
+// What each surface alone makes of it, together. make(surface, masks).
+template <class Make>
+void unite(std::span<const PartlyShown> surfaces, std::vector<std::uint64_t>& result, const Make& make) {
+  std::vector<std::uint64_t> own;
+  for (std::size_t k = 0; k < surfaces.size(); ++k) {
+    make(surfaces[k], k == 0 ? result : own);
+    for (std::size_t i = 0; k > 0 && i < own.size(); ++i) result[i] |= own[i];
+  }
+}
+
+}  // namespace
+
+void shownBoxes(const Grid& grid, const BoxBounds& boxes, std::span<const PartlyShown> surfaces, bool cubic,
+                const std::vector<std::uint8_t>& flags, std::vector<std::uint64_t>& masks) {
+  unite(surfaces, masks, [&](const PartlyShown& surface, std::vector<std::uint64_t>& own) {
+    boxes.masks({&surface.isovalue, 1}, flags, own);
+    if (surface.hidden) keepShownBoxes(grid, surface, cubic, boxes.blockDims(), own);
+  });
+}
+
+void shownCellBits(const Grid& grid, glm::ivec3 blocks, std::span<const std::uint64_t> boxMasks,
+                   std::span<const PartlyShown> surfaces, std::vector<std::uint64_t>& bits) {
+  unite(surfaces, bits, [&](const PartlyShown& surface, std::vector<std::uint64_t>& own) {
+    cellBits(grid, blocks, boxMasks, {&surface.isovalue, 1}, own);
+    if (surface.hidden) keepShownCells(grid, surface, blocks, own);
+  });
+}
+
+}  // namespace isolux::volume
