@@ -14,6 +14,7 @@
 #include "app/light/light_controller.h"
 #include "app/options/scene_options.h"
 #include "python/desk.h"
+#include "render/gl/gl_context.h"
 #include "render/renderer.h"
 #include "render/still_picture.h"
 #include "volume/prepared/prepared_volume.h"

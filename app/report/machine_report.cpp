@@ -9,6 +9,7 @@
 
 #include <tbb/info.h>
 #include <tbb/version.h>
+#include <CLI/Version.hpp>
 #include <glm/glm.hpp>
 
 #include "app/process/external_program.h"
@@ -17,6 +18,7 @@
 #include "base/memory_budget.h"
 #include "base/number_text.h"
 #include "render/gl/gl.h"
+#include "render/gl/gl_context.h"
 #include "render/gl/program_cache.h"
 #include "render/graph/pass.h"
 #include "render/passes/processor.h"
