@@ -2,7 +2,6 @@
 // overridden.
 #pragma once
 
-#include <QEvent>
 #include <QWidget>
 
 #include "render/graph/frame.h"
@@ -22,10 +21,7 @@ class Panel : public QWidget {
 
  protected:
   virtual void themeChanged() {}  // what was filled in with its colours
-  void changeEvent(QEvent* event) override {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange) themeChanged();
-  }
+  void changeEvent(QEvent* event) override;
 
  Q_SIGNALS:
   void edited(const isolux::ui::Edit& edit);
