@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "volume/hit/surface_voxel.h"
 #include "volume/pieces/piece_seeds.h"
 #include "volume/pieces/pieces.h"
 

@@ -22,10 +22,7 @@ class Panel : public QWidget {
 
  protected:
   virtual void themeChanged() {}  // what was filled in with its colours
-  void changeEvent(QEvent* event) override {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange) themeChanged();
-  }
+  void changeEvent(QEvent* event) override;
 
  Q_SIGNALS:
   void edited(const isolux::ui::Edit& edit);

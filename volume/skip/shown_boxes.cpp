@@ -13,8 +13,8 @@ namespace isolux::volume {
 
 namespace {
 
-constexpr int kCells = 8;                // of a block, along an axis
-constexpr int kMostVoxels = kCells + 3;  // with an apron
+constexpr int kCellsOfBlock = 8;                // of a block, along an axis
+constexpr int kMostVoxels = kCellsOfBlock + 3;  // with an apron
 
 // The voxels that a block's cells look up, row by row: a bit for each along x that is inside and shown.
 class ShownRows {
@@ -42,9 +42,9 @@ class ShownRows {
 ShownRows::ShownRows(const Grid& grid, const HiddenVoxels& hidden, InsideLevel level, int apron,
                      glm::ivec3 block)
     : apron_(apron) {
-  const glm::ivec3 first = block * kCells - apron;
+  const glm::ivec3 first = block * kCellsOfBlock - apron;
   const glm::ivec3 low = glm::max(first, glm::ivec3(0)),
-                   high = glm::min(first + kCells + 2 * apron, grid.dims() - 1);
+                   high = glm::min(first + kCellsOfBlock + 2 * apron, grid.dims() - 1);
   const auto fill = [&](const auto& voxels) {
     for (int z = low.z; z <= high.z; ++z)
       for (int y = low.y; y <= high.y; ++y) {

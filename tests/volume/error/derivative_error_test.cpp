@@ -33,13 +33,13 @@ Grid gridOf(const glm::dvec3& spacing, const std::function<double(glm::dvec3)>& 
 }
 
 // Samples are whole numbers, so that floats have them exactly.
-double ball(glm::dvec3 p) {
+double ballDistance(glm::dvec3 p) {
   return -glm::dot(p, p);
 }
 
 TEST(DerivativeError, ShapesOfABallAreTheClosedForm) {
   for (const glm::dvec3& spacing : {glm::dvec3(1.0), glm::dvec3(1.0, 2.0, 3.0)}) {
-    const Grid grid = gridOf(spacing, ball);
+    const Grid grid = gridOf(spacing, ballDistance);
     const DerivedShape shape{grid};
     const glm::dvec3 voxel(10.3, 6.1, 9.7), mm = (voxel - kCentre) * spacing;
     const ShapeAt at = shapeAt(shape, voxel);
@@ -62,7 +62,7 @@ TEST(DerivativeError, ACylinderIsStraightAlongItsAxis) {
 }
 
 TEST(DerivativeError, WhatIsKnownIsInTheBoundAsItIs) {
-  const Grid grid = gridOf(glm::dvec3(1.0), ball);
+  const Grid grid = gridOf(glm::dvec3(1.0), ballDistance);
   const DerivedShape shape{grid};
   const glm::dvec3 voxel = kCentre + glm::dvec3(5.0, 0.0, 0.0);
   const std::vector<glm::dvec3> ends{voxel, voxel};
@@ -84,7 +84,7 @@ TEST(DerivativeError, WhatIsKnownIsInTheBoundAsItIs) {
 }
 
 TEST(DerivativeError, WhatIsRandomIsAddedByItsSquares) {
-  const Grid grid = gridOf(glm::dvec3(1.0), ball);
+  const Grid grid = gridOf(glm::dvec3(1.0), ballDistance);
   const DerivedShape shape{grid};
   const glm::dvec3 voxel = kCentre + glm::dvec3(5.0, 0.0, 0.0);
   const std::vector<glm::dvec3> ends{voxel, voxel};
@@ -97,7 +97,7 @@ TEST(DerivativeError, WhatIsRandomIsAddedByItsSquares) {
 }
 
 TEST(DerivativeError, BesideAGapThereIsNoCurvatureAndNoBound) {
-  const Grid grid = gridOf(glm::dvec3(1.0), ball, {12, 8, 8});
+  const Grid grid = gridOf(glm::dvec3(1.0), ballDistance, {12, 8, 8});
   const DerivedShape shape{grid};
   EXPECT_FALSE(
       shapeAt(shape, {10.5, 8.5, 8.5}).hasCurvature);  // the spline reaches the gap, the cell does not

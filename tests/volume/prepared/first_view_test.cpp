@@ -24,7 +24,7 @@ std::vector<OutlineSample> shaped(const std::function<OutlineSample(glm::dvec3)>
   return points;
 }
 
-OutlineSample ball(glm::dvec3 p) {
+OutlineSample ofBall(glm::dvec3 p) {
   return {p, p};
 }
 
@@ -37,7 +37,7 @@ std::vector<OutlineSample> ellipsoid(glm::dvec3 half) {
 std::vector<OutlineSample> standing(glm::dvec3 down) {
   return shaped([&](glm::dvec3 p) {
     const double depth = glm::dot(p, down);
-    return depth < 0.6 ? ball(p) : OutlineSample{p - (depth - 0.6) * down, down};
+    return depth < 0.6 ? ofBall(p) : OutlineSample{p - (depth - 0.6) * down, down};
   });
 }
 
@@ -46,7 +46,7 @@ double degreesAbove(const FirstView& view) {
 }
 
 TEST(FirstView, OfAPatientIsAPortrait) {
-  for (const auto& samples : {shaped(ball), standing({1, 0, 0}), std::vector<OutlineSample>{}}) {
+  for (const auto& samples : {shaped(ofBall), standing({1, 0, 0}), std::vector<OutlineSample>{}}) {
     const FirstView view = firstView(samples, WorldAxes::anatomical);
     EXPECT_EQ(view.up, glm::dvec3(0, 0, 1));
     EXPECT_NEAR(degreesAbove(view), 7.0, 1e-9);
@@ -57,7 +57,7 @@ TEST(FirstView, OfAPatientIsAPortrait) {
 
 TEST(FirstView, OfAnythingElseIsInThreeQuarters) {
   for (const WorldAxes axes : {WorldAxes::zUp, WorldAxes::yUp}) {
-    const FirstView view = firstView(shaped(ball), axes);
+    const FirstView view = firstView(shaped(ofBall), axes);
     EXPECT_EQ(view.up, scene::upOf(axes));
     EXPECT_NEAR(degreesAbove(view), 20.0, 1e-9);
     EXPECT_NEAR(glm::length(view.toEye), 1.0, 1e-12);
@@ -87,7 +87,7 @@ TEST(FirstView, OfASlabIsOfItsLargeFace) {
 TEST(FirstView, IsFromTheSideWithRelief) {
   const auto oneSided = [](double side) {
     return shaped([&](glm::dvec3 p) {
-      if (p.y * side < 0.2) return ball(p);
+      if (p.y * side < 0.2) return ofBall(p);
       const glm::dvec3 bump(std::sin(25.0 * p.x), 0.0, std::sin(25.0 * p.z));
       return OutlineSample{p, glm::normalize(p + 0.8 * bump)};
     });

@@ -12,6 +12,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include "scene/world_axes.h"
 #include "volume/grid.h"
 #include "volume/read/input/read_options.h"
 

@@ -6,6 +6,7 @@
 
 #include "volume/read/input/bytes.h"
 #include "volume/read/input/image_header.h"
+#include "volume/volume.h"
 
 namespace isolux::volume {
 
