@@ -6,8 +6,8 @@
 
 #include "app/commands/command.h"
 #include "app/commands/series_report.h"
-#include "app/picture/field_job.h"
 #include "app/process/progress_bar.h"
+#include "app/ready/field_job.h"
 #include "app/report/derivative_report.h"
 #include "app/report/piece_report.h"
 #include "base/number_text.h"

@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "app/jobs/give_way.h"
-#include "app/picture/field_job.h"
-#include "app/picture/quiet_renderer.h"
-#include "app/picture/rest_scene.h"
+#include "app/ready/field_job.h"
+#include "app/ready/quiet_renderer.h"
+#include "app/ready/rest_scene.h"
 
 namespace isolux::app {
 

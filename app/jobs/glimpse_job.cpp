@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "app/picture/field_job.h"
-#include "app/picture/quiet_renderer.h"
+#include "app/ready/field_job.h"
+#include "app/ready/quiet_renderer.h"
 #include "render/still_picture.h"
 #include "scene/rules/automatic.h"
 

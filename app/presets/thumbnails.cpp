@@ -1,6 +1,6 @@
 #include "app/presets/thumbnails.h"
 
-#include "app/picture/field_job.h"
+#include "app/ready/field_job.h"
 #include "scene/looks.h"
 #include "scene/rules/automatic.h"
 

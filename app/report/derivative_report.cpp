@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/files/json_text.h"
-#include "app/picture/rest_scene.h"
+#include "app/ready/rest_scene.h"
 #include "app/study/study_errors.h"
 #include "base/number_text.h"
 #include "render/passes/pass_declarations.h"

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "app/light/finished_picture.h"
+#include "app/ready/finished_picture.h"
 #include "scene/scene.h"
 #include "volume/prepared/prepared_volume.h"
 
@@ -28,7 +28,7 @@ nlohmann::ordered_json choiceJson(const volume::DerivativeChoice& choice);
 nlohmann::ordered_json derivativesJson(const DerivativeFacts& facts);
 void printDerivatives(const DerivativeFacts& facts);
 
-// Which field the hits of a picture of the scene at rest are of, and why (app/picture/rest_scene.h).
+// Which field the hits of a picture of the scene at rest are of, and why (app/ready/rest_scene.h).
 nlohmann::ordered_json restJson(const scene::Scene& drawn, const volume::PreparedVolume& volume);
 void printRest(const scene::Scene& drawn, const volume::PreparedVolume& volume);
 

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/commands/command.h"
+#include "app/report/notes.h"
 #include "app/report/curvature_report.h"
 #include "app/report/piece_report.h"
 #include "base/number_text.h"

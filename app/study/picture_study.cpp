@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/compare/flip.h"
-#include "app/picture/field_job.h"
+#include "app/ready/field_job.h"
 #include "render/still_picture.h"
 
 namespace isolux::app {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/picture/field_job.h"
+#include "app/ready/field_job.h"
 #include "app/study/light_study.h"
 #include "app/study/light_truth.h"
 #include "app/study/picture_study.h"

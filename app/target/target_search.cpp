@@ -5,8 +5,8 @@
 #include <iterator>
 
 #include "app/light/light_picture.h"
-#include "app/picture/field_job.h"
-#include "app/picture/rest_scene.h"
+#include "app/ready/field_job.h"
+#include "app/ready/rest_scene.h"
 #include "app/target/drawn_images.h"
 #include "app/target/stages.h"
 #include "app/target/work.h"

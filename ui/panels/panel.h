@@ -2,7 +2,6 @@
 // overridden.
 #pragma once
 
-#include <QEvent>
 #include <QWidget>
 
 #include "render/graph/frame.h"

@@ -6,7 +6,7 @@
 #include <QPushButton>
 
 #include "app/annotation/annotation.h"
-#include "app/picture/rest_scene.h"
+#include "app/ready/rest_scene.h"
 #include "scene/rules/automatic.h"
 #include "scene/rules/relevance.h"
 #include "ui/document/picture_wish.h"

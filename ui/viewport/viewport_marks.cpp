@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/marks/mark_kinds.h"
-#include "app/picture/rest_scene.h"
+#include "app/ready/rest_scene.h"
 #include "ui/language/translated.h"
 #include "ui/viewport/viewport.h"
 #include "ui/viewport/viewport_overlay.h"

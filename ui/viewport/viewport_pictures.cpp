@@ -5,7 +5,7 @@
 
 #include <QPushButton>
 
-#include "app/picture/rest_scene.h"
+#include "app/ready/rest_scene.h"
 #include "render/gl/gl.h"
 #include "render/graph/pass.h"
 #include "scene/rules/relevance.h"

@@ -87,45 +87,4 @@ bool hiddenIsReady(const scene::Scene& resolved, const PieceSets& pieces) {
   return !hidesPieces(resolved.pieces) || (pieces.any() && pieces.knowsBody(resolved.pieces));
 }
 
-namespace {
-
-std::vector<double> isovaluesThere(const scene::Scene& resolved) {
-  std::vector<double> values{resolved.isosurface.value.value()};
-  for (const scene::ExtraIsosurface& extra : resolved.extraIsosurfaces)
-    if (extra.shown) values.push_back(extra.value.value());
-  return values;
-}
-
-// A choice that hides no piece may still hide what a spline has beside all pieces.
-bool hidesOf(const scene::Scene& resolved, const std::shared_ptr<const HiddenVoxels>& voxels) {
-  return voxels && (voxels->any() || resolved.hit.field != scene::Field::trilinear);
-}
-
-}  // namespace
-
-std::vector<HiddenOfSurface> hiddenOf(const scene::Scene& resolved, const PieceSets& pieces,
-                                      base::Progress& progress) {
-  std::vector<HiddenOfSurface> result;
-  if (!hidesPieces(resolved.pieces)) return result;
-  const scene::Inside inside = resolved.isosurface.inside;
-  for (const double isovalue : isovaluesThere(resolved))
-    if (auto voxels = pieces.hidden(resolved.pieces, isovalue, inside, progress); hidesOf(resolved, voxels))
-      result.push_back({isovalue, std::move(voxels), inside});
-  return result;
-}
-
-std::vector<HiddenOfSurface> knownHidden(const scene::Scene& resolved, const PieceSets& pieces) {
-  std::vector<HiddenOfSurface> result;
-  const scene::Inside inside = resolved.isosurface.inside;
-  for (const double isovalue : isovaluesThere(resolved))
-    if (const auto voxels = pieces.findHidden(resolved.pieces, isovalue, inside);
-        voxels && hidesOf(resolved, *voxels))
-      result.push_back({isovalue, *voxels, inside});
-  return result;
-}
-
-bool hiddenIsReady(const scene::Scene& resolved, const PieceSets& pieces) {
-  return !hidesPieces(resolved.pieces) || (pieces.any() && pieces.knowsBody(resolved.pieces));
-}
-
 }  // namespace isolux::volume

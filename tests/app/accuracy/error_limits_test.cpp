@@ -10,7 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string refusal(const std::string& text, bool time = false) {
+std::string refusalOf(const std::string& text, bool time = false) {
   try {
     if (time)
       parseTimeTarget(text);
@@ -38,21 +38,21 @@ TEST(Target, ReadsEveryQuantityInItsUnits) {
 }
 
 TEST(Target, RefusesWhatMakesNoSenseAndSaysWhatWould) {
-  EXPECT_THAT(refusal("dept=1mm"), HasSubstr("did you mean depth?"));
-  EXPECT_THAT(refusal("colour=1%"), HasSubstr("there are depth missed normal curvature light"));
-  EXPECT_THAT(refusal("depth=1"), HasSubstr("mm or vox"));
-  EXPECT_THAT(refusal("depth=1cm"), HasSubstr("not in \"cm\""));
-  EXPECT_THAT(refusal("light=2"), HasSubstr("light is stated in %"));
-  EXPECT_THAT(refusal("light=%"), HasSubstr("no number"));
-  EXPECT_THAT(refusal("light"), HasSubstr("QUANTITY=VALUE"));
-  EXPECT_THAT(refusal("light=nan%"), HasSubstr("no number"));
-  EXPECT_THAT(refusal("normal=0deg"), HasSubstr("above 0"));
-  EXPECT_THAT(refusal("missed=2"), HasSubstr("between 0 and 100 %"));
-  EXPECT_THAT(refusal("depth=1mm,depth=1vox"), HasSubstr("twice"));
-  EXPECT_THAT(refusal(","), HasSubstr("unknown error"));
-  EXPECT_THAT(refusal(""), HasSubstr("contains no error"));
+  EXPECT_THAT(refusalOf("dept=1mm"), HasSubstr("did you mean depth?"));
+  EXPECT_THAT(refusalOf("colour=1%"), HasSubstr("there are depth missed normal curvature light"));
+  EXPECT_THAT(refusalOf("depth=1"), HasSubstr("mm or vox"));
+  EXPECT_THAT(refusalOf("depth=1cm"), HasSubstr("not in \"cm\""));
+  EXPECT_THAT(refusalOf("light=2"), HasSubstr("light is stated in %"));
+  EXPECT_THAT(refusalOf("light=%"), HasSubstr("no number"));
+  EXPECT_THAT(refusalOf("light"), HasSubstr("QUANTITY=VALUE"));
+  EXPECT_THAT(refusalOf("light=nan%"), HasSubstr("no number"));
+  EXPECT_THAT(refusalOf("normal=0deg"), HasSubstr("above 0"));
+  EXPECT_THAT(refusalOf("missed=2"), HasSubstr("between 0 and 100 %"));
+  EXPECT_THAT(refusalOf("depth=1mm,depth=1vox"), HasSubstr("twice"));
+  EXPECT_THAT(refusalOf(","), HasSubstr("unknown error"));
+  EXPECT_THAT(refusalOf(""), HasSubstr("contains no error"));
   for (const char* text : {"100", "-1ms", "0s", "ms", "infs", "1min"})
-    EXPECT_THAT(refusal(text, true), HasSubstr("100ms")) << text;
+    EXPECT_THAT(refusalOf(text, true), HasSubstr("100ms")) << text;
 }
 
 TEST(Target, SaysLimitsInTheirUnits) {

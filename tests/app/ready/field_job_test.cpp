@@ -1,4 +1,4 @@
-#include "app/picture/field_job.h"
+#include "app/ready/field_job.h"
 
 #include <memory>
 

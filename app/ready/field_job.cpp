@@ -1,9 +1,9 @@
-#include "app/picture/field_job.h"
+#include "app/ready/field_job.h"
 
 #include <string>
 #include <utility>
 
-#include "app/picture/rest_scene.h"
+#include "app/ready/rest_scene.h"
 #include "scene/rules/needs.h"
 #include "volume/visible/hidden_pieces.h"
 

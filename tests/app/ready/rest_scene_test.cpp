@@ -1,5 +1,5 @@
 // Hits of pictures at rest: when they are the spline's.
-#include "app/picture/rest_scene.h"
+#include "app/ready/rest_scene.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "app/light/finished_picture.h"
+#include "app/ready/finished_picture.h"
 
 #include <utility>
 #include <vector>
 
 #include "app/light/light_picture.h"
-#include "app/picture/field_job.h"
-#include "app/picture/rest_scene.h"
+#include "app/ready/field_job.h"
+#include "app/ready/rest_scene.h"
 #include "base/quantiles.h"
 
 namespace isolux::app {

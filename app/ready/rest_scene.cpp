@@ -1,4 +1,4 @@
-#include "app/picture/rest_scene.h"
+#include "app/ready/rest_scene.h"
 
 #include <optional>
 

@@ -19,7 +19,7 @@ void completeFields(scene::Scene& resolved, const volume::PreparedVolume& volume
                     base::Progress& progress);
 
 // Returns whether all that is ready for a frame of the scene, idle frames included
-// (app/picture/rest_scene.h).
+// (app/ready/rest_scene.h).
 bool fieldsAreReady(const scene::Scene& resolved, const volume::PreparedVolume& volume);
 
 // Returns the scene with what can be drawn now. Missing data are replaced: hits by those of the trilinear
