@@ -18,7 +18,7 @@
 #include "app/light/light_picture.h"
 #include "app/light/light_report.h"
 #include "app/light/light_resume.h"
-#include "app/ready/finished_picture.h"
+#include "app/picture/finished_picture.h"
 #include "app/report/render_report.h"
 #include "app/study/study.h"
 #include "app/study_report/study_report.h"

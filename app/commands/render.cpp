@@ -24,7 +24,7 @@
 #include "app/light/light_picture.h"
 #include "app/light/light_report.h"
 #include "app/process/progress_bar.h"
-#include "app/ready/finished_picture.h"
+#include "app/picture/finished_picture.h"
 #include "app/report/derivative_report.h"
 #include "app/report/render_report.h"
 #include "app/series/movie.h"

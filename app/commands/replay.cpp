@@ -13,7 +13,7 @@
 #include "app/files/files.h"
 #include "app/files/image_io.h"
 #include "app/process/progress_bar.h"
-#include "app/ready/finished_picture.h"
+#include "app/picture/finished_picture.h"
 #include "app/series/movie.h"
 #include "base/error.h"
 #include "base/number_text.h"

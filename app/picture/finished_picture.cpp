@@ -1,4 +1,4 @@
-#include "app/ready/finished_picture.h"
+#include "app/picture/finished_picture.h"
 
 #include <utility>
 #include <vector>

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "app/ready/finished_picture.h"
+#include "app/picture/finished_picture.h"
 #include "scene/scene.h"
 #include "volume/prepared/prepared_volume.h"
 

@@ -1,5 +1,7 @@
 #include "volume/color/second_volume.h"
 
+#include "volume/read/reader.h"
+
 namespace isolux::volume {
 
 SecondVolumes::Key SecondVolumes::keyOf(const scene::ColorVolume& color, bool withCoefficients) {

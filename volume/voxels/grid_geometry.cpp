@@ -76,7 +76,6 @@ glm::ivec3 GridGeometry::cellOf(const glm::dvec3& voxel) const {
 std::array<glm::dvec3, 8> GridGeometry::corners(const glm::dvec3& low, const glm::dvec3& high) const {
   std::array<glm::dvec3, 8> corners;
   for (std::size_t i = 0; i < 8; ++i) corners[i] = worldOf(glm::mix(low, high, glm::bvec3(cornerStep(i))));
-  }
   return corners;
 }
 
