@@ -12,10 +12,10 @@ namespace {
 using scene::Field;
 using scene::StillField;
 
-constexpr Field kSpline = Field::cubic_interpolating;
+constexpr Field kFieldAtRest = Field::cubic_interpolating;
 
 scene::Scene withSplineHits(scene::Scene scene) {
-  scene.hit.field = kSpline;
+  scene.hit.field = kFieldAtRest;
   return scene;
 }
 
@@ -34,7 +34,7 @@ scene::Scene atRest(scene::Scene resolved, const volume::PreparedVolume& volume,
   if (!wantsSpline(resolved, hits)) hits.measure(resolved.isosurface.value.value(), progress);
   if (!*wantsSpline(resolved, hits)) return resolved;
   try {
-    volume.cubicFields->make(kSpline, progress);
+    volume.cubicFields->make(kFieldAtRest, progress);
   } catch (const base::Error& error) {
     if (error.kind() != base::ErrorKind::memory || resolved.picture.restHits != StillField::automatic) throw;
     hits.giveUp();
@@ -44,14 +44,14 @@ scene::Scene atRest(scene::Scene resolved, const volume::PreparedVolume& volume,
 }
 
 scene::Scene atRestIfReady(scene::Scene resolved, const volume::PreparedVolume& volume) {
-  if (!wantsSpline(resolved, *volume.stillHits).value_or(false) || !volume.cubicFields->find(kSpline))
+  if (!wantsSpline(resolved, *volume.stillHits).value_or(false) || !volume.cubicFields->find(kFieldAtRest))
     return resolved;
   return withSplineHits(std::move(resolved));
 }
 
 bool restIsReady(const scene::Scene& resolved, const volume::PreparedVolume& volume) {
   const std::optional<bool> wanted = wantsSpline(resolved, *volume.stillHits);
-  return wanted && (!*wanted || volume.cubicFields->find(kSpline));
+  return wanted && (!*wanted || volume.cubicFields->find(kFieldAtRest));
 }
 
 }  // namespace isolux::app
