@@ -60,7 +60,7 @@ void addSetting(Collector& all, const scene::SettingInfo& setting) {
 void addKnobs(Collector& all) {
   for (const app::Knob& knob : app::knobs()) {
     all.addWords(knob.label);
-    for (const std::string value : knob.values)
+    for (const std::string& value : knob.values)
       if (!std::isdigit(static_cast<unsigned char>(value.front()))) all.addWords(value);
   }
 }
