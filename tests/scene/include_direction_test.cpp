@@ -89,6 +89,7 @@ std::vector<std::string> wrongIncludes(const std::string& path, const std::strin
       complain(std::string(layers[own]) + " must not include " + std::string(layers[*target]));
     if (name.starts_with("gi/") && isReader) complain("readers must not include gi");
     if (name.starts_with("python/") && !isPython) complain("only the Python module includes python");
+    if (name.starts_with("app/commands/") && isPython) complain("the command line is not for Python");
     if (isPythonHeader(name) && !isPython) complain("Python only in python");
     if (name.starts_with("readers/") && !isReader) complain("only readers include readers");
     if (isParserHeader(name) && !isReader) complain("parsers of other people's files only in readers");
@@ -199,7 +200,7 @@ TEST(IncludeDirection, AcceptsWhatIsAllowed) {
                     "#include <vtkNew.h>\n#include \"volume/grid.h\"\n#include \"readers/limits.h\"\n"),
       IsEmpty());
   EXPECT_THAT(wrongIncludes("python/core.h",
-                            "#include <pybind11/numpy.h>\n#include \"app/commands/command.h\"\n#include "
+                            "#include <pybind11/numpy.h>\n#include \"app/options/scene_options.h\"\n#include "
                             "\"python/desk.h\"\n"),
               IsEmpty());
   EXPECT_THAT(wrongIncludes("scene/scene.h", "// see #include \"ui/window.h\"\n"), IsEmpty());
@@ -240,6 +241,8 @@ TEST(IncludeDirection, FindsEachKindOfFault) {
               ElementsAre(HasSubstr("only readers include readers")));
   EXPECT_THAT(wrongIncludes("python/core.h", "#include \"ui/window.h\""),
               ElementsAre(HasSubstr("must not include ui")));
+  EXPECT_THAT(wrongIncludes("python/core.h", "#include \"app/commands/command.h\""),
+              ElementsAre(HasSubstr("not for Python")));
   EXPECT_THAT(wrongIncludes("ui/a.h", "#include \"python/core.h\""),
               ElementsAre(HasSubstr("only the Python module")));
   EXPECT_THAT(wrongIncludes("app/a.h", "#include <pybind11/numpy.h>"),
