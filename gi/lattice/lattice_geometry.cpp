@@ -57,7 +57,10 @@ std::uint32_t LatticeGeometry::blockOf(glm::ivec3 texel) const {
 }
 
 glm::ivec3 LatticeGeometry::firstTexelOf(std::uint32_t block) const {
-  return kBlockTexels * volume::Extent3{blockDims()}.at(block);
+  const glm::ivec3 blocks = blockDims();  // divisions of 32 bits: bakes ask often
+  const auto nx = static_cast<std::uint32_t>(blocks.x), ny = static_cast<std::uint32_t>(blocks.y);
+  return kBlockTexels * glm::ivec3(static_cast<int>(block % nx), static_cast<int>(block / nx % ny),
+                                   static_cast<int>(block / nx / ny));
 }
 
 int LatticeGeometry::indexInBlock(glm::ivec3 texel) {
@@ -66,7 +69,8 @@ int LatticeGeometry::indexInBlock(glm::ivec3 texel) {
 }
 
 glm::ivec3 LatticeGeometry::texelOf(std::uint32_t block, int index) const {
-  return firstTexelOf(block) + volume::Extent3{glm::ivec3(kBlockTexels)}.at(static_cast<std::size_t>(index));
+  return firstTexelOf(block) + glm::ivec3(index % kBlockTexels, index / kBlockTexels % kBlockTexels,
+                                          index / (kBlockTexels * kBlockTexels));
 }
 
 std::uint64_t LatticeGeometry::indexOf(glm::ivec3 texel) const {

@@ -1,7 +1,6 @@
 // A file of several time steps: the slider, what stays the same from step to step.
 #include <fstream>
 #include <set>
-#include <utility>
 
 #include <QApplication>
 #include <QDragEnterEvent>
