@@ -28,7 +28,7 @@ struct WantedImages {
 // Throws base::Error{usage} as render::parseAovList().
 WantedImages parseImageList(const std::string& text);
 std::string imageNames();  // all of them, by commas
-// What the renderer draws for them: some image, and stored light where its error is wanted.
+// Returns what the renderer must draw for them: some image, and stored light where its error is wanted.
 std::vector<render::Aov> drawnFor(const WantedImages& wanted);
 
 // The channels of an .exr with these images. drawn: what the renderer made.

@@ -1,4 +1,4 @@
-// What a coarser level of a volume may hide of a picture, pixel by pixel (volume/large/level_gaps.h).
+// Finds what a coarser level of a volume may hide of a picture, pixel by pixel (volume/large/level_gaps.h).
 #pragma once
 
 #include <cstdint>

@@ -35,57 +35,46 @@ auto fieldsOf(Message& m) {
     return std::tie(m.tiles, m.paths, m.rays, m.seconds, m.idleSeconds);
 }
 
-template <class Field>
-void put(WireWriter& out, const Field& field) {
-  if constexpr (std::is_same_v<Field, Points>)
-    out.put(std::string_view(reinterpret_cast<const char*>(field.data()), field.size() * sizeof(glm::vec3)));
-  else if constexpr (std::is_same_v<Field, std::string>)
-    out.put(std::string_view(field));
-  else if constexpr (std::is_same_v<Field, double>)
-    out.put(field);
-  else
-    out.put(static_cast<std::uint64_t>(field));
+void passPoints(WireWriter& out, const Points& points) {
+  out.put(std::string_view(reinterpret_cast<const char*>(points.data()), points.size() * sizeof(glm::vec3)));
 }
-
-Points pointsFrom(const std::string& bytes) {
+void passPoints(WireReader& in, Points& points) {
+  const std::string bytes = in.text();
   if (bytes.size() % sizeof(glm::vec3) != 0) volume::throwBadAnswer("points are cut off");
-  Points points(bytes.size() / sizeof(glm::vec3));
+  points.resize(bytes.size() / sizeof(glm::vec3));
   if (!points.empty()) std::memcpy(static_cast<void*>(points.data()), bytes.data(), bytes.size());
-  return points;
 }
 
-template <class Field>
-void take(WireReader& in, Field& field) {
+constexpr auto passField = [](auto& wire, auto& field) {
+  using Field = std::remove_cvref_t<decltype(field)>;
   if constexpr (std::is_same_v<Field, Points>)
-    field = pointsFrom(in.text());
+    passPoints(wire, field);
   else if constexpr (std::is_same_v<Field, std::string>)
-    field = in.text();
+    wire.pass(field);
   else if constexpr (std::is_same_v<Field, double>)
-    field = in.finite();
+    wire.passFinite(field);
   else if constexpr (std::is_same_v<Field, bool>)
-    field = in.number(0, 1) == 1;
+    wire.pass(field, 0, 1);
   else if constexpr (std::is_same_v<Field, int>)
-    field = static_cast<int>(in.number(0, kLargestCount));
+    wire.pass(field, 0, kLargestCount);
   else
-    field = static_cast<Field>(in.number(0, std::numeric_limits<Field>::max()));
-}
+    wire.pass(field, 0, std::numeric_limits<Field>::max());
+};
+
+constexpr auto passFields = [](auto& wire, auto& message) {
+  std::apply([&](auto&... field) { (passField(wire, field), ...); }, fieldsOf(message));
+};
 
 }  // namespace
 
 template <class Message>
 std::string bytesOf(const Message& message) {
-  WireWriter out;
-  std::apply([&](const auto&... field) { (put(out, field), ...); }, fieldsOf(message));
-  return out.bytes();
+  return volume::messageBytes(message, passFields);
 }
 
 template <class Message>
 Message messageFrom(std::string_view bytes) {
-  WireReader in(bytes);
-  Message message;
-  std::apply([&](auto&... field) { (take(in, field), ...); }, fieldsOf(message));
-  in.end();
-  return message;
+  return volume::messageOf<Message>(bytes, passFields);
 }
 
 template std::string bytesOf(const ClusterSetup&);
@@ -100,7 +89,7 @@ template RankWork messageFrom(std::string_view);
 std::string bytesOf(const base::Error& error) {
   WireWriter out;
   out.put(static_cast<std::uint64_t>(error.kind()));
-  for (const std::string& text : {error.file(), error.place(), error.reason()}) put(out, text);
+  for (const std::string& text : {error.file(), error.place(), error.reason()}) out.pass(text);
   return out.bytes();
 }
 

@@ -53,7 +53,7 @@ struct TileMessage {
   RankWork work{};         // of the sender so far
 };
 
-// Of the messages above and of RankWork.
+// Convert the messages above and RankWork to bytes and back. messageFrom() throws base::Error{input}.
 template <class Message>
 std::string bytesOf(const Message& message);
 template <class Message>

@@ -1,4 +1,4 @@
-// What commands write as JSON. An empty optional and a number that is not finite are null, a vector is the
+// Converts values to the JSON that commands write. An empty optional and a number that is not finite are null, a vector is the
 // list of its components.
 #pragma once
 

@@ -10,7 +10,7 @@
 
 namespace isolux::app {
 
-// What may be loaded rather than nothing.
+// States what may be loaded rather than nothing.
 struct LoadInstead {
   bool coarser = false;       // where level 0 does not fit into memory, the finest that does (coarse_level.h)
   bool aroundDamage = false;  // of a file of which parts cannot be read, the rest (Source::aroundDamage)

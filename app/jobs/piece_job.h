@@ -14,7 +14,7 @@
 
 namespace isolux::app {
 
-// Of which isosurface.
+// Names the isosurface whose components are wanted.
 struct PieceSubject {
   std::shared_ptr<const volume::PreparedVolume> volume;
   double isovalue = 0.0;  // data units
@@ -23,7 +23,7 @@ struct PieceSubject {
 };
 struct FoundPieces {
   std::shared_ptr<const volume::Pieces> pieces;
-  // Of each, where asked for: what `isolux info --pieces` says, and its seed, world mm.
+  // Hold for each, where asked for, what `isolux info --pieces` prints, and its seed, world mm.
   std::vector<volume::PieceMeasure> measures;
   std::vector<glm::dvec3> seedsMm;
 };

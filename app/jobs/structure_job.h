@@ -13,7 +13,7 @@
 
 namespace isolux::app {
 
-// What outlives a picture: the next task of the same volume takes it over. All null: nothing is known yet.
+// Keeps what outlives a picture: the next task of the same volume takes it over. All null: nothing is known yet.
 struct KnownStructure {
   std::shared_ptr<const volume::IndexedVolume> whole;
   std::shared_ptr<const volume::LevelGaps> gaps;  // of `isovalues`

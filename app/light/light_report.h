@@ -9,7 +9,7 @@ namespace isolux::app {
 
 // The key "bake": mode, reason, texels, samples, rays, seconds, threads, notes (lines).
 nlohmann::ordered_json bakeJson(const LightState& state);
-// What --stats says of a bake.
+// Returns what --stats says of a bake.
 nlohmann::ordered_json bakeStats(const LightState& state, const volume::Grid& grid);
 void printBake(const LightState& state);  // on stdout: one line, and one for each note
 

@@ -36,7 +36,7 @@ nlohmann::ordered_json surfaceJson(const volume::PreparedVolume& prepared,
 // Why the surface is open, as one clause.
 std::string openReason(const volume::SurfaceMeasure& surface);
 
-// What `isolux measure --json` prints, as lines.
+// Prints what `isolux measure --json` writes, as lines.
 void printMeasures(const nlohmann::ordered_json& json, std::ostream& out);
 
 }  // namespace isolux::app

@@ -1,4 +1,4 @@
-// What `isolux render` says of a picture: --stats, --explain and notes.
+// Reports on a picture of `isolux render`: --stats, --explain and notes.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ namespace isolux::app {
 nlohmann::ordered_json renderJson(const FinishedPicture& picture, const render::ContextDescription& context,
                                   const LightController& light, const DerivativeFacts& derivatives);
 
-// Of a volume read at a coarser level; null at level 0. structure: none where the volume has no index.
+// Describes a volume read at a coarser level; null at level 0. structure: none where the volume has no index.
 nlohmann::ordered_json levelJson(int level, const volume::Grid& grid,
                                  const std::optional<HiddenStructure>& structure);
 

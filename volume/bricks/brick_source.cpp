@@ -222,10 +222,6 @@ VolumePart BrickSource::part() const {
   return state_->part;
 }
 
-glm::ivec3 BrickSource::bricksPerAxis(std::size_t level) const {
-  return state_->cuts[level].bricks();
-}
-
 glm::ivec3 BrickSource::brickOf(std::size_t level, glm::ivec3 voxel) const {
   return voxel / state_->cuts[level].edge;
 }

@@ -44,7 +44,6 @@ class BrickSource {
     glm::ivec3 low, size;  // voxels of the level
     std::vector<std::byte, base::PageAllocator<std::byte>> voxels;
   };
-  glm::ivec3 bricksPerAxis(std::size_t level) const;
   glm::ivec3 brickOf(std::size_t level, glm::ivec3 voxel) const;
   // Waits until it is there. `index` in bricks.
   std::shared_ptr<const Brick> brick(std::size_t level, glm::ivec3 index);

@@ -310,23 +310,6 @@ VoxelFacts VolumeIndex::voxelFacts(double slope, double intercept) const {
   return found;
 }
 
-std::vector<float> VolumeIndex::brickRanges() const {
-  constexpr int perBrick = 4;
-  const Extent3 bricks{(blocks_->dims() + perBrick - 1) / perBrick};
-  std::vector<float> ranges(2 * bricks.count());
-  for (std::size_t i = 0; i < ranges.size(); i += 2) {
-    ranges[i] = std::numeric_limits<float>::max();
-    ranges[i + 1] = std::numeric_limits<float>::lowest();
-  }
-  forEachIn(glm::ivec3(0), blocks_->dims(), [&](glm::ivec3 at) {
-    const std::size_t block = blocks_->index(at);
-    float* const range = &ranges[2 * bricks.index(at / perBrick)];
-    range[0] = std::min(range[0], blocks_->minimum(block));
-    range[1] = std::max(range[1], blocks_->maximum(block));
-  });
-  return ranges;
-}
-
 Histogram VolumeIndex::histogram(const Grid& grid) const {
   const HistogramBinning bins =
       HistogramBinning::of(facts_.storedType, grid.storedMinimum(), grid.storedMaximum(), kHistogramBins);

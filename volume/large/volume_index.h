@@ -64,9 +64,6 @@ class VolumeIndex {
   // Of a complete one.
   VoxelFacts voxelFacts(double slope, double intercept) const;
   std::shared_ptr<const MinMaxBlocks> blocks() const { return blocks_; }
-  // Of each brick of 32^3 cells, x fastest: minimum, then maximum, stored; of blocks without voxels min >
-  // max.
-  std::vector<float> brickRanges() const;
   Histogram histogram(const Grid& grid) const;
   // volume/statistics/typical_step.h, of values with the facts' slope and intercept, or of stored numbers.
   double typicalStep(bool scaled) const { return scaled ? typicalStep_ : typicalStoredStep_; }
