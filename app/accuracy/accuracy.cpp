@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "app/ready/field_job.h"
+#include "app/ready/ready_fields.h"
 #include "base/quantiles.h"
 #include "render/graph/pass.h"
 #include "render/still_picture.h"

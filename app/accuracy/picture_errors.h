@@ -46,7 +46,7 @@ struct PictureErrors {
 };
 inline constexpr double kNoiseLevel = 0.95;
 
-// `scene`: as it was drawn, complete (app/ready/field_job.h, with images). Throws Error: interrupted;
+// `scene`: as it was drawn, complete (app/ready/ready_fields.h, with images). Throws Error: interrupted;
 // memory of fields that are not made yet.
 PictureErrors pictureErrors(const volume::PreparedVolume& volume, const scene::Scene& scene,
                             const DrawnHits& drawn, base::Progress& progress);

@@ -7,7 +7,7 @@
 #include "app/commands/command.h"
 #include "app/commands/series_report.h"
 #include "app/process/progress_bar.h"
-#include "app/ready/field_job.h"
+#include "app/ready/ready_fields.h"
 #include "app/report/derivative_report.h"
 #include "app/report/piece_report.h"
 #include "base/number_text.h"

@@ -2,7 +2,7 @@
 
 #include "app/commands/command.h"
 #include "app/light/light_picture.h"
-#include "app/ready/field_job.h"
+#include "app/ready/ready_fields.h"
 #include "scene/rules/automatic.h"
 
 namespace isolux::app {

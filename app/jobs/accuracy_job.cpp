@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "app/jobs/give_way.h"
-#include "app/ready/field_job.h"
 #include "app/ready/quiet_renderer.h"
+#include "app/ready/ready_fields.h"
 #include "app/ready/rest_scene.h"
 
 namespace isolux::app {

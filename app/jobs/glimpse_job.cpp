@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "app/ready/field_job.h"
 #include "app/ready/quiet_renderer.h"
+#include "app/ready/ready_fields.h"
 #include "render/still_picture.h"
 #include "scene/rules/automatic.h"
 

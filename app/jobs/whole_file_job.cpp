@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/jobs/give_way.h"
-#include "app/ready/field_job.h"
+#include "app/ready/ready_fields.h"
 #include "base/memory_budget.h"
 #include "scene/rules/automatic.h"
 #include "scene/rules/whole_voxels.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/light/light_picture.h"
-#include "app/ready/field_job.h"
+#include "app/ready/ready_fields.h"
 #include "app/ready/rest_scene.h"
 #include "base/quantiles.h"
 

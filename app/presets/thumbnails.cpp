@@ -1,6 +1,6 @@
 #include "app/presets/thumbnails.h"
 
-#include "app/ready/field_job.h"
+#include "app/ready/ready_fields.h"
 #include "scene/looks.h"
 #include "scene/rules/automatic.h"
 

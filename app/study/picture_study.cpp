@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/compare/flip.h"
-#include "app/ready/field_job.h"
+#include "app/ready/ready_fields.h"
 #include "render/still_picture.h"
 
 namespace isolux::app {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/ready/field_job.h"
+#include "app/ready/ready_fields.h"
 #include "app/study/light_study.h"
 #include "app/study/light_truth.h"
 #include "app/study/picture_study.h"

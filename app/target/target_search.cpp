@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "app/light/light_picture.h"
-#include "app/ready/field_job.h"
+#include "app/ready/ready_fields.h"
 #include "app/ready/rest_scene.h"
 #include "app/target/drawn_images.h"
 #include "app/target/stages.h"

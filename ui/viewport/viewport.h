@@ -36,7 +36,7 @@ class QPushButton;
 #include "app/interaction/picture_quality.h"
 #include "app/interaction/surface_pick.h"
 #include "app/jobs/picture_thread.h"
-#include "app/ready/field_job.h"
+#include "app/ready/ready_fields.h"
 #include "render/graph/frame.h"
 #include "render/still_picture.h"
 #include "scene/camera.h"

@@ -11,7 +11,7 @@
 
 #include "app/accuracy/accuracy.h"
 #include "app/light/light_picture.h"
-#include "app/ready/field_job.h"
+#include "app/ready/ready_fields.h"
 #include "app/study/light_truth.h"
 #include "app/study/surface_truth.h"
 #include "base/number_text.h"

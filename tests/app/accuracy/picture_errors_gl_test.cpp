@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "app/ready/field_job.h"
+#include "app/ready/ready_fields.h"
 #include "app/study/surface_truth.h"
 #include "base/number_text.h"
 #include "base/quantiles.h"

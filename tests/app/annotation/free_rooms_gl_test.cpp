@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "app/annotation/annotation.h"
-#include "app/ready/field_job.h"
+#include "app/ready/ready_fields.h"
 #include "app/series/camera_wish.h"
 #include "scene/named_camera.h"
 #include "tests/render/gl_fixture.h"

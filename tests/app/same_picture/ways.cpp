@@ -7,7 +7,7 @@
 #include <tbb/global_control.h>
 
 #include "app/light/light_controller.h"
-#include "app/ready/field_job.h"
+#include "app/ready/ready_fields.h"
 #include "render/renderer.h"
 #include "scene/rules/automatic.h"
 #include "scene/settings/settings.h"

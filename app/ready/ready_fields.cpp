@@ -1,4 +1,4 @@
-#include "app/ready/field_job.h"
+#include "app/ready/ready_fields.h"
 
 #include <string>
 #include <utility>
