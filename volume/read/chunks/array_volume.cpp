@@ -131,8 +131,8 @@ glm::ivec3 ArrayVolume::chunkOf(const ArrayLayout& layout) const {
 
 // `wanted` lies in the chunk and in `destination`, whose voxels follow each other at `voxels`.
 template <class To>
-ArrayChunk ArrayVolume::readOneChunk(VolumePart part, std::size_t level, glm::ivec3 chunk, Box wanted,
-                                     Box destination, To* voxels) const {
+std::size_t ArrayVolume::readOneChunk(VolumePart part, std::size_t level, glm::ivec3 chunk, Box wanted,
+                                      Box destination, To* voxels, std::size_t* missing) const {
   const ChunkedArray& array = *arrays_[level];
   const ArrayLayout& layout = array.layout();
   const std::size_t axes = layout.dims.size();
@@ -168,7 +168,8 @@ ArrayChunk ArrayVolume::readOneChunk(VolumePart part, std::size_t level, glm::iv
       copyBox(reinterpret_cast<const From*>(read.bytes.data()) + first,
               {stride(axes_.x), stride(axes_.y), stride(axes_.z)}, to, toStrides, wanted.size);
   });
-  return {{}, {}, {}, read.bytesRead, read.missing};
+  if (missing != nullptr && read.missing) ++*missing;
+  return read.bytesRead;
 }
 
 template <class To>
@@ -180,9 +181,7 @@ std::size_t ArrayVolume::readBox(VolumePart part, std::size_t level, Box box, Bo
   forEachIn(first, last + 1, [&](glm::ivec3 index) {
     const glm::ivec3 low = glm::max(box.low, index * chunk);
     const glm::ivec3 high = glm::min(box.low + box.size, (index + 1) * chunk);
-    const ArrayChunk read = readOneChunk(part, level, index, {low, high - low}, destination, voxels);
-    bytes += read.bytesRead;
-    if (missing != nullptr && read.missing) ++*missing;
+    bytes += readOneChunk(part, level, index, {low, high - low}, destination, voxels, missing);
   });
   return bytes;
 }

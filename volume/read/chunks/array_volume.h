@@ -53,8 +53,8 @@ class ArrayVolume final : public ChunkedVolume {
     glm::ivec3 low, size;
   };
   template <class To>
-  ArrayChunk readOneChunk(VolumePart part, std::size_t level, glm::ivec3 chunk, Box wanted, Box destination,
-                          To* voxels) const;
+  std::size_t readOneChunk(VolumePart part, std::size_t level, glm::ivec3 chunk, Box wanted, Box destination,
+                           To* voxels, std::size_t* missing) const;
   template <class To>
   std::size_t readBox(VolumePart part, std::size_t level, Box box, Box destination, To* voxels,
                       std::size_t* missing) const;
