@@ -136,7 +136,7 @@ std::size_t ArrayVolume::readOneChunk(VolumePart part, std::size_t level, glm::i
   const ChunkedArray& array = *arrays_[level];
   const ArrayLayout& layout = array.layout();
   const std::size_t axes = layout.dims.size();
-  std::vector<std::uint64_t> index(axes, 0), low(axes, 0), size(axes, 1);
+  std::vector<std::uint64_t> index(axes), low(axes), size(axes, 1);
   const auto place = [&](const std::optional<std::size_t>& axis, int chunkIndex, int first, int count) {
     if (!axis) return;
     index[*axis] = static_cast<std::uint64_t>(chunkIndex);
