@@ -2,16 +2,13 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <utility>
 
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "app/cluster/mpi_module.h"
 #include "base/error.h"
 
 namespace isolux::app {
@@ -53,45 +50,6 @@ void claimRank() {
     failMpi("MPI has been started in this rank before, and starts once: give each bake its own mpirun");
 }
 
-class ModuleRanks : public MpiRanks {
- public:
-  explicit ModuleRanks(const IsoluxMpiModule& module)
-      : module_(module), rank_(module.rank()), size_(module.size()) {}
-
-  int rank() const override { return rank_; }
-  int size() const override { return size_; }
-  void broadcast(std::span<std::byte> bytes, const base::Progress& progress) override {
-    const auto stops = [](void* context) {
-      return static_cast<const base::Progress*>(context)->stopRequested() ? 1 : 0;
-    };
-    if (module_.broadcast(bytes.data(), bytes.size(), stops, const_cast<base::Progress*>(&progress)) != 0)
-      throw base::Error(base::ErrorKind::interrupted, "", "", "stopped");
-  }
-  void send(int to, int kind, std::string bytes) override {
-    module_.send(to, kind, bytes.data(), bytes.size());
-  }
-  std::optional<RankMessage> next() override {
-    RankMessage message;
-    unsigned char* bytes = nullptr;
-    std::size_t count = 0;
-    if (module_.next(&message.from, &message.kind, &bytes, &count) == 0) return std::nullopt;
-    const std::unique_ptr<unsigned char, void (*)(unsigned char*)> held(bytes, module_.release);
-    message.bytes.assign(reinterpret_cast<const char*>(bytes), count);
-    return message;
-  }
-  bool allSent() override { return module_.unsent() == 0; }
-  void end() override { module_.end(); }
-  [[noreturn]] void abort(int exitCode) override {
-    std::fflush(nullptr);
-    module_.abort(exitCode);
-    ::_exit(exitCode);
-  }
-
- private:
-  const IsoluxMpiModule& module_;
-  int rank_, size_;
-};
-
 }  // namespace
 
 bool startedByMpi() {
@@ -114,16 +72,16 @@ std::unique_ptr<MpiRanks> connectMpi() {
     const char* const reason = ::dlerror();
     failMpi(std::string("cannot be opened: ") + (reason ? reason : "unknown reason"));
   }
-  const auto find = reinterpret_cast<const IsoluxMpiModule* (*)()>(::dlsym(library, "isoluxMpiModule"));
-  if (!find) failMpi("is another program's");
-  const IsoluxMpiModule& table = *find();
+  const auto begin = reinterpret_cast<decltype(&isoluxMpiRanks)>(::dlsym(library, "isoluxMpiRanks"));
+  if (!begin) failMpi("is another program's");
   claimRank();
-  if (table.begin() != 0) failMpi("MPI cannot be started");
+  std::unique_ptr<MpiRanks> ranks(begin());
+  if (!ranks) failMpi("MPI cannot be started");
   const int started = tasksOfLauncher();
-  if (table.size() == 1 && started > 1)
+  if (ranks->size() == 1 && started > 1)
     failMpi("MPI does not connect the " + std::to_string(started) +
             " tasks that were started (srun --mpi=pmix does)");
-  return std::make_unique<ModuleRanks>(table);
+  return ranks;
 }
 
 }  // namespace isolux::app

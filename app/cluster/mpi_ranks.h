@@ -19,6 +19,9 @@ class MpiRanks : public Ranks {
   [[noreturn]] virtual void abort(int exitCode) = 0;
 };
 
+// What isolux-mpi.so (mpi_module.cpp) exports: starts MPI; null where that fails. All calls from one thread.
+extern "C" MpiRanks* isoluxMpiRanks();
+
 // Opens isolux-mpi.so, which lies beside the program. Once in a process. Throws base::Error{input} with what
 // is missing.
 std::unique_ptr<MpiRanks> connectMpi();

@@ -23,7 +23,8 @@ class Ranks {
   virtual ~Ranks() = default;
   virtual int rank() const = 0;
   virtual int size() const = 0;
-  // From rank 0 to all, the same number of bytes everywhere. Throws Error{interrupted} when stopped.
+  // From rank 0 to all, the same number of bytes everywhere. Throws Error{interrupted} when stopped,
+  // after which MPI can only be aborted.
   virtual void broadcast(std::span<std::byte> bytes, const base::Progress& progress) = 0;
   // Below 2 GiB. Messages to one rank arrive in their order.
   virtual void send(int to, int kind, std::string bytes) = 0;
