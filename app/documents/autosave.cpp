@@ -266,7 +266,7 @@ void AutosaveFile::fulfil(const std::optional<OpenDocument>& document) {
     return;
   }
   makePrivateFolder(folder_);
-  if (!lock_) lock_ = FileLock::tryLock(lockFile_);
+  if (!lock_) lock_ = tryLock(lockFile_);
   if (!lock_) throwInput(lockFile_.string(), "", "cannot be locked");
   writeTextFile(file_, autosaveText({*document, system_clock::now()}));
 }
@@ -287,7 +287,7 @@ LostAutosaves takeLostAutosaves(const fs::path& folder) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
     if (entry.path().extension() == autosaveSuffix) files.push_back(entry.path());
   for (const fs::path& file : files) {
-    std::optional<FileLock> lock = FileLock::tryLock(lockOf(file));
+    FileLock lock = tryLock(lockOf(file));
     if (!lock) continue;               // its window lives
     if (!fs::exists(file, ignored)) {  // closed in this moment
       fs::remove(lockOf(file), ignored);
@@ -295,7 +295,7 @@ LostAutosaves takeLostAutosaves(const fs::path& folder) {
     }
     try {
       lost.found.emplace_back(parseAutosave(readTextFile(file, longestAutosave), file.string()), file,
-                              std::move(*lock));
+                              std::move(lock));
     } catch (const std::exception&) {
       fs::path aside = file;
       aside += damagedSuffix;

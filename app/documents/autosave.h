@@ -70,7 +70,7 @@ class AutosaveFile {
   void fulfil(const std::optional<OpenDocument>& document);
 
   std::filesystem::path folder_, file_, lockFile_;
-  std::optional<FileLock> lock_;  // the worker's
+  FileLock lock_;  // the worker's
   std::mutex mutex_;
   std::condition_variable changed_;
   bool wished_ = false, working_ = false, ends_ = false;

@@ -4,7 +4,6 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
-#include <optional>
 #include <random>
 #include <thread>
 #include <utility>
@@ -55,12 +54,12 @@ std::string newToken() {
 }
 
 // Held by other processes for milliseconds only.
-std::optional<FileLock> lockList(const fs::path& file) {
+FileLock lockList(const fs::path& file) {
   for (int attempt = 0; attempt < 50; ++attempt) {
-    if (auto lock = FileLock::tryLock(file)) return lock;
+    if (FileLock lock = tryLock(file)) return lock;
     std::this_thread::sleep_for(std::chrono::milliseconds(4));
   }
-  return std::nullopt;
+  return nullptr;
 }
 
 }  // namespace

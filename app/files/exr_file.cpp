@@ -76,34 +76,34 @@ class CheckedStream final : public Imf::OStream {
   std::FILE* stream_;
 };
 
-Imf::FrameBuffer frameBufferOf(glm::ivec2 size, const std::vector<std::string>& names,
-                               const std::vector<float>& interleaved) {
-  const std::size_t pixelBytes = names.size() * sizeof(float);
-  // OpenEXR takes the same frame buffer for reading and writing; here it only reads.
-  char* const first = const_cast<char*>(reinterpret_cast<const char*>(interleaved.data()));
+Imf::FrameBuffer frameBufferOf(glm::ivec2 size, const std::vector<ExrChannel>& channels) {
   Imf::FrameBuffer buffer;
-  for (std::size_t c = 0; c < names.size(); ++c)
-    buffer.insert(names[c], Imf::Slice(Imf::FLOAT, first + c * sizeof(float), pixelBytes,
-                                       pixelBytes * static_cast<std::size_t>(size.x)));
+  for (const ExrChannel& channel : channels) {
+    // OpenEXR takes the same frame buffer for reading and writing; here it only reads.
+    char* const first = const_cast<char*>(reinterpret_cast<const char*>(channel.first));
+    const std::size_t pixelBytes = channel.stride * sizeof(float);
+    buffer.insert(channel.name,
+                  Imf::Slice(Imf::FLOAT, first, pixelBytes, pixelBytes * static_cast<std::size_t>(size.x)));
+  }
   return buffer;
 }
 
 }  // namespace
 
-void writeExrFile(glm::ivec2 size, const std::vector<std::string>& names,
-                  const std::vector<float>& interleaved,
+void writeExrFile(glm::ivec2 size, const std::vector<ExrChannel>& channels,
                   const std::vector<std::pair<std::string, std::string>>& attributes,
                   const std::filesystem::path& file) {
   PendingFile pending(file);
   try {
     Imf::Header header(size.x, size.y);
     header.compression() = Imf::ZIP_COMPRESSION;
-    for (const std::string& name : names) header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    for (const ExrChannel& channel : channels)
+      header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
     for (const auto& [name, text] : attributes) header.insert(name, Imf::StringAttribute(text));
     CheckedStream stream(pending.path());
     {
       Imf::OutputFile output(stream, header, compressionThreads());
-      output.setFrameBuffer(frameBufferOf(size, names, interleaved));
+      output.setFrameBuffer(frameBufferOf(size, channels));
       output.writePixels(size.y);
     }  // which writes the table of lines
     stream.close();

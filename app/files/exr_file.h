@@ -12,10 +12,14 @@
 
 namespace isolux::app {
 
-// Float32, compressed without loss (zip). `interleaved`: size.x * size.y pixels, row 0 at the top, each with
-// one value per name. `attributes`: names and texts for the header.
-void writeExrFile(glm::ivec2 size, const std::vector<std::string>& names,
-                  const std::vector<float>& interleaved,
+// A channel of size.x * size.y values, row 0 at the top: every `stride`th from `first`.
+struct ExrChannel {
+  std::string name;
+  const float* first;
+  std::size_t stride;
+};
+// Float32, compressed without loss (zip). `attributes`: names and texts for the header.
+void writeExrFile(glm::ivec2 size, const std::vector<ExrChannel>& channels,
                   const std::vector<std::pair<std::string, std::string>>& attributes,
                   const std::filesystem::path& file);
 

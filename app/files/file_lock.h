@@ -2,22 +2,13 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
+#include <memory>
 
 namespace isolux::app {
 
-// Held until it is destroyed. Movable.
-class FileLock {
- public:
-  // Nothing when another process, or another FileLock of this one, has it, or the file cannot be made.
-  static std::optional<FileLock> tryLock(const std::filesystem::path& file);
-  ~FileLock();
-  FileLock(FileLock&& other) noexcept;
-  FileLock& operator=(FileLock&& other) noexcept;
-
- private:
-  explicit FileLock(int descriptor) : descriptor_(descriptor) {}
-  int descriptor_;
-};
+// Held until the last copy is destroyed.
+using FileLock = std::shared_ptr<const int>;
+// Null when another process, or another FileLock of this one, has it, or the file cannot be made.
+FileLock tryLock(const std::filesystem::path& file);
 
 }  // namespace isolux::app

@@ -1,5 +1,5 @@
 // Reads and writes images and AOVs; files are written under a temporary name and renamed when complete
-// (png_file.h, exr_file.h).
+// (exr_file.h).
 #pragma once
 
 #include <filesystem>
@@ -15,10 +15,13 @@ namespace isolux::app {
 constexpr const char* sessionKey = "isolux_session";
 constexpr int kLargestPicture = 16384;  // pixels per axis of a rendered image
 
+// Returns the names and texts that every image carries: the program, and the session unless empty.
+std::vector<std::pair<std::string, std::string>> pictureTexts(const std::string& session);
+
 // Writes an 8-bit sRGB PNG (with alpha if the image is transparent) with the session text in a text chunk
 // ("isolux_session"); empty text: none.
 void writePng(const render::ColorImage& image, const std::filesystem::path& file, const std::string& session);
-// Returns the same file as bytes, for a pipe.
+// Returns the same file as bytes, for a pipe. Throws Error{memory} if there is no room for them.
 std::string pngBytes(const render::ColorImage& image, const std::string& session);
 // Writes a float32 EXR: channels R G B (linear, not converted), and A if it is transparent, of `color` unless
 // null, and each AOV as "name" or "name.channel".
@@ -37,6 +40,7 @@ std::string readSessionText(const std::filesystem::path& file);
 bool looksLikePicture(std::string_view beginning);
 // Returns the size in pixels; 0 for anything but a PNG of 1 to kLargestPicture pixels per axis.
 glm::ivec2 pngSize(const std::filesystem::path& file);
+// Reads 8-bit RGB or RGBA, at most 32768 x 32768; alpha is 255, and does not count, if the file has none.
 render::ColorImage readPng(const std::filesystem::path& file);
 
 }  // namespace isolux::app

@@ -1,4 +1,5 @@
-#include "app/files/png_file.h"
+// The PNG files of image_io.h, by libpng.
+#include "app/files/image_io.h"
 
 #include <cerrno>
 #include <csetjmp>
@@ -28,23 +29,22 @@ struct PngWriter {
   std::FILE* stream = nullptr;
   png_structp png = nullptr;
   png_infop info = nullptr;
+  const std::vector<std::pair<std::string, std::string>> texts;
   std::vector<png_text> chunks;
   std::string failure;
   int systemError = 0;
 
-  PngWriter(const fs::path& path, const std::vector<PngText>& texts)
-      : PngWriter(std::fopen(path.c_str(), "wb"), texts) {}
-  PngWriter(std::FILE* opened, const std::vector<PngText>& texts) : stream(opened) {
+  PngWriter(std::FILE* opened, const std::string& session) : stream(opened), texts(pictureTexts(session)) {
     systemError = stream ? 0 : errno;
     png = png_create_write_struct(PNG_LIBPNG_VER_STRING, this, failed, [](png_structp, png_const_charp) {});
     info = png ? png_create_info_struct(png) : nullptr;
     if (!info) failure = "libpng cannot be set up";
-    for (const PngText& text : texts) {
+    for (const auto& [keyword, text] : texts) {
       png_text chunk{};
       chunk.compression = PNG_TEXT_COMPRESSION_NONE;
-      chunk.key = const_cast<char*>(text.keyword.c_str());  // libpng only reads them
-      chunk.text = const_cast<char*>(text.text.c_str());
-      chunk.text_length = text.text.size();
+      chunk.key = const_cast<char*>(keyword.c_str());  // libpng only reads them
+      chunk.text = const_cast<char*>(text.c_str());
+      chunk.text_length = text.size();
       chunks.push_back(chunk);
     }
   }
@@ -112,20 +112,20 @@ bool canHold(const fs::path& file, const png_image& image) {
 
 }  // namespace
 
-void writePngFile(const render::ColorImage& image, const std::vector<PngText>& texts, const fs::path& file) {
+void writePng(const render::ColorImage& image, const fs::path& file, const std::string& session) {
   PendingFile pending(file);
-  PngWriter writer(pending.path(), texts);
+  PngWriter writer(std::fopen(pending.path().c_str(), "wb"), session);
   if (!writer.stream || !writer.info || !encode(writer, image) || !writer.close())
     throwInput(file.string(), "", "cannot be written: " + writer.reason());
   pending.commit();
 }
 
-std::string pngFileBytes(const render::ColorImage& image, const std::vector<PngText>& texts) {
+std::string pngBytes(const render::ColorImage& image, const std::string& session) {
   char* bytes = nullptr;
   std::size_t length = 0;
   bool written = false;
   {
-    PngWriter writer(::open_memstream(&bytes, &length), texts);
+    PngWriter writer(::open_memstream(&bytes, &length), session);
     written = writer.stream && writer.info && encode(writer, image) && writer.close();
   }
   const std::unique_ptr<char, decltype(&std::free)> freed(bytes, &std::free);
@@ -133,7 +133,7 @@ std::string pngFileBytes(const render::ColorImage& image, const std::vector<PngT
   return {bytes, length};
 }
 
-render::ColorImage readPngFile(const fs::path& file) {
+render::ColorImage readPng(const fs::path& file) {
   png_image header{};
   header.version = PNG_IMAGE_VERSION;
   if (png_image_begin_read_from_file(&header, file.c_str()) == 0) cannotRead(file, header);
