@@ -143,21 +143,9 @@ namespace {
 
 // From the volume to the viewer.
 glm::dvec3 sideOf(StandardView view, WorldAxes axes) {
-  switch (view) {
-    case StandardView::anterior:
-      return frontOf(axes);
-    case StandardView::posterior:
-      return -frontOf(axes);
-    case StandardView::left:
-      return {1.0, 0.0, 0.0};
-    case StandardView::right:
-      return {-1.0, 0.0, 0.0};
-    case StandardView::superior:
-      return upOf(axes);
-    case StandardView::inferior:
-      return -upOf(axes);
-  }
-  return frontOf(axes);
+  const glm::dvec3 front = frontOf(axes), up = upOf(axes), left(1.0, 0.0, 0.0), right(-1.0, 0.0, 0.0);
+  const std::array<glm::dvec3, standardViewCount> sides{front, -front, left, right, up, -up};
+  return sides[static_cast<std::size_t>(view)];
 }
 
 }  // namespace

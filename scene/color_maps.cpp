@@ -97,15 +97,8 @@ glm::dvec3 fromGray(double t) {
 }
 
 glm::dvec3 fromAutomatic(LookColors colors, double t) {
-  switch (colors) {
-    case LookColors::shape:
-      return fromTable(shapeIndex, t);
-    case LookColors::diverging:
-      return fromDiverging(coolwarm, t);
-    case LookColors::sequential:
-      break;
-  }
-  return fromTable(viridis, t);
+  if (colors == LookColors::diverging) return fromDiverging(coolwarm, t);
+  return fromTable(colors == LookColors::shape ? std::span<const Hex>(shapeIndex) : viridis, t);
 }
 
 glm::dvec3 colorOf(ColorMap map, LookColors automatic, double t) {

@@ -1,8 +1,7 @@
 #include "scene/looks.h"
 
-#include <algorithm>
-#include <cassert>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 namespace isolux::scene {
@@ -18,78 +17,51 @@ double curvednessOf(double kappa1, double kappa2) {
   return std::sqrt(0.5) * std::hypot(kappa1, kappa2);
 }
 
+constexpr LookInfo shadingLook(LookMode mode, Shading shading, std::string_view name,
+                               std::string_view meaning) {
+  return {.mode = mode, .name = name, .meaning = meaning, .kind = LookKind::shading, .shading = shading};
+}
+
+// Colours show a number of kappa1 >= kappa2, in 1/mm to the power `dimension`.
+constexpr LookInfo curvatureLook(LookMode mode, std::string_view name, std::string_view meaning,
+                                 std::string_view quantity, LookColors colors, LookRange range, int dimension,
+                                 double (*measure)(double, double)) {
+  return {.mode = mode,
+          .name = name,
+          .meaning = meaning,
+          .kind = LookKind::measure,
+          .readsCurvature = true,
+          .colors = colors,
+          .range = range,
+          .dimension = dimension,
+          .measure = measure,
+          .quantity = quantity};
+}
+
+// In the order of LookMode.
 constexpr LookInfo lookTable[] = {
-    {.mode = LookMode::blinn_phong,
-     .name = "blinn_phong",
-     .meaning = "the surface's own colour with a highlight",
-     .kind = LookKind::shading,
-     .shading = Shading::blinn_phong},
-    {.mode = LookMode::lambert,
-     .name = "lambert",
-     .meaning = "the surface's own colour, matt",
-     .kind = LookKind::shading,
-     .shading = Shading::lambert},
-    {.mode = LookMode::tone,
-     .name = "tone",
-     .meaning = "cool where the surface faces away from the light, warm where it faces the light",
-     .kind = LookKind::shading,
-     .shading = Shading::tone},
-    {.mode = LookMode::kappa1,
-     .name = "kappa1",
-     .meaning = "the larger principal curvature",
-     .kind = LookKind::measure,
-     .readsCurvature = true,
-     .colors = LookColors::diverging,
-     .dimension = 1,
-     .measure = [](double kappa1, double) { return kappa1; },
-     .quantity = "κ₁"},
-    {.mode = LookMode::kappa2,
-     .name = "kappa2",
-     .meaning = "the smaller principal curvature",
-     .kind = LookKind::measure,
-     .readsCurvature = true,
-     .colors = LookColors::diverging,
-     .dimension = 1,
-     .measure = [](double, double kappa2) { return kappa2; },
-     .quantity = "κ₂"},
-    {.mode = LookMode::mean_curvature,
-     .name = "mean_curvature",
-     .meaning = "the mean of both principal curvatures",
-     .kind = LookKind::measure,
-     .readsCurvature = true,
-     .colors = LookColors::diverging,
-     .dimension = 1,
-     .measure = [](double kappa1, double kappa2) { return 0.5 * (kappa1 + kappa2); },
-     .quantity = "mean"},
-    {.mode = LookMode::gaussian_curvature,
-     .name = "gaussian_curvature",
-     .meaning =
-         "the product of both principal curvatures: positive on domes and in cups, negative on saddles",
-     .kind = LookKind::measure,
-     .readsCurvature = true,
-     .colors = LookColors::diverging,
-     .dimension = 2,
-     .measure = [](double kappa1, double kappa2) { return kappa1 * kappa2; },
-     .quantity = "Gaussian"},
-    {.mode = LookMode::shape_index,
-     .name = "shape_index",
-     .meaning = "the kind of shape, regardless of size: -1 cup, 0 saddle, 1 cap",
-     .kind = LookKind::measure,
-     .readsCurvature = true,
-     .colors = LookColors::shape,
-     .range = LookRange::unit,
-     .measure = shapeIndexOf,
-     .quantity = "shape index"},
-    {.mode = LookMode::curvedness,
-     .name = "curvedness",
-     .meaning = "the strength of curvature, regardless of shape",
-     .kind = LookKind::measure,
-     .readsCurvature = true,
-     .colors = LookColors::sequential,
-     .range = LookRange::fromZero,
-     .dimension = 1,
-     .measure = curvednessOf,
-     .quantity = "curvedness"},
+    shadingLook(LookMode::blinn_phong, Shading::blinn_phong, "blinn_phong",
+                "the surface's own colour with a highlight"),
+    shadingLook(LookMode::lambert, Shading::lambert, "lambert", "the surface's own colour, matt"),
+    shadingLook(LookMode::tone, Shading::tone, "tone",
+                "cool where the surface faces away from the light, warm where it faces the light"),
+    curvatureLook(LookMode::kappa1, "kappa1", "the larger principal curvature", "κ₁", LookColors::diverging,
+                  LookRange::symmetric, 1, [](double kappa1, double) { return kappa1; }),
+    curvatureLook(LookMode::kappa2, "kappa2", "the smaller principal curvature", "κ₂", LookColors::diverging,
+                  LookRange::symmetric, 1, [](double, double kappa2) { return kappa2; }),
+    curvatureLook(LookMode::mean_curvature, "mean_curvature", "the mean of both principal curvatures", "mean",
+                  LookColors::diverging, LookRange::symmetric, 1,
+                  [](double kappa1, double kappa2) { return 0.5 * (kappa1 + kappa2); }),
+    curvatureLook(
+        LookMode::gaussian_curvature, "gaussian_curvature",
+        "the product of both principal curvatures: positive on domes and in cups, negative on saddles",
+        "Gaussian", LookColors::diverging, LookRange::symmetric, 2,
+        [](double kappa1, double kappa2) { return kappa1 * kappa2; }),
+    curvatureLook(LookMode::shape_index, "shape_index",
+                  "the kind of shape, regardless of size: -1 cup, 0 saddle, 1 cap", "shape index",
+                  LookColors::shape, LookRange::unit, 0, shapeIndexOf),
+    curvatureLook(LookMode::curvedness, "curvedness", "the strength of curvature, regardless of shape",
+                  "curvedness", LookColors::sequential, LookRange::fromZero, 1, curvednessOf),
     {.mode = LookMode::flowline_curvature,
      .name = "flowline_curvature",
      .meaning = "the curvature of the gradient's flowlines: high where the isosurface is uncertain",
@@ -127,11 +99,7 @@ constexpr LookInfo lookTable[] = {
      .meaning = "streaks along the principal curvature directions",
      .kind = LookKind::colored,
      .readsCurvature = true},
-    {.mode = LookMode::gi,
-     .name = "gi",
-     .meaning = "the surface's own colour under baked global illumination",
-     .kind = LookKind::shading,
-     .shading = Shading::gi},
+    shadingLook(LookMode::gi, Shading::gi, "gi", "the surface's own colour under baked global illumination"),
     {.mode = LookMode::normal,
      .name = "normal",
      .meaning = "the outward normal as a colour, world axes",
@@ -155,23 +123,12 @@ std::span<const LookInfo> looks() {
 }
 
 const LookInfo& lookInfo(LookMode mode) {
-  const auto found = std::find_if(std::begin(lookTable), std::end(lookTable),
-                                  [mode](const LookInfo& look) { return look.mode == mode; });
-  assert(found != std::end(lookTable));
-  return *found;
+  return lookTable[static_cast<std::size_t>(mode)];
 }
 
 std::string_view unitOf(const LookInfo& look) {
-  switch (look.dimension) {
-    case 2:
-      return "1/mm²";
-    case 1:
-      return "1/mm";
-    case -1:
-      return "mm";
-    default:
-      return "";
-  }
+  if (look.dimension == 2) return "1/mm²";
+  return look.dimension == 1 ? "1/mm" : look.dimension == -1 ? "mm" : "";
 }
 
 }  // namespace isolux::scene
