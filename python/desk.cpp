@@ -3,6 +3,7 @@
 #include <atomic>
 #include <chrono>
 #include <exception>
+#include <future>
 #include <stdexcept>
 #include <system_error>
 #include <thread>
@@ -53,23 +54,23 @@ void endPython() {
 struct Desk::Job {
   Work work;
   base::Progress progress;
-  std::mutex mutex;
-  std::condition_variable ended;
-  bool done = false;
-  std::exception_ptr failure;
+  std::promise<void> promise{};
+  std::future<void> end = promise.get_future();
 
-  bool waitFor(milliseconds time) {
-    std::unique_lock lock(mutex);
-    return ended.wait_for(lock, time, [this] { return done; });
-  }
-  void finish(std::exception_ptr with) {
-    work = nullptr;  // whose captures the caller may be waiting to see gone
-    {
-      const std::lock_guard lock(mutex);
-      done = true;
-      failure = std::move(with);
+  bool waitFor(milliseconds time) { return end.wait_for(time) == std::future_status::ready; }
+  void run() {
+    std::exception_ptr failure;
+    try {
+      progress.throwIfStopped();
+      work(progress);
+    } catch (...) {
+      failure = std::current_exception();
     }
-    ended.notify_all();
+    work = nullptr;  // whose captures the caller may be waiting to see gone
+    if (failure)
+      promise.set_exception(std::move(failure));
+    else
+      promise.set_value();
   }
 };
 
@@ -126,14 +127,7 @@ void Desk::work(Jobs& jobs) {
     jobs.waiting.pop_front();
     const std::shared_ptr<Job> job = jobs.running;
     lock.unlock();
-    std::exception_ptr failure;
-    try {
-      job->progress.throwIfStopped();
-      job->work(job->progress);
-    } catch (...) {
-      failure = std::current_exception();
-    }
-    job->finish(std::move(failure));
+    job->run();
     lock.lock();
     jobs.running.reset();
   }
@@ -184,7 +178,7 @@ void Desk::run(Work work, const py::object& told) {
     }
     parkIfEnding();
   }
-  if (job->failure) std::rethrow_exception(job->failure);
+  job->end.get();
 }
 
 }  // namespace isolux::python

@@ -110,15 +110,11 @@ void setBox(scene::Clip& clip, int number, const glm::dvec3& middle, const glm::
 void moveFace(scene::Clip& clip, int number, const CutStage& stage, int face, double mm) {
   TurnedBox box = turnedBox(clip, number);
   const int axis = face / 2;
-  const double side = face % 2 ? 1.0 : -1.0, thinnest = 0.5 * thinnestBox * diagonalMm(stage);
+  const double thinnest = 0.5 * thinnestBox * diagonalMm(stage);
   const double half = std::max(box.half[axis] + 0.5 * mm, std::min(thinnest, box.half[axis]));
-  box.middle += side * (half - box.half[axis]) * box.axes[axis];
+  box.middle += (half - box.half[axis]) * box.outward(face);
   box.half[axis] = half;
   setBox(clip, number, box.middle, box.half);
-}
-
-glm::dvec3 faceMiddleOf(const TurnedBox& box, int face) {
-  return box.middle + (face % 2 ? 1.0 : -1.0) * box.half[face / 2] * box.axes[face / 2];
 }
 
 // From one direction to the other, the short way.
@@ -177,9 +173,8 @@ scene::Clip draggedCut(const scene::Clip& clip, const CutGrip& grip, const CutSt
   if (grip.part == CutPart::turn) {
     turnBox(dragged, stage, grip.index, to - from, constrained);
   } else if (grip.part == CutPart::face) {
-    const glm::dvec3 outward = (grip.index % 2 ? 1.0 : -1.0) * box.axes[grip.index / 2];
     moveFace(dragged, grip.plane, stage, grip.index,
-             draggedAlong(stage, faceMiddleOf(box, grip.index), outward, from, to));
+             draggedAlong(stage, box.faceMiddle(grip.index), box.outward(grip.index), from, to));
   } else {
     const glm::dvec2 mm = (to - from) * projectedOn(stage, box.middle).mmPerPixel;
     setBox(dragged, grip.plane, box.middle + mm.x * stage.frame.right - mm.y * stage.frame.up, box.half);
@@ -197,9 +192,7 @@ scene::Clip steppedCut(const scene::Clip& clip, const CutGrip& grip, const CutSt
     scene::ClipPlane& plane = stepped.planes[static_cast<std::size_t>(grip.plane - 1)];
     plane = movedBy(plane, stage, away(plane.normal));
   } else if (grip.part == CutPart::face) {
-    const glm::dvec3 outward =
-        (grip.index % 2 ? 1.0 : -1.0) * turnedBox(clip, grip.plane).axes[grip.index / 2];
-    moveFace(stepped, grip.plane, stage, grip.index, away(outward));
+    moveFace(stepped, grip.plane, stage, grip.index, away(turnedBox(clip, grip.plane).outward(grip.index)));
   }
   return stepped;
 }

@@ -70,12 +70,7 @@ CutShape boxShape(const scene::Clip& clip, int number, const CutStage& stage) {
   CutShape shape{number, {}, {}};
   const TurnedBox box = turnedBox(clip, number);
   bool faces[6];
-  const auto faceMiddle = [&](int face) {
-    const int axis = face / 2;
-    return box.middle + (face % 2 ? 1.0 : -1.0) * box.half[axis] * box.axes[axis];
-  };
-  for (int face = 0; face < 6; ++face)
-    faces[face] = facesEye(stage, faceMiddle(face), (face % 2 ? 1.0 : -1.0) * box.axes[face / 2]);
+  for (int face = 0; face < 6; ++face) faces[face] = facesEye(stage, box.faceMiddle(face), box.outward(face));
   const auto seen = [&](int corner, int axis) { return faces[2 * axis + ((corner >> axis) & 1)]; };
   for (int i = 0; i < 8; ++i)
     for (int axis = 0; axis < 3; ++axis) {
@@ -90,7 +85,7 @@ CutShape boxShape(const scene::Clip& clip, int number, const CutStage& stage) {
   };
   for (int i = 0; i < 8 && number == 0; ++i)
     add(CutPart::turn, i, box.corner(i), !seen(i, 0) && !seen(i, 1) && !seen(i, 2));
-  for (int face = 0; face < 6; ++face) add(CutPart::face, face, faceMiddle(face), !faces[face]);
+  for (int face = 0; face < 6; ++face) add(CutPart::face, face, box.faceMiddle(face), !faces[face]);
   add(CutPart::move, 0, box.middle, false);
   return shape;
 }

@@ -61,6 +61,11 @@ int exitCodeOf(pid_t pid) {
 
 }  // namespace
 
+std::string ProgramResult::lastLine() const {
+  const std::string text = output.substr(0, output.find_last_not_of(" \n\r\t") + 1);
+  return text.substr(text.rfind('\n') + 1);
+}
+
 fs::path findProgram(const std::string& name) {
   const char* path = std::getenv("PATH");
   std::istringstream folders(path ? path : "");

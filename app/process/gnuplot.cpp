@@ -1,7 +1,5 @@
 #include "app/process/gnuplot.h"
 
-#include <cctype>
-
 #include "app/files/files.h"
 #include "app/process/external_program.h"
 
@@ -41,9 +39,7 @@ std::optional<std::string> drawPlot(const fs::path& gnuplot, const fs::path& pic
     plot.commit();
     return std::nullopt;
   }
-  std::string reason = result.output;
-  while (!reason.empty() && std::isspace(static_cast<unsigned char>(reason.back()))) reason.pop_back();
-  return "gnuplot failed: " + reason.substr(reason.rfind('\n') + 1);
+  return "gnuplot failed: " + result.lastLine();
 }
 
 }  // namespace isolux::app

@@ -50,11 +50,6 @@ bool refusesThreads(const std::exception& error) noexcept {
   return std::string_view(error.what()).starts_with("pthread_create has failed");
 }
 
-struct ThreadShare::Limit {
-  explicit Limit(std::size_t threads) : workers(tbb::global_control::max_allowed_parallelism, threads) {}
-  tbb::global_control workers;
-};
-
 ThreadShare::ThreadShare() {
   const int cores = std::max(1, tbb::info::default_concurrency());
   const int given = threadsAvailable(kUsers * cores + kFew);
@@ -63,12 +58,11 @@ ThreadShare::ThreadShare() {
     throw base::Error(base::ErrorKind::memory, "", "threads",
                       "cannot create a thread; raise the process limit (ulimit -u)");
   const int share = std::clamp((given - kFew) / kUsers, 0, cores);
-  limit_ = std::make_unique<Limit>(static_cast<std::size_t>(std::max(share, 1)));
+  limit_ = std::make_shared<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                 static_cast<std::size_t>(std::max(share, 1)));
   ::setenv("LP_NUM_THREADS", std::to_string(share).c_str(), 1);  // of llvmpipe; 0: it works on the caller's
   note_ = "threads: the system provides only " + std::to_string(given) +
           " more (ulimit -u); Isolux works with " + (share > 1 ? std::to_string(share) : std::string("one"));
 }
-
-ThreadShare::~ThreadShare() = default;
 
 }  // namespace isolux::app

@@ -20,15 +20,13 @@ bool refusesThreads(const std::exception& error) noexcept;
 class ThreadShare {
  public:
   ThreadShare();
-  ~ThreadShare();
   ThreadShare(const ThreadShare&) = delete;
   ThreadShare& operator=(const ThreadShare&) = delete;
 
   const std::string& note() const { return note_; }  // for stderr; empty: there are enough
 
  private:
-  struct Limit;
-  std::unique_ptr<Limit> limit_;
+  std::shared_ptr<void> limit_;
   std::string note_;
 };
 

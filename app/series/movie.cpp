@@ -8,15 +8,6 @@ namespace isolux::app {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-std::string lastLine(std::string text) {
-  while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
-  return text.substr(text.rfind('\n') + 1);
-}
-
-}  // namespace
-
 std::string makeMovie(const fs::path& folder, const std::string& prefix, int frames, double fps,
                       const std::string& movie, base::Progress& progress) {
   const fs::path ffmpeg = findProgram("ffmpeg");
@@ -37,8 +28,7 @@ std::string makeMovie(const fs::path& folder, const std::string& prefix, int fra
     pending.commit();
     return {};
   }
-  return "no " + movie + ": ffmpeg failed (" + std::to_string(result.exitCode) +
-         "): " + lastLine(result.output);
+  return "no " + movie + ": ffmpeg failed (" + std::to_string(result.exitCode) + "): " + result.lastLine();
 }
 
 }  // namespace isolux::app

@@ -102,27 +102,4 @@ std::optional<std::array<glm::dvec2, 2>> crossingLine(const volume::SlicePlane& 
   return std::array{foot + begin * way, foot + end * way};
 }
 
-std::vector<glm::dvec3> outlineInVolume(const ChosenPlane& plane, const volume::GridGeometry& geometry) {
-  const std::array<glm::dvec3, 8> corners = geometry.corners();
-  std::array<double, 8> heights{};
-  for (std::size_t i = 0; i < 8; ++i) heights[i] = glm::dot(plane.normal(), corners[i] - plane.pointMm);
-  std::vector<glm::dvec3> outline;
-  for (std::size_t i = 0; i < 8; ++i)
-    for (std::size_t bit = 1; bit < 8; bit <<= 1) {
-      const std::size_t j = i | bit;
-      if (j == i || (heights[i] < 0.0) == (heights[j] < 0.0)) continue;
-      outline.push_back(glm::mix(corners[i], corners[j], heights[i] / (heights[i] - heights[j])));
-    }
-  glm::dvec3 centre(0.0);
-  for (const glm::dvec3& corner : outline) centre += corner / static_cast<double>(outline.size());
-  const auto angle = [&](const glm::dvec3& corner) {
-    return std::atan2(glm::dot(corner - centre, plane.frame.down),
-                      glm::dot(corner - centre, plane.frame.right));
-  };
-  std::sort(outline.begin(), outline.end(),
-            [&](const glm::dvec3& a, const glm::dvec3& b) { return angle(a) < angle(b); });
-  if (outline.size() < 3) outline.clear();
-  return outline;
-}
-
 }  // namespace isolux::app

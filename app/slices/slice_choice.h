@@ -47,7 +47,4 @@ void stepPlane(scene::Scene& scene, const SliceChoice& choice, const scene::Scen
 std::optional<std::array<glm::dvec2, 2>> crossingLine(const volume::SlicePlane& picture,
                                                       const ChosenPlane& other);
 
-// The outline of what a plane cuts out of the volume's domain: corners in order, world mm; empty: nothing.
-std::vector<glm::dvec3> outlineInVolume(const ChosenPlane& plane, const volume::GridGeometry& geometry);
-
 }  // namespace isolux::app

@@ -1,5 +1,6 @@
 // Slices beside the picture, of ui/window/main_window.h: a point that is clicked on in one is shown in the
 // others.
+#include "app/cuts/cut_edits.h"
 #include "app/slices/slice_choice.h"
 #include "app/slices/slice_content.h"
 #include "ui/panels/isovalue_panel.h"
@@ -46,7 +47,8 @@ void MainWindow::showSlicesInPicture() {
     const volume::GridGeometry& geometry = volume->grid().geometry();
     shown.crosshairMm = app::slicePosition(document_->resolvedScene(), geometry);
     for (const PlaneOfView& view : slices_->planes())
-      shown.outlines.push_back({app::outlineInVolume(view.plane, geometry), view.color});
+      shown.outlines.push_back(
+          {app::outlineOf({view.plane.pointMm, view.plane.normal()}, geometry.corners()), view.color});
   }
   viewport_->setSlices(std::move(shown));
 }

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "app/cuts/cut_edits.h"
 #include "app/slices/slice_content.h"
 #include "tests/support/volumes.h"
 
@@ -109,14 +110,13 @@ TEST(SliceChoice, TheOutlineOfADiagonalPlaneIsAHexagon) {
   const auto geometry = unitGeometry(glm::ivec3(11));
   const scene::Scene scene = withCut(glm::dvec3(5.0), {1.0, 1.0, 1.0});
   const auto plane = app::chosenPlane({.kind = SliceChoice::Kind::cut}, scene, geometry, axes);
-  const auto outline = app::outlineInVolume(*plane, geometry);
+  const auto outline = app::outlineOf({plane->pointMm, plane->normal()}, geometry.corners());
   ASSERT_EQ(outline.size(), 6u);
   for (std::size_t i = 0; i < 6; ++i)
     EXPECT_NEAR(glm::distance(outline[i], outline[(i + 1) % 6]), 10.0 / std::sqrt(2.0), 1e-9);
   const scene::Scene beside = withCut(glm::dvec3(50.0), {1.0, 1.0, 1.0});
-  EXPECT_TRUE(app::outlineInVolume(
-                  *app::chosenPlane({.kind = SliceChoice::Kind::cut}, beside, geometry, axes), geometry)
-                  .empty());
+  const auto missing = app::chosenPlane({.kind = SliceChoice::Kind::cut}, beside, geometry, axes);
+  EXPECT_TRUE(app::outlineOf({missing->pointMm, missing->normal()}, geometry.corners()).empty());
 }
 
 }  // namespace
