@@ -22,4 +22,14 @@ std::optional<double> readNumber(std::string_view text) {
   return value;
 }
 
+std::optional<std::pair<int, int>> readTwoIntegers(std::string_view text, char separator) {
+  std::pair<int, int> numbers;
+  const char* const end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, numbers.first);
+  if (first.ec != std::errc{} || first.ptr == end || *first.ptr != separator) return std::nullopt;
+  const auto second = std::from_chars(first.ptr + 1, end, numbers.second);
+  if (second.ec != std::errc{} || second.ptr != end) return std::nullopt;
+  return numbers;
+}
+
 }  // namespace isolux::base

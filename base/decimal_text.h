@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace isolux::base {
 
@@ -15,5 +16,8 @@ std::string fixedText(double value, int decimals);
 // Returns the number that the whole of `text` spells; a leading sign is accepted. Returns nullopt if `text`
 // is not a number or the number is not finite.
 std::optional<double> readNumber(std::string_view text);
+
+// Returns the two whole numbers of "A-B", where '-' is the separator; nullopt for any other text.
+std::optional<std::pair<int, int>> readTwoIntegers(std::string_view text, char separator);
 
 }  // namespace isolux::base

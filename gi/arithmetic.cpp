@@ -6,6 +6,8 @@
 
 #include <hwy/targets.h>
 
+#include "base/words.h"
+
 namespace isolux::gi {
 
 namespace {
@@ -35,9 +37,7 @@ std::string joinedArithmetic(const std::string& a, const std::string& b) {
     std::istringstream words(one);
     for (std::string word; std::getline(words >> std::ws, word, ',');) kinds.insert(word);
   }
-  std::string joined;
-  for (const std::string& kind : kinds) joined += (joined.empty() ? "" : ", ") + kind;
-  return joined;
+  return base::joined(kinds);
 }
 
 std::string arithmeticOf(const volume::IsosurfaceTracer& tracer) {

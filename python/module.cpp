@@ -33,23 +33,12 @@ using base::ErrorKind;
 
 // The line that the command prints, as the exception that Python has for it.
 void setError(const Error& error) {
-  PyObject* type = PyExc_RuntimeError;
-  switch (error.kind()) {
-    case ErrorKind::usage:
-      type = PyExc_ValueError;
-      break;
-    case ErrorKind::input:
-      type = error.file().empty() ? PyExc_ValueError : PyExc_OSError;
-      break;
-    case ErrorKind::memory:
-      type = PyExc_MemoryError;
-      break;
-    case ErrorKind::interrupted:
-      type = PyExc_KeyboardInterrupt;
-      break;
-    case ErrorKind::graphics:
-      break;
-  }
+  const ErrorKind kind = error.kind();
+  PyObject* const type = kind == ErrorKind::graphics                         ? PyExc_RuntimeError
+                         : kind == ErrorKind::memory                         ? PyExc_MemoryError
+                         : kind == ErrorKind::interrupted                    ? PyExc_KeyboardInterrupt
+                         : kind == ErrorKind::input && !error.file().empty() ? PyExc_OSError
+                                                                             : PyExc_ValueError;
   ::PyErr_SetString(type, error.what());
 }
 

@@ -1,7 +1,6 @@
 #include "scene/named_camera.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -10,18 +9,11 @@
 #include <glm/trigonometric.hpp>
 
 #include "base/error.h"
-#include "base/suggestion.h"
+#include "base/words.h"
 
 namespace isolux::scene {
 
 namespace {
-
-std::string lowerCase(std::string_view text) {
-  std::string word(text);
-  std::transform(word.begin(), word.end(), word.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return word;
-}
 
 // The unit vector of "+x", "x", "-x", ...; 0 for any other word.
 glm::dvec3 axisNamed(const std::string& word) {
@@ -41,13 +33,13 @@ glm::dvec3 turnedVector(glm::dvec3 v, glm::dvec3 axis, double radians) {
 }  // namespace
 
 StandardView standardViewNamed(std::string_view name, WorldAxes axes) {
-  const std::string word = lowerCase(name);
+  const std::string word = base::lowerCase(std::string(name));
   const glm::dvec3 axis = axisNamed(word);
   std::vector<std::string> known;
   for (int i = 0; i < standardViewCount; ++i) {
     const auto view = static_cast<StandardView>(i);
     const glm::dvec3 side = frameOf(standardView({}, view, axes, glm::dvec3(-1.0), glm::dvec3(1.0))).back;
-    known.push_back(lowerCase(standardViewName(view, WorldAxes::anatomical)));
+    known.push_back(base::lowerCase(standardViewName(view, WorldAxes::anatomical)));
     if (word == known.back() || glm::dot(side, axis) > 0.9) return view;
   }
   const std::string meant = base::nearest(word, known);

@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
-#include "base/suggestion.h"
+#include "base/words.h"
 
 namespace isolux::app {
 
@@ -55,15 +55,8 @@ std::vector<std::string> namesOfQuantities() {
 void requireQuantity(const std::string& name) {
   const std::vector<std::string> known = namesOfQuantities();
   if (std::find(known.begin(), known.end(), name) != known.end()) return;
-  const std::string suggestion = base::nearest(name, known);
-  std::string reason = "unknown error \"" + name + '"';
-  if (!suggestion.empty()) {
-    reason += ", did you mean " + suggestion + '?';
-  } else {
-    reason += "; there are";
-    for (const std::string& each : known) reason += ' ' + each;
-  }
-  refuse("--error", reason);
+  refuse("--error", "unknown error \"" + name + '"' +
+                        base::didYouMean(name, known, "; there are " + base::joined(known, " ")));
 }
 
 const UnitOfError& unitNamed(const std::string& quantity, const std::string& unit, const std::string& word) {
@@ -147,11 +140,9 @@ std::string errorText(Quantity quantity, double error) {
 // "depth at most 0.01 mm", "missed at most 0.1 %", "normal at most 0.5 degrees", "curvature at most 5 %",
 // "light at most 2 %"; the window translates them (ui/language/sentences.cpp).
 std::string limitsText(std::span<const Limit> limits) {
-  std::string text;
-  for (const Limit& limit : limits)
-    text += (text.empty() ? "" : ", ") + std::string(nameOf(limit.quantity)) + " at most " +
-            errorText(limit.quantity, limit.most);
-  return text;
+  return base::joined(limits, ", ", [](const Limit& limit) {
+    return std::string(nameOf(limit.quantity)) + " at most " + errorText(limit.quantity, limit.most);
+  });
 }
 
 }  // namespace isolux::app

@@ -2,22 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <utility>
 
 #include "base/number_text.h"
+#include "base/words.h"
 
 namespace isolux::app {
 
 namespace {
-
-std::string inSmallLetters(std::string_view text) {
-  std::string small(text);
-  std::transform(small.begin(), small.end(), small.begin(), [](unsigned char letter) {
-    return letter < 128 ? static_cast<char>(std::tolower(letter)) : static_cast<char>(letter);
-  });
-  return small;
-}
 
 std::string searchedText(const volume::DicomSeries& s, bool hidden) {
   std::string text;
@@ -34,7 +26,7 @@ std::string searchedText(const volume::DicomSeries& s, bool hidden) {
                                     s.patient.birthDate, dateText(s.patient.birthDate)})
       add(part);
   }
-  return inSmallLetters(text);
+  return base::lowerCase(text);
 }
 
 }  // namespace
@@ -121,7 +113,7 @@ std::vector<std::string> shortWarnings(const volume::DicomSeries& series) {
 
 bool matches(const volume::DicomSeries& series, std::string_view search, bool hidden) {
   const std::string text = searchedText(series, hidden);
-  const std::string wanted = inSmallLetters(search);
+  const std::string wanted = base::lowerCase(std::string(search));
   for (std::size_t begin = 0; begin < wanted.size();) {
     const std::size_t end = std::min(wanted.find(' ', begin), wanted.size());
     if (text.find(wanted.substr(begin, end - begin)) == std::string::npos) return false;

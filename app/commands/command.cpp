@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
@@ -19,6 +18,7 @@
 #include "app/files/number_rows.h"
 #include "app/presets/preset_list.h"
 #include "app/process/progress_bar.h"
+#include "base/decimal_text.h"
 #include "base/error.h"
 #include "base/memory_budget.h"
 #include "base/printable.h"
@@ -286,16 +286,11 @@ std::shared_ptr<const volume::PreparedVolume> loadWithProgressBar(const scene::S
 }
 
 std::pair<int, int> parsePart(const std::string& text, int most) {
-  std::pair<int, int> part;
-  const char* const end = text.data() + text.size();
-  const auto index = std::from_chars(text.data(), end, part.first);
-  const bool slash = index.ec == std::errc() && index.ptr != end && *index.ptr == '/';
-  const auto count = slash ? std::from_chars(index.ptr + 1, end, part.second) : index;
-  if (!slash || count.ec != std::errc() || count.ptr != end || part.first < 1 || part.first > part.second ||
-      part.second > most)
+  const auto part = base::readTwoIntegers(text, '/');
+  if (!part || part->first < 1 || part->first > part->second || part->second > most)
     throw Error(ErrorKind::usage, "", "--part",
                 "\"" + text + "\" is not i/n, such as 2/5: part i of n, 1 <= i <= n");
-  return part;
+  return *part;
 }
 
 }  // namespace isolux::app

@@ -19,7 +19,7 @@
 #include "app/version.h"
 #include "base/error.h"
 #include "base/printable.h"
-#include "base/suggestion.h"
+#include "base/words.h"
 #include "volume/read/hdf5/hdf5.h"
 #include "volume/read/step_files.h"
 
@@ -77,22 +77,15 @@ void declare(Program& program, const std::function<std::string()>& describeWindo
   for (const Command& command : program.commands) addMemoryOption(*command.parser);
 }
 
-std::vector<std::string> namesOf(const std::vector<Command>& commands) {
-  std::vector<std::string> names;
-  names.reserve(commands.size());
-  for (const Command& command : commands) names.push_back(command.parser->get_name());
-  return names;
-}
-
 // A lone word that is no file was meant as a subcommand.
 void checkWord(const std::string& word, const Program& program) {
   std::error_code ignored;
   if (word.empty() || word.find_first_of("./:") != std::string::npos || fs::exists(word, ignored)) return;
-  const std::vector<std::string> names = namesOf(program.commands);
-  const std::string suggestion = base::nearest(word, names);
+  std::vector<std::string> names;
+  for (const Command& command : program.commands) names.push_back(command.parser->get_name());
   throw Error(ErrorKind::usage, "", word,
-              suggestion.empty() ? "is neither a subcommand nor a file; `isolux --help` lists the subcommands"
-                                 : "is neither a subcommand nor a file, did you mean " + suggestion + "?");
+              "is neither a subcommand nor a file" +
+                  base::didYouMean(word, names, "; `isolux --help` lists the subcommands"));
 }
 
 std::string firstLine(std::string text) {
@@ -111,9 +104,8 @@ std::string mistypedOption(const CLI::App& used, int argc, char** argv) {
     std::string word = argv[i];
     word.resize(std::min(word.find('='), word.size()));
     if (!word.starts_with("--") || std::find(known.begin(), known.end(), word) != known.end()) continue;
-    const std::string suggestion = base::nearest(word, known);
-    if (!suggestion.empty())
-      return word.insert(0, "unknown option ").append(", did you mean ").append(suggestion).append("?");
+    if (const std::string hint = base::didYouMean(word, known, ""); !hint.empty())
+      return "unknown option " + word + hint;
   }
   return {};
 }

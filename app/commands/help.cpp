@@ -8,17 +8,6 @@
 
 namespace isolux::app {
 
-namespace {
-
-void listPages(const std::vector<DocumentationPage>& pages, std::ostream& out) {
-  constexpr std::size_t column = 36;
-  for (const DocumentationPage& page : pages)
-    out << page.name << std::string(column - std::min(column - 1, page.name.size()), ' ') << page.title
-        << '\n';
-}
-
-}  // namespace
-
 Command makeHelp(CLI::App& program) {
   CLI::App* const parser =
       program.add_subcommand("help", "Print a page of the documentation, or list the pages");
@@ -31,8 +20,10 @@ Command makeHelp(CLI::App& program) {
             if (pages.empty())
               throw base::Error(base::ErrorKind::input, "share/doc/isolux", "",
                                 "the documentation is not installed");
-            if (topic->empty()) return listPages(pages, std::cout);
-            std::cout << std::ifstream(documentationPage(pages, *topic).file).rdbuf();
+            if (topic->empty())
+              for (const DocumentationPage& page : pages) printRow(std::cout, page.name, page.title, 36);
+            else
+              std::cout << std::ifstream(documentationPage(pages, *topic).file).rdbuf();
           }};
 }
 

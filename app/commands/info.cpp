@@ -11,6 +11,7 @@
 #include "app/report/derivative_report.h"
 #include "app/report/piece_report.h"
 #include "base/number_text.h"
+#include "base/words.h"
 #include "scene/rules/automatic.h"
 #include "scene/rules/needs.h"
 #include "scene/settings/choice_names.h"
@@ -26,6 +27,7 @@ using volume::PreparedVolume;
 struct InfoOptions {
   std::string path;
   bool json = false, pieces = false, edge = false, series = false, anonymous = false;
+  std::shared_ptr<SceneOptions> scene;
 };
 
 std::size_t activeBlocksAt(const PreparedVolume& prepared, double isovalue) {
@@ -108,9 +110,8 @@ std::string scaleText(double scaleMm, const std::string& reason) {
 }
 
 std::string peaksText(const volume::Histogram& histogram) {
-  std::string text;
-  for (const double peak : histogram.peaks) text += (text.empty() ? "" : ", ") + base::shortText(peak);
-  return text.empty() ? "none" : text;
+  if (histogram.peaks.empty()) return "none";
+  return base::joined(histogram.peaks, ", ", [](double peak) { return base::shortText(peak); });
 }
 
 std::string typeText(const volume::Volume& v) {
@@ -262,6 +263,42 @@ std::string edgeText(const EdgeReport& report) {
   return text;
 }
 
+void runInfo(const InfoOptions& options, base::Progress& progress) {
+  requireSource(options.path, *options.scene);
+  const scene::Scene scene = sceneOf(options.path, *options.scene);
+  if (options.series)
+    return printSeries(scene.source.path, options.json, options.anonymous, progress, std::cout);
+  const auto prepared = loadWithProgressBar(scene.source, progress);
+  InfoMeasures measured;
+  ordered_json pieces;
+  std::optional<EdgeReport> edges;
+  {
+    const ProgressBar bar(progress);
+    progress.report(0.0, "measuring noise");
+    const volume::DerivativeChoices& choices = *prepared->derivativeChoices;
+    measured = {choices.noise(progress),
+                choices.choose({prepared->facts.suggestedIsovalue, scene.derivatives.field}, progress)};
+    if (options.pieces) {
+      progress.report(0.0, "finding pieces");
+      pieces = piecesJson(*prepared, scene::resolve(scene, prepared->facts), progress);
+    }
+    if (options.edge) {
+      progress.report(0.0, "looking for edges");
+      edges = measureEdges(scene, prepared, progress);
+    }
+  }
+  if (options.json) {
+    ordered_json json = infoJson(*prepared, measured);
+    if (options.pieces) json["pieces"] = pieces;
+    if (edges) json["edge"] = edgeJson(*edges);
+    std::cout << jsonText(json);
+    return;
+  }
+  printText(*prepared, measured, std::cout);
+  if (edges) printRow(std::cout, "edge", edgeText(*edges));
+  if (options.pieces) printPieceTable(pieces, *prepared, std::cout);
+}
+
 }  // namespace
 
 Command makeInfo(CLI::App& program) {
@@ -280,45 +317,10 @@ Command makeInfo(CLI::App& program) {
   parser->add_flag("--series", options->series,
                    "List the DICOM series of a folder or disc, by patient and study, without reading voxels");
   parser->add_flag("--anonymous", options->anonymous, "With --series: omit the patients' names");
-  const auto sceneOptions = addSceneOptions(*parser);
+  options->scene = addSceneOptions(*parser);
   addThreadsOption(*parser);
   parser->footer("Example:\n  isolux info head.nii.gz --json");
-  return {parser, [options, sceneOptions](base::Progress& progress) {
-            requireSource(options->path, *sceneOptions);
-            const scene::Scene scene = sceneOf(options->path, *sceneOptions);
-            if (options->series)
-              return printSeries(scene.source.path, options->json, options->anonymous, progress, std::cout);
-            const auto prepared = loadWithProgressBar(scene.source, progress);
-            InfoMeasures measured;
-            ordered_json pieces;
-            std::optional<EdgeReport> edges;
-            {
-              const ProgressBar bar(progress);
-              progress.report(0.0, "measuring noise");
-              const volume::DerivativeChoices& choices = *prepared->derivativeChoices;
-              measured = {
-                  choices.noise(progress),
-                  choices.choose({prepared->facts.suggestedIsovalue, scene.derivatives.field}, progress)};
-              if (options->pieces) {
-                progress.report(0.0, "finding pieces");
-                pieces = piecesJson(*prepared, scene::resolve(scene, prepared->facts), progress);
-              }
-              if (options->edge) {
-                progress.report(0.0, "looking for edges");
-                edges = measureEdges(scene, prepared, progress);
-              }
-            }
-            if (options->json) {
-              ordered_json json = infoJson(*prepared, measured);
-              if (options->pieces) json["pieces"] = pieces;
-              if (edges) json["edge"] = edgeJson(*edges);
-              std::cout << jsonText(json);
-              return;
-            }
-            printText(*prepared, measured, std::cout);
-            if (edges) printRow(std::cout, "edge", edgeText(*edges));
-            if (options->pieces) printPieceTable(pieces, *prepared, std::cout);
-          }};
+  return {parser, [options](base::Progress& progress) { runInfo(*options, progress); }};
 }
 
 }  // namespace isolux::app

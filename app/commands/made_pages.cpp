@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/words.h"
 #include "render/graph/frame.h"
 #include "scene/settings/settings.h"
 
@@ -77,11 +78,7 @@ void writeCommand(std::ostream& out, const CLI::App& command, const CLI::App& pr
   std::ostringstream options;
   const std::vector<std::string> common = writeOptions(options, command, &program);
   out << options.str();
-  if (!common.empty()) {
-    std::string names;
-    for (const std::string& name : common) names += (names.empty() ? "" : ", ") + name;
-    out << ".PP\nAs above: " << escaped(names) << ".\n";
-  }
+  if (!common.empty()) out << ".PP\nAs above: " << escaped(base::joined(common)) << ".\n";
   out << ".PP\n" << asTyped(command.get_footer());
 }
 
@@ -180,12 +177,6 @@ std::vector<std::string> longNames(const CLI::App& app) {
   return names;
 }
 
-std::string joined(const std::vector<std::string>& words, const char* between = " ") {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
-  return text;
-}
-
 std::vector<std::string> commandNames(const CLI::App& program) {
   std::vector<std::string> names;
   for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
@@ -206,7 +197,7 @@ std::string quoted(const std::string& text) {
 }
 
 std::string bashCompletion(const CLI::App& program) {
-  const std::string commands = joined(commandNames(program), "|");
+  const std::string commands = base::joined(commandNames(program), "|");
   std::ostringstream out;
   out << "# bash completion for isolux, made by `isolux --made-page bash`\n_isolux() {\n"
          "  local current=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} command= word\n"
@@ -214,14 +205,16 @@ std::string bashCompletion(const CLI::App& program) {
       << commands
       << ") command=$word; break ;; esac\n  done\n"
          "  if [ \"$before\" = --set ]; then\n    compopt -o nospace\n    COMPREPLY=($(compgen -W '"
-      << joined(settingWords())
+      << base::joined(settingWords(), " ")
       << "' -- \"$current\"))\n    return\n  fi\n  local options\n  case $command in\n";
   for (const CLI::App* command : program.get_subcommands({}))
-    out << "    " << command->get_name() << ") options='" << joined(longNames(*command)) << "' ;;\n";
-  out << "    *) options='" << joined(longNames(program)) << "' ;;\n  esac\n"
+    out << "    " << command->get_name() << ") options='" << base::joined(longNames(*command), " ")
+        << "' ;;\n";
+  out << "    *) options='" << base::joined(longNames(program), " ") << "' ;;\n  esac\n"
       << "  if [[ $current == -* ]]; then COMPREPLY=($(compgen -W \"$options\" -- \"$current\"))\n"
       << "  elif [ -z \"$command\" ] && [ \"$COMP_CWORD\" = 1 ]; then\n    COMPREPLY=($(compgen -W '"
-      << joined(commandNames(program)) << "' -- \"$current\") $(compgen -f -- \"$current\"))\n  fi\n}\n"
+      << base::joined(commandNames(program), " ")
+      << "' -- \"$current\") $(compgen -f -- \"$current\"))\n  fi\n}\n"
       << "complete -o default -o bashdefault -F _isolux isolux\n";
   return out.str();
 }

@@ -42,6 +42,7 @@ struct MeasureOptions {
   bool curvature = false;
   std::string histograms, plot;  // files of its distribution; either asks for it, too
   std::optional<std::size_t> piece;
+  std::shared_ptr<SceneOptions> scene;
 
   bool wantsCurvature() const { return curvature || !histograms.empty() || !plot.empty(); }
 };
@@ -145,8 +146,7 @@ void checkPoints(const MeasureOptions& options) {  // before the volume is read
   boxOf(options.box);
 }
 
-void checkCurvatureFiles(const MeasureOptions& options, const SceneOptions& sceneOptions,
-                         const scene::Scene& scene) {
+void checkCurvatureFiles(const MeasureOptions& options, const scene::Scene& scene) {
   const auto mustEnd = [](const std::string& file, const char* option, const char* ending) {
     if (!file.empty() && std::filesystem::path(file).extension() != ending)
       throw Error(ErrorKind::usage, file, option, std::string("the name must end in ") + ending);
@@ -156,7 +156,7 @@ void checkCurvatureFiles(const MeasureOptions& options, const SceneOptions& scen
   if (options.piece && !options.wantsCurvature())
     throw Error(ErrorKind::usage, "", "--piece", "requires --curvature; add it or omit --piece");
   if (!options.plot.empty()) requireGnuplot(options.plot);
-  OutputGuard guard = outputGuard(options.path, sceneOptions, scene);
+  OutputGuard guard = outputGuard(options.path, *options.scene, scene);
   checkOutput(guard, options.histograms, "--histograms");
   checkOutput(guard, options.plot, "--plot");
 }
@@ -196,6 +196,43 @@ void addMeasureOptions(CLI::App& parser, MeasureOptions& options) {
   parser.add_flag("--anyway", options.anyway, "Measure even if spacing was assumed or slices were resampled");
 }
 
+void runMeasure(const MeasureOptions& options, base::Progress& progress) {
+  requireSource(options.path, *options.scene);
+  checkPoints(options);
+  const scene::Scene scene = sceneOf(options.path, *options.scene);
+  checkCurvatureFiles(options, scene);
+  refuseCuts(scene, "isolux measure");
+  const ReadMarks wanted = marksToMeasure(options.marks, scene);
+  const std::vector<scene::Mark>& marks = wanted.marks;
+  if (!options.out.empty()) {
+    if (marks.empty()) throw Error(ErrorKind::usage, "", "--out", "there are no marks to write");
+    OutputGuard guard = outputGuard(options.path, *options.scene, scene);
+    if (!options.marks.empty()) guard.reads(options.marks, "the file of marks");
+    checkOutput(guard, options.out, "--out");
+  }
+  const auto prepared = loadWithProgressBar(scene.source, progress);
+  ordered_json json;
+  std::vector<MarkReport> reports;
+  {
+    const ProgressBar bar(progress);
+    const scene::Scene resolved = scene::resolve(scene, prepared->facts);
+    json = measure(options, resolved, *prepared, progress);
+    MarkEvaluator evaluator(prepared, resolved, options.anyway);
+    for (const scene::Mark& mark : marks) reports.push_back(evaluator.evaluate(mark, progress));
+  }
+  for (std::size_t i = 0; i < marks.size(); ++i) json["marks"].push_back(markJson(marks[i], reports[i]));
+  if (!options.out.empty()) writeTextFile(options.out, marksCsv(marks, reports));
+  if (options.json) {
+    std::cout << jsonText(json);
+  } else {
+    printMeasures(json, std::cout);
+    printMarks(marks, reports);
+  }
+  if (json["open"].get<bool>()) printNote("the surface is open: " + json["open_reason"].get<std::string>());
+  for (const std::string& note : wanted.notes) printNote(note);
+  printWarnings(prepared->volume);
+}
+
 }  // namespace
 
 Command makeMeasure(CLI::App& program) {
@@ -203,49 +240,12 @@ Command makeMeasure(CLI::App& program) {
       "measure", "Measure the isosurface: area, volume, distances, angles, thickness, with errors");
   auto options = std::make_shared<MeasureOptions>();
   addMeasureOptions(*parser, *options);
-  const auto sceneOptions = addSceneOptions(*parser);
+  options->scene = addSceneOptions(*parser);
   addThreadsOption(*parser);
   parser->footer(
       "Points are x,y,z in world mm.\n\nExample:\n  isolux measure head.nii.gz --isovalue 300 --distance "
       "\"0,-90,20 0,90,20\"");
-  return {parser, [options, sceneOptions](base::Progress& progress) {
-            requireSource(options->path, *sceneOptions);
-            checkPoints(*options);
-            const scene::Scene scene = sceneOf(options->path, *sceneOptions);
-            checkCurvatureFiles(*options, *sceneOptions, scene);
-            refuseCuts(scene, "isolux measure");
-            const ReadMarks wanted = marksToMeasure(options->marks, scene);
-            const std::vector<scene::Mark>& marks = wanted.marks;
-            if (!options->out.empty()) {
-              if (marks.empty()) throw Error(ErrorKind::usage, "", "--out", "there are no marks to write");
-              OutputGuard guard = outputGuard(options->path, *sceneOptions, scene);
-              if (!options->marks.empty()) guard.reads(options->marks, "the file of marks");
-              checkOutput(guard, options->out, "--out");
-            }
-            const auto prepared = loadWithProgressBar(scene.source, progress);
-            ordered_json json;
-            std::vector<MarkReport> reports;
-            {
-              const ProgressBar bar(progress);
-              const scene::Scene resolved = scene::resolve(scene, prepared->facts);
-              json = measure(*options, resolved, *prepared, progress);
-              MarkEvaluator evaluator(prepared, resolved, options->anyway);
-              for (const scene::Mark& mark : marks) reports.push_back(evaluator.evaluate(mark, progress));
-            }
-            for (std::size_t i = 0; i < marks.size(); ++i)
-              json["marks"].push_back(markJson(marks[i], reports[i]));
-            if (!options->out.empty()) writeTextFile(options->out, marksCsv(marks, reports));
-            if (options->json) {
-              std::cout << jsonText(json);
-            } else {
-              printMeasures(json, std::cout);
-              printMarks(marks, reports);
-            }
-            if (json["open"].get<bool>())
-              printNote("the surface is open: " + json["open_reason"].get<std::string>());
-            for (const std::string& note : wanted.notes) printNote(note);
-            printWarnings(prepared->volume);
-          }};
+  return {parser, [options](base::Progress& progress) { runMeasure(*options, progress); }};
 }
 
 }  // namespace isolux::app

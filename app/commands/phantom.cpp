@@ -8,7 +8,7 @@
 #include "app/process/progress_bar.h"
 #include "base/error.h"
 #include "base/number_text.h"
-#include "base/suggestion.h"
+#include "base/words.h"
 #include "volume/phantom/phantom.h"
 #include "volume/write/writer.h"
 
@@ -41,10 +41,8 @@ void checkName(const std::string& name) {
   std::vector<std::string> names{"list"};
   for (const volume::PhantomInfo& info : volume::phantoms()) names.emplace_back(info.name);
   if (std::find(names.begin(), names.end(), name) != names.end()) return;
-  const std::string suggestion = base::nearest(name, names);
   throw Error(ErrorKind::usage, "", name,
-              suggestion.empty() ? "no such phantom; `isolux phantom list` names them"
-                                 : "no such phantom, did you mean " + suggestion + "?");
+              "no such phantom" + base::didYouMean(name, names, "; `isolux phantom list` names them"));
 }
 
 // The voxels of NAME.mhd go to NAME.raw, which nobody has named: if it is not that of an older NAME.mhd, it

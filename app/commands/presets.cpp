@@ -5,7 +5,6 @@
 #include "app/presets/preset_list.h"
 #include "app/process/progress_bar.h"
 #include "base/error.h"
-#include "base/printable.h"
 
 namespace isolux::app {
 
@@ -31,13 +30,10 @@ ordered_json presetJson(const Preset& preset, const volume::PreparedVolume* volu
 }
 
 void printPreset(const Preset& preset, const volume::PreparedVolume* volume, std::ostream& out) {
-  constexpr std::size_t column = 14;
-  const std::string pad(preset.name.size() < column ? column - preset.name.size() : 1, ' ');
-  out << preset.name << pad << base::printable(preset.title) << ": " << base::printable(preset.meaning)
-      << '\n';
+  printRow(out, preset.name, preset.title + ": " + preset.meaning);
   if (volume == nullptr) return;
   if (const std::string reason = whyNot(preset, *volume); !reason.empty())
-    out << std::string(column, ' ') << "does not apply: " << reason << '\n';
+    printRow(out, "", "does not apply: " + reason);
 }
 
 void listPresets(const PresetsOptions& options, base::Progress& progress) {

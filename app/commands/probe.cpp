@@ -27,6 +27,7 @@ using nlohmann::ordered_json;
 struct ProbeOptions {
   std::string path, points, rays;
   bool json = false;
+  std::shared_ptr<SceneOptions> scene;
 };
 
 struct Probes {
@@ -180,6 +181,27 @@ Probed probed(const ProbeOptions& options, const scene::Scene& scene,
   return result;
 }
 
+void runProbe(const ProbeOptions& options, base::Progress& progress) {
+  requireSource(options.path, *options.scene);
+  if (options.points.empty() && options.rays.empty())
+    throw base::Error(base::ErrorKind::usage, "", "--points", "or --rays is required");
+  scene::Scene scene = sceneOf(options.path, *options.scene);
+  const auto prepared = loadWithProgressBar(scene.source, progress);
+  scene = scene::resolve(scene, prepared->facts);
+  prepared->derivativeChoices->complete(scene, progress);
+  const Probed result = probed(options, scene, prepared, progress);
+  const ordered_json &points = result.points.objects(), &rays = result.rays.objects();
+  if (!options.json) {
+    result.points.printTable();
+    result.rays.printTable();
+  } else if (!options.points.empty() && !options.rays.empty()) {
+    std::cout << jsonText({{"points", points}, {"rays", rays}});
+  } else {
+    std::cout << jsonText(options.rays.empty() ? points : rays);
+  }
+  printWarnings(prepared->volume);
+}
+
 }  // namespace
 
 Command makeProbe(CLI::App& program) {
@@ -191,30 +213,10 @@ Command makeProbe(CLI::App& program) {
   addOption(*parser, "--rays", options->rays, "FILE.csv",
             "Rows of x,y,z,dx,dy,dz: origin in world mm and direction; gives the first hit");
   parser->add_flag("--json", options->json, "Print JSON instead of a table (docs/reference/outputs.md)");
-  const auto sceneOptions = addSceneOptions(*parser);
+  options->scene = addSceneOptions(*parser);
   addThreadsOption(*parser);
   parser->footer("Example:\n  isolux probe head.nii.gz --points points.csv --json");
-  return {parser, [options, sceneOptions](base::Progress& progress) {
-            requireSource(options->path, *sceneOptions);
-            if (options->points.empty() && options->rays.empty())
-              throw base::Error(base::ErrorKind::usage, "", "--points", "or --rays is required");
-            scene::Scene scene = sceneOf(options->path, *sceneOptions);
-            const auto prepared = loadWithProgressBar(scene.source, progress);
-            scene = scene::resolve(scene, prepared->facts);
-            prepared->derivativeChoices->complete(scene, progress);
-            const Probed result = probed(*options, scene, prepared, progress);
-            const bool both = !options->points.empty() && !options->rays.empty();
-            if (options->json)
-              std::cout << jsonText(
-                  both ? ordered_json{{"points", result.points.objects()}, {"rays", result.rays.objects()}}
-                  : options->rays.empty() ? result.points.objects()
-                                          : result.rays.objects());
-            else {
-              result.points.printTable();
-              result.rays.printTable();
-            }
-            printWarnings(prepared->volume);
-          }};
+  return {parser, [options](base::Progress& progress) { runProbe(*options, progress); }};
 }
 
 }  // namespace isolux::app

@@ -23,8 +23,8 @@
 #include "app/files/image_io.h"
 #include "app/light/light_picture.h"
 #include "app/light/light_report.h"
-#include "app/process/progress_bar.h"
 #include "app/picture/finished_picture.h"
+#include "app/process/progress_bar.h"
 #include "app/report/derivative_report.h"
 #include "app/report/render_report.h"
 #include "app/series/movie.h"
@@ -57,11 +57,6 @@ struct RenderOptions {
   std::shared_ptr<render::ContextChoice> context;
   std::shared_ptr<SceneOptions> scene;
 };
-
-RenderPlan planOf(const RenderOptions& options) {
-  return makeRenderPlan(
-      {options.paths, options.out, options.stats, options.sweep, options.turntable, *options.frames});
-}
 
 bool marksStructure(const RenderOptions& options) {
   return options.overlay == kStructureOverlay;
@@ -184,8 +179,10 @@ class RenderRun {
     if (pictures.pictures.empty()) return noteMovie(pictures);  // all of them are there
     const std::string& path = pictures.path;
     const scene::Scene asked = sceneOf(path, *options_.scene);
+    scene::Scene first = asked;
+    if (plan_.sweep) plan_.sweep->apply(first, 0);
     images_ = options_.aov.empty() ? AskedImages{} : askedImages(options_.aov);
-    load(sweptSource(asked, 0), pictures);
+    load(first.source, pictures);
     readsLight_ = !options_.light.empty();
     target_.reset();
     isChosen_ = false;
@@ -214,11 +211,6 @@ class RenderRun {
     if (!renderer_) renderer_.emplace(*options_.context, machine_);
     (*renderer_)->setVolume(prepared_);
     findIndex(source, pictures);
-  }
-
-  scene::Source sweptSource(scene::Scene scene, int index) const {
-    if (plan_.sweep) plan_.sweep->apply(scene, index);
-    return scene.source;
   }
 
   // Not resolved, but for the camera of a series and the isovalues of time steps: those of its first picture.
@@ -311,11 +303,11 @@ class RenderRun {
 
   std::vector<FloatChannel> otherChannels(const std::optional<HiddenStructure>& structure) const {
     if (!images_.structure) return {};
-    FloatChannel channel{kHiddenStructure, std::vector<float>(pixels(), 0.0F)};  // level 0 hides nothing
+    const std::size_t pixels = volume::Extent2{request_.size}.count();
+    FloatChannel channel{kHiddenStructure, std::vector<float>(pixels)};  // level 0 hides nothing
     if (structure) channel.values.assign(structure->hides.begin(), structure->hides.end());
     return {channel};
   }
-  std::size_t pixels() const { return volume::Extent2{request_.size}.count(); }
 
   void refuseWithoutVoxels(const scene::Scene& scene) const {
     std::optional<std::string> needs = scene::needsWholeVoxels(scene);
@@ -430,7 +422,8 @@ void runRender(const RenderOptions& options, base::Progress& progress) {
     throw Error(ErrorKind::usage, "", "--frames",
                 "conflicts with --error and --time: each run would choose different settings; set those that "
                 "--explain prints for one image");
-  const RenderPlan plan = planOf(options);
+  const RenderPlan plan = makeRenderPlan(
+      {options.paths, options.out, options.stats, options.sweep, options.turntable, *options.frames});
   std::optional<MadeFolder> made;
   if (!plan.folder.empty()) made.emplace(plan.folder);
   checkRenderOutputs(options, plan);

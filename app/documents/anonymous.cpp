@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/words.h"
+
 namespace isolux::app {
 
 namespace {
@@ -14,34 +16,24 @@ struct Hidden {
   bool wholeWords;
 };
 
-char small(char letter) {
-  return static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-}
-
 // Letters beyond ASCII are bytes above 127 here, and parts of words.
 bool isWordPart(char letter) {
   const auto byte = static_cast<unsigned char>(letter);
   return byte >= 128 || std::isalnum(byte) != 0;
 }
 
-std::string smallLetters(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(), small);
-  return result;
-}
-
 std::vector<Hidden> hiddenOf(const volume::Patient& patient) {
   std::vector<Hidden> hidden;
   std::string word;
-  for (const char letter : patient.name + ' ') {
+  for (const char letter : base::lowerCase(patient.name) + ' ') {
     if (isWordPart(letter)) {
-      word += small(letter);
+      word += letter;
       continue;
     }
     if (word.size() >= 2) hidden.push_back({word, word.size() < 4});
     word.clear();
   }
-  if (patient.id.size() >= 3) hidden.push_back({smallLetters(patient.id), false});
+  if (patient.id.size() >= 3) hidden.push_back({base::lowerCase(patient.id), false});
   if (const std::string& d = patient.birthDate; d.size() == 8) {
     const std::string year = d.substr(0, 4), month = d.substr(4, 2), day = d.substr(6, 2);
     std::string pointed = day;
@@ -82,7 +74,7 @@ std::string mergedWords(std::string text) {
 
 std::string withoutPatient(const std::string& text, const volume::Patient& patient) {
   const std::vector<Hidden> hidden = hiddenOf(patient);
-  const std::string searched = smallLetters(text);
+  const std::string searched = base::lowerCase(text);
   std::string result;
   for (std::size_t at = 0; at < text.size();) {
     const auto found = std::find_if(hidden.begin(), hidden.end(),

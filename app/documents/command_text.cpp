@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/number_text.h"
+#include "base/words.h"
 #include "scene/rules/needs.h"
 #include "scene/settings/scene_diff.h"
 #include "scene/settings/settings.h"
@@ -22,9 +23,7 @@ std::string wordOfValue(const nlohmann::json& value) {
   const bool numbers = value.is_array() && !value.empty() &&
                        std::all_of(value.begin(), value.end(), [](const auto& v) { return v.is_number(); });
   if (!numbers) return value.dump();
-  std::string text;
-  for (const auto& part : value) text += (text.empty() ? "" : ",") + wordOfValue(part);
-  return text;
+  return base::joined(value, ",", wordOfValue);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <system_error>
 
 #include "base/error.h"
-#include "base/suggestion.h"
+#include "base/words.h"
 
 namespace isolux::app {
 

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 #include <string_view>
+
+#include "base/words.h"
 
 namespace isolux::app {
 
@@ -13,9 +14,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // Formats that stand behind that of what they compress.
-bool isCompression(std::string extension) {
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+bool isCompression(const std::string& extension) {
   constexpr std::array<std::string_view, 5> known{".gz", ".bz2", ".xz", ".zst", ".z"};
   return std::find(known.begin(), known.end(), extension) != known.end();
 }
@@ -33,7 +32,7 @@ std::string plainName(const std::string& path) {
   std::error_code ignored;
   if (fs::is_directory(file, ignored)) return file.filename().string();
   fs::path name = file.filename();
-  if (isCompression(name.extension().string())) name = name.stem();
+  if (isCompression(base::lowerCase(name.extension().string()))) name = name.stem();
   return name.stem().string();
 }
 

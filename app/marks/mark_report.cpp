@@ -12,6 +12,7 @@
 #include "base/decimal_text.h"
 #include "base/number_text.h"
 #include "base/printable.h"
+#include "base/words.h"
 
 namespace isolux::app {
 
@@ -36,17 +37,9 @@ std::string csvWords(const std::string& text) {
 }
 
 std::string positionsText(const std::vector<glm::dvec3>& points) {
-  std::string text;
-  for (const glm::dvec3& p : points)
-    text += (text.empty() ? "" : "; ") + base::shortestText(p.x) + ' ' + base::shortestText(p.y) + ' ' +
-            base::shortestText(p.z);
-  return text;
-}
-
-std::string joined(const std::vector<std::string>& notes, const std::string& problem) {
-  std::string text = problem;
-  for (const std::string& note : notes) text += (text.empty() ? "" : "; ") + note;
-  return text;
+  return base::joined(points, "; ", [](const glm::dvec3& p) {
+    return base::shortestText(p.x) + ' ' + base::shortestText(p.y) + ' ' + base::shortestText(p.z);
+  });
 }
 
 std::string spaced(std::string name) {
@@ -104,7 +97,9 @@ std::string marksCsv(std::span<const scene::Mark> marks, std::span<const MarkRep
     const std::string first = csvWords(marks[i].name) + ',' + markKind(marks[i].kind).name + ',' +
                               csvField(positionsText(marks[i].points)) + ',';
     const MarkReport& report = reports[i];
-    const std::string last = ',' + csvField(joined(report.notes, report.problem)) + '\n';
+    std::vector<std::string> notes{report.problem};
+    notes.insert(notes.end(), report.notes.begin(), report.notes.end());
+    const std::string last = ',' + csvField(base::joined(notes, "; ")) + '\n';
     const auto addLine = [&](const std::string& middle) { text.append(first).append(middle).append(last); };
     if (report.quantities.empty()) addLine(",,,");
     for (const MarkQuantity& quantity : report.quantities)

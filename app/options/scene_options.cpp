@@ -1,12 +1,12 @@
 #include "app/options/scene_options.h"
 
 #include <algorithm>
-#include <charconv>
 
 #include "app/documents/session.h"
 #include "app/files/files.h"
 #include "app/files/image_io.h"
 #include "app/presets/preset_list.h"
+#include "base/decimal_text.h"
 #include "base/error.h"
 #include "scene/named_camera.h"
 #include "scene/rules/automatic.h"
@@ -133,16 +133,10 @@ void checkOutput(OutputGuard& guard, const std::string& file, const std::string&
 }
 
 glm::ivec2 parseSize(const std::string& text) {
-  constexpr int largest = kLargestPicture;
-  glm::ivec2 size{0};
-  const char* const end = text.data() + text.size();
-  const auto width = std::from_chars(text.data(), end, size.x);
-  if (width.ec == std::errc{} && width.ptr != end && (*width.ptr == 'x' || *width.ptr == 'X')) {
-    const auto height = std::from_chars(width.ptr + 1, end, size.y);
-    if (height.ec == std::errc{} && height.ptr == end && size.x >= 1 && size.y >= 1 && size.x <= largest &&
-        size.y <= largest)
-      return size;
-  }
+  const auto within = [](int side) { return side >= 1 && side <= kLargestPicture; };
+  auto size = base::readTwoIntegers(text, 'x');
+  if (!size) size = base::readTwoIntegers(text, 'X');
+  if (size && within(size->first) && within(size->second)) return {size->first, size->second};
   throw Error(ErrorKind::usage, "", "--size", '"' + text + "\" is not WxH, 1 to 16384 pixels each");
 }
 

@@ -7,7 +7,7 @@
 #include "app/files/state_folder.h"
 #include "app/presets/built_in_preset_texts.h"
 #include "base/error.h"
-#include "base/suggestion.h"
+#include "base/words.h"
 
 namespace isolux::app {
 
@@ -76,10 +76,9 @@ Preset findPreset(const std::string& nameOrFile) {
     if (preset.name == nameOrFile) return preset;
     known.push_back(preset.name);
   }
-  const std::string meant = base::nearest(nameOrFile, known);
   throw Error(ErrorKind::usage, "", "--preset",
               '"' + nameOrFile + "\" is not a preset" +
-                  (meant.empty() ? "; `isolux presets` lists them" : ", did you mean " + meant + "?"));
+                  base::didYouMean(nameOrFile, known, "; `isolux presets` lists them"));
 }
 
 std::string presetNameOf(const std::string& title) {

@@ -6,10 +6,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/report/notes.h"
 #include "app/report/curvature_report.h"
+#include "app/report/notes.h"
 #include "app/report/piece_report.h"
 #include "base/number_text.h"
+#include "base/words.h"
 #include "scene/settings/choice_names.h"
 #include "volume/pieces/shown_pieces.h"
 
@@ -20,10 +21,8 @@ namespace {
 using nlohmann::ordered_json;
 
 std::string positionText(const ordered_json& position) {
-  std::string text;
-  for (const ordered_json& number : position)
-    text += (text.empty() ? "" : ",") + base::shortText(number.get<double>());
-  return text;
+  return base::joined(position, ",",
+                      [](const ordered_json& number) { return base::shortText(number.get<double>()); });
 }
 
 // "12.3 +- 0.4 mm (quadrature 0.1, ...)"

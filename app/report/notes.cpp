@@ -10,8 +10,7 @@ void printWarnings(const volume::Volume& volume) {
   for (const std::string& warning : volume.warnings) printNote(warning);
 }
 
-void printRow(std::ostream& out, std::string_view name, const std::string& text) {
-  constexpr std::size_t column = 14;
+void printRow(std::ostream& out, std::string_view name, const std::string& text, std::size_t column) {
   out << name << std::string(name.size() < column ? column - name.size() : 1, ' ') << base::printable(text)
       << '\n';
 }

@@ -9,8 +9,8 @@
 
 namespace isolux::app {
 
-// Prints a row of a report: the name in a column, and the text on one line.
-void printRow(std::ostream& out, std::string_view name, const std::string& text);
+// Prints a row of a report: the name in a column of this width, and the text on one line.
+void printRow(std::ostream& out, std::string_view name, const std::string& text, std::size_t column = 14);
 // Prints "isolux: note: TEXT", always one line.
 void printNote(const std::string& text);
 // Prints the import warnings as notes: only after success, so that a failure stays one line.

@@ -13,6 +13,7 @@
 #include "app/files/json_text.h"
 #include "app/report/measure_report.h"
 #include "base/number_text.h"
+#include "base/words.h"
 #include "scene/settings/choice_names.h"
 #include "volume/measure/voxel_noise.h"
 #include "volume/pieces/piece_seeds.h"
@@ -40,10 +41,9 @@ std::string withErrorText(const ordered_json& measured) {
 
 // Two decimals: a hundredth of a millimetre.
 std::string pieceAtText(const ordered_json& position) {
-  std::string text;
-  for (const ordered_json& number : position)
-    text += (text.empty() ? "" : ",") + base::shortText(std::round(100.0 * number.get<double>()) / 100.0);
-  return text;
+  return base::joined(position, ",", [](const ordered_json& number) {
+    return base::shortText(std::round(100.0 * number.get<double>()) / 100.0);
+  });
 }
 
 TableRow rowOf(const ordered_json& piece) {

@@ -12,6 +12,7 @@
 #include "app/report/notes.h"
 #include "app/version.h"
 #include "base/number_text.h"
+#include "base/words.h"
 #include "scene/rules/ghosts.h"
 #include "volume/bricks/brick_source.h"
 #include "volume/cast/surface_caster.h"
@@ -102,12 +103,11 @@ void printPasses(const render::FrameReport& report) {
   for (const render::PassReport& pass : report.passes)
     std::printf("%-*s  %-7s  %10.3f  %s\n", static_cast<int>(width), pass.name.c_str(),
                 render::nameOf(pass.state), pass.milliseconds, pass.reason.c_str());
-  std::string processor;
+  std::vector<std::string> processor;
   for (const render::PassReport& pass : report.passes)
-    if (pass.onProcessor && pass.state != render::PassState::skipped)
-      processor += (processor.empty() ? "" : ", ") + pass.name;
+    if (pass.onProcessor && pass.state != render::PassState::skipped) processor.push_back(pass.name);
   if (!processor.empty())
-    std::printf("on the CPU (%s): %s\n", volume::SurfaceCaster::target(), processor.c_str());
+    std::printf("on the CPU (%s): %s\n", volume::SurfaceCaster::target(), base::joined(processor).c_str());
   const render::BrickReport& bricks = report.bricks;
   if (bricks.inUse)
     std::printf(

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/number_text.h"
+#include "base/words.h"
 #include "scene/looks.h"
 #include "scene/settings/machine.h"
 #include "scene/settings/settings.h"
@@ -40,15 +41,13 @@ std::string valueText(const nlohmann::json& value) {
   if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
   if (value.is_array() && !value.empty() && value[0].is_array()) return value.dump();
   if (!value.is_array()) return limitText(value.get<double>());
-  std::string text;
-  for (const auto& part : value) text += (text.empty() ? "" : ",") + limitText(part.get<double>());
-  return text;
+  return base::joined(value, ",", [](const nlohmann::json& part) { return limitText(part.get<double>()); });
 }
 
 std::string allowedText(const SettingInfo& setting) {
   std::string text;
   if (setting.type == SettingType::choice) {
-    for (const std::string& choice : setting.choices) text += (text.empty() ? "" : ", ") + choice;
+    text = base::joined(setting.choices);
   } else if (setting.type == SettingType::points) {
     text = "[[kappa1,kappa2,r,g,b],...], kappas from -1 to 1, colours from 0 to 1";
   } else if (setting.type == SettingType::color_points) {

@@ -1,8 +1,8 @@
 #include "app/series/frame_range.h"
 
-#include <charconv>
 #include <system_error>
 
+#include "base/decimal_text.h"
 #include "base/error.h"
 
 namespace isolux::app {
@@ -16,18 +16,11 @@ namespace {
 }  // namespace
 
 FrameRange parseFrames(const std::string& text) {
-  FrameRange range;
-  const char* const end = text.data() + text.size();
-  auto read = std::from_chars(text.data(), end, range.first);
-  bool good = read.ec == std::errc() && range.first >= 0;
-  range.last = range.first;
-  if (good && read.ptr != end) {
-    good = *read.ptr == '-';
-    if (good) read = std::from_chars(read.ptr + 1, end, range.last);
-  }
-  if (!good || read.ec != std::errc() || read.ptr != end || range.last < range.first)
+  const bool one = text.find('-') == std::string::npos;
+  const auto range = base::readTwoIntegers(one ? text + '-' + text : text, '-');
+  if (!range || range->first < 0 || range->second < range->first)
     refuse("\"" + text + "\" is not a number, or two with a - between, the smaller one first, such as 0-99");
-  return range;
+  return {range->first, range->second};
 }
 
 bool FrameChoice::wants(int frame, const std::filesystem::path& file) const {

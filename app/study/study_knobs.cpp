@@ -7,7 +7,7 @@
 
 #include "base/decimal_text.h"
 #include "base/error.h"
-#include "base/suggestion.h"
+#include "base/words.h"
 #include "scene/rules/environment.h"
 #include "scene/rules/relevance.h"
 #include "scene/settings/settings.h"
@@ -17,12 +17,6 @@ namespace isolux::app {
 namespace {
 
 constexpr std::string_view kThreshold = "near_threshold", kScale = "derivatives_scale", kAutomatic = "auto";
-
-const Knob* find(const std::string& name) {
-  for (const Knob& knob : knobs())
-    if (knob.name == name) return &knob;
-  return nullptr;
-}
 
 scene::Scene resolvedFirstSurface(scene::Scene scene, const scene::VolumeFacts& facts) {
   for (scene::ExtraIsosurface& extra : scene.extraIsosurfaces) extra.shown = false;
@@ -38,18 +32,11 @@ std::vector<Knob> parseKnobs(const std::string& list) {
   std::vector<Knob> chosen;
   std::istringstream words(list);
   for (std::string word; std::getline(words, word, ',');) {
-    const Knob* const knob = find(word);
-    if (!knob) {
-      const std::string suggestion = base::nearest(word, known);
-      std::string reason = "unknown quality setting \"" + word + '"';
-      if (!suggestion.empty()) {
-        reason += ", did you mean " + suggestion + '?';
-      } else {
-        reason += "; choose from";
-        for (const std::string& name : known) reason += ' ' + name;
-      }
-      throw base::Error(base::ErrorKind::usage, "", "--knobs", reason);
-    }
+    const auto knob = std::ranges::find(knobs(), word, &Knob::name);
+    if (knob == knobs().end())
+      throw base::Error(base::ErrorKind::usage, "", "--knobs",
+                        "unknown quality setting \"" + word + '"' +
+                            base::didYouMean(word, known, "; choose from " + base::joined(known, " ")));
     chosen.push_back(*knob);
   }
   return chosen;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/number_text.h"
+#include "base/words.h"
 
 namespace isolux::app {
 
@@ -38,8 +39,7 @@ ordered_json settingsJson(const Candidate& candidate) {
 }
 
 std::string settingsText(const Candidate& candidate) {
-  std::string text;
-  for (const std::string& assignment : candidate.assignments) text += (text.empty() ? "" : " ") + assignment;
+  const std::string text = base::joined(candidate.assignments, " ");
   return text.empty() ? "the settings as they are" : text;
 }
 

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/error.h"
+#include "base/words.h"
 #include "volume/read/input/length_doubt.h"
 
 namespace isolux::readers {
@@ -44,12 +45,6 @@ std::vector<std::string> differences(const DicomSource& a, const DicomSource& b)
   note(apart(frame.rowDirection, second.rowDirection) || apart(frame.columnDirection, second.columnDirection),
        "orientation");
   return names;
-}
-
-std::string joined(const std::set<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
 }
 
 bool isCopy(const DicomFile& a, const DicomFile& b) {
@@ -159,11 +154,11 @@ void keepLargestKind(std::vector<DicomFile>& files, std::vector<std::string>& wa
   for (std::size_t f = 0; f < files.size(); ++f) {
     if (fitting[f] == 0) continue;
     if (fitting[f] != files[f].frames.size())
-      throwInput(files[f].path.string(), "frames", "the frames of one file differ in " + joined(names));
+      throwInput(files[f].path.string(), "frames", "the frames of one file differ in " + base::joined(names));
     kept.push_back(std::move(files[f]));
   }
   warnings.push_back(std::to_string(sources.size() - most->count) + " of " + std::to_string(sources.size()) +
-                     " slices differ from the rest (" + joined(names) + ") and are left out");
+                     " slices differ from the rest (" + base::joined(names) + ") and are left out");
   files = std::move(kept);
 }
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/words.h"
 #include "readers/hdf5/hdf5_handles.h"
 
 namespace isolux::readers {
@@ -121,12 +122,6 @@ class Search {
   std::string path_;
 };
 
-std::string joined(const std::vector<std::string>& texts) {
-  std::string all;
-  for (const std::string& text : texts) all += (all.empty() ? "" : ", ") + text;
-  return all;
-}
-
 }  // namespace
 
 std::optional<Candidate> candidateOf(hid_t dataset, const std::string& path) {
@@ -154,7 +149,7 @@ std::vector<Candidate> candidatesOf(hid_t file, const std::string& name) {
   Search search(file);
   search.run();
   if (search.found.empty() && !search.external.empty())
-    throwInput(name, "", "holds no volume itself; " + joined(search.external) + ": open that file");
+    throwInput(name, "", "holds no volume itself; " + base::joined(search.external) + ": open that file");
   std::stable_sort(search.found.begin(), search.found.end(),
                    [](const Candidate& a, const Candidate& b) { return a.voxels > b.voxels; });
   return std::move(search.found);
@@ -176,9 +171,9 @@ Candidate chosenOf(hid_t file, const std::vector<Candidate>& candidates, const s
   std::vector<std::string> names;
   for (std::size_t i = 0; i < std::min<std::size_t>(candidates.size(), 5); ++i)
     names.push_back(candidates[i].path);
-  throwInput(
-      name, path,
-      "unknown dataset of numbers; the file has " + joined(names) + (candidates.size() > 5 ? ", ..." : ""));
+  throwInput(name, path,
+             "unknown dataset of numbers; the file has " + base::joined(names) +
+                 (candidates.size() > 5 ? ", ..." : ""));
 }
 
 }  // namespace isolux::readers

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/number_text.h"
+#include "base/words.h"
 #include "scene/camera.h"
 #include "scene/rules/needs.h"
 #include "scene/shown_surfaces.h"
@@ -38,8 +39,7 @@ EmptyPicture noSurface(const std::vector<double>& values, const volume::Grid& gr
   if (std::min({dims.x, dims.y, dims.z}) < 2)
     return {"No surface: the volume has only one voxel along an axis", Remedy::none};
   if (!(grid.minimum() <= grid.maximum())) return {"No surface: all voxels are missing", Remedy::none};
-  std::string list;
-  for (const double value : values) list += (list.empty() ? "" : ", ") + base::shortText(value);
+  const std::string list = base::joined(values, ", ", [](double value) { return base::shortText(value); });
   return {"No surface at " + list + ": the data range is " + base::shortText(grid.minimum()) + " to " +
               base::shortText(grid.maximum()),
           Remedy::isovalue};

@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "base/error.h"
+#include "base/words.h"
 
 namespace isolux::render {
 
@@ -51,18 +52,12 @@ const std::vector<AovInfo>& aovs() {
 std::vector<Aov> parseAovList(const std::string& text) {
   std::vector<Aov> list;
   std::istringstream words(text);
-  std::string word, known;
-  for (const AovInfo& info : aovs()) known += (known.empty() ? "" : ", ") + std::string(info.name);
-  while (std::getline(words, word, ',')) {
-    bool found = false;
-    for (const AovInfo& info : aovs())
-      if (word == info.name) {
-        list.push_back(info.aov);
-        found = true;
-      }
-    if (!found)
-      throw base::Error(base::ErrorKind::usage, "", "--aov",
-                        std::string("unknown image '").append(word).append("'; known: ").append(known));
+  const std::string known = base::joined(aovs(), ", ", &AovInfo::name);
+  for (std::string word; std::getline(words, word, ',');) {
+    const auto info = std::ranges::find(aovs(), word, &AovInfo::name);
+    if (info == aovs().end())
+      throw base::Error(base::ErrorKind::usage, "", "--aov", "unknown image '" + word + "'; known: " + known);
+    list.push_back(info->aov);
   }
   if (list.empty()) throw base::Error(base::ErrorKind::usage, "", "--aov", "no image named; known: " + known);
   return list;

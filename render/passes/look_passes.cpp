@@ -52,11 +52,12 @@ std::vector<LookInput> inputsOf(const FrameState& frame) {
 template <class T>
 std::string constantsOf(const std::string& prefix) {
   std::string defines;
-  for (const scene::Named<T>& choice : scene::choicesOf<T>()) {
-    std::string name(choice.name);
+  int number = 0;
+  for (const std::string_view choice : scene::choiceNames<T>()) {
+    std::string name(choice);
     std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
-    const std::string number = std::to_string(static_cast<int>(choice.value));
-    defines.append("#define ").append(prefix).append(name).append(" ").append(number).append("\n");
+    defines.append("#define ").append(prefix).append(name).append(" ");
+    defines.append(std::to_string(number++)).append("\n");
   }
   return defines;
 }

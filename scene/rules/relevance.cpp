@@ -1,12 +1,12 @@
 #include "scene/rules/relevance.h"
 
 #include <algorithm>
-#include <cctype>
 #include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "base/words.h"
 #include "scene/looks.h"
 #include "scene/rules/environment.h"
 #include "scene/rules/gi_choice.h"
@@ -56,8 +56,7 @@ bool drawsRidges(const Scene& s) {
 }
 
 bool isMesh(const Scene& s) {
-  std::string path = s.source.path;
-  std::transform(path.begin(), path.end(), path.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string path = base::lowerCase(s.source.path);
   return path.ends_with(".stl") || path.ends_with(".obj") || path.ends_with(".ply") || path.ends_with(".vtp");
 }
 

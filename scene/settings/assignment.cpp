@@ -1,12 +1,11 @@
 #include "scene/settings/assignment.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <optional>
 
 #include <nlohmann/json.hpp>
 
+#include "base/decimal_text.h"
 #include "base/error.h"
 #include "base/number_text.h"
 
@@ -22,33 +21,32 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-// A whole word as a finite number; empty when it is none.
-std::optional<double> numberOf(std::string_view word) {
-  word = trimmed(word);
-  if (word.starts_with('+')) word.remove_prefix(1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
-json numberOrWord(std::string_view word) {
-  const std::optional<double> number = numberOf(word);
-  return number ? json(*number) : json(std::string(word));
-}
-
 // "a,b,c" as a list of so many numbers; empty when it is none.
 std::optional<json> numbersOf(std::string_view words, std::size_t count) {
   json list = json::array();
   std::size_t begin = 0;
   while (begin <= words.size() && list.size() <= count) {
     const std::size_t comma = std::min(words.find(',', begin), words.size());
-    const std::optional<double> number = numberOf(words.substr(begin, comma - begin));
+    const std::optional<double> number = base::readNumber(trimmed(words.substr(begin, comma - begin)));
     if (!number) return std::nullopt;
     list.push_back(*number);
     begin = comma + 1;
   }
   return list.size() == count ? std::optional(list) : std::nullopt;
+}
+
+// "item; item; ..." as a list of what itemOf() reads; the text where it does not read one.
+template <class ItemOf>
+json listOf(std::string_view text, const ItemOf& itemOf) {
+  json list = json::array();
+  for (std::string_view rest = trimmed(text); !rest.empty();) {
+    const std::size_t end = std::min(rest.find(';'), rest.size());
+    const std::optional<json> item = itemOf(trimmed(rest.substr(0, end)));
+    if (!item) return std::string(text);
+    list.push_back(*item);
+    rest = trimmed(rest.substr(std::min(end + 1, rest.size())));
+  }
+  return list;
 }
 
 // What the words of an assignment mean for this setting; a word that makes no sense stays a word, which
@@ -59,13 +57,8 @@ json valueOfWords(const SettingInfo& target, std::string_view text) {
   if (target.type == SettingType::choice || (target.mayBeAutomatic && word == "auto"))
     return std::string(word);
   if (target.type == SettingType::planes && !word.starts_with('[')) return planesOf(word);
-  if (target.type == SettingType::points || target.type == SettingType::color_points ||
-      target.type == SettingType::marks || target.type == SettingType::planes) {
-    json list = json::parse(word, nullptr, false);
-    return list.is_discarded() ? json(std::string(word)) : list;
-  }
-  if (target.type == SettingType::positions) {
-    if (!word.starts_with('[')) return positionsOf(word);
+  if (target.type == SettingType::positions && !word.starts_with('[')) return positionsOf(word);
+  if (target.type >= SettingType::points) {  // a list
     json list = json::parse(word, nullptr, false);
     return list.is_discarded() ? json(std::string(word)) : list;
   }
@@ -78,9 +71,10 @@ json valueOfWords(const SettingInfo& target, std::string_view text) {
   // A strength from 0 to 1 is also switched by word.
   if (target.type == SettingType::number && target.minimum == 0.0 && target.maximum == 1.0 && (yes || no))
     return yes ? 1.0 : 0.0;
-  const std::size_t components = componentsOf(target.type);
-  if (components == 0) return numberOrWord(word);
-  return numbersOf(word, components).value_or(json(std::string(word)));
+  const std::size_t components = std::max<std::size_t>(componentsOf(target.type), 1);
+  const std::optional<json> numbers = numbersOf(word, components);
+  if (!numbers) return std::string(word);
+  return componentsOf(target.type) == 0 ? numbers->front() : *numbers;
 }
 
 }  // namespace
@@ -96,33 +90,18 @@ std::string textOfPositions(const nlohmann::json& positions) {
 }
 
 nlohmann::json planesOf(std::string_view text) {
-  json list = json::array();
-  std::string_view rest = trimmed(text);
-  while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find(';'), rest.size());
-    const std::string_view plane = trimmed(rest.substr(0, end));
+  return listOf(text, [](std::string_view plane) -> std::optional<json> {
     const std::size_t space = std::min(plane.find(' '), plane.size());
     std::optional<json> numbers = numbersOf(plane.substr(0, space), 3);
     const std::optional<json> normal = numbersOf(plane.substr(space), 3);
-    if (!numbers || !normal) return std::string(text);
-    for (const json& number : *normal) numbers->push_back(number);
-    list.push_back(*numbers);
-    rest = trimmed(rest.substr(std::min(end + 1, rest.size())));
-  }
-  return list;
+    if (!numbers || !normal) return std::nullopt;
+    numbers->insert(numbers->end(), normal->begin(), normal->end());
+    return numbers;
+  });
 }
 
 nlohmann::json positionsOf(std::string_view text) {
-  json list = json::array();
-  std::string_view rest = trimmed(text);
-  while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find(';'), rest.size());
-    const std::optional<json> position = numbersOf(rest.substr(0, end), 3);
-    if (!position) return std::string(text);
-    list.push_back(*position);
-    rest = trimmed(rest.substr(std::min(end + 1, rest.size())));
-  }
-  return list;
+  return listOf(text, [](std::string_view position) { return numbersOf(position, 3); });
 }
 
 std::string_view pathOf(std::string_view assignment) {

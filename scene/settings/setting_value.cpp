@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "base/words.h"
 #include "scene/settings/choice_names.h"
 
 namespace isolux::scene {
@@ -39,54 +40,29 @@ std::string rangeText(const SettingInfo& setting) {
   return numberText(setting.minimum) + " to " + numberText(setting.maximum);
 }
 
+// What is allowed; those that are numbers have their range behind it.
 std::string allowedText(const SettingInfo& setting) {
-  std::string text;
-  switch (setting.type) {
-    case SettingType::number:
-      text = "a number from " + rangeText(setting);
-      break;
-    case SettingType::integer:
-      text = "a whole number from " + rangeText(setting);
-      break;
-    case SettingType::pair:
-      text = "two numbers, each from " + rangeText(setting);
-      break;
-    case SettingType::vector:
-      text = "three numbers, each from " + rangeText(setting);
-      break;
-    case SettingType::quaternion:
-      text = "four numbers, each from " + rangeText(setting);
-      break;
-    case SettingType::text:
-      text = "a text";
-      break;
-    case SettingType::toggle:
-      text = "true or false";
-      break;
-    case SettingType::points:
-      text = "a list of 1 to 64 points [kappa1, kappa2, r, g, b], kappas from -1 to 1, colours from 0 to 1";
-      break;
-    case SettingType::color_points:
-      text = "a list of 2 to 64 points [position, r, g, b] in ascending order, all numbers from 0 to 1";
-      break;
-    case SettingType::positions:
-      text = "a list of at most " + std::to_string(kMostPositions) +
-             " points x,y,z; x,y,z, each number from " + rangeText(setting);
-      break;
-    case SettingType::planes:
-      text = "a list of at most " + std::to_string(kClipPlanes) +
-             " planes px,py,pz nx,ny,nz; ..., each number from " + rangeText(setting) + ", normals not zero";
-      break;
-    case SettingType::marks:
-      text = "a list of at most " + std::to_string(kMostMarks) +
-             " marks {\"kind\": ..., \"name\": ..., \"points\": [[x, y, z], ...]}";
-      break;
-    case SettingType::choice: {
-      text = "one of ";
-      for (std::size_t i = 0; i < setting.choices.size(); ++i) text += (i ? ", " : "") + setting.choices[i];
-      break;
-    }
-  }
+  static const std::string names[] = {
+      "a number from ",
+      "a whole number from ",
+      "a text",
+      "one of ",
+      "two numbers, each from ",
+      "three numbers, each from ",
+      "four numbers, each from ",
+      "true or false",
+      "a list of 1 to 64 points [kappa1, kappa2, r, g, b], kappas from -1 to 1, colours from 0 to 1",
+      "a list of 2 to 64 points [position, r, g, b] in ascending order, all numbers from 0 to 1",
+      "a list of at most " + std::to_string(kMostPositions) + " points x,y,z; x,y,z, each number from ",
+      "a list of at most " + std::to_string(kClipPlanes) +
+          " planes px,py,pz nx,ny,nz; ..., each number from ",
+      "a list of at most " + std::to_string(kMostMarks) +
+          " marks {\"kind\": ..., \"name\": ..., \"points\": [[x, y, z], ...]}"};
+  static_assert(std::size(names) == static_cast<std::size_t>(SettingType::marks) + 1);
+  std::string text = names[static_cast<std::size_t>(setting.type)];
+  if (text.ends_with("from ")) text += rangeText(setting);
+  if (setting.type == SettingType::planes) text += ", normals not zero";
+  text += base::joined(setting.choices);
   return setting.mayBeAutomatic ? text + ", or auto" : text;
 }
 
@@ -232,14 +208,13 @@ void assignChecked(const SettingInfo& setting, std::vector<Mark>& member, const 
     Mark mark;
     for (const auto& [key, part] : entry.items()) {
       if (key == "kind") {
-        const auto all = choicesOf<MarkKind>();
-        const auto found = std::find_if(all.begin(), all.end(),
-                                        [&kind = part](const auto& named) { return kind == named.name; });
-        if (found == all.end())
+        const auto kind =
+            part.is_string() ? choiceNamed<MarkKind>(part.get_ref<const std::string&>()) : std::nullopt;
+        if (!kind)
           refuse(
               setting.path,
               "unknown kind of mark; choose one of point, distance, path, angle, circle, thickness, piece");
-        mark.kind = found->value;
+        mark.kind = *kind;
       } else if (key == "name") {
         assignChecked(setting, mark.name, part);
       } else if (key == "points") {
@@ -260,16 +235,12 @@ void assignChecked(const SettingInfo& setting, std::vector<Mark>& member, const 
 
 json jsonOf(const std::vector<Mark>& marks) {
   json list = json::array();
-  for (const Mark& mark : marks) {
-    const auto all = choicesOf<MarkKind>();
-    const auto kind =
-        std::find_if(all.begin(), all.end(), [&](const auto& named) { return named.value == mark.kind; });
-    list.push_back({{"kind", kind->name},
+  for (const Mark& mark : marks)
+    list.push_back({{"kind", jsonOf(mark.kind)},
                     {"name", mark.name},
                     {"points", jsonOf(mark.points)},
                     {"color", jsonOf(mark.color)},
                     {"shown", mark.shown}});
-  }
   return list;
 }
 

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -12,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/scene.h"
+#include "scene/settings/choice_names.h"
 #include "scene/settings/setting.h"
 
 namespace isolux::scene {
@@ -35,6 +37,15 @@ void assignChecked(const SettingInfo& setting, std::vector<glm::dvec3>& member, 
 void assignChecked(const SettingInfo& setting, std::vector<ClipPlane>& member, const nlohmann::json& value);
 void assignChecked(const SettingInfo& setting, std::vector<Mark>& member, const nlohmann::json& value);
 
+template <class T>
+requires std::is_enum_v<T>
+void assignChecked(const SettingInfo& setting, T& member, const nlohmann::json& value) {
+  if (!value.is_string()) refuseValue(setting, value);
+  const std::optional<T> named = choiceNamed<T>(value.get_ref<const std::string&>());
+  if (!named) refuseValue(setting, value);
+  member = *named;
+}
+
 template <int N>
 void assignChecked(const SettingInfo& setting, glm::vec<N, double>& member, const nlohmann::json& value) {
   if (!value.is_array() || value.size() != N) refuseValue(setting, value);
@@ -54,17 +65,13 @@ void assignChecked(const SettingInfo& setting, std::optional<T>& member, const n
   member = plain;
 }
 
-inline nlohmann::json jsonOf(double value) {
-  return value;
-}
-inline nlohmann::json jsonOf(int value) {
-  return value;
-}
-inline nlohmann::json jsonOf(bool value) {
-  return value;
-}
-inline nlohmann::json jsonOf(const std::string& value) {
-  return value;
+// Of a number, a text, a toggle or a choice.
+template <class T>
+nlohmann::json jsonOf(const T& value) {
+  if constexpr (std::is_enum_v<T>)
+    return choiceName(value);
+  else
+    return value;
 }
 nlohmann::json jsonOf(const std::vector<CurvaturePoint>& points);
 nlohmann::json jsonOf(const std::vector<ColorPoint>& points);

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
-#include "base/suggestion.h"
+#include "base/words.h"
 #include "scene/settings/assignment.h"
 #include "scene/settings/machine.h"
 #include "scene/settings/scene_diff.h"
@@ -29,10 +29,8 @@ void checkGroup(const std::string& name) {
     return names;
   }();
   if (std::find(groups.begin(), groups.end(), name) != groups.end()) return;
-  const std::string suggestion = base::nearest(name, groups);
   throw base::Error(base::ErrorKind::usage, "", name.substr(0, 200),
-                    suggestion.empty() ? "unknown group of settings"
-                                       : "unknown group of settings, did you mean " + suggestion + "?");
+                    "unknown group of settings" + base::didYouMean(name, groups, ""));
 }
 
 // The members of a group, and those of the groups within it.

@@ -45,21 +45,21 @@ LightChooser::LightChooser(QWidget* parent) : QWidget(parent) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 2, 0, 2);
   row->setSpacing(4);
-  for (const scene::Named<scene::BuiltInLight>& light : scene::choicesOf<scene::BuiltInLight>()) {
-    if (light.value == scene::BuiltInLight::dark_studio) continue;  // of older sessions; no room for a fifth
+  for (const auto light : {scene::BuiltInLight::studio, scene::BuiltInLight::window,
+                           scene::BuiltInLight::overcast, scene::BuiltInLight::sunset}) {
+    const std::string_view word = scene::choiceName(light);
     auto* button = new QToolButton(this);
-    const QString name =
-        wordsOf(QString::fromUtf8(light.name.data(), static_cast<qsizetype>(light.name.size())));
+    const QString name = wordsOf(QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size())));
     button->setText(name);
     button->setAccessibleName(tr("Light: %1").arg(name));
-    button->setToolTip(name + ": " + meaningOf(light.value));
+    button->setToolTip(name + ": " + meaningOf(light));
     button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
     button->setIconSize({thumbnailPixels, thumbnailPixels});
     button->setCheckable(true);
     button->setAutoRaise(true);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    connect(button, &QToolButton::clicked, this, [this, value = light.value] {
-      Q_EMIT edited(builtInLightChosen(scene_, value));
+    connect(button, &QToolButton::clicked, this, [this, light] {
+      Q_EMIT edited(builtInLightChosen(scene_, light));
       setScene(scene_);  // a click on the one that is chosen leaves it so
     });
     buttons_.push_back(button);

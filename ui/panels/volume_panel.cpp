@@ -303,13 +303,12 @@ void VolumePanel::showChoices() {
       blockLevel(level_), blockKind(kind_);
   kind_->clear();
   if (volume_) {
-    const auto wordsFor = [](scene::DataKind kind) {
-      const std::string_view name = scene::choiceName(kind);
+    const auto wordsFor = [](std::string_view name) {
       return wordsOf(QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())));
     };
-    for (const auto& choice : scene::choicesOf<scene::DataKind>()) kind_->addItem(wordsFor(choice.value));
+    for (const auto name : scene::choiceNames<scene::DataKind>()) kind_->addItem(wordsFor(name));
     if (scene_.source.kind == scene::DataKind::automatic)
-      kind_->setItemText(0, tr("%1 (automatic)").arg(wordsFor(volume_->kind.kind)));
+      kind_->setItemText(0, tr("%1 (automatic)").arg(wordsFor(scene::choiceName(volume_->kind.kind))));
     kind_->setCurrentIndex(static_cast<int>(scene_.source.kind));
     kind_->setToolTip(tr("Kind of data; presets depend on it. Chosen because %1")
                           .arg(translatedSentence(volume_->kind.reason)));

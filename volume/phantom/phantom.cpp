@@ -10,6 +10,7 @@
 #include <glm/matrix.hpp>
 
 #include "base/random.h"
+#include "base/words.h"
 #include "volume/field/cubic_weights.h"
 #include "volume/parallel/parallel_steps.h"
 #include "volume/phantom/phantom_head.h"
@@ -194,10 +195,9 @@ std::span<const PhantomInfo> phantoms() {
 const PhantomInfo& phantomNamed(const std::string& name) {
   for (const PhantomInfo& info : kPhantoms)
     if (info.name == name) return info;
-  std::string known;
-  for (const PhantomInfo& info : kPhantoms) known += (known.empty() ? "" : ", ") + std::string(info.name);
-  throw base::Error(base::ErrorKind::usage, "", "phantom",
-                    "unknown name \"" + name + "\"; choose one of " + known);
+  throw base::Error(
+      base::ErrorKind::usage, "", "phantom",
+      "unknown name \"" + name + "\"; choose one of " + base::joined(kPhantoms, ", ", &PhantomInfo::name));
 }
 
 Grid makePhantom(const PhantomRequest& request, base::Progress& progress) {

@@ -1,4 +1,4 @@
-#include "base/suggestion.h"
+#include "base/words.h"
 
 #include <algorithm>
 #include <numeric>
@@ -41,6 +41,18 @@ std::string nearest(std::string_view word, std::span<const std::string> candidat
     }
   }
   return best;
+}
+
+std::string lowerCase(std::string text) {
+  for (char& letter : text)
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+  return text;
+}
+
+std::string didYouMean(std::string_view word, std::span<const std::string> candidates,
+                       const std::string& otherwise) {
+  const std::string suggestion = nearest(word, candidates);
+  return suggestion.empty() ? otherwise : ", did you mean " + suggestion + "?";
 }
 
 }  // namespace isolux::base
