@@ -29,7 +29,7 @@ app::LightErrors errorsOf(const std::shared_ptr<const render::Gl>& gl, const Vol
   knob.cost = app::Cost::lookupMilliseconds;
   base::Progress progress;
   const app::KnobStudy study =
-      app::Studio(gl, volume, scene, {.executor = scene::Executor::cpu}, kPictureSize, 1)
+      app::Studio(gl, {volume, scene, {.executor = scene::Executor::cpu}, kPictureSize, 1})
           .study(knob, progress, 0.0, 1.0);
   for (const app::StudySetting& setting : study.settings)
     if (setting.isDefault) return setting.errors.light;

@@ -70,7 +70,7 @@ class Row {
     scene::Scene scene = scene_;
     scene.gi.samples = samples;
     base::Progress progress;
-    return app::Studio(context_->gl(), volume_, scene, {.executor = executor}, size, 5)
+    return app::Studio(context_->gl(), {volume_, scene, {.executor = executor}, size, 5})
         .study(texelsKnob(), progress, 0.0, 1.0);
   }
   static const app::StudySetting& of(const app::KnobStudy& study, std::string_view value) {

@@ -366,12 +366,11 @@ std::string Core::study(const app::SceneOptions& options, const std::string& kno
         app::refuseCuts(scene, "study");
         const render::OffscreenContext& context =
             graphics(render::ContextChoice::automatic).renderer.context();
-        const app::StudySubject subject{prepared_, scene::resolve(scene, prepared_->facts),
-                                        context.description(), size, repeat};
-        app::Studio studio(context.gl(), prepared_, scene, app::machineOf(options), size, repeat);
+        const app::StudySubject subject{prepared_, scene, app::machineOf(options), size, repeat};
+        app::Studio studio(context.gl(), subject);
         std::vector<app::KnobStudy> studies;
         studio.study(chosen, progress, [&](app::KnobStudy study) { studies.push_back(std::move(study)); });
-        return app::studyJson(subject, studies, true);
+        return app::studyJson(subject, context.description(), studies, true);
       },
       told);
 }

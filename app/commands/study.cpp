@@ -9,6 +9,7 @@
 #include "app/study_report/study_plot.h"
 #include "app/study_report/study_report.h"
 #include "base/error.h"
+#include "base/words.h"
 
 namespace isolux::app {
 
@@ -32,8 +33,11 @@ void checkOutputs(const fs::path& folder, const std::vector<Knob>& chosen, Outpu
 // Writes what is finished after every knob, so that a stop leaves it.
 class StudyFolder {
  public:
-  StudyFolder(fs::path folder, StudySubject subject)
-      : folder_(std::move(folder)), subject_(std::move(subject)), gnuplot_(findProgram("gnuplot")) {
+  StudyFolder(fs::path folder, StudySubject subject, render::ContextDescription context)
+      : folder_(std::move(folder)),
+        subject_(std::move(subject)),
+        context_(std::move(context)),
+        gnuplot_(findProgram("gnuplot")) {
     if (gnuplot_.empty()) note_ = "no plots: they need gnuplot, which was not found (Debian: gnuplot-nox)";
   }
 
@@ -46,23 +50,24 @@ class StudyFolder {
       else
         note_ = "no plot of " + std::string(study.knob.name) + ": " + reason;
     }
-    if (!study.skipped.empty()) skipped_ += (skipped_.empty() ? "" : ", ") + std::string(study.knob.name);
+    if (!study.skipped.empty()) skipped_.emplace_back(study.knob.name);
     studies_.push_back(std::move(study));
     const bool complete = studies_.size() == of;
-    writeTextFile(folder_ / "study.md", studyMarkdown(subject_, studies_, complete));
-    writeTextFile(folder_ / "study.json", studyJson(subject_, studies_, complete));
+    writeTextFile(folder_ / "study.md", studyMarkdown(subject_, context_, studies_, complete));
+    writeTextFile(folder_ / "study.json", studyJson(subject_, context_, studies_, complete));
   }
 
   const std::string& note() const { return note_; }
-  const std::string& skipped() const { return skipped_; }
+  std::string skipped() const { return base::joined(skipped_); }
 
  private:
   fs::path folder_;
   StudySubject subject_;
+  render::ContextDescription context_;
   fs::path gnuplot_;
   std::vector<KnobStudy> studies_;
-  std::string note_;     // about plots that are not there
-  std::string skipped_;  // knobs, by comma
+  std::string note_;                  // about plots that are not there
+  std::vector<std::string> skipped_;  // knobs
 };
 
 void runStudy(const StudyOptions& options, base::Progress& progress) {
@@ -78,9 +83,9 @@ void runStudy(const StudyOptions& options, base::Progress& progress) {
     scene.camera = resolvedSceneOf(options.path, *options.scene, *prepared, size, progress).camera;
   const auto context = render::OffscreenContext::create(*options.context);
   const MadeFolder folder(options.out);
-  StudyFolder output(folder.path(), {prepared, scene::resolve(scene, prepared->facts), context->description(),
-                                     size, options.repeat});
-  Studio studio(context->gl(), prepared, scene, machineOf(*options.scene), size, options.repeat);
+  const StudySubject subject{prepared, scene, machineOf(*options.scene), size, options.repeat};
+  StudyFolder output(folder.path(), subject, context->description());
+  Studio studio(context->gl(), subject);
   {
     progress.report(0.0, "preparing");
     const ProgressBar bar(progress);
@@ -102,9 +107,8 @@ Command makeStudy(CLI::App& program) {
   addOption(*parser, "--out", options->out, "DIR",
             "Folder for study.md, study.json and a plot per quality setting; created if missing")
       ->required();
-  std::string known;
-  for (const Knob& knob : knobs()) known += (known.empty() ? "" : ",") + std::string(knob.name);
-  addOption(*parser, "--knobs,--settings", options->knobs, "LIST", "Study only these of " + known);
+  addOption(*parser, "--knobs,--settings", options->knobs, "LIST",
+            "Study only these of " + base::joined(knobs(), ",", &Knob::name));
   addOption(*parser, "--size", options->size, "WxH", "Pixels of the image; default 256x256");
   addOption(*parser, "--repeat", options->repeat, "N", "Frames measured per value, in turns; default 7")
       ->check(within(1, 1000));

@@ -7,17 +7,17 @@
 
 namespace isolux::app {
 
-std::unique_ptr<StudyTask> studyTask(StudySubject asked) {
-  const auto work = [subject = std::move(asked)](base::Progress& progress, const auto& tell) {
+std::unique_ptr<StudyTask> studyTask(StudySubject subject, std::vector<Knob> knobs) {
+  const auto work = [subject = std::move(subject), knobs = std::move(knobs)](base::Progress& progress,
+                                                                             const auto& tell) {
     giveWay();
     const auto context = render::OffscreenContext::create(render::ContextChoice::automatic);
     context->makeCurrent();
-    Studio studio(context->gl(), subject.volume, subject.scene, subject.machine, subject.size,
-                  subject.repeat);
-    const double part = 1.0 / static_cast<double>(subject.knobs.size());
-    for (std::size_t i = 0; i < subject.knobs.size(); ++i) {
+    Studio studio(context->gl(), subject);
+    const double part = 1.0 / static_cast<double>(knobs.size());
+    for (std::size_t i = 0; i < knobs.size(); ++i) {
       const double from = part * static_cast<double>(i);
-      KnobStudy study = studio.study(subject.knobs[i], progress, from, from + part);
+      KnobStudy study = studio.study(knobs[i], progress, from, from + part);
       tell([&](std::vector<KnobStudy>& found) { found.push_back(std::move(study)); });
     }
   };

@@ -10,16 +10,8 @@
 
 namespace isolux::app {
 
-struct StudySubject {
-  std::shared_ptr<const volume::PreparedVolume> volume;
-  scene::Scene scene;  // as the user gave it
-  scene::Machine machine;
-  std::vector<Knob> knobs;
-  glm::ivec2 size{0};  // pixels
-  int repeat = 3;      // frames of each setting
-};
 // Its news: the knobs that have been studied, in their order.
 using StudyTask = base::Task<void, std::vector<KnobStudy>>;
-std::unique_ptr<StudyTask> studyTask(StudySubject asked);
+std::unique_ptr<StudyTask> studyTask(StudySubject subject, std::vector<Knob> knobs);
 
 }  // namespace isolux::app

@@ -34,16 +34,11 @@ struct LightStudio::Alternative {
   LightCost& cost() { return setting.light.value(); }
 };
 
-LightStudio::LightStudio(render::Renderer& renderer, SurfaceTruth& truth,
-                         std::shared_ptr<const volume::PreparedVolume> volume, scene::Scene scene,
-                         const scene::Machine& machine, glm::ivec2 size, int repeat)
+LightStudio::LightStudio(render::Renderer& renderer, SurfaceTruth& truth, const StudySubject& subject)
     : renderer_(renderer),
       truth_(truth),
-      volume_(std::move(volume)),
-      scene_(std::move(scene)),
-      size_(size),
-      repeat_(repeat),
-      controller_({.threads = machine.threads, .innerSides = false}) {}
+      subject_(subject),
+      controller_({.threads = subject.machine.threads, .innerSides = false}) {}
 
 void LightStudio::prepareHits(base::Progress& progress) {
   if (!hits_.empty()) return;
@@ -55,7 +50,7 @@ void LightStudio::prepareHits(base::Progress& progress) {
 const LightTruth& LightStudio::truthOf(scene::Scene lit, int bounces, base::Progress& progress) {
   if (const auto found = truths_.find(bounces); found != truths_.end()) return found->second;
   lit.gi.bounces = bounces;
-  return truths_.emplace(bounces, lightTruthOf(lit, volume_, hits_, kTruthPixels, {}, progress))
+  return truths_.emplace(bounces, lightTruthOf(lit, subject_.volume, hits_, kTruthPixels, {}, progress))
       .first->second;
 }
 
@@ -63,10 +58,10 @@ void LightStudio::bake(Alternative& alternative, bool anew, bool timed, base::Pr
   if (anew) {
     scene::Scene dark = alternative.scene;
     dark.gi.mode = scene::GiMode::off;
-    controller_.setScene(dark, volume_);
+    controller_.setScene(dark, subject_.volume);
     while (!controller_.settle(0.05)) progress.throwIfStopped();  // or the planner sees the second alone
   }
-  controller_.setScene(alternative.scene, volume_);
+  controller_.setScene(alternative.scene, subject_.volume);
   controller_.setVisible({hitVoxels_});
   base::Progress inner;  // the bake's own fraction is not the study's
   const std::stop_callback stop(progress.token(), [&inner] { inner.requestStop(); });
@@ -85,7 +80,7 @@ void LightStudio::bake(Alternative& alternative, bool anew, bool timed, base::Pr
 
 std::vector<float> LightStudio::draw(Alternative& alternative) {
   render::FrameRequest request;
-  request.size = size_;
+  request.size = subject_.size;
   request.color = false;
   request.aovs = {render::Aov::depth, render::Aov::irradiance};
   renderer_.setLight(alternative.light);
@@ -96,17 +91,14 @@ std::vector<float> LightStudio::draw(Alternative& alternative) {
   for (std::size_t i = 0; i < hits_.size(); ++i)
     if (!hits_[i].hit || !isFirstCrossing(static_cast<double>(depthMm[i]), hits_[i]))
       irradiance[3 * i] = std::numeric_limits<float>::quiet_NaN();
-  request.color = request.linear = true;
-  request.aovs.clear();
-  renderer_.render(alternative.scene, request);
-  alternative.picture = comparedPicture(renderer_.readLinearPicture());
+  alternative.picture = drawnPicture(renderer_, alternative.scene, subject_.size, 1);
   return irradiance;
 }
 
 // One frame to warm up: it uploads the light.
 void LightStudio::time(Alternative& alternative, int frames, base::Progress& progress) {
   render::FrameRequest request;
-  request.size = size_;
+  request.size = subject_.size;
   renderer_.setLight(alternative.light);
   renderer_.render(alternative.scene, request);
   for (int i = 0; i < frames; ++i) {
@@ -125,20 +117,20 @@ KnobStudy LightStudio::study(const Knob& knob, base::Progress& progress, double 
   std::vector<Alternative> alternatives;
   for (const std::string& value : knob.values)
     alternatives.push_back({{.value = value, .isDefault = value == defaultValue(knob), .light = LightCost{}},
-                            turned(knob, value, scene_, volume_->facts)});
+                            turned(knob, value, subject_.scene, subject_.volume->facts)});
   const bool bakes = knob.cost == Cost::bakeSeconds;
   const scene::Scene& lit = alternatives.front().scene;
-  const scene::Scene given = scene::resolve(scene_, volume_->facts);
+  const scene::Scene given = scene::resolve(subject_.scene, subject_.volume->facts);
 
-  KnobStudy result{.knob = knob, .settings = {}, .plot = {}};
+  KnobStudy result{.knob = knob};
   result.truthBounces = knob.name == kBounces ? kTruthBounces : given.gi.bounces;
   progress.report(from, "tracing the truth");
   const LightTruth& truth = truthOf(lit, result.truthBounces, progress);
   result.truthSamples = truth.samples;
 
-  // Frames of values that share a bake are drawn in turns too, `repeat_` rounds of one.
-  const int rounds = bakes ? std::max(kLeastBakes, repeat_ / 3) : repeat_;
-  const int frames = bakes ? std::max(1, repeat_ / rounds) : 1;
+  // Frames of values that share a bake are drawn in turns too, `subject_.repeat` rounds of one.
+  const int rounds = bakes ? std::max(kLeastBakes, subject_.repeat / 3) : subject_.repeat;
+  const int frames = bakes ? std::max(1, subject_.repeat / rounds) : 1;
   const double steps = static_cast<double>(alternatives.size()) * rounds;
   const double begin = bounded(from, to, kTruthPart);
   double done = 0.0;

@@ -23,10 +23,8 @@ inline constexpr std::size_t kTruthPixels = 1024;  // of the view's, at most
 
 class LightStudio {
  public:
-  // As Studio's. `renderer` and `truth` are the Studio's own.
-  LightStudio(render::Renderer& renderer, SurfaceTruth& truth,
-              std::shared_ptr<const volume::PreparedVolume> volume, scene::Scene scene,
-              const scene::Machine& machine, glm::ivec2 size, int repeat);
+  // All are the Studio's own.
+  LightStudio(render::Renderer& renderer, SurfaceTruth& truth, const StudySubject& subject);
 
   // A knob that has an effect in this scene. Throws Error{interrupted}.
   KnobStudy study(const Knob& knob, base::Progress& progress, double from, double to);
@@ -43,10 +41,7 @@ class LightStudio {
 
   render::Renderer& renderer_;
   SurfaceTruth& truth_;
-  std::shared_ptr<const volume::PreparedVolume> volume_;
-  scene::Scene scene_;
-  glm::ivec2 size_;
-  int repeat_;
+  const StudySubject& subject_;
   LightController controller_;
   std::vector<TrueHit> hits_;
   std::vector<glm::vec3> hitVoxels_;  // NaN where there is none

@@ -15,6 +15,16 @@ ImageErrors pictureErrorsOf(const ComparedPicture& picture, const ComparedPictur
   return errors;
 }
 
+ComparedPicture drawnPicture(render::Renderer& renderer, const scene::Scene& scene, glm::ivec2 size,
+                             int supersampling) {
+  render::FrameRequest request;
+  request.size = size;
+  request.supersampling = supersampling;
+  request.linear = true;
+  renderer.render(scene, request);
+  return comparedPicture(renderer.readLinearPicture());
+}
+
 struct PictureStudio::Alternative {
   StudySetting setting;  // its value, and its times as they are measured
   scene::Scene scene;
@@ -22,26 +32,13 @@ struct PictureStudio::Alternative {
   ComparedPicture picture{};
 };
 
-PictureStudio::PictureStudio(render::Renderer& renderer, bool software,
-                             std::shared_ptr<const volume::PreparedVolume> volume, scene::Scene scene,
-                             glm::ivec2 size, int repeat)
-    : renderer_(renderer),
-      software_(software),
-      volume_(std::move(volume)),
-      scene_(std::move(scene)),
-      size_(size),
-      repeat_(repeat) {}
+PictureStudio::PictureStudio(render::Renderer& renderer, bool software, const StudySubject& subject)
+    : renderer_(renderer), software_(software), subject_(subject) {}
 
-void PictureStudio::draw(Alternative& alternative, bool timed) {
+void PictureStudio::time(Alternative& alternative) {
   render::FrameRequest request;
-  request.size = size_;
+  request.size = subject_.size;
   request.supersampling = alternative.supersampling;
-  if (!timed) {
-    request.linear = true;
-    renderer_.render(alternative.scene, request);
-    alternative.picture = comparedPicture(renderer_.readLinearPicture());
-    return;
-  }
   renderer_.invalidate();
   const double before = processorMilliseconds();
   const render::FrameReport& report = renderer_.render(alternative.scene, request);
@@ -54,7 +51,7 @@ void PictureStudio::draw(Alternative& alternative, bool timed) {
 
 ComparedPicture PictureStudio::manyRays(const scene::Scene& scene, base::Progress& progress) {
   render::FrameRequest request;
-  request.size = kReferenceBlock * size_;
+  request.size = kReferenceBlock * subject_.size;
   request.supersampling = 4;
   request.pixelRatio = kReferenceBlock;
   request.linear = true;
@@ -66,18 +63,22 @@ ComparedPicture PictureStudio::manyRays(const scene::Scene& scene, base::Progres
 KnobStudy PictureStudio::study(const Knob& knob, base::Progress& progress, double from, double to) {
   std::vector<Alternative> alternatives;
   for (const std::string& value : knob.values) {
-    scene::Scene scene = turned(knob, value, scene_, volume_->facts);
-    completeFields(scene, *volume_, true, progress);
+    scene::Scene scene = turned(knob, value, subject_.scene, subject_.volume->facts);
+    completeFields(scene, *subject_.volume, true, progress);
     const int rays = knob.measure == Measure::edges ? scene.picture.supersampling : 1;
     const bool isDefault = value == defaultValue(knob);
     alternatives.push_back({{.value = value, .isDefault = isDefault}, std::move(scene), rays});
   }
-  const double steps = static_cast<double>(alternatives.size()) * (repeat_ + 1) + 1.0;
+  const double steps = static_cast<double>(alternatives.size()) * (subject_.repeat + 1) + 1.0;
   double done = 0.0;
-  for (int round = 0; round <= repeat_; ++round)
+  for (int round = 0; round <= subject_.repeat; ++round)
     for (Alternative& alternative : alternatives) {
       progress.throwIfStopped();
-      draw(alternative, round > 0);  // the first round warms up, and its pictures are compared
+      if (round > 0)
+        time(alternative);
+      else  // warms up, and is compared
+        alternative.picture =
+            drawnPicture(renderer_, alternative.scene, subject_.size, alternative.supersampling);
       progress.report(from + (to - from) * ++done / steps, "measuring");
     }
 
@@ -92,7 +93,7 @@ KnobStudy PictureStudio::study(const Knob& knob, base::Progress& progress, doubl
       if (alternative.setting.value == knob.reference) reference = alternative.picture;
   }
 
-  KnobStudy result{.knob = knob, .settings = {}, .plot = {}};
+  KnobStudy result{.knob = knob};
   for (Alternative& alternative : alternatives) {
     StudySetting& setting = alternative.setting;
     setMedians(setting);

@@ -22,27 +22,26 @@ inline constexpr double kEdgeContrast = 0.1;  // luma of sRGB values, in parts o
 // FLIP and root mean square over the whole picture; the edges' figures stay NaN.
 ImageErrors pictureErrorsOf(const ComparedPicture& picture, const ComparedPicture& reference);
 
+// One frame of the scene's look.
+ComparedPicture drawnPicture(render::Renderer& renderer, const scene::Scene& scene, glm::ivec2 size,
+                             int supersampling);
+
 class PictureStudio {
  public:
-  // As Studio's. software: the processor draws.
-  PictureStudio(render::Renderer& renderer, bool software,
-                std::shared_ptr<const volume::PreparedVolume> volume, scene::Scene scene, glm::ivec2 size,
-                int repeat);
+  // All are the Studio's own. software: the processor draws.
+  PictureStudio(render::Renderer& renderer, bool software, const StudySubject& subject);
 
   // A knob of edges or shadow that has an effect in this scene. Throws Error{interrupted, memory}.
   KnobStudy study(const Knob& knob, base::Progress& progress, double from, double to);
 
  private:
   struct Alternative;
-  void draw(Alternative& alternative, bool timed);
+  void time(Alternative& alternative);
   ComparedPicture manyRays(const scene::Scene& scene, base::Progress& progress);
 
   render::Renderer& renderer_;
   bool software_;
-  std::shared_ptr<const volume::PreparedVolume> volume_;
-  scene::Scene scene_;
-  glm::ivec2 size_;
-  int repeat_;
+  const StudySubject& subject_;
 };
 
 }  // namespace isolux::app

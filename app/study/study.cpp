@@ -21,19 +21,13 @@ struct Studio::Alternative {
   ComparedPicture picture{};
 };
 
-Studio::Studio(const std::shared_ptr<const render::Gl>& gl,
-               std::shared_ptr<const volume::PreparedVolume> volume, scene::Scene scene,
-               const scene::Machine& machine, glm::ivec2 size, int repeat)
-    : volume_(std::move(volume)),
-      scene_(std::move(scene)),
-      size_(size),
-      machine_(machine),
-      repeat_(repeat),
+Studio::Studio(const std::shared_ptr<const render::Gl>& gl, StudySubject subject)
+    : subject_(std::move(subject)),
       software_(gl->software),
       renderer_(gl),
-      truth_(volume_, scene::resolve(scene_, volume_->facts), size) {
-  renderer_.setMachine(machine_);
-  renderer_.setVolume(volume_);
+      truth_(subject_.volume, scene::resolve(subject_.scene, subject_.volume->facts), subject_.size) {
+  renderer_.setMachine(subject_.machine);
+  renderer_.setVolume(subject_.volume);
 }
 
 Studio::~Studio() = default;
@@ -43,7 +37,7 @@ Studio::~Studio() = default;
 void Studio::drawOnce(Alternative& alternative, bool timed) {
   const scene::Scene& scene = alternative.scene;
   render::FrameRequest picture, shapes;
-  picture.size = shapes.size = size_;
+  picture.size = shapes.size = subject_.size;
   picture.aovs = std::vector{render::Aov::normal};
   shapes.color = false;
   shapes.aovs = std::vector{render::Aov::kappa};
@@ -71,7 +65,7 @@ void Studio::drawOnce(Alternative& alternative, bool timed) {
 
 DrawnImages Studio::imagesOf(const scene::Scene& scene) {
   render::FrameRequest request;
-  request.size = size_;
+  request.size = subject_.size;
   request.color = false;
   request.aovs = {render::Aov::hit, render::Aov::depth, render::Aov::normal, render::Aov::kappa,
                   render::Aov::curvature_confidence};
@@ -81,26 +75,18 @@ DrawnImages Studio::imagesOf(const scene::Scene& scene) {
           renderer_.readAov(render::Aov::curvature_confidence).values};
 }
 
-ComparedPicture Studio::pictureOf(const scene::Scene& scene) {
-  render::FrameRequest request;
-  request.size = size_;
-  request.linear = true;
-  renderer_.render(scene, request);
-  return comparedPicture(renderer_.readLinearPicture());
-}
-
 void Studio::measure(std::vector<Alternative>& alternatives, base::Progress& progress, double from,
                      double to) {
-  const double frames = static_cast<double>(alternatives.size()) * (repeat_ + 1);
+  const double frames = static_cast<double>(alternatives.size()) * (subject_.repeat + 1);
   double done = 0.0;
-  for (int round = 0; round <= repeat_; ++round)
+  for (int round = 0; round <= subject_.repeat; ++round)
     for (Alternative& alternative : alternatives) {
       progress.throwIfStopped();
-      completeFields(alternative.scene, *volume_, true, progress);
+      completeFields(alternative.scene, *subject_.volume, true, progress);
       drawOnce(alternative, round > 0);  // the first round warms up, and its pictures are compared
       if (round == 0) {
         alternative.images = imagesOf(alternative.scene);
-        alternative.picture = pictureOf(alternative.scene);
+        alternative.picture = drawnPicture(renderer_, alternative.scene, subject_.size, 1);
       }
       progress.report(from + (to - from) * ++done / frames, "measuring");
     }
@@ -122,8 +108,8 @@ void Studio::judgeScale(const Alternative& alternative, StudySetting& setting, b
     std::vector<glm::dvec3> points;
     for (const std::size_t pixel : chosenPixels(isHit, kScalePoints))
       points.push_back(truth.hits[pixel].voxel);
-    scale_ = std::make_unique<ScaleStudio>(volume_, scene, std::move(points),
-                                           volume_->derivativeChoices->noise(progress));
+    scale_ = std::make_unique<ScaleStudio>(subject_.volume, scene, std::move(points),
+                                           subject_.volume->derivativeChoices->noise(progress));
   }
   const double scaleMm = scene.derivatives.scale.value_or(0.0);
   const ScaleFindings findings = scale_->at(scaleMm, progress);
@@ -159,48 +145,37 @@ StudySetting Studio::judge(const Knob& knob, const Alternative& alternative, bas
   return setting;
 }
 
-KnobStudy Studio::studyLight(const Knob& knob, base::Progress& progress, double from, double to) {
-  if (!light_)
-    light_ = std::make_unique<LightStudio>(renderer_, truth_, volume_, scene_, machine_, size_, repeat_);
-  return light_->study(knob, progress, from, to);
-}
-
-KnobStudy Studio::studyPicture(const Knob& knob, base::Progress& progress, double from, double to) {
-  if (!picture_)
-    picture_ = std::make_unique<PictureStudio>(renderer_, software_, volume_, scene_, size_, repeat_);
-  return picture_->study(knob, progress, from, to);
-}
-
 void Studio::study(const std::vector<Knob>& knobs, base::Progress& progress,
                    const std::function<void(KnobStudy)>& each) {
   double all = 0.0, done = 0.0;
-  for (const Knob& knob : knobs) all += effortOf(knob, scene_);
+  for (const Knob& knob : knobs) all += effortOf(knob, subject_.scene);
   for (const Knob& knob : knobs) {
     const double from = done / all;
-    done += effortOf(knob, scene_);
+    done += effortOf(knob, subject_.scene);
     each(study(knob, progress, from, done / all));
   }
 }
 
 KnobStudy Studio::study(const Knob& knob, base::Progress& progress, double from, double to) {
-  scene::Scene first = turned(knob, knob.values.front(), scene_, volume_->facts);
-  completeFields(first, *volume_, true, progress);
+  scene::Scene first = turned(knob, knob.values.front(), subject_.scene, subject_.volume->facts);
+  completeFields(first, *subject_.volume, true, progress);
   const bool shape = knob.measure == Measure::shape;
-  KnobStudy skipped{
-      .knob = knob, .settings = {}, .plot = {}, .skipped = whyWithoutEffect(knob, shape ? first : scene_)};
+  KnobStudy skipped{.knob = knob, .skipped = whyWithoutEffect(knob, shape ? first : subject_.scene)};
   if (!skipped.skipped.empty()) return skipped;
   requireSurface(first, progress);
   const bool light = knob.measure == Measure::light;
   if (!light && knob.measure != Measure::edges && knob.measure != Measure::shadow)
     return studySurface(knob, progress, from, to);
   drawnField_.reset();
-  return light ? studyLight(knob, progress, from, to) : studyPicture(knob, progress, from, to);
+  if (!light_ && light) light_ = std::make_unique<LightStudio>(renderer_, truth_, subject_);
+  if (!picture_ && !light) picture_ = std::make_unique<PictureStudio>(renderer_, software_, subject_);
+  return light ? light_->study(knob, progress, from, to) : picture_->study(knob, progress, from, to);
 }
 
 KnobStudy Studio::studySurface(const Knob& knob, base::Progress& progress, double from, double to) {
   std::vector<Alternative> alternatives;
   for (const std::string& value : knob.values)
-    alternatives.push_back({{.value = value}, turned(knob, value, scene_, volume_->facts)});
+    alternatives.push_back({{.value = value}, turned(knob, value, subject_.scene, subject_.volume->facts)});
   if (knob.sampled) {
     scene::Scene exact = alternatives.front().scene;
     exact.hit.method = scene::HitMethod::exact;
@@ -208,8 +183,8 @@ KnobStudy Studio::studySurface(const Knob& knob, base::Progress& progress, doubl
   }
   const double measured = from + 0.6 * (to - from);
   measure(alternatives, progress, from, measured);
-  KnobStudy result{.knob = knob, .settings = {}, .plot = {}};
-  result.eightBitVoxels = volume::bytesOf(volume_->grid().storedType()) == 1;
+  KnobStudy result{.knob = knob};
+  result.eightBitVoxels = volume::bytesOf(subject_.volume->grid().storedType()) == 1;
   const auto reference = std::find_if(alternatives.begin(), alternatives.end(), [&](const Alternative& a) {
     return a.setting.value == knob.reference;
   });

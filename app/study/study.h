@@ -29,10 +29,8 @@ class ScaleStudio;
 
 class Studio {
  public:
-  // `scene` as the user gave it. `gl` stays current. Throws Error{usage} where no pixel of the view shows the
-  // surface.
-  Studio(const std::shared_ptr<const render::Gl>& gl, std::shared_ptr<const volume::PreparedVolume> volume,
-         scene::Scene scene, const scene::Machine& machine, glm::ivec2 size, int repeat);
+  // `gl` stays current. Throws Error{usage} where no pixel of the view shows the surface.
+  Studio(const std::shared_ptr<const render::Gl>& gl, StudySubject subject);
   ~Studio();
 
   // Studies one knob after the other; `each` takes a study as soon as it is finished. Throws
@@ -48,18 +46,11 @@ class Studio {
   void drawOnce(Alternative& alternative, bool timed);
   void requireSurface(const scene::Scene& scene, base::Progress& progress);
   DrawnImages imagesOf(const scene::Scene& scene);
-  ComparedPicture pictureOf(const scene::Scene& scene);
-  KnobStudy studyLight(const Knob& knob, base::Progress& progress, double from, double to);
-  KnobStudy studyPicture(const Knob& knob, base::Progress& progress, double from, double to);
   KnobStudy studySurface(const Knob& knob, base::Progress& progress, double from, double to);
   void judgeScale(const Alternative& alternative, StudySetting& setting, base::Progress& progress);
   StudySetting judge(const Knob& knob, const Alternative& alternative, base::Progress& progress);
 
-  std::shared_ptr<const volume::PreparedVolume> volume_;
-  scene::Scene scene_;
-  glm::ivec2 size_;
-  scene::Machine machine_;
-  int repeat_;
+  StudySubject subject_;
   bool software_;  // the processor draws
   render::Renderer renderer_;
   SurfaceTruth truth_;

@@ -118,22 +118,14 @@ const StudySetting* cheapest(const KnobStudy& study, double error) {
 }
 
 const std::array<double, 3>& errorsToReach(Measure measure) {
-  static constexpr std::array<double, 3> voxels{0.1, 0.01, 0.001}, degrees{1.0, 0.1, 0.01},
-      partsOfMean{0.05, 0.02, 0.01}, partsOfCurvature{0.5, 0.2, 0.1}, flip{0.1, 0.01, 0.001};
-  switch (measure) {
-    case Measure::hits:
-      return voxels;
-    case Measure::shape:
-      return degrees;
-    case Measure::scale:
-      return partsOfCurvature;
-    case Measure::light:
-    case Measure::edges:
-      return partsOfMean;
-    case Measure::shadow:
-      break;
-  }
-  return flip;
+  // In the order of Measure.
+  static constexpr std::array<std::array<double, 3>, 6> errors{{{0.1, 0.01, 0.001},
+                                                                {1.0, 0.1, 0.01},
+                                                                {0.5, 0.2, 0.1},
+                                                                {0.05, 0.02, 0.01},
+                                                                {0.05, 0.02, 0.01},
+                                                                {0.1, 0.01, 0.001}}};
+  return errors[static_cast<std::size_t>(measure)];
 }
 
 double timesAsLong(const std::vector<KnobStudy>& studies) {

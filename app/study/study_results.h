@@ -4,14 +4,28 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include <glm/vec2.hpp>
+
 #include "app/study/study_errors.h"
 #include "app/study/study_knobs.h"
+#include "scene/settings/machine.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
+
+// What is studied: a view of a scene.
+struct StudySubject {
+  std::shared_ptr<const volume::PreparedVolume> volume;
+  scene::Scene scene;  // as the user gave it
+  scene::Machine machine{};
+  glm::ivec2 size{0};  // pixels
+  int repeat = 3;      // frames of each setting
+};
 
 // A time that was measured over and over: its median and its quartiles.
 struct TimeSpread {
@@ -65,8 +79,8 @@ void setMedians(StudySetting& setting);
 
 struct KnobStudy {
   Knob knob;
-  std::vector<StudySetting> settings;
-  std::string plot;  // file name beside study.json; "" where there is none
+  std::vector<StudySetting> settings{};
+  std::string plot{};  // file name beside study.json; "" where there is none
   bool eightBitVoxels = false;
   std::string skipped{};  // why it was not studied: it has no effect in this scene
   // Of the knob of the scale: the noise that was added, data units, and whether the truth is a phantom's own.

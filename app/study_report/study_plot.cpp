@@ -8,6 +8,7 @@
 
 #include "app/process/gnuplot.h"
 #include "app/process/study_plot_script.h"
+#include "base/words.h"
 
 namespace isolux::app {
 
@@ -16,20 +17,10 @@ namespace {
 constexpr std::string_view kTruth = "cubic_interpolating";
 
 std::string costLabel(const Knob& knob, const Panel& panel) {
-  switch (knob.cost) {
-    case Cost::frameMilliseconds:
-      return "time of a frame, ms";
-    case Cost::bakeSeconds:
-      return "bake time of the visible part, s";
-    case Cost::gpuMegabytes:
-      return "light on the graphics card, MiB";
-    case Cost::passes:
-    case Cost::lookupMilliseconds:
-      break;
-  }
-  std::string passes;
-  for (const char* const pass : panel.passes) passes += (passes.empty() ? "" : " + ") + std::string(pass);
-  return "time of " + passes + ", ms";
+  if (knob.cost == Cost::frameMilliseconds) return "time of a frame, ms";
+  if (knob.cost == Cost::bakeSeconds) return "bake time of the visible part, s";
+  if (knob.cost == Cost::gpuMegabytes) return "light on the graphics card, MiB";
+  return "time of " + base::joined(panel.passes, " + ") + ", ms";
 }
 
 // "Paths per texel: head"

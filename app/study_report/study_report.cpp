@@ -17,6 +17,7 @@
 #include "app/version.h"
 #include "base/number_text.h"
 #include "base/printable.h"
+#include "scene/rules/automatic.h"
 #include "scene/settings/settings.h"
 
 namespace isolux::app {
@@ -83,11 +84,6 @@ ordered_json lightCostJson(const LightCost& cost) {
           {"gpu_bytes", cost.gpuBytes}};
 }
 
-glm::ivec2 placeOf(std::size_t pixel, glm::ivec2 size) {
-  const auto width = static_cast<std::size_t>(size.x);
-  return {static_cast<int>(pixel % width), static_cast<int>(pixel / width)};
-}
-
 // `size` of the picture, for the place of the largest error.
 ordered_json lightErrorsJson(const LightErrors& errors, glm::ivec2 size) {
   return {{"pixels", errors.pixels},
@@ -102,7 +98,7 @@ ordered_json lightErrorsJson(const LightErrors& errors, glm::ivec2 size) {
           {"quantile_99", errors.most99},
           {"maximum", errors.maximum},
           {"maximum_z", errors.maximumZ},
-          {"maximum_pixel", placeOf(errors.maximumPixel, size)}};
+          {"maximum_pixel", volume::Extent2{size}.at(errors.maximumPixel)}};
 }
 
 ordered_json scaleJson(const StudySetting& setting) {
@@ -148,24 +144,17 @@ ordered_json settingJson(const Knob& knob, const StudySetting& setting, glm::ive
 }
 
 ordered_json truthJson(const KnobStudy& study) {
-  switch (study.knob.measure) {
-    case Measure::light:
-      return {{"truth", {{"samples", study.truthSamples}, {"bounces", study.truthBounces}}}};
-    case Measure::scale:
-      return {{"added_noise", study.addedNoise}, {"compared_with", study.knowsTruth ? "phantom" : "itself"}};
-    case Measure::hits:
-    case Measure::shape: {
-      ordered_json json{{"passes", panelsOf(study.knob)[0].passes},
-                        {"method", study.knob.sampled ? "sampled" : "as in the scene"}};
-      if (study.knob.measure == Measure::shape)
-        json["scales_mm"] = {{"normals", study.normalScaleMm}, {"curvature", study.curvatureScaleMm}};
-      return json;
-    }
-    case Measure::edges:
-    case Measure::shadow:
-      break;
-  }
-  return ordered_json::object();
+  const Measure measure = study.knob.measure;
+  if (measure == Measure::light)
+    return {{"truth", {{"samples", study.truthSamples}, {"bounces", study.truthBounces}}}};
+  if (measure == Measure::scale)
+    return {{"added_noise", study.addedNoise}, {"compared_with", study.knowsTruth ? "phantom" : "itself"}};
+  if (measure != Measure::hits && measure != Measure::shape) return ordered_json::object();
+  ordered_json json{{"passes", panelsOf(study.knob)[0].passes},
+                    {"method", study.knob.sampled ? "sampled" : "as in the scene"}};
+  if (measure == Measure::shape)
+    json["scales_mm"] = {{"normals", study.normalScaleMm}, {"curvature", study.curvatureScaleMm}};
+  return json;
 }
 
 ordered_json knobJson(const KnobStudy& study, glm::ivec2 size) {
@@ -239,9 +228,9 @@ std::string markdownText(const std::string& text) {
 
 }  // namespace
 
-std::string studyJson(const StudySubject& subject, const std::vector<KnobStudy>& studies, bool complete) {
+std::string studyJson(const StudySubject& subject, const render::ContextDescription& context,
+                      const std::vector<KnobStudy>& studies, bool complete) {
   const volume::Grid& grid = subject.volume->grid();
-  const render::ContextDescription& context = subject.context;
   ordered_json json;
   json["isolux_study"] = 1;
   json["version"] = version();
@@ -269,17 +258,19 @@ std::string studyJson(const StudySubject& subject, const std::vector<KnobStudy>&
   json["wall_per_processor_time"] = timesAsLong(studies);
   json["knobs"] = ordered_json::array();
   for (const KnobStudy& study : studies) json["knobs"].push_back(knobJson(study, subject.size));
-  json["scene"] = scene::toJson(subject.scene);
+  json["scene"] = scene::toJson(scene::resolve(subject.scene, subject.volume->facts));
   return jsonText(json);
 }
 
-std::string studyMarkdown(const StudySubject& subject, const std::vector<KnobStudy>& studies, bool complete) {
+std::string studyMarkdown(const StudySubject& subject, const render::ContextDescription& context,
+                          const std::vector<KnobStudy>& studies, bool complete) {
   const glm::ivec3 dims = subject.volume->grid().dims();
+  const scene::Scene resolved = scene::resolve(subject.scene, subject.volume->facts);
   std::ostringstream out;
   out << "# What accuracy costs: " << markdownText(subject.volume->volume.name) << "\n\n"
       << dims.x << " x " << dims.y << " x " << dims.z << " voxels, isovalue "
-      << tableNumber(*subject.scene.isosurface.value, 6) << ", picture " << subject.size.x << " x "
-      << subject.size.y << ". " << subject.context.renderer << ", " << processorName() << "; medians of "
+      << tableNumber(*resolved.isosurface.value, 6) << ", picture " << subject.size.x << " x "
+      << subject.size.y << ". " << context.renderer << ", " << processorName() << "; medians of "
       << subject.repeat << " frames of each setting in turns.\n"
       << "Errors of surfaces are relative to double precision on the same fields, errors of light to path "
          "tracing. FLIP: perceived difference of images, 0 to 1 (mean). Quartiles: half of all measured "

@@ -9,17 +9,10 @@
 
 namespace isolux::app {
 
-// What was studied, on what.
-struct StudySubject {
-  std::shared_ptr<const volume::PreparedVolume> volume;
-  scene::Scene scene;  // resolved
-  render::ContextDescription context;
-  glm::ivec2 size{0};
-  int repeat = 0;
-};
-
-// `complete`: every knob that was asked for is there.
-std::string studyJson(const StudySubject& subject, const std::vector<KnobStudy>& studies, bool complete);
-std::string studyMarkdown(const StudySubject& subject, const std::vector<KnobStudy>& studies, bool complete);
+// `context`: what drew. `complete`: every knob that was asked for is there.
+std::string studyJson(const StudySubject& subject, const render::ContextDescription& context,
+                      const std::vector<KnobStudy>& studies, bool complete);
+std::string studyMarkdown(const StudySubject& subject, const render::ContextDescription& context,
+                          const std::vector<KnobStudy>& studies, bool complete);
 
 }  // namespace isolux::app

@@ -6,6 +6,7 @@
 
 #include "app/study/scale_study.h"
 #include "base/number_text.h"
+#include "base/words.h"
 
 namespace isolux::app {
 
@@ -112,9 +113,7 @@ const Errors& ownErrors(const StudySetting& setting) {
 }
 
 std::string costHead(const Panel& panel) {
-  std::string names;
-  for (const char* const pass : panel.passes) names += (names.empty() ? "" : " + ") + std::string(pass);
-  return names + ", ms (quartiles)";
+  return base::joined(panel.passes, " + ") + ", ms (quartiles)";
 }
 
 // Of a field a second table, against `cubic_interpolating`.
@@ -217,18 +216,10 @@ void writeScaleTable(std::ostream& out, const KnobStudy& study) {
 }  // namespace
 
 void writeKnobTable(std::ostream& out, const KnobStudy& study) {
-  switch (study.knob.measure) {
-    case Measure::light:
-      return writeLightTable(out, study);
-    case Measure::scale:
-      return writeScaleTable(out, study);
-    case Measure::edges:
-    case Measure::shadow:
-      return writePictureTable(out, study);
-    case Measure::hits:
-    case Measure::shape:
-      break;
-  }
+  const Measure measure = study.knob.measure;
+  if (measure == Measure::light) return writeLightTable(out, study);
+  if (measure == Measure::scale) return writeScaleTable(out, study);
+  if (measure == Measure::edges || measure == Measure::shadow) return writePictureTable(out, study);
   writeSurfaceTables(out, study);
 }
 

@@ -240,7 +240,7 @@ void AccuracyPanel::measure() {
   scene::Machine machine;
   machine.executor = scene::Executor::cpu;  // the volume is on the graphics card once, for the user
   task_.watch(
-      app::studyTask({volume_, subject_, machine, std::move(wanted), measuredPixels, measuredFrames}),
+      app::studyTask({volume_, subject_, machine, measuredPixels, measuredFrames}, std::move(wanted)),
       [this](auto& task) { takeLast(task); }, [this] { takeStudies(*task_); });
   ++jobsBegun_;
   showState();

@@ -18,7 +18,7 @@ TEST(StudyMarkdown, WordsOfAFileAreText) {
   named->volume.name = "a<img src=x onerror=f()>|[b](c)\n# d";
   subject.volume = named;
   subject.scene.isosurface.value = 0.5;
-  const std::string text = studyMarkdown(subject, {}, true);
+  const std::string text = studyMarkdown(subject, {}, {}, true);
   EXPECT_THAT(text, HasSubstr("\\<img src=x onerror=f()\\>\\|\\[b\\](c)"));
   EXPECT_THAT(text, Not(HasSubstr("\n# d")));
 }
