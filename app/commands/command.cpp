@@ -2,36 +2,28 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <iostream>
-#include <map>
 #include <sstream>
 
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <nlohmann/json.hpp>
 
-#include "app/documents/session.h"
 #include "app/files/files.h"
-#include "app/files/image_io.h"
 #include "app/files/number_rows.h"
-#include "app/presets/preset_list.h"
 #include "app/process/progress_bar.h"
 #include "base/decimal_text.h"
 #include "base/error.h"
 #include "base/memory_budget.h"
-#include "base/printable.h"
 #include "scene/named_camera.h"
 #include "scene/rules/automatic.h"
-#include "scene/rules/needs.h"
 #include "scene/rules/quality.h"
 #include "scene/settings/assignment.h"
 #include "scene/settings/settings.h"
 
 namespace isolux::app {
 
-namespace fs = std::filesystem;
 using base::Error;
 using base::ErrorKind;
 
@@ -211,15 +203,13 @@ void printThreadsNote(const CLI::App& parser) {
 }
 
 void addThreadsOption(CLI::App& parser) {
-  auto limit = std::make_shared<std::unique_ptr<tbb::global_control>>();
+  auto limit = std::make_shared<std::optional<tbb::global_control>>();
   parser
       .add_option_function<int>(
           "--threads",
           [limit](int wanted) {
             const int threads = std::min(wanted, mostThreads());
-            const auto count = static_cast<std::size_t>(threads);
-            *limit =
-                std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, count);
+            limit->emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
             setenv("LP_NUM_THREADS", std::to_string(std::min(threads, 32)).c_str(), 0);  // Mesa's llvmpipe
           },
           "Number of CPU threads; default: all")
@@ -233,12 +223,12 @@ void addMemoryOption(CLI::App& parser) {
     std::size_t before = base::machineMemory().limit();
     ~Limit() { base::machineMemory().setLimit(before); }
   };
-  auto limit = std::make_shared<std::unique_ptr<Limit>>();
+  auto limit = std::make_shared<std::optional<Limit>>();
   parser
       .add_option_function<std::string>(
           "--memory-budget",
           [limit](const std::string& size) {
-            if (!*limit) *limit = std::make_unique<Limit>();
+            if (!*limit) limit->emplace();
             base::machineMemory().setLimit(base::parseMemorySize(size));
           },
           "Memory limit for volumes, light and images together, as 16G or 800M; default: free memory less a "

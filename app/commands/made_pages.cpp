@@ -1,8 +1,8 @@
 #include "app/commands/made_pages.h"
 
 #include <algorithm>
+#include <map>
 #include <sstream>
-#include <string_view>
 
 #include <CLI/CLI.hpp>
 
@@ -14,24 +14,29 @@ namespace isolux::app {
 
 namespace {
 
-// Text that roff leaves as it is: one line, whatever it begins with.
-std::string escaped(const std::string& text) {
+std::string replaced(const std::string& text, const std::map<char, std::string>& replacements) {
   std::string result;
   for (const char c : text) {
-    if (c == '\\')
-      result += "\\e";
-    else if (c == '-')
-      result += "\\-";  // a minus that can be copied, not a hyphen
-    else
-      result += c;
+    const auto found = replacements.find(c);
+    result += found == replacements.end() ? std::string(1, c) : found->second;
   }
+  return result;
+}
+
+// Those that are meant to be seen.
+std::vector<const CLI::Option*> optionsOf(const CLI::App& app) {
+  return app.get_options([](const CLI::Option* option) { return !option->get_group().empty(); });
+}
+
+// Text that roff leaves as it is: one line, whatever it begins with.
+std::string escaped(const std::string& text) {
+  const std::string result =
+      replaced(text, {{'\\', "\\e"}, {'-', "\\-"}});  // a minus that can be copied, not a hyphen
   return result.starts_with('.') || result.starts_with('\'') ? "\\&" + result : result;
 }
 
 std::string inQuotes(const std::string& text) {  // as one argument of a macro
-  std::string result;
-  for (const char c : escaped(text)) result += c == '"' ? "\\(dq" : std::string(1, c);
-  return '"' + result + '"';
+  return '"' + replaced(escaped(text), {{'"', "\\(dq"}}) + '"';
 }
 
 // The lines as they stand: usage, examples.
@@ -57,14 +62,11 @@ void writeOption(std::ostream& out, const CLI::Option& option) {
       << escaped(option.get_description()) << '\n';
 }
 
-// All options of `app` that are meant to be seen, but those that `common` has, too; returns the latter's
-// names.
+// All options of `app` but those that `common` has, too; returns the latter's names.
 std::vector<std::string> writeOptions(std::ostream& out, const CLI::App& app, const CLI::App* common) {
   std::vector<std::string> left;
-  for (const CLI::Option* option : app.get_options()) {
-    if (option->get_group().empty()) continue;
-    const bool isPath = option->get_positional();
-    if (common && !isPath && hasOption(*common, *option))
+  for (const CLI::Option* option : optionsOf(app)) {
+    if (common && !option->get_positional() && hasOption(*common, *option))
       left.push_back(option->get_name());
     else
       writeOption(out, *option);
@@ -100,11 +102,6 @@ std::string manPage(const CLI::App& program, const std::string& version) {
 
 // ---- Markdown
 
-std::string tableCell(std::string text) {
-  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.insert(at, "\\");
-  return text;
-}
-
 std::string plainName(const CLI::Option& option) {
   const CLI::Formatter help;
   std::string name = help.make_option_name(&option, option.get_positional());
@@ -112,12 +109,12 @@ std::string plainName(const CLI::Option& option) {
   return name;
 }
 
-// The options that are meant to be seen, but those of `common`; a line tells of these.
+// The options but those of `common`; a line tells of these.
 void writeList(std::ostream& out, const CLI::App& app, const CLI::App* common) {
   std::string items;
   bool left = false;
-  for (const CLI::Option* option : app.get_options()) {
-    if (option->get_group().empty() || option->get_name() == "--help") continue;
+  for (const CLI::Option* option : optionsOf(app)) {
+    if (option->get_name() == "--help") continue;
     if (common && !option->get_positional() && hasOption(*common, *option))
       left = true;
     else
@@ -162,75 +159,58 @@ std::string aovsTable() {
     for (const std::string channel : aov.channels)
       channels += (channels.empty() ? "`" : ", `") + std::string(aov.name) +
                   (channel.empty() ? "" : "." + channel) + '`';
-    text += "| `" + std::string(aov.name) + "` | " + channels + " | " + tableCell(aov.unit) + " |\n";
+    text += "| `" + std::string(aov.name) + "` | " + channels + " | " + replaced(aov.unit, {{'|', "\\|"}}) +
+            " |\n";
   }
   return text;
 }
 
 // ---- Completions
 
-std::vector<std::string> longNames(const CLI::App& app) {
+std::string longNames(const CLI::App& app) {
   std::vector<std::string> names;
-  for (const CLI::Option* option : app.get_options())
-    if (!option->get_group().empty())
-      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  return names;
+  for (const CLI::Option* option : optionsOf(app))
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return base::joined(names, " ");
 }
 
-std::vector<std::string> commandNames(const CLI::App& program) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
-  return names;
-}
-
-std::vector<std::string> settingWords() {
-  std::vector<std::string> words;
-  for (const scene::Setting& setting : scene::settings()) words.push_back(setting.path + "=");
-  return words;
+std::string commandNames(const CLI::App& program, const char* separator) {
+  return base::joined(program.get_subcommands({}), separator,
+                      [](const CLI::App* command) { return command->get_name(); });
 }
 
 // In single quotes of a shell, on one line.
 std::string quoted(const std::string& text) {
-  std::string result;
-  for (const char c : text) result += c == '\'' ? "'\\''" : std::string(1, c == '\n' ? ' ' : c);
-  return "'" + result + "'";
+  return "'" + replaced(text, {{'\'', "'\\''"}, {'\n', " "}}) + "'";
 }
 
 std::string bashCompletion(const CLI::App& program) {
-  const std::string commands = base::joined(commandNames(program), "|");
   std::ostringstream out;
   out << "# bash completion for isolux, made by `isolux --made-page bash`\n_isolux() {\n"
          "  local current=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} command= word\n"
          "  for word in \"${COMP_WORDS[@]:1:COMP_CWORD-1}\"; do\n    case $word in "
-      << commands
+      << commandNames(program, "|")
       << ") command=$word; break ;; esac\n  done\n"
          "  if [ \"$before\" = --set ]; then\n    compopt -o nospace\n    COMPREPLY=($(compgen -W '"
-      << base::joined(settingWords(), " ")
+      << base::joined(scene::settings(), " ", [](const scene::Setting& s) { return s.path + "="; })
       << "' -- \"$current\"))\n    return\n  fi\n  local options\n  case $command in\n";
   for (const CLI::App* command : program.get_subcommands({}))
-    out << "    " << command->get_name() << ") options='" << base::joined(longNames(*command), " ")
-        << "' ;;\n";
-  out << "    *) options='" << base::joined(longNames(program), " ") << "' ;;\n  esac\n"
+    out << "    " << command->get_name() << ") options='" << longNames(*command) << "' ;;\n";
+  out << "    *) options='" << longNames(program) << "' ;;\n  esac\n"
       << "  if [[ $current == -* ]]; then COMPREPLY=($(compgen -W \"$options\" -- \"$current\"))\n"
       << "  elif [ -z \"$command\" ] && [ \"$COMP_CWORD\" = 1 ]; then\n    COMPREPLY=($(compgen -W '"
-      << base::joined(commandNames(program), " ")
-      << "' -- \"$current\") $(compgen -f -- \"$current\"))\n  fi\n}\n"
+      << commandNames(program, " ") << "' -- \"$current\") $(compgen -f -- \"$current\"))\n  fi\n}\n"
       << "complete -o default -o bashdefault -F _isolux isolux\n";
   return out.str();
 }
 
 // `[` and `]` end a description, `:` a part of a specification.
 std::string zshText(const std::string& text) {
-  std::string result;
-  for (const char c : text)
-    result += std::string_view("[]:\\").find(c) == std::string_view::npos ? std::string(1, c)
-                                                                          : '\\' + std::string(1, c);
-  return result;
+  return replaced(text, {{'[', "\\["}, {']', "\\]"}, {':', "\\:"}, {'\\', "\\\\"}});
 }
 
 void writeZshArguments(std::ostream& out, const CLI::App& app, const char* indent) {
-  for (const CLI::Option* option : app.get_options()) {
-    if (option->get_group().empty() || option->get_lnames().empty()) continue;
+  for (const CLI::Option* option : optionsOf(app)) {
     const std::string value =
         option->get_items_expected_max() > 0 ? ":" + zshText(option->get_type_name()) + ":_files" : "";
     for (const std::string& name : option->get_lnames())
@@ -261,13 +241,11 @@ std::string fishCompletion(const CLI::App& program) {
   std::ostringstream out;
   out << "# made by `isolux --made-page fish`\n";
   const auto options = [&](const CLI::App& app, const std::string& condition) {
-    for (const CLI::Option* option : app.get_options()) {
-      if (option->get_group().empty()) continue;
+    for (const CLI::Option* option : optionsOf(app))
       for (const std::string& name : option->get_lnames())
         out << "complete -c isolux -n " << quoted(condition) << " -l " << name
             << (option->get_items_expected_max() > 0 ? " -r" : "") << " -d "
             << quoted(option->get_description()) << '\n';
-    }
   };
   for (const CLI::App* command : program.get_subcommands({}))
     out << "complete -c isolux -n __fish_use_subcommand -a " << command->get_name() << " -d "
