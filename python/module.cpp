@@ -12,7 +12,6 @@
 #include "app/documents/session_accuracy.h"
 #include "app/files/image_io.h"
 #include "app/process/program_store.h"
-#include "app/process/thread_limit.h"
 #include "app/report/machine_report.h"
 #include "app/report/settings_report.h"
 #include "app/version.h"

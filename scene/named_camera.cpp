@@ -1,6 +1,5 @@
 #include "scene/named_camera.h"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>

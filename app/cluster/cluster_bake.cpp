@@ -13,7 +13,6 @@
 #include "app/version.h"
 #include "base/error.h"
 #include "gi/arithmetic.h"
-#include "gi/sampling/built_in_light.h"
 #include "scene/rules/environment.h"
 #include "scene/settings/settings.h"
 

@@ -8,7 +8,6 @@
 #include "app/cluster/cluster_bake.h"
 #include "app/cluster/cluster_volume.h"
 #include "app/cluster/rank_facts.h"
-#include "app/version.h"
 #include "base/error.h"
 #include "scene/settings/settings.h"
 

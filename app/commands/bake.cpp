@@ -20,7 +20,6 @@
 #include "gi/file/bake_file.h"
 #include "render/offscreen_renderer.h"
 #include "scene/rules/needs.h"
-#include "scene/rules/relevance.h"
 #include "scene/settings/settings.h"
 
 namespace isolux::app {

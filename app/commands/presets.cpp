@@ -3,7 +3,6 @@
 
 #include "app/commands/command.h"
 #include "app/presets/preset_list.h"
-#include "app/process/progress_bar.h"
 #include "base/error.h"
 
 namespace isolux::app {

@@ -8,7 +8,6 @@
 
 #include "app/commands/command.h"
 #include "app/files/number_rows.h"
-#include "app/report/measure_report.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "scene/rules/automatic.h"

@@ -1,5 +1,4 @@
 // isolux replay RECORDING --out DIR: a recorded session as numbered frames, and a movie when ffmpeg is there.
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>

@@ -1,7 +1,6 @@
 #include "app/commands/series_report.h"
 
 #include <algorithm>
-#include <iostream>
 #include <vector>
 
 #include <nlohmann/json.hpp>

@@ -1,11 +1,10 @@
 // isolux study PATH --out DIR: what accuracy costs in time, as tables, JSON and plots.
-#include <iostream>
 
+#include "app/study/study.h"
 #include "app/commands/command.h"
 #include "app/files/files.h"
 #include "app/process/external_program.h"
 #include "app/process/progress_bar.h"
-#include "app/study/study.h"
 #include "app/study_report/study_plot.h"
 #include "app/study_report/study_report.h"
 #include "base/error.h"

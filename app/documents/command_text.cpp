@@ -10,7 +10,6 @@
 #include "base/words.h"
 #include "scene/rules/needs.h"
 #include "scene/settings/scene_diff.h"
-#include "scene/settings/settings.h"
 
 namespace isolux::app {
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cerrno>
 #include <cmath>
-#include <system_error>
 #include <utility>
 
 #include <nlohmann/json.hpp>

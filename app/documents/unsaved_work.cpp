@@ -4,7 +4,6 @@
 #include <array>
 
 #include "scene/settings/scene_diff.h"
-#include "scene/settings/settings.h"
 
 namespace isolux::app {
 

@@ -8,12 +8,10 @@
 // too.
 //
 // A static program without libraries: it is at work a millisecond after the shell has started it.
-#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
-#include <new>
 
 #include <dirent.h>
 #include <fcntl.h>

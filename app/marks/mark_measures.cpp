@@ -1,5 +1,4 @@
 // Distances, ways, angles, circles, thicknesses and pieces of app/marks/mark_evaluator.h.
-#include <algorithm>
 
 #include <glm/geometric.hpp>
 

@@ -1,7 +1,6 @@
 #include "app/marks/markups_file.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include <nlohmann/json.hpp>

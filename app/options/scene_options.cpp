@@ -8,7 +8,6 @@
 #include "app/presets/preset_list.h"
 #include "base/decimal_text.h"
 #include "base/error.h"
-#include "scene/named_camera.h"
 #include "scene/rules/automatic.h"
 #include "scene/rules/needs.h"
 #include "scene/settings/assignment.h"

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/presets/preset_value.h"
-
 namespace isolux::app {
 
 namespace {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "app/documents/stored_scene.h"
 #include "app/files/json_text.h"

@@ -5,7 +5,6 @@
 
 #include "app/ready/rest_scene.h"
 #include "scene/rules/needs.h"
-#include "volume/visible/hidden_pieces.h"
 
 namespace isolux::app {
 

@@ -1,9 +1,7 @@
 #include "app/report/curvature_report.h"
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
-#include <utility>
 
 #include <nlohmann/json.hpp>
 

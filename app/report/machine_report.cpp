@@ -3,9 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <iostream>
 #include <limits>
-#include <thread>
 
 #include <tbb/info.h>
 #include <tbb/version.h>

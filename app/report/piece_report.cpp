@@ -5,7 +5,6 @@
 #include <cmath>
 #include <iomanip>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include <nlohmann/json.hpp>

@@ -1,6 +1,5 @@
 #include "app/series/picture_names.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>

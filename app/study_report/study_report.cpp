@@ -1,8 +1,5 @@
 #include "app/study_report/study_report.h"
 
-#include <array>
-#include <cmath>
-#include <cstdio>
 #include <sstream>
 #include <string_view>
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "app/presets/preset_value.h"
 #include "scene/rules/automatic.h"
 
 namespace isolux::app {

@@ -1,7 +1,5 @@
 #include "scene/rules/environment.h"
 
-#include <cmath>
-
 #include <glm/ext/quaternion_double.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>

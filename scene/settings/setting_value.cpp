@@ -1,6 +1,5 @@
 #include "scene/settings/setting_value.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
