@@ -55,9 +55,7 @@ class Library {
   void* handle_ = nullptr;
 };
 
-// --- OSMesa
-// ------------------------------------------------------------------------------------------------- Declared
-// here: <GL/osmesa.h> includes <GL/gl.h>, which cannot stand beside <GL/glcorearb.h>.
+// OSMesa. Declared here: <GL/osmesa.h> includes <GL/gl.h>, which cannot stand beside <GL/glcorearb.h>.
 using OsMesaContext = void*;
 using OsMesaProc = void (*)();
 constexpr int osmesaFormat = 0x22, osmesaProfile = 0x33, osmesaCoreProfile = 0x34, osmesaMajor = 0x36,
@@ -106,8 +104,7 @@ class OsMesa final : public OffscreenContext {
   ContextDescription description_;
 };
 
-// --- EGL
-// ----------------------------------------------------------------------------------------------------
+// EGL
 
 struct Egl {
   explicit Egl(const std::string& how) : library({"libEGL.so.1", "libEGL.so"}, how) {

@@ -10,28 +10,6 @@
 
 namespace isolux::render {
 
-void deleteTexture(const Gl& gl, GLuint id) {
-  gl.DeleteTextures(1, &id);
-}
-void deleteBuffer(const Gl& gl, GLuint id) {
-  gl.DeleteBuffers(1, &id);
-}
-void deleteFramebuffer(const Gl& gl, GLuint id) {
-  gl.DeleteFramebuffers(1, &id);
-}
-void deleteVertexArray(const Gl& gl, GLuint id) {
-  gl.DeleteVertexArrays(1, &id);
-}
-void deleteProgram(const Gl& gl, GLuint id) {
-  gl.DeleteProgram(id);
-}
-void deleteQuery(const Gl& gl, GLuint id) {
-  gl.DeleteQueries(1, &id);
-}
-void deleteShader(const Gl& gl, GLuint id) {
-  gl.DeleteShader(id);
-}
-
 namespace {
 
 template <class Create>
@@ -98,33 +76,44 @@ constexpr const char* kLessOnGpu = "a lower memory.gpu_budget_mb needs less";
 
 }  // namespace
 
+Texture::Texture(const GlPtr& gl, GLenum target, glm::ivec3 size, std::size_t bytes, const char* what,
+                 const char* remedy)
+    : GlObject(gl, created([&](GLuint* id) { gl->CreateTextures(target, 1, id); })),
+      size_(size),
+      bytes_(bytes),
+      held_(ownMemory(*gl, bytes, what, remedy)) {
+  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+    gl->TextureParameteri(id(), wrap, GL_CLAMP_TO_EDGE);
+}
+
 Texture Texture::make2D(const GlPtr& gl, GLenum internalFormat, glm::ivec2 size) {
   checkSize("an image", longestOf({size, 1}), gl->maxImage, "texels on an axis");
   const std::size_t bytes = volume::Extent2{size}.count() * texelBytes(internalFormat);
-  auto held = ownMemory(*gl, bytes, "an image of the picture", kSmallerPicture);
-  Texture texture(gl, created([&](GLuint* id) { gl->CreateTextures(GL_TEXTURE_2D, 1, id); }), {size, 1},
-                  bytes);
-  texture.held_ = std::move(held);
+  Texture texture(gl, GL_TEXTURE_2D, {size, 1}, bytes, "an image of the picture", kSmallerPicture);
   gl->TextureStorage2D(texture.id(), 1, internalFormat, size.x, size.y);
   checkMemory(*gl, "an image", bytes);
   texture.setFilter(GL_NEAREST);
-  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-    gl->TextureParameteri(texture.id(), wrap, GL_CLAMP_TO_EDGE);
   return texture;
 }
 
 Texture Texture::make3D(const GlPtr& gl, GLenum internalFormat, glm::ivec3 size, bool linear) {
   checkSize("a volume", longestOf(size), gl->max3dTexture, "texels on an axis");
   const std::size_t bytes = volume::Extent3{size}.count() * texelBytes(internalFormat);
-  auto held = ownMemory(*gl, bytes, "the volume's texture", kLessOnGpu);
-  Texture texture(gl, created([&](GLuint* id) { gl->CreateTextures(GL_TEXTURE_3D, 1, id); }), size, bytes);
-  texture.held_ = std::move(held);
+  Texture texture(gl, GL_TEXTURE_3D, size, bytes, "the volume's texture", kLessOnGpu);
   gl->TextureStorage3D(texture.id(), 1, internalFormat, size.x, size.y, size.z);
   checkMemory(*gl, "a volume", bytes);
   texture.setFilter(linear ? GL_LINEAR : GL_NEAREST);
-  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
-    gl->TextureParameteri(texture.id(), wrap, GL_CLAMP_TO_EDGE);
   return texture;
+}
+
+void Texture::write(GLenum format, GLenum type, const void* texels, const volume::Rectangle& part) const {
+  gl().PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl().TextureSubImage2D(id(), 0, part.low.x, part.low.y, part.size.x, part.size.y, format, type, texels);
+}
+
+void Texture::write(GLenum format, GLenum type, const void* texels, glm::ivec3 low, glm::ivec3 size) const {
+  gl().PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl().TextureSubImage3D(id(), 0, low.x, low.y, low.z, size.x, size.y, size.z, format, type, texels);
 }
 
 void Texture::setFilter(GLenum filter) {
@@ -181,7 +170,8 @@ VertexArray::VertexArray(const GlPtr& gl)
     : GlObject(gl, created([&](GLuint* id) { gl->CreateVertexArrays(1, id); })) {}
 
 Framebuffer::Framebuffer(const GlPtr& gl, const std::vector<const Texture*>& colors)
-    : GlObject(gl, created([&](GLuint* id) { gl->CreateFramebuffers(1, id); })) {
+    : GlObject(gl, created([&](GLuint* id) { gl->CreateFramebuffers(1, id); })),
+      colors_(static_cast<int>(colors.size())) {
   std::vector<GLenum> attachments;
   for (const Texture* color : colors) {
     attachments.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(attachments.size()));
@@ -197,7 +187,7 @@ Query::Query(const GlPtr& gl, GLenum kind)
 
 namespace {
 
-using Shader = GlObject<deleteShader>;
+using Shader = GlObject<&Gl::DeleteShader>;
 
 Shader compiled(const GlPtr& pointer, GLenum stage, const std::string& source, const std::string& words) {
   const Gl& gl = *pointer;
@@ -280,12 +270,7 @@ void Program::set(const char* name, const glm::mat4& v) {
   gl().ProgramUniformMatrix4fv(id(), location(name), 1, GL_FALSE, &v[0][0]);
 }
 
-void Program::setTexture(const char* name, int unit, const BufferTexture& texture) {
-  gl().BindTextureUnit(static_cast<GLuint>(unit), texture.id());
-  set(name, unit);
-}
-
-void Program::setTexture(const char* name, int unit, const Texture& texture) {
+void Program::setTexture(const char* name, int unit, const GlObject<&Gl::DeleteTextures>& texture) {
   gl().BindTextureUnit(static_cast<GLuint>(unit), texture.id());
   set(name, unit);
 }

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -22,9 +23,8 @@ namespace isolux::render {
 
 using GlPtr = std::shared_ptr<const Gl>;
 
-// Holds an object's id and the table it was created with; Deleter is a static function void(const Gl&,
-// GLuint).
-template <void (*Deleter)(const Gl&, GLuint)>
+// Holds an object's id and the table it was created with; `Delete` is the table's function that deletes it.
+template <auto Delete>
 class GlObject {
  public:
   GlObject() = default;
@@ -36,7 +36,11 @@ class GlObject {
     return *this;
   }
   ~GlObject() {
-    if (id_) Deleter(*gl_, id_);
+    if (!id_) return;
+    if constexpr (std::is_invocable_v<decltype(gl_.get()->*Delete), GLuint>)
+      (gl_.get()->*Delete)(id_);
+    else
+      (gl_.get()->*Delete)(1, &id_);
   }
   GLuint id() const { return id_; }
   explicit operator bool() const { return id_ != 0; }
@@ -48,15 +52,8 @@ class GlObject {
   GLuint id_ = 0;
 };
 
-void deleteTexture(const Gl& gl, GLuint id);
-void deleteBuffer(const Gl& gl, GLuint id);
-void deleteFramebuffer(const Gl& gl, GLuint id);
-void deleteVertexArray(const Gl& gl, GLuint id);
-void deleteProgram(const Gl& gl, GLuint id);
-void deleteQuery(const Gl& gl, GLuint id);
-
 // A 2D or 3D texture with immutable storage and one level.
-class Texture : public GlObject<deleteTexture> {
+class Texture : public GlObject<&Gl::DeleteTextures> {
  public:
   Texture() = default;
   // Create a texture. `internalFormat`: GL_RGBA32F ...; nearest filtering, clamped. Throw
@@ -66,6 +63,13 @@ class Texture : public GlObject<deleteTexture> {
   glm::ivec3 size() const { return size_; }
   std::size_t bytes() const { return bytes_; }
   void setFilter(GLenum filter);  // GL_NEAREST, GL_LINEAR
+  // Uploads texels without gaps between their rows, bottom row first: all of a 2D texture, or a part of one.
+  void write(GLenum format, GLenum type, const void* texels) const {
+    write(format, type, texels, {glm::ivec2(0), glm::ivec2(size_)});
+  }
+  void write(GLenum format, GLenum type, const void* texels, const volume::Rectangle& part) const;
+  // The same of a 3D texture.
+  void write(GLenum format, GLenum type, const void* texels, glm::ivec3 low, glm::ivec3 size) const;
   // Returns the whole image as floats, `channels` interleaved, bottom row first.
   std::vector<float> readFloats(int channels) const {
     return readFloats(channels, {glm::ivec2(0), glm::ivec2(size_)});
@@ -73,14 +77,14 @@ class Texture : public GlObject<deleteTexture> {
   std::vector<float> readFloats(int channels, const volume::Rectangle& part) const;
 
  private:
-  Texture(GlPtr gl, GLuint id, glm::ivec3 size, std::size_t bytes)
-      : GlObject(std::move(gl), id), size_(size), bytes_(bytes) {}
+  Texture(const GlPtr& gl, GLenum target, glm::ivec3 size, std::size_t bytes, const char* what,
+          const char* remedy);
   glm::ivec3 size_{0};
   std::size_t bytes_ = 0;
   base::MemoryBudget::Held held_;  // of a software driver, whose textures are in main memory
 };
 
-class Buffer : public GlObject<deleteBuffer> {
+class Buffer : public GlObject<&Gl::DeleteBuffers> {
  public:
   Buffer() = default;
   explicit Buffer(const GlPtr& gl);
@@ -95,27 +99,31 @@ class Buffer : public GlObject<deleteBuffer> {
 };
 
 // A buffer viewed as a texture (usamplerBuffer): GL_R32UI, GL_RG32UI.
-class BufferTexture : public GlObject<deleteTexture> {
+class BufferTexture : public GlObject<&Gl::DeleteTextures> {
  public:
   BufferTexture() = default;
   // Throws base::Error{memory} if the buffer has more texels than the driver allows.
   BufferTexture(const Buffer& buffer, GLenum internalFormat);
 };
 
-class VertexArray : public GlObject<deleteVertexArray> {
+class VertexArray : public GlObject<&Gl::DeleteVertexArrays> {
  public:
   VertexArray() = default;
   explicit VertexArray(const GlPtr& gl);
 };
 
-class Framebuffer : public GlObject<deleteFramebuffer> {
+class Framebuffer : public GlObject<&Gl::DeleteFramebuffers> {
  public:
   Framebuffer() = default;
   // Takes the colour attachments 0.. in order. Throws base::Error{graphics} if incomplete.
   Framebuffer(const GlPtr& gl, const std::vector<const Texture*>& colors);
+  int colors() const { return colors_; }  // attached
+
+ private:
+  int colors_ = 0;
 };
 
-class Query : public GlObject<deleteQuery> {
+class Query : public GlObject<&Gl::DeleteQueries> {
  public:
   Query() = default;
   explicit Query(const GlPtr& gl, GLenum kind = GL_TIMESTAMP);
@@ -123,7 +131,7 @@ class Query : public GlObject<deleteQuery> {
 
 // A linked vertex and fragment program. Sets uniforms by name and caches their locations. Setting a uniform
 // that the compiler removed is allowed (it depends on defines).
-class Program : public GlObject<deleteProgram> {
+class Program : public GlObject<&Gl::DeleteProgram> {
  public:
   Program() = default;
   // Takes names of embedded shaders. Throws std::logic_error with the compiler's log: an error in them is
@@ -145,8 +153,7 @@ class Program : public GlObject<deleteProgram> {
   void set(const char* name, const glm::mat3& value);
   void set(const char* name, const glm::mat4& value);
   // Binds `texture` to unit `unit` and assigns the unit to the sampler.
-  void setTexture(const char* name, int unit, const Texture& texture);
-  void setTexture(const char* name, int unit, const BufferTexture& texture);
+  void setTexture(const char* name, int unit, const GlObject<&Gl::DeleteTextures>& texture);
 
  private:
   Program(GlPtr gl, GLuint id) : GlObject(std::move(gl), id) {}

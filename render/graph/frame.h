@@ -1,6 +1,7 @@
 // Defines the request for a frame and its results: plain values, no GL.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -69,6 +70,7 @@ struct FrameRequest {
   // evenly over the image, or of all.
   enum class Hits { none, many, all } hits = Hits::many;
   std::vector<Aov> aovs;  // AOVs; requires supersampling 1
+  bool asksFor(Aov aov) const { return std::ranges::find(aovs, aov) != aovs.end(); }
   int supersampling = 1;  // rays per pixel and axis, 1..4
   // Image pixels per pixel in settings (look.contour_width, flow.grain, flow.length): 2 on a screen drawn at
   // 200 %.

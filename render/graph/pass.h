@@ -13,6 +13,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "base/hash.h"
@@ -163,11 +164,12 @@ class Declaring {
   Declaring& second();       // the volume that colours the surface, and how it is looked up
 };
 
-// An image that the look reads (resources/shaders/look/shade.frag.glsl).
+// An image of a pass that the look reads (resources/shaders/look/shade.frag.glsl).
 struct LookInput {
-  const char* image;
-  const char* define = "";                 // set if the look reads it
-  std::vector<const char*> samplers = {};  // of the image's textures, in order
+  const char* image = "";
+  const char* define = "";                              // set if the look reads it
+  std::vector<const char*> samplers = {};               // of the image's textures, in order
+  bool (*isRead)(const scene::Scene& scene) = nullptr;  // null: never
 };
 
 class Pass {
@@ -177,8 +179,8 @@ class Pass {
     bool atHits = false;      // reads voxels at the hits: in bricks, drawn before those are replaced
     bool ofCrossing = false;  // drawn again for each crossing behind a transparent surface
   };
-  Pass(const char* itsName, const char* itsShader, const Kind& itsKind)
-      : name(itsName), shader(itsShader), kind(itsKind) {}
+  Pass(const char* itsName, const char* itsShader, const Kind& itsKind, LookInput itsInput = {})
+      : name(itsName), shader(itsShader), kind(itsKind), lookInput(std::move(itsInput)) {}
   virtual ~Pass() = default;
   Pass(const Pass&) = delete;
   Pass& operator=(const Pass&) = delete;
@@ -186,11 +188,11 @@ class Pass {
   const std::string_view name;  // compared as text: equal literals may have different addresses
   const char* const shader;     // the fragment shader; "": it draws nothing
   const Kind kind;
+  const LookInput lookInput;
+  bool isReadByLook(const scene::Scene& scene) const { return lookInput.isRead && lookInput.isRead(scene); }
 
   // Declares the pass for a frame. Pure, and without GL.
   virtual void declare(Declaring& d) const = 0;
-  // Returns the inputs that the look of this scene reads of the pass's images.
-  virtual std::optional<LookInput> forLook(const scene::Scene&) const { return std::nullopt; }
 
   // Draws the declared images, for the frame's current crossing. This and the following members use GL.
   virtual void run(FrameState& frame) = 0;

@@ -86,9 +86,7 @@ void CutFacesPass::run(FrameState& frame) {
     });
     areas.combine_each([&](const volume::PictureArea& area) { out.area.add(area); });
   }
-  const Gl& gl = *frame.gl;
-  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  gl.TextureSubImage2D(target.images[0].id(), 0, 0, 0, size.x, size.y, GL_RG, GL_FLOAT, out.texels.data());
+  target.images[0].write(GL_RG, GL_FLOAT, out.texels.data());
   target.drawn = out.area;
 }
 
@@ -108,9 +106,7 @@ CutFaceColors cutFaceColors(const scene::Scene& scene, const volume::PreparedVol
 void setCutFaces(FrameState& frame, Program& program, int unit) {
   const CutFaceColors& colors = *frame.cutFaceColors;
   frame.cutColors = Texture::make2D(frame.gl, GL_RGB32F, {kCutColors, 1});
-  frame.gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  frame.gl->TextureSubImage2D(frame.cutColors.id(), 0, 0, 0, kCutColors, 1, GL_RGB, GL_FLOAT,
-                              colors.row.data());
+  frame.cutColors.write(GL_RGB, GL_FLOAT, colors.row.data());
   program.setTexture("uCutFaces", unit, frame.images.at(image::cutFaces).images[0]);
   program.setTexture("uCutColors", unit + 1, frame.cutColors);
   program.set("uCutWindow", glm::vec2(colors.window.level, colors.window.width));

@@ -15,13 +15,11 @@ namespace isolux::render {
 namespace {
 
 bool readsDirection(const FrameRequest& request) {
-  return std::any_of(request.aovs.begin(), request.aovs.end(),
-                     [](Aov aov) { return aov == Aov::direction1 || aov == Aov::direction2; });
+  return request.asksFor(Aov::direction1) || request.asksFor(Aov::direction2);
 }
 
 bool readsFlowline(const scene::Scene& scene, const FrameRequest& request) {
-  return scene::needsFlowline(scene) ||
-         std::find(request.aovs.begin(), request.aovs.end(), Aov::flowline_curvature) != request.aovs.end();
+  return scene::needsFlowline(scene) || request.asksFor(Aov::flowline_curvature);
 }
 
 bool hessianIsRead(const Asked& asked) {
@@ -35,12 +33,7 @@ bool hessianIsRead(const Asked& asked) {
 void drawDerivatives(FrameState& frame, Target& target, const char* shader, double scaleMm, bool hessian) {
   const FieldAt field{frame.scene->derivatives.field, scaleMm};
   // In bricks, what was drawn in an earlier round of the frame stays.
-  if (frame.empty() || (frame.bricks() && !frame.keepHits)) {
-    if (hessian)
-      frame.clear(target, {kZero, kZero, kZero});
-    else
-      frame.clear(target, {kZero});
-  }
+  if (frame.empty() || (frame.bricks() && !frame.keepHits)) frame.clear(target, {kZero});
   if (frame.empty()) return;
   std::string defines = hessian ? "#define HESSIAN\n" : "";
   if (scaleMm > 0.0)
@@ -121,26 +114,13 @@ void CurvaturePass::declare(Declaring& d) const {
   d.settings({"isosurface.inside", "derivatives.noise"});
 }
 
-std::optional<LookInput> CurvaturePass::forLook(const scene::Scene& scene) const {
-  if (!scene::needsCurvature(scene)) return std::nullopt;
-  if (scene::needsFlowline(scene))
-    return LookInput{image::curvature, "CURVATURE", {"uKappa", "uDirection", "uFlowline"}};
-  return LookInput{image::curvature, "CURVATURE", {"uKappa", "uDirection"}};
-}
-
 void CurvaturePass::run(FrameState& frame) {
   // For pictures, half floats are enough for directions.
   const GLenum direction = readsDirection(frame.request) ? GL_RGBA32F : GL_RGBA16F;
   const bool flowline = readsFlowline(*frame.scene, frame.request);
   Target& target = flowline ? frame.target(image::curvature, {GL_RGBA32F, direction, GL_R32F})
                             : frame.target(image::curvature, {GL_RGBA32F, direction});
-  if (frame.empty()) {
-    if (flowline)
-      frame.clear(target, {kZero, kZero, kZero});
-    else
-      frame.clear(target, {kZero, kZero});
-    return;
-  }
+  if (frame.clearIfEmpty(target, {kZero})) return;
   const FieldAt field = frame.curvatureField();
   std::string defines = field.scaleMm > 0.0 ? "#define SCALED\n" : "";
   if (flowline) defines += "#define FLOWLINE\n";
@@ -169,11 +149,6 @@ void EdgePass::declare(Declaring& d) const {
   d.reads(image::surface).writes(image::edge, 8).volume();
   d.settings({"derivatives.field", "derivatives.scale", "derivatives.noise", "isosurface.inside", "edge."});
   d.input("executor at the hits", d.asked.onProcessor.all);
-}
-
-std::optional<LookInput> EdgePass::forLook(const scene::Scene& scene) const {
-  if (!scene::needsEdge(scene)) return std::nullopt;
-  return LookInput{image::edge, "EDGE", {"uEdge"}};
 }
 
 void EdgePass::run(FrameState& frame) {

@@ -29,9 +29,10 @@ class HessianPass : public Pass {
 // Computes principal curvatures, first direction and confidence.
 class CurvaturePass : public Pass {
  public:
-  CurvaturePass() : Pass("curvature", "curvature.frag.glsl", {.ofCrossing = true}) {}
+  CurvaturePass()
+      : Pass("curvature", "curvature.frag.glsl", {.ofCrossing = true},
+             {image::curvature, "CURVATURE", {"uKappa", "uDirection", "uFlowline"}, scene::needsCurvature}) {}
   void declare(Declaring& d) const override;
-  std::optional<LookInput> forLook(const scene::Scene& scene) const override;
   void run(FrameState& frame) override;
 };
 
@@ -39,9 +40,10 @@ class CurvaturePass : public Pass {
 // of the gradient there to its noise.
 class EdgePass : public Pass {
  public:
-  EdgePass() : Pass("edge", "edge.frag.glsl", {.ofCrossing = true}) {}
+  EdgePass()
+      : Pass("edge", "edge.frag.glsl", {.ofCrossing = true},
+             {image::edge, "EDGE", {"uEdge"}, scene::needsEdge}) {}
   void declare(Declaring& d) const override;
-  std::optional<LookInput> forLook(const scene::Scene& scene) const override;
   void run(FrameState& frame) override;
   bool isOn(const OnProcessor& on) const override { return on.all; }
 };

@@ -53,11 +53,6 @@ void ShadowPass::declare(Declaring& d) const {
   d.input("executor at the hits", d.asked.onProcessor.all);
 }
 
-std::optional<LookInput> ShadowPass::forLook(const scene::Scene& scene) const {
-  if (!scene::showsShadow(scene)) return std::nullopt;
-  return LookInput{image::shadow, "SHADOW", {"uLit"}};
-}
-
 void ShadowPass::run(FrameState& frame) {
   Target& target = frame.target(image::shadow, {GL_R8});
   if (frame.clearIfEmpty(target, {kZero})) return;
@@ -122,11 +117,6 @@ void OcclusionPass::declare(Declaring& d) const {
   d.reads(image::surface).writes(image::occlusion).pictureSize();
   d.input("of the tiles' whole picture", d.asked.request.tile.has_value(), d.asked.request.beforeTiles);
   if (!d.asked.request.tile) d.reads(image::openness);
-}
-
-std::optional<LookInput> OcclusionPass::forLook(const scene::Scene& scene) const {
-  if (!scene::showsOcclusion(scene)) return std::nullopt;
-  return LookInput{image::occlusion, "OCCLUSION", {"uOpen"}};
 }
 
 void OcclusionPass::run(FrameState& frame) {
@@ -196,11 +186,6 @@ void FlowPass::declare(Declaring& d) const {
   d.input("pixel ratio", d.asked.request.pixelRatio);
   const bool moves = d.asked.acts("flow.time");  // flow.time and flow.speed act through the phase alone
   d.input("phase of the flow", moves ? phaseOf(d.asked.scene.flow) : 0.0);
-}
-
-std::optional<LookInput> FlowPass::forLook(const scene::Scene& scene) const {
-  if (!scene::showsFlow(scene)) return std::nullopt;
-  return LookInput{image::flow, "FLOW", {"uFlow"}};
 }
 
 void FlowPass::run(FrameState& frame) {

@@ -9,9 +9,10 @@ namespace isolux::render {
 // Casts a second ray from each surface point towards the key light.
 class ShadowPass : public Pass {
  public:
-  ShadowPass() : Pass("shadow", "shadow.frag.glsl", {.castsRays = true, .ofCrossing = true}) {}
+  ShadowPass()
+      : Pass("shadow", "shadow.frag.glsl", {.castsRays = true, .ofCrossing = true},
+             {image::shadow, "SHADOW", {"uLit"}, scene::showsShadow}) {}
   void declare(Declaring& d) const override;
-  std::optional<LookInput> forLook(const scene::Scene& scene) const override;
   void run(FrameState& frame) override;
   bool isOn(const OnProcessor& on) const override { return on.all; }
 };
@@ -31,9 +32,10 @@ class OpennessPass : public Pass {
 // part of the small image drawn before the tiles.
 class OcclusionPass : public Pass {
  public:
-  OcclusionPass() : Pass("occlusion", "occlusion.frag.glsl", {.ofCrossing = true}) {}
+  OcclusionPass()
+      : Pass("occlusion", "occlusion.frag.glsl", {.ofCrossing = true},
+             {image::occlusion, "OCCLUSION", {"uOpen"}, scene::showsOcclusion}) {}
   void declare(Declaring& d) const override;
-  std::optional<LookInput> forLook(const scene::Scene& scene) const override;
   void run(FrameState& frame) override;
 
  private:
@@ -59,9 +61,10 @@ class FlowFieldPass : public Pass {
 // Draws streaks along the flow field.
 class FlowPass : public Pass {
  public:
-  FlowPass() : Pass("flow", "flow.frag.glsl", {.ofCrossing = true}) {}
+  FlowPass()
+      : Pass("flow", "flow.frag.glsl", {.ofCrossing = true},
+             {image::flow, "FLOW", {"uFlow"}, scene::showsFlow}) {}
   void declare(Declaring& d) const override;
-  std::optional<LookInput> forLook(const scene::Scene& scene) const override;
   void run(FrameState& frame) override;
 };
 

@@ -41,6 +41,12 @@ std::vector<Surface> surfacesOf(const scene::Scene& scene) {
   return surfaces;
 }
 
+std::vector<double> valuesOf(const std::vector<Surface>& surfaces) {
+  std::vector<double> values;
+  for (const Surface& surface : surfaces) values.push_back(surface.value);
+  return values;
+}
+
 FrameState::FrameState(GlPtr pointer)
     : gl(std::move(pointer)),
       lighting(std::make_unique<FrameLight>(gl)),
@@ -73,9 +79,11 @@ void FrameState::begin(const Target& target, glm::ivec2 size) const {
 }
 
 void FrameState::clear(Target& target, std::initializer_list<const float*> values) const {
-  GLint image = 0;
-  for (const float* const value : values)
-    gl->ClearNamedFramebufferfv(target.framebuffer.id(), GL_COLOR, image++, value);
+  const float* const* value = values.begin();
+  for (GLint image = 0; image < target.framebuffer.colors(); ++image) {
+    gl->ClearNamedFramebufferfv(target.framebuffer.id(), GL_COLOR, image, *value);
+    if (value + 1 != values.end()) ++value;
+  }
   target.drawn = volume::PictureArea(glm::ivec2(target.images[0].size()));
 }
 

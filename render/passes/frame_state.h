@@ -46,6 +46,8 @@ struct Surface {
 // Returns the first isosurface and the shown further ones, without those of opacity 0: none to four.
 std::vector<Surface> surfacesOf(const scene::Scene& scene);
 
+std::vector<double> valuesOf(const std::vector<Surface>& surfaces);
+
 // Returns the field in which the object's edge is searched: the trilinear field has no second derivatives.
 FieldAt edgeFieldOf(const scene::Scene& scene);
 
@@ -171,7 +173,7 @@ struct FrameState {
   void drawRectangles(const Program& program, const std::vector<volume::Rectangle>& rectangles) const;
   // Draws only where rays can meet anything. Requires a program with TILES.
   void drawStarts(const Program& program) const;
-  // Fills each of the images with its value.
+  // Fills each of the images with its value; those after the last one with that, too.
   void clear(Target& target, std::initializer_list<const float*> values) const;
   // The same, and returns true, if there is nothing to draw.
   bool clearIfEmpty(Target& target, std::initializer_list<const float*> values) const {

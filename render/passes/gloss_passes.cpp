@@ -261,17 +261,9 @@ void ReflectionsPass::trace(FrameState& frame, const Target& target, const Targe
     lamps.emplace_back(glm::round(255.0f * mean.lamps), 255);
     depths.push_back(cells[i].depth);
   }
-  const Gl& gl = *frame.gl;
-  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl.TextureSubImage2D(target.images[0].id(), 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, reflected.data());
-  gl.TextureSubImage2D(target.images[1].id(), 0, 0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE,
-                       lamps.data());
-  gl.TextureSubImage2D(target.images[2].id(), 0, 0, 0, size.x, size.y, GL_RED, GL_FLOAT, depths.data());
-}
-
-std::optional<LookInput> ReflectionsPass::forLook(const scene::Scene& scene) const {
-  if (!scene::showsGloss(scene)) return std::nullopt;
-  return LookInput{image::reflections, "GLOSS", {"uReflected", "uLampsSeen", "uCellDepth"}};
+  target.images[0].write(GL_RGBA, GL_FLOAT, reflected.data());
+  target.images[1].write(GL_RGBA, GL_UNSIGNED_BYTE, lamps.data());
+  target.images[2].write(GL_RED, GL_FLOAT, depths.data());
 }
 
 void GlossUniforms::declare(Declaring& d) {
@@ -292,7 +284,6 @@ void GlossUniforms::set(FrameState& frame, Program& p, int unit) {
   glm::vec4 specular(0.0f), roughness(1.0f), layers(0.0f);
   const gi::GlossLight* const gloss = frame.light ? frame.light->gloss.get() : nullptr;
   if (!gloss) return p.set("uReflectance", specular);
-  const glm::ivec2 size(kFilteredSize, kFilteredSize * static_cast<int>(gloss->environments.size()));
   if (of_ != gloss->environments) {
     std::vector<glm::vec3> texels;
     for (const auto& environment : gloss->environments) {
@@ -306,11 +297,10 @@ void GlossUniforms::set(FrameState& frame, Program& p, int unit) {
         }
     }
     environments_ = Texture();
-    environments_ = Texture::make2D(frame.gl, GL_RGBA16F, size);
-    frame.gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    frame.gl->TextureSubImage2D(environments_.id(), 0, 0, 0, size.x, size.y, GL_RGB, GL_FLOAT, texels.data());
-    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-      frame.gl->TextureParameteri(environments_.id(), filter, GL_LINEAR);
+    environments_ = Texture::make2D(
+        frame.gl, GL_RGBA16F, {kFilteredSize, kFilteredSize * static_cast<int>(gloss->environments.size())});
+    environments_.write(GL_RGB, GL_FLOAT, texels.data());
+    environments_.setFilter(GL_LINEAR);
     of_ = gloss->environments;
   }
   p.setTexture("uFiltered", unit, environments_);

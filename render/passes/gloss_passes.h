@@ -13,15 +13,17 @@
 #include "gi/gloss/reflections.h"
 #include "render/gl/image_pool.h"
 #include "render/graph/pass.h"
+#include "scene/rules/needs.h"
 
 namespace isolux::render {
 
 // Traces reflections at one point of each cell.
 class ReflectionsPass : public Pass {
  public:
-  ReflectionsPass() : Pass(pass::reflections, "reflections.frag.glsl", {.ofCrossing = true}) {}
+  ReflectionsPass()
+      : Pass(pass::reflections, "reflections.frag.glsl", {.ofCrossing = true},
+             {image::reflections, "GLOSS", {"uReflected", "uLampsSeen", "uCellDepth"}, scene::showsGloss}) {}
   void declare(Declaring& d) const override;
-  std::optional<LookInput> forLook(const scene::Scene& scene) const override;
   void run(FrameState& frame) override;
 
  private:

@@ -16,14 +16,9 @@ bool isExact(const FrameState& frame) {
   return frame.scene->hit.method == scene::HitMethod::exact;
 }
 
-// Else nobody reads how far the field at an exact hit is off, which takes a second look at its cell.
-bool asksValueError(const FrameRequest& request) {
-  return std::find(request.aovs.begin(), request.aovs.end(), Aov::value_error) != request.aovs.end();
-}
-
 // Of exact hits only the value error needs more than half floats.
 bool hasSmallInfos(const scene::Scene& scene, const FrameRequest& request) {
-  return scene.hit.method == scene::HitMethod::exact && !asksValueError(request);
+  return scene.hit.method == scene::HitMethod::exact && !request.asksFor(Aov::value_error);
 }
 // Exact hits are the surface points themselves; sampled ones are brackets yet.
 Target& castTarget(FrameState& frame) {
@@ -51,9 +46,7 @@ void BlocksPass::declare(Declaring& d) const {
 
 void BlocksPass::run(FrameState& frame) {
   if (!frame.volume) return;
-  std::vector<double> values;
-  for (const Surface& surface : frame.surfaces) values.push_back(surface.value);
-  frame.volume->activate(frame.scene->hit.field, values, frame.hidden);
+  frame.volume->activate(frame.scene->hit.field, valuesOf(frame.surfaces), frame.hidden);
 }
 
 std::optional<std::size_t> BlocksPass::bytes(const FrameState& frame) const {
@@ -116,7 +109,7 @@ void CastPass::declare(Declaring& d) const {
   d.input("cut faces are shown", scene::showsCutFaces(d.asked.scene));
   if (scene::showsCutFaces(d.asked.scene)) d.reads(image::cutFaces);
   d.input("executor", d.asked.onProcessor.casts);
-  if (exact) d.input("value error", asksValueError(d.asked.request));
+  if (exact) d.input("value error", d.asked.request.asksFor(Aov::value_error));
   if (d.asked.onProcessor.casts) return;
   d.reads(image::segments);
   d.input("volume in bricks", d.asked.bricks.inUse);
@@ -127,7 +120,8 @@ Program& CastPass::program(FrameState& frame, Rays rays) const {
   const scene::Hit& hit = frame.scene->hit;
   std::string defines = "#define TILES\n" + traceDefines(frame);
   if (rays == Rays::behind) defines += "#define BEHIND\n";
-  if (rays != Rays::behind && asksValueError(frame.request)) defines += "#define VALUE_ERROR\n";
+  // Else nobody reads how far the field at an exact hit is off, which takes a second look at its cell.
+  if (rays != Rays::behind && frame.request.asksFor(Aov::value_error)) defines += "#define VALUE_ERROR\n";
   if (rays == Rays::again) defines += "#define AGAIN\n";
   if (frame.cutFaceColors) defines += "#define CUT_FACES\n";
   Program& p = frame.program(shader, defines);

@@ -137,9 +137,7 @@ std::int64_t coveredPixels(FrameState& frame, const Target& picture, const volum
 void blendByShader(FrameState& frame, const Target& picture, const LegendImage& image, glm::ivec2 corner) {
   const Gl& gl = *frame.gl;
   const Texture texture = Texture::make2D(frame.gl, GL_RGBA8, image.size);
-  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl.TextureSubImage2D(texture.id(), 0, 0, 0, image.size.x, image.size.y, GL_RGBA, GL_UNSIGNED_BYTE,
-                       image.rgba.data());
+  texture.write(GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
   Program& p = frame.program("legend.frag.glsl");
   p.setTexture("uLegend", 0, texture);
   p.set("uCorner", corner);
@@ -169,10 +167,7 @@ void blendStraight(const FrameState& frame, const Target& picture, const LegendI
     for (std::size_t c = 0; c < 3; ++c) pixel[c] = alpha > 0.0f ? (over(c) + pixel[c] * below) / alpha : 0.0f;
     pixel[3] = alpha;
   }
-  const Gl& gl = *frame.gl;
-  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  gl.TextureSubImage2D(picture.images[0].id(), 0, part.low.x, part.low.y, part.size.x, part.size.y, GL_RGBA,
-                       GL_FLOAT, pixels.data());
+  picture.images[0].write(GL_RGBA, GL_FLOAT, pixels.data(), part);
 }
 
 }  // namespace

@@ -166,12 +166,8 @@ std::size_t FrameLight::bytes() const {
 }
 
 void FrameLight::report(LightReport& out) const {
-  out.stored = atlas_.stores();
-  out.resident = atlas_.resident();
-  out.uploaded = atlas_.uploaded();
-  out.withoutRoom = atlas_.withoutRoom();
-  out.bytes = atlas_.bytes();
-  out.pending = atlas_.pending();
+  out = {atlas_.stores(),      atlas_.resident(), atlas_.uploaded(),
+         atlas_.withoutRoom(), atlas_.bytes(),    atlas_.pending()};
 }
 
 std::string FrameLight::lampDefines(const FrameState& frame) const {
@@ -263,14 +259,11 @@ void FrameLight::bind(FrameState& frame, Program& p) {
 void FrameLight::setBackground(FrameState& frame, Program& p, int unit) {
   const gi::PictureLight& light = *frame.light;
   if (backgroundOf_ != light.background) {
-    const glm::ivec2 size(light.background->width(), light.background->height());
     background_ = Texture();  // before its successor is made: both need not fit
-    background_ = Texture::make2D(frame.gl, GL_RGB32F, size);
-    frame.gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    frame.gl->TextureSubImage2D(background_.id(), 0, 0, 0, size.x, size.y, GL_RGB, GL_FLOAT,
-                                light.background->pixels().data());
-    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-      frame.gl->TextureParameteri(background_.id(), filter, GL_LINEAR);
+    background_ =
+        Texture::make2D(frame.gl, GL_RGB32F, {light.background->width(), light.background->height()});
+    background_.write(GL_RGB, GL_FLOAT, light.background->pixels().data());
+    background_.setFilter(GL_LINEAR);
     frame.gl->TextureParameteri(background_.id(), GL_TEXTURE_WRAP_S, GL_REPEAT);
     backgroundOf_ = light.background;
   }
@@ -289,11 +282,9 @@ void FrameLight::setBackground(FrameState& frame, Program& p, int unit) {
 void FrameLight::setGround(FrameState& frame, Program& p, int unit) {
   const gi::GroundShadow& ground = *frame.light->ground;
   if (groundOf_ != ground.key) {
-    const glm::ivec2 size(gi::GroundShadow::kPoints);
-    ground_ = Texture::make2D(frame.gl, GL_R32F, size);
+    ground_ = Texture::make2D(frame.gl, GL_R32F, glm::ivec2(gi::GroundShadow::kPoints));
     ground_.setFilter(GL_LINEAR);
-    frame.gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    frame.gl->TextureSubImage2D(ground_.id(), 0, 0, 0, size.x, size.y, GL_RED, GL_FLOAT, ground.light.data());
+    ground_.write(GL_RED, GL_FLOAT, ground.light.data());
     groundOf_ = ground.key;
   }
   const double aspect = static_cast<double>(frame.request.size.x) / frame.request.size.y;
@@ -339,11 +330,6 @@ void IrradiancePass::declare(Declaring& d) const {
   d.settings({"isosurface.inside"});  // light is stored of one side, or of each
   d.reads(image::light).input("lattice", light.storage);
   d.input("gi.interpolation", d.asked.scene.gi.interpolation);  // wherever light is stored, planned or not
-}
-
-std::optional<LookInput> IrradiancePass::forLook(const scene::Scene& scene) const {
-  if (!scene::usesGi(scene)) return std::nullopt;
-  return LookInput{image::irradiance, "", {"uIrradiance"}};  // by SHADING
 }
 
 void IrradiancePass::run(FrameState& frame) {

@@ -69,9 +69,10 @@ class LightPass : public Pass {
 // Looks up baked lighting at the surface points, or unshadowed light where nothing is baked.
 class IrradiancePass : public Pass {
  public:
-  IrradiancePass() : Pass(pass::irradiance, "irradiance.frag.glsl", {.ofCrossing = true}) {}
+  IrradiancePass()
+      : Pass(pass::irradiance, "irradiance.frag.glsl", {.ofCrossing = true},
+             {image::irradiance, "", {"uIrradiance"}, scene::usesGi}) {}  // by SHADING
   void declare(Declaring& d) const override;
-  std::optional<LookInput> forLook(const scene::Scene& scene) const override;
   void run(FrameState& frame) override;
 };
 

@@ -126,12 +126,7 @@ void LineFieldPass::declare(Declaring& d) const {
 void LineFieldPass::run(FrameState& frame) {
   const std::size_t kinds = kindsOf(*frame.scene).size();
   Target& target = frame.target(image::lineField, std::vector<GLenum>(kinds, GL_RGBA16F));
-  if (frame.empty()) {
-    for (std::size_t i = 0; i < kinds; ++i)
-      frame.gl->ClearNamedFramebufferfv(target.framebuffer.id(), GL_COLOR, static_cast<GLint>(i), kNoLine);
-    target.drawn = volume::PictureArea(glm::ivec2(target.images[0].size()));
-    return;
-  }
+  if (frame.clearIfEmpty(target, {kNoLine})) return;
   Program& p = frame.program(shader, definesOfLines(*frame.scene));
   setNeighbours(frame, p, 0);
   if (frame.scene->look.ridges > 0.0) p.setTexture("uExtrema", 5, frame.image(image::extrema));
@@ -148,11 +143,6 @@ void LinesPass::declare(Declaring& d) const {
   d.reads(image::lineField).writes(image::lines, 4);
   d.settings({"look.contour_width", "look.ridge_width", "look.ridge_width_unit", "look.ridge_length"});
   d.input("pixel ratio", d.asked.request.pixelRatio);
-}
-
-std::optional<LookInput> LinesPass::forLook(const scene::Scene& scene) const {
-  if (!scene::drawsLines(scene)) return std::nullopt;
-  return LookInput{image::lines, "LINES", {"uLines"}};
 }
 
 void LinesPass::run(FrameState& frame) {

@@ -24,9 +24,10 @@ class LineFieldPass : public Pass {
 // Computes the coverage of each pixel by lines that are long and strong enough.
 class LinesPass : public Pass {
  public:
-  LinesPass() : Pass("lines", "lines.frag.glsl", {.ofCrossing = true}) {}
+  LinesPass()
+      : Pass("lines", "lines.frag.glsl", {.ofCrossing = true},
+             {image::lines, "LINES", {"uLines"}, scene::drawsLines}) {}
   void declare(Declaring& d) const override;
-  std::optional<LookInput> forLook(const scene::Scene& scene) const override;
   void run(FrameState& frame) override;
 };
 

@@ -42,10 +42,10 @@ enum Unit {
 };
 
 // What the look reads of the passes that this frame needs.
-std::vector<LookInput> inputsOf(const FrameState& frame) {
-  std::vector<LookInput> inputs;
+std::vector<const LookInput*> inputsOf(const FrameState& frame) {
+  std::vector<const LookInput*> inputs;
   for (const Pass* pass : frame.used)
-    if (const std::optional<LookInput> input = pass->forLook(*frame.scene)) inputs.push_back(*input);
+    if (pass->isReadByLook(*frame.scene)) inputs.push_back(&pass->lookInput);
   return inputs;
 }
 
@@ -71,7 +71,7 @@ scene::WorkOverlay overlayOf(const scene::Scene& scene, bool bricks) {
 }
 
 // The parts of shade.frag.glsl that this scene needs.
-std::string definesOf(const scene::Scene& scene, bool bricks, const std::vector<LookInput>& inputs) {
+std::string definesOf(const scene::Scene& scene, bool bricks, const std::vector<const LookInput*>& inputs) {
   const scene::Look& look = scene.look;
   const auto number = [](const char* name, auto value) {
     return "#define " + std::string(name) + " " + std::to_string(static_cast<int>(value)) + "\n";
@@ -91,7 +91,7 @@ std::string definesOf(const scene::Scene& scene, bool bricks, const std::vector<
       flag("FACING", scene::variesByAngle(scene)) +
       flag("ACCESSIBILITY", look.accessibility > 0.0 || look.mode == scene::LookMode::accessibility) +
       number("OVERLAY", overlayOf(scene, bricks)) + flag("CREVICES", look.accessibilityPoints.has_value());
-  for (const LookInput& input : inputs) defines += flag(input.define, *input.define != '\0');
+  for (const LookInput* input : inputs) defines += flag(input->define, *input->define != '\0');
   return defines;
 }
 
@@ -125,8 +125,7 @@ void setLook(const scene::Scene& scene, Program& p) {
 
 Texture colorTexture(const FrameState& frame, glm::ivec2 size, const std::vector<glm::vec3>& texels) {
   Texture colors = Texture::make2D(frame.gl, GL_RGB32F, size);
-  frame.gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  frame.gl->TextureSubImage2D(colors.id(), 0, 0, 0, size.x, size.y, GL_RGB, GL_FLOAT, texels.data());
+  colors.write(GL_RGB, GL_FLOAT, texels.data());
   return colors;
 }
 
@@ -151,6 +150,12 @@ bool fogIsBackground(const Asked& asked) {
 
 }  // namespace
 
+RangesPass::RangesPass()
+    : Pass("ranges", "", {},
+           {image::ranges, "", {}, [](const scene::Scene& scene) {  // FrameState::statistics
+              return readsCurvatureRanges(scene) || readsSecondRange(scene);
+            }}) {}
+
 void RangesPass::declare(Declaring& d) const {
   d.writes(image::ranges).volume().isovalues().settings({"isosurface.inside"});
   // The curvature of the samples' spline, or of the one through them.
@@ -159,11 +164,6 @@ void RangesPass::declare(Declaring& d) const {
   if (scene::needsEdge(d.asked.scene)) d.settings({"derivatives.noise", "edge."});
   d.input("range of the second volume", readsSecondRange(d.asked.scene));
   if (readsSecondRange(d.asked.scene)) d.second();
-}
-
-std::optional<LookInput> RangesPass::forLook(const scene::Scene& scene) const {
-  if (!readsCurvatureRanges(scene) && !readsSecondRange(scene)) return std::nullopt;
-  return LookInput{image::ranges};  // FrameState::statistics
 }
 
 void RangesPass::run(FrameState& frame) {
@@ -281,7 +281,7 @@ void ShadePass::declare(Declaring& d) const {
   if (d.asked.volume.crossed) {
     if (scene::needsGradient(d.asked.scene)) d.reads(image::gradient);  // FrameState::setPoint() binds them
     for (const auto& pass : d.passes)
-      if (const std::optional<LookInput> input = pass->forLook(d.asked.scene)) d.reads(input->image);
+      if (pass->isReadByLook(d.asked.scene)) d.reads(pass->lookInput.image);
   }
   d.settings({"camera.", "isosurface.", "isosurface#."},
              {"isosurface.value", "isosurface.inside", "isosurface.layers", "isosurface.ghost",
@@ -307,16 +307,16 @@ void ShadePass::declare(Declaring& d) const {
 }
 
 Program& ShadePass::prepared(FrameState& frame) {
-  const std::vector<LookInput> inputs = inputsOf(frame);
+  const std::vector<const LookInput*> inputs = inputsOf(frame);
   const bool gloss = scene::showsGloss(*frame.scene);
   Program& p = frame.program(shader, definesOf(*frame.scene, frame.bricks() != nullptr, inputs) +
                                          (gloss ? GlossUniforms::defines(frame) : std::string()));
   frame.setView(p);
   frame.setPoint(p, surfaceUnit);
   int unit = firstInputUnit;
-  for (const LookInput& input : inputs)
-    for (std::size_t i = 0; i < input.samplers.size(); ++i)
-      p.setTexture(input.samplers[i], unit++, frame.image(input.image, i));
+  for (const LookInput* input : inputs)
+    for (std::size_t i = 0; i < input->samplers.size(); ++i)
+      if (p.uses(input->samplers[i])) p.setTexture(input->samplers[i], unit++, frame.image(input->image, i));
   if (gloss) gloss_.set(frame, p, unit++);
   if (scene::showsSecondVolume(*frame.scene)) setSecond(frame, p, unit++);
   if (p.uses("uCrevices")) setCrevices(frame, p, unit);

@@ -9,9 +9,8 @@ namespace isolux::render {
 // Computes automatic numbers from the curvature of the volume's whole surface; independent of the view.
 class RangesPass : public Pass {
  public:
-  RangesPass() : Pass("ranges", "", {}) {}
+  RangesPass();
   void declare(Declaring& d) const override;
-  std::optional<LookInput> forLook(const scene::Scene& scene) const override;
   void run(FrameState& frame) override;
 };
 

@@ -79,8 +79,7 @@ bool readsEdge(const scene::Scene& scene, const FrameRequest& request) {
 }
 
 bool readsSecond(const scene::Scene& scene, const FrameRequest& request) {
-  return (request.color && scene::showsSecondVolume(scene)) ||
-         std::find(request.aovs.begin(), request.aovs.end(), Aov::color_value) != request.aovs.end();
+  return (request.color && scene::showsSecondVolume(scene)) || request.asksFor(Aov::color_value);
 }
 
 bool sharesGradient(const scene::Scene& scene) {

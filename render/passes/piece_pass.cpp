@@ -53,13 +53,8 @@ void PiecePass::run(FrameState& frame) {
   frame.clear(target, {none});
   if (frame.empty() || !frame.pieces) return;
   const PiecesOfSurfaces pieces = piecesOf(frame);
-  const Gl& gl = *frame.gl;
-  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  for (const volume::Rectangle& part : frame.area().rectangles()) {
-    const std::vector<float> ids = idsOf(frame, pieces, part);
-    gl.TextureSubImage2D(target.images[0].id(), 0, part.low.x, part.low.y, part.size.x, part.size.y, GL_RED,
-                         GL_FLOAT, ids.data());
-  }
+  for (const volume::Rectangle& part : frame.area().rectangles())
+    target.images[0].write(GL_RED, GL_FLOAT, idsOf(frame, pieces, part).data(), part);
 }
 
 }  // namespace isolux::render

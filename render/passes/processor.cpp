@@ -28,12 +28,10 @@ void upload(const Texture& texture, const std::vector<volume::Rectangle>& parts,
   }
   const Gl& gl = texture.gl();
   const int width = texture.size().x;
-  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl.PixelStorei(GL_UNPACK_ROW_LENGTH, width);
   for (const volume::Rectangle& part : parts) {
     const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(part.low.y) * width + part.low.x;
-    gl.TextureSubImage2D(texture.id(), 0, part.low.x, part.low.y - firstRow, part.size.x, part.size.y, format,
-                         type, texels.data() + first);
+    texture.write(format, type, texels.data() + first, {part.low - glm::ivec2(0, firstRow), part.size});
   }
   gl.PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }

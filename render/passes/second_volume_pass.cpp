@@ -76,24 +76,14 @@ void SecondVolumePass::declare(Declaring& d) const {
     d.reads(image::gradient).settings({"isosurface.inside"});
 }
 
-std::optional<LookInput> SecondVolumePass::forLook(const scene::Scene& scene) const {
-  if (!scene::showsSecondVolume(scene)) return std::nullopt;
-  return LookInput{image::second, "SECOND", {"uSecond"}};
-}
-
 void SecondVolumePass::run(FrameState& frame) {
   Target& target = frame.target(image::second, {GL_RGBA32F});
   const float none[4] = {kNoValue, 0.0f, 0.0f, 0.0f};
   frame.clear(target, {none});
   if (frame.empty() || !frame.second) return;
   const SecondAtPoints second(frame);
-  const Gl& gl = *frame.gl;
-  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  for (const volume::Rectangle& part : frame.area().rectangles()) {
-    const std::vector<glm::vec4> texels = texelsOf(frame, second, part);
-    gl.TextureSubImage2D(target.images[0].id(), 0, part.low.x, part.low.y, part.size.x, part.size.y, GL_RGBA,
-                         GL_FLOAT, texels.data());
-  }
+  for (const volume::Rectangle& part : frame.area().rectangles())
+    target.images[0].write(GL_RGBA, GL_FLOAT, texelsOf(frame, second, part).data(), part);
 }
 
 bool readsSecondRange(const scene::Scene& scene) {

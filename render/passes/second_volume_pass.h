@@ -13,9 +13,10 @@ namespace isolux::render {
 // uploaded.
 class SecondVolumePass : public Pass {
  public:
-  SecondVolumePass() : Pass("second volume", "", {.ofCrossing = true}) {}
+  SecondVolumePass()
+      : Pass("second volume", "", {.ofCrossing = true},
+             {image::second, "SECOND", {"uSecond"}, scene::showsSecondVolume}) {}
   void declare(Declaring& d) const override;
-  std::optional<LookInput> forLook(const scene::Scene& scene) const override;
   void run(FrameState& frame) override;
   bool isOn(const OnProcessor&) const override { return true; }
 };

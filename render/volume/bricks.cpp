@@ -101,9 +101,7 @@ Bricks::Bricks(GlPtr gl, std::vector<const TexelSource*> channels, int apron, st
   for (const TexelSource* channel : channels_)
     caches_.push_back(Texture::make3D(gl_, channel->internalFormat(), slotDims_ * brickTexels(apron_), true));
   const std::vector<std::uint16_t> nowhere(4 * countOf(dims_), 0);
-  gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl_->TextureSubImage3D(table_.id(), 0, 0, 0, 0, dims_.x, dims_.y, dims_.z, GL_RGBA_INTEGER,
-                         GL_UNSIGNED_SHORT, nowhere.data());
+  table_.write(GL_RGBA_INTEGER, GL_UNSIGNED_SHORT, nowhere.data(), glm::ivec3(0), dims_);
   const std::size_t markBytes = marks_.size() * sizeof(std::uint32_t);
   if (markBytes > static_cast<std::size_t>(std::max(gl_->maxStorageBytes, 0)))
     throw base::Error(base::ErrorKind::memory, "", "graphics memory",
@@ -212,8 +210,7 @@ void Bricks::setEntry(BrickCache::Brick brick, Entry state) const {
   const std::uint16_t entry[4] = {part(slot.x), part(slot.y), part(slot.z), part(static_cast<int>(state))};
   const glm::ivec3 at = brickAt(brick);
   const auto set = [&](glm::ivec3 texel, const std::uint16_t* values) {
-    gl_->TextureSubImage3D(table_.id(), 0, texel.x, texel.y, texel.z, 1, 1, 1, GL_RGBA_INTEGER,
-                           GL_UNSIGNED_SHORT, values);
+    table_.write(GL_RGBA_INTEGER, GL_UNSIGNED_SHORT, values, texel, glm::ivec3(1));
   };
   BlockBits lost = 0;
   if (state == Entry::partlyLost) {
@@ -263,11 +260,8 @@ BlockBits Bricks::fetch(BrickCache::Brick brick) {
 void Bricks::upload(BrickCache::Brick brick, BrickCache::Slot slot) {
   const int side = brickTexels(apron_);
   const glm::ivec3 to = side * volume::Extent3{slotDims_}.at(slot);
-  gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  for (std::size_t i = 0; i < channels_.size(); ++i) {
-    gl_->TextureSubImage3D(caches_[i].id(), 0, to.x, to.y, to.z, side, side, side, GL_RED,
-                           channels_[i]->type(), texels_[i].data());
-  }
+  for (std::size_t i = 0; i < channels_.size(); ++i)
+    caches_[i].write(GL_RED, channels_[i]->type(), texels_[i].data(), to, glm::ivec3(side));
   setEntry(brick, lost_.contains(brick) ? Entry::partlyLost : Entry::resident);
 }
 

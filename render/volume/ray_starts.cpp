@@ -85,8 +85,7 @@ void RayStarts::update(const volume::StartDepths& depths, int shift, glm::ivec2 
   shift_ = shift;
   area_ = areaOf(depths, shift, size);
   if (glm::ivec2(depths_.size()) != depths.tiles) depths_ = Texture::make2D(gl_, GL_RG32F, depths.tiles);
-  gl_->TextureSubImage2D(depths_.id(), 0, 0, 0, depths.tiles.x, depths.tiles.y, GL_RG, GL_FLOAT,
-                         depths.depths.data());
+  depths_.write(GL_RG, GL_FLOAT, depths.depths.data());
   const Squares squares(depths, largestSquare(*gl_, 1 << shift));
   squares_ = squares.all().size();
   buffer_.setData(squares.all().data(), squares_ * sizeof(Square));

@@ -72,9 +72,7 @@ void SurfaceBlocks::updateMasks(glm::ivec3 brick) {
   if (masks_.empty()) return;  // no surface yet
   const PartBoxes::Blocks found = takeMasks(brick);
   if (uploaded_ == Uploaded::nothing || found.masks.empty()) return;
-  gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl_->TextureSubImage3D(texture_.id(), 0, found.low.x, found.low.y, found.low.z, found.size.x, found.size.y,
-                         found.size.z, GL_RG_INTEGER, GL_UNSIGNED_INT, found.masks.data());
+  texture_.write(GL_RG_INTEGER, GL_UNSIGNED_INT, found.masks.data(), found.low, found.size);
 }
 
 bool SurfaceBlocks::mayHaveCells(const scene::Hit& hit) const {
@@ -94,9 +92,7 @@ void SurfaceBlocks::upload(bool cells) {
     volume::cellBits(volume_->grid(), blockDims, masks_, storedIsovalues_, bits);
   else if (cells)
     volume::shownCellBits(volume_->grid(), blockDims, masks_, hidden_.surfaces, bits);
-  gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl_->TextureSubImage3D(texture_.id(), 0, 0, 0, 0, dims.x, dims.y, dims.z, GL_RG_INTEGER, GL_UNSIGNED_INT,
-                         (cells ? bits : masks_).data());
+  texture_.write(GL_RG_INTEGER, GL_UNSIGNED_INT, (cells ? bits : masks_).data(), glm::ivec3(0), dims);
   uploaded_ = cells ? Uploaded::cells : Uploaded::boxes;
 }
 
@@ -140,9 +136,7 @@ void SurfaceBlocks::uploadHidden() {
   const GLenum formats[] = {GL_R32UI, GL_RG32UI, GL_RGBA32UI, GL_RGBA32UI};
   const GLenum layouts[] = {GL_RED_INTEGER, GL_RG_INTEGER, GL_RGBA_INTEGER, GL_RGBA_INTEGER};
   hiddenTexture_ = Texture::make3D(gl_, formats[channels - 1], dims, false);
-  gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl_->TextureSubImage3D(hiddenTexture_.id(), 0, 0, 0, 0, dims.x, dims.y, dims.z, layouts[channels - 1],
-                         GL_UNSIGNED_INT, texels.data());
+  hiddenTexture_.write(layouts[channels - 1], GL_UNSIGNED_INT, texels.data(), glm::ivec3(0), dims);
 }
 
 void SurfaceBlocks::bindHidden(Program& program, int unit) {

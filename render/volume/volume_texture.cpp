@@ -138,12 +138,10 @@ Texture uploadWhole(const GlPtr& gl, const TexelSource& source, std::size_t budg
   const int slices = static_cast<int>(
       std::clamp<std::size_t>((std::size_t{8} << 20) / slice, 1, static_cast<std::size_t>(dims.z)));
   std::vector<std::byte> buffer(slice * static_cast<std::size_t>(slices));
-  gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   for (int z = 0; z < dims.z; z += slices) {
-    const int count = std::min(slices, dims.z - z);
-    source.copyBox({0, 0, z}, {dims.x, dims.y, count}, buffer.data());
-    gl->TextureSubImage3D(texture.id(), 0, 0, 0, z, dims.x, dims.y, count, GL_RED, source.type(),
-                          buffer.data());
+    const glm::ivec3 low(0, 0, z), size(dims.x, dims.y, std::min(slices, dims.z - z));
+    source.copyBox(low, size, buffer.data());
+    texture.write(GL_RED, source.type(), buffer.data(), low, size);
   }
   return texture;
 }
