@@ -93,7 +93,12 @@ struct LightController::Parts {
   std::optional<int> threads;
   std::optional<scene::GiTexels> texelsOfFile;  // for the next plan
   gi::SeenPoints hits;
-  bool sceneTold = false, hitsTold = false, cancelTold = false, compressTold = false, busy = false;
+  struct Told {
+    bool scene = false, hits = false, cancel = false, compress = false;
+    bool operator==(const Told&) const = default;
+  };
+  Told told;  // and not begun yet
+  bool busy = false;
   bool planning =
       false;  // the planner thread is at work on `planner`, busy or only looking whether to compress
 
@@ -110,58 +115,56 @@ struct LightController::Parts {
   std::jthread thread;                           // last: it ends before the rest goes
 
   void run(const std::stop_token& stop);
-  void work(bool withScene, bool withHits, bool cancel, const scene::Scene& now, const VolumePointer& of,
-            const gi::SeenPoints& seen);
+  void work(const Told& now, const scene::Scene& given, const VolumePointer& of, const gi::SeenPoints& seen);
+  void tell(bool Told::*what) {
+    told.*what = true;
+    changed.notify_all();
+  }
+  bool isIdle() const { return told == Told{} && !busy; }
   [[nodiscard]] LightPlan publish(const std::exception_ptr& failed);
-  std::vector<std::shared_ptr<gi::LightBake>> bakes() const;
   gi::StoredLight stored() const;
 };
-
-std::vector<std::shared_ptr<gi::LightBake>> LightController::Parts::bakes() const {
-  return plan.bakes();
-}
 
 void LightController::Parts::run(const std::stop_token& stop) {
   std::unique_lock lock(mutex);
   while (!stop.stop_requested()) {
     const bool polls = plan.light && (plan.choice.sky == scene::GiMode::transfer || planner.isUnfinished());
-    const auto told = [this] { return sceneTold || hitsTold || cancelTold || compressTold; };
+    const auto isTold = [this] { return told != Told{}; };
     if (polls)
-      changed.wait_for(lock, stop, 100ms, told);
+      changed.wait_for(lock, stop, 100ms, isTold);
     else
-      changed.wait(lock, stop, told);
+      changed.wait(lock, stop, isTold);
     if (stop.stop_requested()) return;
-    if (told()) toldAt = std::chrono::steady_clock::now();
-    const bool withScene = std::exchange(sceneTold, false), withHits = std::exchange(hitsTold, false);
-    const bool cancel = std::exchange(cancelTold, false), compress = std::exchange(compressTold, false);
-    const scene::Scene now = scene;
+    busy = isTold();
+    if (busy) toldAt = std::chrono::steady_clock::now();
+    const Told now = std::exchange(told, {});
+    const scene::Scene given = scene;
     const VolumePointer of = volume;
     planner.setThreads(threads);
     if (const auto texels = std::exchange(texelsOfFile, std::nullopt)) planner.setTexelsOfFile(*texels, of);
     // Looking whether to compress needs no points.
-    const gi::SeenPoints seen = withScene || withHits ? hits : gi::SeenPoints();
-    busy = withScene || withHits || cancel || compress;
+    const gi::SeenPoints seen = now.scene || now.hits ? hits : gi::SeenPoints();
     planning = true;
     lock.unlock();
-    work(withScene, withHits, cancel, now, of, seen);
+    work(now, given, of, seen);
     lock.lock();
     busy = planning = false;
     changed.notify_all();
   }
 }
 
-void LightController::Parts::work(bool withScene, bool withHits, bool cancel, const scene::Scene& now,
-                                  const VolumePointer& of, const gi::SeenPoints& seen) {
+void LightController::Parts::work(const Told& now, const scene::Scene& given, const VolumePointer& of,
+                                  const gi::SeenPoints& seen) {
   std::exception_ptr failed;
   try {
-    if (withScene) planner.plan(now, of, progress);
-    const bool otherLight = (withScene || withHits) && planner.wish(seen, progress);
-    if (cancel) planner.wishNothing();
+    if (now.scene) planner.plan(given, of, progress);
+    const bool otherLight = (now.scene || now.hits) && planner.wish(seen, progress);
+    if (now.cancel) planner.wishNothing();
     const bool compressed = planner.compress(progress);
     const bool rests = std::chrono::steady_clock::now() - toldAt >= restsAfter;
     const bool finished = planner.isUnfinished() && rests;
     if (finished) planner.finishAtRest(progress);
-    if (!withScene && !otherLight && !compressed && !finished) return;
+    if (!now.scene && !otherLight && !compressed && !finished) return;
   } catch (...) {
     failed = std::current_exception();
   }
@@ -176,7 +179,7 @@ LightPlan LightController::Parts::publish(const std::exception_ptr& failed) {
   LightPlan before = std::exchange(plan, planner.current());
   if (failure) plan.light.reset();
   ++planned;
-  for (const auto& bake : bakes()) {
+  for (const auto& bake : plan.bakes()) {
     bake->setPaused(paused);
     bake->yield(yielding);
   }
@@ -197,7 +200,7 @@ LightController::~LightController() {
   parts_->thread.request_stop();
   {
     const std::lock_guard guard(parts_->mutex);
-    for (const auto& bake : parts_->bakes()) bake->requestStop();
+    for (const auto& bake : parts_->plan.bakes()) bake->requestStop();
   }
   base::retire(std::move(parts_));
 }
@@ -206,7 +209,7 @@ void LightController::setScene(const scene::Scene& resolved,
                                std::shared_ptr<const volume::PreparedVolume> volume) {
   const std::lock_guard guard(parts_->mutex);
   const scene::Scene lit = lightOf(resolved, parts_->metersView);
-  if (parts_->planned + (parts_->sceneTold || parts_->busy ? 1 : 0) > 0 && lit == parts_->scene &&
+  if (parts_->planned + (parts_->told.scene || parts_->busy ? 1 : 0) > 0 && lit == parts_->scene &&
       volume == parts_->volume)
     return;
   if (volume != parts_->volume) {
@@ -215,8 +218,7 @@ void LightController::setScene(const scene::Scene& resolved,
   }
   parts_->scene = lit;
   parts_->volume = std::move(volume);
-  parts_->sceneTold = true;
-  parts_->changed.notify_all();
+  parts_->tell(&Parts::Told::scene);
 }
 
 void LightController::meterView(bool view) {
@@ -236,21 +238,19 @@ void LightController::setThreads(std::optional<int> threads) {
   if (threads == parts_->threads) return;
   parts_->threads = threads;
   if (!parts_->volume) return;
-  parts_->sceneTold = true;  // the plan is made with them
-  parts_->changed.notify_all();
+  parts_->tell(&Parts::Told::scene);  // the plan is made with them
 }
 
 void LightController::setVisible(gi::SeenPoints hitVoxels) {
   const std::lock_guard guard(parts_->mutex);
   parts_->hits = std::move(hitVoxels);
-  parts_->hitsTold = true;
-  parts_->changed.notify_all();
+  parts_->tell(&Parts::Told::hits);
 }
 
 void LightController::setPaused(bool paused) {
   const std::lock_guard guard(parts_->mutex);
   parts_->paused = paused;
-  for (const auto& bake : parts_->bakes()) bake->setPaused(paused);
+  for (const auto& bake : parts_->plan.bakes()) bake->setPaused(paused);
 }
 
 bool LightController::paused() const {
@@ -261,13 +261,12 @@ bool LightController::paused() const {
 void LightController::yield(bool yielding) {
   const std::lock_guard guard(parts_->mutex);
   parts_->yielding = yielding;
-  for (const auto& bake : parts_->bakes()) bake->yield(yielding);
+  for (const auto& bake : parts_->plan.bakes()) bake->yield(yielding);
 }
 
 void LightController::cancel() {
   const std::lock_guard guard(parts_->mutex);
-  parts_->cancelTold = true;
-  parts_->changed.notify_all();
+  parts_->tell(&Parts::Told::cancel);
 }
 
 std::shared_ptr<const gi::PictureLight> LightController::light() const {
@@ -278,7 +277,7 @@ std::shared_ptr<const gi::PictureLight> LightController::light() const {
 std::uint64_t LightController::revision() const {
   const std::lock_guard guard(parts_->mutex);
   std::uint64_t revision = parts_->planned << 40u;
-  for (const auto& bake : parts_->bakes()) revision += bake->lattice()->revision();
+  for (const auto& bake : parts_->plan.bakes()) revision += bake->lattice()->revision();
   return revision;
 }
 
@@ -292,22 +291,22 @@ LightState LightController::state() const {
   std::exception_ptr failure = parts.failure;
   state.warnings = parts.plan.warnings;
   state.counters.idle = true;
-  for (const auto& bake : parts.bakes()) {
+  for (const auto& bake : parts.plan.bakes()) {
     add(state.counters, bake->counters());
     if (!failure) failure = bake->failure();
   }
   if (failure) state.error = described(failure);
   if (state.error)
     state.phase = Phase::failed;
-  else if (parts.sceneTold || (parts.busy && !parts.plan.light))
+  else if (parts.told.scene || (parts.busy && !parts.plan.light))
     state.phase = Phase::preparing;
   else if (!parts.plan.light || !state.choice.wanted)
     state.phase = Phase::off;
   else if (!state.counters.idle)
     state.phase = parts.paused ? Phase::paused : Phase::baking;
   else
-    state.phase = parts.hitsTold || parts.busy ? Phase::preparing : Phase::finished;
-  const bool told = parts.sceneTold || parts.hitsTold || parts.busy || !state.counters.takenIn;
+    state.phase = parts.told.hits || parts.busy ? Phase::preparing : Phase::finished;
+  const bool told = parts.told.scene || parts.told.hits || parts.busy || !state.counters.takenIn;
   if (!told && state.counters.texelsSeen > 0)
     state.smooth =
         static_cast<double>(state.counters.texelsSmooth) / static_cast<double>(state.counters.texelsSeen);
@@ -316,10 +315,8 @@ LightState LightController::state() const {
 
 bool LightController::settle(double timeoutSeconds) const {
   std::unique_lock lock(parts_->mutex);
-  return parts_->changed.wait_for(lock, std::chrono::duration<double>(timeoutSeconds), [this] {
-    return !parts_->sceneTold && !parts_->hitsTold && !parts_->cancelTold && !parts_->compressTold &&
-           !parts_->busy;
-  });
+  return parts_->changed.wait_for(lock, std::chrono::duration<double>(timeoutSeconds),
+                                  [this] { return parts_->isIdle(); });
 }
 
 bool LightController::finish(base::Progress& progress, double timeoutSeconds) {
@@ -335,7 +332,7 @@ bool LightController::finish(base::Progress& progress, double timeoutSeconds) {
   {
     const std::lock_guard guard(parts_->mutex);
     if (parts_->failure) std::rethrow_exception(parts_->failure);
-    bakes = parts_->bakes();
+    bakes = parts_->plan.bakes();
   }
   for (const auto& bake : bakes) {
     while (!bake->waitFor(0, slice)) {
@@ -355,8 +352,7 @@ bool LightController::finish(base::Progress& progress, double timeoutSeconds) {
         std::this_thread::sleep_for(1ms);
   {
     const std::lock_guard guard(parts_->mutex);
-    parts_->compressTold = true;
-    parts_->changed.notify_all();
+    parts_->tell(&Parts::Told::compress);
   }
   while (!settle(slice))
     if (over()) return false;
@@ -400,8 +396,7 @@ gi::BakeFacts LightController::load(const std::filesystem::path& file, base::Pro
   {
     const std::lock_guard guard(parts_->mutex);
     parts_->texelsOfFile = ofOne ? scene::GiTexels::shown : scene::GiTexels::own;
-    parts_->sceneTold = true;
-    parts_->changed.notify_all();
+    parts_->tell(&Parts::Told::scene);
   }
   while (!settle(0.05)) progress.throwIfStopped();
   VolumePointer volume;
@@ -424,8 +419,7 @@ gi::BakeFacts LightController::load(const std::filesystem::path& file, base::Pro
   if (stored.lamps) parts_->planner.adopt(std::move(stored.lamps), gi::LightPart::lamps);
   parts_->loadedArithmetic = stored.facts.arithmetic;
   before = parts_->publish(nullptr);
-  parts_->hitsTold = true;
-  parts_->changed.notify_all();
+  parts_->tell(&Parts::Told::hits);
   return std::move(stored.facts);
 }
 

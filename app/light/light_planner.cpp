@@ -73,16 +73,13 @@ const LightPlan& LightPlanner::plan(const scene::Scene& given, const VolumePoint
   loadEnvironment(resolved.light.environment);
   const scene::GiChoice choice = scene::giChoiceOf(resolved);
   if (choice.traced) {
-    const std::uint64_t hidden = volume::keyOf(volume::hiddenOf(resolved, *volume->pieces, progress));
-    const std::uint64_t cut = volume::SurfaceCut(resolved, volume->grid().geometry()).key();
-    if (!tracer_ || tracerOf_ != volume.get() || tracerInside_ != resolved.isosurface.inside ||
-        tracerHidden_ != hidden || tracerCut_ != cut) {
+    const TracerKey key{volume.get(), resolved.isosurface.inside,
+                        volume::keyOf(volume::hiddenOf(resolved, *volume->pieces, progress)),
+                        volume::SurfaceCut(resolved, volume->grid().geometry()).key()};
+    if (!tracer_ || tracerOf_ != key) {
       const auto before = std::move(tracer_);  // its tables are shared
       tracer_ = gi::lightTracerOf(resolved, volume, progress);
-      tracerOf_ = volume.get();
-      tracerInside_ = resolved.isosurface.inside;
-      tracerHidden_ = hidden;
-      tracerCut_ = cut;
+      tracerOf_ = key;
     }
   }
   lightScene_ = gi::makeLightScene(resolved, volume, choice.traced ? tracer_ : nullptr, environment_);
@@ -139,11 +136,11 @@ void LightPlanner::loadEnvironment(const scene::Environment& settings) {
 void LightPlanner::considerMetering(base::Progress& progress) {
   if (scene_.picture.metering == scene::Metering::lights || !lightScene_->choice.traced) {
     brightness_.reset();
-    brightnessOfVolume_ = nullptr;
+    brightnessStage_ = {};
     return;
   }
   scene::Scene wanted = gi::meteredScene(scene_);
-  const bool sameStage = brightnessOfVolume_ == volume_.get() && brightnessOfEnvironment_ == environmentName_;
+  const bool sameStage = brightnessStage_ == std::pair(volume_.get(), environmentName_);
   if (sameStage && wanted == brightnessOf_) return;
   wanted.isosurface.value = brightnessOf_.isosurface.value;
   for (std::size_t i = 0; i < wanted.extraIsosurfaces.size(); ++i)
@@ -157,8 +154,7 @@ void LightPlanner::considerMetering(base::Progress& progress) {
 void LightPlanner::measureBrightness(base::Progress& progress) {
   brightness_ = gi::measureBrightness(scene_, volume_, tracer_, environment_, progress);
   brightnessOf_ = gi::meteredScene(scene_);
-  brightnessOfVolume_ = volume_.get();
-  brightnessOfEnvironment_ = environmentName_;
+  brightnessStage_ = {volume_.get(), environmentName_};
   meterPending_ = false;
 }
 

@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -122,6 +123,7 @@ class LightPlanner {
   void require(Part& part, const std::shared_ptr<const gi::LightScene>& light, gi::LightPart which,
                bool wanted);
   void requireInner(base::Progress& progress);
+  std::array<Part*, 4> parts() { return {&outer_.sky, &outer_.lamps, &inner_.sky, &inner_.lamps}; }
   void wish(Side& side, const std::vector<glm::vec3>& hits, scene::GiExtent extent, base::Progress& progress);
   void wish(Part& part, const Asked& asked, base::Progress& progress);
   void demand(const Part& part);  // as many paths, on as many threads as there are to be
@@ -152,17 +154,20 @@ class LightPlanner {
   int projectedOrder_ = 0;
   gi::EnvironmentProjection projection_;
   std::shared_ptr<const volume::IsosurfaceTracer> tracer_;
-  const volume::PreparedVolume* tracerOf_ = nullptr;
-  scene::Inside tracerInside_ = scene::Inside::above;
-  std::uint64_t tracerHidden_ = 0;  // volume::keyOf()
-  std::uint64_t tracerCut_ = 0;     // volume::SurfaceCut::key()
+  struct TracerKey {
+    const volume::PreparedVolume* volume = nullptr;
+    scene::Inside inside = scene::Inside::above;
+    std::uint64_t hidden = 0;  // volume::keyOf()
+    std::uint64_t cut = 0;     // volume::SurfaceCut::key()
+    bool operator==(const TracerKey&) const = default;
+  };
+  TracerKey tracerOf_;
 
   std::shared_ptr<const gi::LightScene> lightScene_;
   std::shared_ptr<const gi::GlossLight> gloss_;  // null: no surface is glossy
   std::optional<gi::SurfaceBrightness> brightness_;
   scene::Scene brightnessOf_;  // as far as it depends on it, in this volume and environment:
-  const volume::PreparedVolume* brightnessOfVolume_ = nullptr;
-  std::string brightnessOfEnvironment_;
+  std::pair<const volume::PreparedVolume*, std::string> brightnessStage_;
   bool meterPending_ = false;
   std::shared_ptr<const gi::GroundShadow> ground_;  // null: none
   bool groundPending_ = false;                      // ground_ is of a scene before

@@ -85,7 +85,7 @@ std::vector<gi::WantedBlock> LightPlanner::wishes(gi::LightPart which) const {
 }
 
 void LightPlanner::wishNothing() {
-  for (Part* part : {&outer_.sky, &outer_.lamps, &inner_.sky, &inner_.lamps})
+  for (Part* part : parts())
     if (part->bake) wishNothing(*part);
 }
 
