@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "app/ready/give_way.h"
+#include "app/ready/quiet_renderer.h"
 #include "app/ready/ready_fields.h"
+#include "app/ready/rest_scene.h"
 #include "base/quantiles.h"
 #include "render/graph/pass.h"
 #include "render/still_picture.h"
@@ -57,24 +61,37 @@ Accuracy accuracyOf(const PictureErrors& errors) {
   return accuracy;
 }
 
-PictureErrors measureErrors(render::Renderer& renderer, scene::Scene drawn,
-                            const render::FrameRequest& request, const volume::PreparedVolume& volume,
-                            base::Progress& progress, const ShownLight& light,
+PictureErrors measureErrors(render::Renderer& renderer, ShownPicture drawn, base::Progress& progress,
                             std::optional<bool> drawnOnProcessor) {
-  completeFields(drawn, volume, true, progress);
+  completeFields(drawn.scene, *drawn.volume, true, progress);
   render::FrameRequest hits;
-  hits.size = request.size;
+  hits.size = drawn.size;
   hits.color = false;
   hits.aovs = {render::Aov::depth, render::Aov::voxel};
-  hits.stop = request.stop;
-  render::StillPicture picture = render::drawStill(renderer, drawn, hits, progress);
+  hits.stop = progress.token();
+  render::StillPicture picture = render::drawStill(renderer, drawn.scene, hits, progress);
   PictureErrors errors =
-      pictureErrors(volume, drawn,
-                    {request.size, std::move(picture.aovs[0].values), std::move(picture.aovs[1].values),
+      pictureErrors(*drawn.volume, drawn.scene,
+                    {drawn.size, std::move(picture.aovs[0].values), std::move(picture.aovs[1].values),
                      drawnOnProcessor.value_or(castsOnProcessor(picture.report))},
                     progress);
-  boundLight(renderer, drawn, request, light, errors, progress);
+  boundLight(renderer, drawn, errors, progress);
   return errors;
+}
+
+std::unique_ptr<AccuracyTask> accuracyTask(AccuracySubject asked) {
+  const auto work = [subject = std::move(asked)](base::Progress& progress) {
+    giveWay();
+    QuietRenderer quiet(subject.volume, subject.light);
+    ShownPicture shown = subject;
+    completeFields(shown.scene, *shown.volume, true, progress);
+    shown.scene = atRest(std::move(shown.scene), *shown.volume, progress);
+    PictureErrors errors = measureErrors(quiet.renderer(), std::move(shown), progress, subject.onProcessor);
+    MeasuredPicture measured{accuracyOf(errors), nullptr};
+    if (subject.keepImages) measured.images = std::make_shared<const PictureErrors>(std::move(errors));
+    return measured;
+  };
+  return AccuracyTask::start({"", "bound the errors of the image"}, work);
 }
 
 }  // namespace isolux::app

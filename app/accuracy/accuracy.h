@@ -2,10 +2,12 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <optional>
 
 #include "app/accuracy/light_bounds.h"
 #include "app/accuracy/picture_errors.h"
+#include "base/task.h"
 #include "render/renderer.h"
 
 namespace isolux::app {
@@ -34,13 +36,24 @@ Accuracy accuracyOf(const PictureErrors& errors);
 // Whether the picture's rays were cast by the processor, whose arithmetic is another than that of shaders.
 bool castsOnProcessor(const render::FrameReport& report);
 
-// Bounds of the picture of `drawn` (as it was drawn; what of its derivatives is automatic is filled in here):
-// its rays are cast again, one through the centre of each pixel. `light`: is bounded, too, where it is
-// stored; none: it is not. `drawnOnProcessor`: who drew the picture, where that was another renderer; its
-// arithmetic is bounded. Throws as render::drawStill(), pictureErrors() and boundLight().
-PictureErrors measureErrors(render::Renderer& renderer, scene::Scene drawn,
-                            const render::FrameRequest& request, const volume::PreparedVolume& volume,
-                            base::Progress& progress, const ShownLight& light = {},
+// Bounds of the picture `drawn` (what of its scene's derivatives is automatic is filled in here): its rays
+// are cast again. Its light is bounded, too, where it is stored. `drawnOnProcessor`: who drew the picture,
+// where that was another renderer; its arithmetic is bounded. Throws as render::drawStill(), pictureErrors()
+// and boundLight().
+PictureErrors measureErrors(render::Renderer& renderer, ShownPicture drawn, base::Progress& progress,
                             std::optional<bool> drawnOnProcessor = {});
+
+// The same on a background thread, with a renderer of its own that casts on the processor, of a picture whose
+// scene is resolved and as it is shown in motion; what is there at rest is found here.
+struct AccuracySubject : ShownPicture {
+  bool onProcessor = false;  // who drew it
+  bool keepImages = false;   // what each pixel errs by is wanted, too
+};
+struct MeasuredPicture {
+  Accuracy accuracy;
+  std::shared_ptr<const PictureErrors> images;  // null: not wanted
+};
+using AccuracyTask = base::Task<MeasuredPicture>;
+std::unique_ptr<AccuracyTask> accuracyTask(AccuracySubject asked);
 
 }  // namespace isolux::app

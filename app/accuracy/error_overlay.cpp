@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "app/accuracy/overlay_painter.h"
+#include "app/ready/give_way.h"
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/quantiles.h"
@@ -194,6 +195,17 @@ std::optional<render::Tile> paintErrors(const PictureErrors& errors, const Overl
   std::vector<std::uint8_t> seen(errors.depthMm.size());
   for (std::size_t i = 0; i < seen.size(); ++i) seen[i] = std::isnan(errors.depthMm[i]) ? 0 : 1;
   return painter.addLegend(legend, corner, seen, taken);
+}
+
+std::unique_ptr<OverlayTask> overlayTask(OverlaySubject asked) {
+  const auto work = [subject = std::move(asked)](base::Progress&) {
+    giveWay();
+    MarkedPicture marked{subject.picture(), {}};
+    marked.legend = paintErrors(*subject.errors, subject.wish, subject.shortestEdgeMm, subject.corner,
+                                subject.taken, marked.image);
+    return marked;
+  };
+  return OverlayTask::start({"", "show errors on the image"}, work);
 }
 
 }  // namespace isolux::app

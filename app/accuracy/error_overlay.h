@@ -4,12 +4,15 @@
 // Pictures in pixels, row 0 at the top. Any thread.
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/accuracy/error_images.h"
 #include "app/accuracy/error_limits.h"
+#include "base/task.h"
 #include "render/graph/frame.h"
 
 namespace isolux::app {
@@ -40,5 +43,21 @@ glm::ivec2 overlayReserve(const OverlayWish& wish, glm::ivec2 picture);
 std::optional<render::Tile> paintErrors(const PictureErrors& errors, const OverlayWish& wish,
                                         double shortestEdgeMm, scene::LegendCorner corner,
                                         const std::optional<render::Tile>& taken, render::ColorImage& image);
+
+// The same on a background thread.
+struct OverlaySubject {
+  std::function<render::ColorImage()> picture;  // copied out on the thread
+  std::shared_ptr<const PictureErrors> errors;  // of that picture, in its size
+  OverlayWish wish;
+  double shortestEdgeMm = 1.0;
+  scene::LegendCorner corner = scene::LegendCorner::automatic;
+  std::optional<render::Tile> taken;  // by the picture's own legend
+};
+struct MarkedPicture {
+  render::ColorImage image;
+  std::optional<render::Tile> legend;  // where it stands in it
+};
+using OverlayTask = base::Task<MarkedPicture>;
+std::unique_ptr<OverlayTask> overlayTask(OverlaySubject asked);
 
 }  // namespace isolux::app

@@ -8,6 +8,10 @@
 
 #include "app/accuracy/overlay_painter.h"
 #include "app/interaction/surface_pick.h"
+#include "app/ready/give_way.h"
+#include "app/ready/quiet_renderer.h"
+#include "app/ready/ready_fields.h"
+#include "app/ready/rest_scene.h"
 #include "base/number_text.h"
 #include "render/passes/view_uniforms.h"
 #include "render/still_picture.h"
@@ -32,31 +36,31 @@ double HiddenStructure::share() const {
          static_cast<double>(hides.size());
 }
 
-HiddenStructure hiddenStructure(render::Renderer& renderer, const scene::Scene& drawn,
-                                const render::FrameRequest& request, const volume::PreparedVolume& level,
+HiddenStructure hiddenStructure(render::Renderer& renderer, const ShownPicture& drawn,
                                 const volume::IndexedVolume& whole, const volume::LevelGaps& gaps,
                                 base::Progress& progress) {
-  const glm::ivec2 size = request.size;
+  const glm::ivec2 size = drawn.size;
   const std::size_t count = volume::Extent2{size}.count();
-  const glm::dvec3 thin = 2.0 * level.grid().geometry().spacingMm();
+  const volume::GridGeometry& level = drawn.volume->grid().geometry();
+  const glm::dvec3 thin = 2.0 * level.spacingMm();
   HiddenStructure out{size, std::vector<std::uint8_t>(count, 0), std::vector<std::uint8_t>(count, 0), 0,
                       std::max({thin.x, thin.y, thin.z})};
-  const std::vector<double> isovalues = scene::seenIsovalues(drawn);
+  const std::vector<double> isovalues = scene::seenIsovalues(drawn.scene);
   out.blocks = gaps.count();
 
   render::FrameRequest hits;
   hits.size = size;
   hits.color = false;
   hits.aovs = std::vector{render::Aov::voxel};
-  hits.stop = request.stop;
-  const std::vector<float> voxels = render::drawStill(renderer, drawn, hits, progress).aovs.at(0).values;
+  hits.stop = progress.token();
+  const std::vector<float> voxels =
+      render::drawStill(renderer, drawn.scene, hits, progress).aovs.at(0).values;
 
-  const scene::CameraFrame frame = scene::frameOf(drawn.camera);
+  const scene::CameraFrame frame = scene::frameOf(drawn.scene.camera);
   const double aspect = static_cast<double>(size.x) / size.y;
-  const double startMm = render::ViewUniforms(drawn.camera, aspect, level.grid().geometry()).rayStartMm;
-  const glm::dmat4 wholeFromLevel =
-      glm::inverse(whole.geometry.worldFromVoxel) * level.grid().geometry().worldFromVoxel;
-  const volume::SurfaceCut cut(drawn, whole.geometry);
+  const double startMm = render::ViewUniforms(drawn.scene.camera, aspect, level).rayStartMm;
+  const glm::dmat4 wholeFromLevel = glm::inverse(whole.geometry.worldFromVoxel) * level.worldFromVoxel;
+  const volume::SurfaceCut cut(drawn.scene, whole.geometry);
   // Of those that are cut the same is left; of another, all.
   double leastCut = isovalues.empty() ? 0.0 : isovalues.front();
   for (const double isovalue : isovalues)
@@ -101,6 +105,43 @@ std::optional<render::Tile> paintStructure(const HiddenStructure& structure, sce
   legend.quantity = "Coarser level";
   legend.hatched = {"may hide structure", "thinner than " + thinText(structure.thinnestMm)};
   return painter.addLegend(legend, corner, structure.seen, taken);
+}
+
+namespace {
+
+FoundStructure lookFor(const StructureSubject& subject, base::Progress& progress) {
+  FoundStructure found{{}, {}, subject.known};
+  KnownStructure& known = found.known;
+  if (!known.whole) {
+    auto whole = volume::indexedVolume(subject.scene.source, progress);
+    if (!whole) return found;
+    known = {std::make_shared<const volume::IndexedVolume>(std::move(*whole)), nullptr, {}};
+  }
+  found.marked.image = subject.picture();
+  ShownPicture shown{subject.volume, subject.scene, nullptr, found.marked.image.size};
+  completeFields(shown.scene, *shown.volume, true, progress);
+  shown.scene = atRest(std::move(shown.scene), *shown.volume, progress);
+  std::vector<double> isovalues = scene::seenIsovalues(shown.scene);
+  if (!known.gaps || known.isovalues != isovalues) {
+    known.gaps =
+        std::make_shared<const volume::LevelGaps>(*known.whole, shown.volume->grid(), isovalues, progress);
+    known.isovalues = std::move(isovalues);
+  }
+  QuietRenderer quiet(shown.volume, nullptr);
+  found.structure = hiddenStructure(quiet.renderer(), shown, *known.whole, *known.gaps, progress);
+  found.marked.legend =
+      paintStructure(*found.structure, shown.scene.look.legendCorner, subject.taken, found.marked.image);
+  return found;
+}
+
+}  // namespace
+
+std::unique_ptr<StructureTask> structureTask(StructureSubject asked) {
+  const auto work = [subject = std::move(asked)](base::Progress& progress) {
+    giveWay();
+    return lookFor(subject, progress);
+  };
+  return StructureTask::start({"", "look for structure lost in the overview"}, work);
 }
 
 }  // namespace isolux::app

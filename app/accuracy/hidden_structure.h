@@ -2,12 +2,15 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <glm/vec2.hpp>
 
+#include "app/accuracy/error_overlay.h"
 #include "app/accuracy/picture_errors.h"
 #include "render/graph/frame.h"
 #include "render/renderer.h"
@@ -30,10 +33,9 @@ struct HiddenStructure {
   double share() const;  // of the picture's pixels
 };
 
-// `drawn`: the scene of the picture, as measureErrors() takes it, of a volume that is a level of `whole`.
-// gaps: of scene::seenIsovalues(drawn). Throws as render::drawStill().
-HiddenStructure hiddenStructure(render::Renderer& renderer, const scene::Scene& drawn,
-                                const render::FrameRequest& request, const volume::PreparedVolume& level,
+// `drawn`: as measureErrors() takes it, of a volume that is a level of `whole`. gaps: of
+// scene::seenIsovalues(drawn.scene). Throws as render::drawStill().
+HiddenStructure hiddenStructure(render::Renderer& renderer, const ShownPicture& drawn,
                                 const volume::IndexedVolume& whole, const volume::LevelGaps& gaps,
                                 base::Progress& progress);
 
@@ -43,5 +45,30 @@ std::string structureLine(const HiddenStructure& structure);
 std::optional<render::Tile> paintStructure(const HiddenStructure& structure, scene::LegendCorner corner,
                                            const std::optional<render::Tile>& taken,
                                            render::ColorImage& image);
+
+// Keeps what outlives a picture: the next task of the same volume takes it over. All null: nothing is known
+// yet.
+struct KnownStructure {
+  std::shared_ptr<const volume::IndexedVolume> whole;
+  std::shared_ptr<const volume::LevelGaps> gaps;  // of `isovalues`
+  std::vector<double> isovalues;
+};
+
+// Finds what the level hides of the picture on screen and marks it, on a background thread, with a renderer
+// of its own that casts on the processor.
+struct StructureSubject {
+  std::shared_ptr<const volume::PreparedVolume> volume;  // the level
+  scene::Scene scene;                                    // resolved, as it is shown in motion
+  std::function<render::ColorImage()> picture;           // copied out on the thread
+  std::optional<render::Tile> taken;                     // by the picture's own legend
+  KnownStructure known;
+};
+struct FoundStructure {
+  std::optional<HiddenStructure> structure;  // none: the volume has no index
+  MarkedPicture marked;
+  KnownStructure known;
+};
+using StructureTask = base::Task<FoundStructure>;
+std::unique_ptr<StructureTask> structureTask(StructureSubject asked);
 
 }  // namespace isolux::app

@@ -48,16 +48,19 @@ std::uint64_t versionOfHalf(std::uint64_t version, gi::HalfOfTexels half) {
   return (std::uint64_t{1} << 63) + 2 * version + (half == gi::HalfOfTexels::odd ? 1 : 0);
 }
 
+// Gives the renderer its light back at the end, whatever happens.
 class LightJury {
  public:
-  LightJury(render::Renderer& renderer, const scene::Scene& scene, const render::FrameRequest& request,
-            const ShownLight& light, base::Progress& progress)
-      : renderer_(renderer), light_(light), progress_(progress) {
-    request_.size = request.size;
+  LightJury(render::Renderer& renderer, const ShownPicture& picture, base::Progress& progress)
+      : renderer_(renderer), picture_(picture), progress_(progress) {
+    request_.size = picture.size;
     request_.color = false;
     request_.aovs = std::vector{render::Aov::irradiance};
-    scene_ = litScene(scene, request_);
+    scene_ = litScene(picture.scene, request_);
   }
+  ~LightJury() { renderer_.setLight(picture_.light); }
+  LightJury(const LightJury&) = delete;
+  LightJury& operator=(const LightJury&) = delete;
 
   // E, row 0 at the top.
   std::vector<float> draw() {
@@ -70,7 +73,8 @@ class LightJury {
     render::FrameRequest request = request_;
     request.aovs = std::vector{render::Aov::voxel};
     const std::vector<float> voxel = render::drawStill(renderer_, scene_, request, progress_).aovs[0].values;
-    const auto& lattice = light_.light->sky ? *light_.light->sky : *light_.light->lamps;
+    const gi::PictureLight& light = *picture_.light;
+    const auto& lattice = light.sky ? *light.sky : *light.lamps;
     const glm::vec3 texels = 1.0f / glm::max(glm::vec3(lattice.geometry().voxelsPerTexel()), 1e-6f);
     std::vector<double> steps;
     for (std::size_t i = 3; i < voxel.size(); i += 3) {
@@ -88,10 +92,10 @@ class LightJury {
   std::vector<float> changes() {
     std::array<std::vector<float>, 2> drawn;
     for (const gi::HalfOfTexels half : {gi::HalfOfTexels::even, gi::HalfOfTexels::odd}) {
-      auto light = std::make_shared<gi::PictureLight>(*light_.light);
-      static_cast<gi::StoredSide&>(*light) = halfOf(*light_.light, half);
-      light->inner = halfOf(light_.light->inner, half);
-      light->version = versionOfHalf(light_.light->version, half);
+      auto light = std::make_shared<gi::PictureLight>(*picture_.light);
+      static_cast<gi::StoredSide&>(*light) = halfOf(*picture_.light, half);
+      light->inner = halfOf(picture_.light->inner, half);
+      light->version = versionOfHalf(picture_.light->version, half);
       renderer_.setLight(light);
       drawn[half == gi::HalfOfTexels::odd ? 1 : 0] = draw();
     }
@@ -103,11 +107,11 @@ class LightJury {
   // E of the pixels, traced.
   std::vector<float> trace(std::vector<std::uint32_t> pixels) {
     const auto environment = gi::loadEnvironment(scene_.light.environment);
-    const auto tracer = gi::lightTracerOf(scene_, light_.volume, progress_);
+    const auto tracer = gi::lightTracerOf(scene_, picture_.volume, progress_);
     const std::size_t threads =
         tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
     gi::Reference reference(
-        light_.volume, tracer, environment, scene_,
+        picture_.volume, tracer, environment, scene_,
         {request_.size, static_cast<int>(std::max<std::size_t>(1, threads)), std::move(pixels)}, progress_);
     const std::uint32_t paths = std::clamp(kTracedPerStored * static_cast<std::uint32_t>(scene_.gi.samples),
                                            kFewestTraced, kMostTraced);
@@ -130,23 +134,9 @@ class LightJury {
  private:
   render::Renderer& renderer_;
   scene::Scene scene_;
-  ShownLight light_;
+  const ShownPicture& picture_;
   base::Progress& progress_;
   render::FrameRequest request_;
-};
-
-// Gives the renderer its light back, whatever happens.
-class LightKeeper {
- public:
-  LightKeeper(render::Renderer& renderer, std::shared_ptr<const gi::PictureLight> light)
-      : renderer_(renderer), light_(std::move(light)) {}
-  ~LightKeeper() { renderer_.setLight(light_); }
-  LightKeeper(const LightKeeper&) = delete;
-  LightKeeper& operator=(const LightKeeper&) = delete;
-
- private:
-  render::Renderer& renderer_;
-  std::shared_ptr<const gi::PictureLight> light_;
 };
 
 // Sums over `near` numbers to either side, of a line of `count` numbers that are `stride` apart.
@@ -215,15 +205,15 @@ std::vector<float> smoothedRoots(std::span<const float> squares, std::size_t wid
   return roots;
 }
 
-void boundLight(render::Renderer& renderer, const scene::Scene& scene, const render::FrameRequest& request,
-                const ShownLight& light, PictureErrors& errors, base::Progress& progress) {
-  if (!light.light || !(light.light->sky || light.light->lamps) || !allOpaque(scene)) return;
-  const LightKeeper keeper(renderer, light.light);
-  LightJury jury(renderer, scene, request, light, progress);
+void boundLight(render::Renderer& renderer, const ShownPicture& picture, PictureErrors& errors,
+                base::Progress& progress) {
+  const gi::PictureLight* const light = picture.light.get();
+  if (!light || !(light->sky || light->lamps) || !allOpaque(picture.scene)) return;
+  LightJury jury(renderer, picture, progress);
   progress.report(0.0, "bounding light");
   const std::vector<float> shown = jury.draw();
   std::vector<float> bounds =
-      smoothedRoots(jury.changes(), static_cast<std::size_t>(request.size.x), jury.near());
+      smoothedRoots(jury.changes(), static_cast<std::size_t>(picture.size.x), jury.near());
   std::vector<bool> judged(bounds.size());
   for (std::size_t i = 0; i < bounds.size(); ++i) judged[i] = errors.certain[i] && !std::isnan(bounds[i]);
   const std::vector<std::size_t> chosen = chosenPixels(judged, kTracedPixels);

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "app/accuracy/picture_errors.h"
-#include "gi/picture_light.h"
 #include "render/renderer.h"
 
 namespace isolux::app {
@@ -20,17 +19,11 @@ inline constexpr double kLightLevel = 0.95;       // of the pixels that have a b
 inline constexpr double kLightConfidence = 0.99;  // of pictures for which that is so
 inline constexpr std::size_t kTracedPixels = 512;
 
-// The light of a picture and the volume it falls on.
-struct ShownLight {
-  std::shared_ptr<const gi::PictureLight> light;  // what the renderer has, and has again afterwards
-  std::shared_ptr<const volume::PreparedVolume> volume;
-};
-
-// Sets errors.light, .lightWithin and .meanIrradiance of a picture with stored light; nothing where there is
-// none, and where a surface is transparent. `scene` and `request` as drawn. Throws as render::drawStill();
-// Error{memory} for copies of the light.
-void boundLight(render::Renderer& renderer, const scene::Scene& scene, const render::FrameRequest& request,
-                const ShownLight& light, PictureErrors& errors, base::Progress& progress);
+// Sets errors.light, .lightWithin and .meanIrradiance of a picture with stored light, which the renderer has
+// and has again afterwards; nothing where there is none, and where a surface is transparent. Throws as
+// render::drawStill(); Error{memory} for copies of the light.
+void boundLight(render::Renderer& renderer, const ShownPicture& picture, PictureErrors& errors,
+                base::Progress& progress);
 
 // The least of `scores`, of pixels drawn at random, that at least kLightLevel of all pixels do not exceed in
 // kLightConfidence of such draws, whatever their distribution (Wilks 1941); `all`: these are all that there

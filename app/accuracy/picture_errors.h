@@ -9,10 +9,19 @@
 #include <glm/vec2.hpp>
 
 #include "base/progress.h"
+#include "gi/picture_light.h"
 #include "scene/scene.h"
 #include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
+
+// A picture that was drawn, with one ray through the centre of each pixel.
+struct ShownPicture {
+  std::shared_ptr<const volume::PreparedVolume> volume;
+  scene::Scene scene;                             // as it was drawn
+  std::shared_ptr<const gi::PictureLight> light;  // that it is lit by; null: none
+  glm::ivec2 size{0};                             // pixels
+};
 
 // One ray through the centre of each pixel, row 0 at the top, as render::Aov::depth and voxel have them: NaN
 // where there is no hit.

@@ -270,8 +270,8 @@ class RenderRun {
       if (whole_) {
         const volume::LevelGaps gaps(*whole_, prepared_->grid(), scene::seenIsovalues(drawn.shown),
                                      progress_);
-        structure = hiddenStructure(**renderer_, drawn.shown, drawn.inputs.request, *prepared_, *whole_, gaps,
-                                    progress_);
+        structure = hiddenStructure(**renderer_, {prepared_, drawn.shown, nullptr, drawn.inputs.request.size},
+                                    *whole_, gaps, progress_);
       }
       if (structure && marksStructure(options_)) {
         const auto legend =

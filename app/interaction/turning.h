@@ -1,4 +1,5 @@
-// Rotations that a user turns: an arcball, and heading, elevation and roll. Pure functions, no widgets.
+// Rotations that a user turns (an arcball, and heading, elevation and roll), and views that turn. Pure
+// functions, no widgets.
 //
 // Quaternions are (w, x, y, z) as in the Scene, from the environment's own axes to the world's; results have
 // unit length. Angles in degrees. World: +z superior.
@@ -29,5 +30,13 @@ glm::dvec4 turnedByDrag(const glm::dvec4& rotation, const scene::CameraFrame& fr
 
 glm::dvec3 rotated(const glm::dvec4& rotation, glm::dvec3 v);      // to the world
 glm::dvec3 rotatedBack(const glm::dvec4& rotation, glm::dvec3 v);  // to the environment's axes
+
+// Returns a camera between two, for views that turn instead of jumping: `part` from 0 (the first) to 1 (the
+// second, exactly). In between the view turns about one axis at an even rate, the target moves on a straight
+// line, the distance changes by equal factors. Projection and angle of view are the second's. Both resolved.
+scene::Camera cameraBetween(const scene::Camera& from, const scene::Camera& to, double part);
+
+// How far a turn has come after a part of its time: slow at both ends.
+double easedPart(double partOfTime);
 
 }  // namespace isolux::app

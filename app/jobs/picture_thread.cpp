@@ -3,7 +3,7 @@
 #include <system_error>
 #include <utility>
 
-#include "app/jobs/give_way.h"
+#include "app/ready/give_way.h"
 #include "base/retire.h"
 #include "render/renderer.h"
 
@@ -19,14 +19,9 @@ struct PictureThread::Work {
   base::Mailbox<Result> results;
   struct StillOrder {
     PictureOrder order;
-    std::shared_ptr<base::Progress> progress;
+    std::shared_ptr<Still> still;
   };
   base::Mailbox<StillOrder> stillOrders;
-  struct DrawnStill {
-    Still still;
-    std::shared_ptr<const base::Progress> of;  // which order
-  };
-  base::Mailbox<DrawnStill> stills;
   explicit Work(Options asked) : options(std::move(asked)) {}
 
   const Options options;
@@ -41,7 +36,7 @@ struct PictureThread::Work {
   void serve();
   void makeContext();
   void draw(const Numbered& numbered);
-  void drawStill(const StillOrder& still);
+  void drawStill(const PictureOrder& order, Still& still);
   void forget();
   void failed(const std::exception_ptr& failure);
   render::Renderer& rendererFor(const PictureOrder& order);
@@ -122,18 +117,15 @@ void PictureThread::Work::draw(const Numbered& numbered) {
   tell();
 }
 
-void PictureThread::Work::drawStill(const StillOrder& still) {
-  const PictureOrder& order = still.order;
+void PictureThread::Work::drawStill(const PictureOrder& order, Still& still) {
   try {
-    render::StillPicture picture =
-        render::drawStill(rendererFor(order), order.scene, order.request, *still.progress);
+    still.picture = render::drawStill(rendererFor(order), order.scene, order.request, still.progress);
     made->gl()->throwIfLost();
-    stills.put(std::make_unique<DrawnStill>(DrawnStill{std::move(picture), still.progress}));
   } catch (...) {
-    const std::exception_ptr failure = std::current_exception();
-    failed(failure);
-    stills.put(std::make_unique<DrawnStill>(DrawnStill{failure, still.progress}));
+    still.failure = std::current_exception();
+    failed(still.failure);
   }
+  still.finished.store(true, std::memory_order_release);
   tell();
 }
 
@@ -150,7 +142,7 @@ void PictureThread::Work::serve() {
     if (forgets.exchange(false, std::memory_order_acq_rel))
       forget();
     else if (const auto still = stillOrders.take())
-      drawStill(*still);
+      drawStill(still->order, *still->still);
     else if (const auto numbered = orders.take())
       draw(*numbered);
     else
@@ -189,7 +181,7 @@ PictureThread::PictureThread(Options options) : work_(std::make_shared<Work>(std
 
 PictureThread::~PictureThread() {
   for (Given& given : given_) given.stop.request_stop();
-  stopStill();
+  if (still_) still_->progress.requestStop();
   work_->ending.store(true, std::memory_order_release);
   work_->news.release();
   base::retire(std::pair(std::move(work_), std::move(thread_)));
@@ -232,31 +224,15 @@ void PictureThread::forget() {
   work_->news.release();
 }
 
-void PictureThread::drawStill(PictureOrder order) {
-  stillProgress_ = std::make_shared<base::Progress>();
-  order.request.stop = stillProgress_->token();
+std::shared_ptr<PictureThread::Still> PictureThread::drawStill(PictureOrder order) {
+  still_ = std::make_shared<Still>();
+  order.request.stop = still_->progress.token();
   order.request.hits = render::FrameRequest::Hits::none;
-  work_->stillOrders.put(
-      std::make_unique<Work::StillOrder>(Work::StillOrder{std::move(order), stillProgress_}));
+  work_->stillOrders.put(std::make_unique<Work::StillOrder>(Work::StillOrder{std::move(order), still_}));
   for (Given& given : given_) given.stop.request_stop();
   given_.clear();
   work_->news.release();
-}
-
-double PictureThread::stillFraction() const {
-  return stillProgress_ ? stillProgress_->fraction() : 0.0;
-}
-
-void PictureThread::stopStill() {
-  if (stillProgress_) stillProgress_->requestStop();
-}
-
-std::unique_ptr<PictureThread::Still> PictureThread::takeStill() {
-  std::unique_ptr<Work::DrawnStill> drawn = work_->stills.take();
-  if (!drawn) return nullptr;
-  if (drawn->of == stillProgress_) return std::make_unique<Still>(std::move(drawn->still));
-  base::retire(std::move(drawn));
-  return nullptr;
+  return still_;
 }
 
 }  // namespace isolux::app

@@ -62,7 +62,6 @@ struct FailedPicture {
 class PictureThread {
  public:
   using Result = std::variant<DrawnPicture, FailedPicture>;
-  using Still = std::variant<render::StillPicture, std::exception_ptr>;
 
   // Whose pictures somebody waits for. Others are drawn by a thread that gives way to every other.
   enum class Priority { user, background };
@@ -71,8 +70,8 @@ class PictureThread {
     std::function<std::unique_ptr<render::OffscreenContext>()> context{};
     bool handsTextures = false;  // its context shares objects with that of the owner
     Priority priority = Priority::user;
-    // Called on the thread whenever context(), take() or takeStill() may return something new; may outlive
-    // the owner.
+    // Called on the thread whenever context() or take() may return something new, or a still is finished; may
+    // outlive the owner.
     std::function<void()> news{};
   };
   // Begins to make the context.
@@ -102,11 +101,14 @@ class PictureThread {
   bool busy() const { return !given_.empty(); }  // an order has neither come back nor been dropped
 
   // The whole picture, of any size (render::drawStill). It drops what is being drawn, and is not dropped
-  // itself. One at a time: of those that were ordered before, stopped or not, takeStill() knows nothing more.
-  void drawStill(PictureOrder order);
-  std::unique_ptr<Still> takeStill();
-  double stillFraction() const;  // how far the one that was ordered last is, in tiles
-  void stopStill();              // it ends as soon as it can, with Error{interrupted}
+  // itself. One at a time: those that were ordered before may never be finished.
+  struct Still {
+    base::Progress progress;  // in tiles; after a stop request it ends with Error{interrupted}
+    std::atomic<bool> finished{false};
+    render::StillPicture picture;  // once it is finished
+    std::exception_ptr failure;    // why there is none
+  };
+  std::shared_ptr<Still> drawStill(PictureOrder order);
 
  private:
   struct Work;
@@ -117,7 +119,7 @@ class PictureThread {
   };
   std::shared_ptr<Work> work_;
   std::vector<Given> given_;
-  std::shared_ptr<base::Progress> stillProgress_;
+  std::shared_ptr<Still> still_;  // that was ordered last
   std::uint64_t number_ = 0, dropped_ = 0;
   std::jthread thread_;
 };

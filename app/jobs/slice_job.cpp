@@ -12,35 +12,27 @@ namespace isolux::app {
 
 SliceOrder sliceOrder(std::shared_ptr<const volume::PreparedVolume> volume, const volume::SlicePlane& plane,
                       const scene::Scene& resolved) {
-  SliceOrder order;
-  order.volume = std::move(volume);
-  order.plane = plane;
-  order.slice = resolved.slice;
-  order.isosurface = resolved.isosurface;
-  order.extraIsosurfaces = resolved.extraIsosurfaces;
-  order.pieces = resolved.pieces;
-  order.slice.position.reset();
-  if (order.slice.noiseBand > 0.0) order.noise = resolved.derivatives.noise;
+  SliceOrder order{std::move(volume), plane, {}};
+  order.scene.slice = resolved.slice;
+  order.scene.isosurface = resolved.isosurface;
+  order.scene.extraIsosurfaces = resolved.extraIsosurfaces;
+  order.scene.pieces = resolved.pieces;
+  order.scene.slice.position.reset();
+  if (resolved.slice.noiseBand > 0.0) order.scene.derivatives.noise = resolved.derivatives.noise;
   return order;
 }
 
 namespace {
 
 render::ColorImage drawn(const SliceOrder& order, base::Progress& progress) {
-  scene::Scene scene;
-  scene.slice = order.slice;
-  scene.isosurface = order.isosurface;
-  scene.extraIsosurfaces = order.extraIsosurfaces;
-  scene.pieces = order.pieces;
-  scene.derivatives.noise = order.noise;
   const volume::Volume& volume = order.volume->volume;
   const SliceContent content =
-      sliceContent(*order.volume, scene, coarsened(order.plane, order.coarse), progress);
-  scene::Slice shown = scene.slice;
+      sliceContent(*order.volume, order.scene, coarsened(order.plane, order.coarse), progress);
+  scene::Slice shown = order.scene.slice;
   shown.contourWidth *= order.pixelRatio / order.coarse;
   render::ColorImage picture = enlarged(slicePicture(content, shown, volume.grid->geometry(), progress),
                                         order.coarse, order.plane.size);
-  drawWords(wordsOf(content, order.plane, scene.slice, volume), picture, order.pixelRatio);
+  drawWords(wordsOf(content, order.plane, order.scene.slice, volume), picture, order.pixelRatio);
   return picture;
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/jobs/give_way.h"
+#include "app/ready/give_way.h"
 #include "app/ready/ready_fields.h"
 #include "base/memory_budget.h"
 #include "scene/rules/automatic.h"

@@ -8,10 +8,11 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "app/marks/mark_report.h"
-#include "base/progress.h"
+#include "base/task.h"
 #include "scene/scene.h"
 #include "volume/edge/surface_edges.h"
 #include "volume/measure/piece_measure.h"
@@ -78,5 +79,11 @@ class MarkEvaluator {
   std::optional<volume::SurfaceEdges> edges_;
   std::optional<double> curvatureNoise_;  // standard deviation, 1/mm, at the scale that is used
 };
+
+// Measures marks on a background thread, the quick ones first. Its news: which of the marks have been
+// measured, with their reports. What failed, as for want of memory, is the mark's problem. Nobody else uses
+// the evaluator until it has finished.
+using MarkTask = base::Task<void, std::vector<std::pair<std::size_t, MarkReport>>>;
+std::unique_ptr<MarkTask> markTask(std::shared_ptr<MarkEvaluator> evaluator, std::vector<scene::Mark> marks);
 
 }  // namespace isolux::app

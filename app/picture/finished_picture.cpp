@@ -32,8 +32,7 @@ FinishedPicture drawPicture(render::Renderer& renderer, LightController& light, 
   if (!times.empty()) picture.milliseconds = base::median(std::move(times));
   progress.throwIfStopped();
   if (!errors) return picture;
-  picture.errors =
-      measureErrors(renderer, picture.shown, request, *volume, progress, {light.light(), volume});
+  picture.errors = measureErrors(renderer, {volume, picture.shown, light.light(), request.size}, progress);
   picture.accuracy = accuracyOf(*picture.errors);
   return picture;
 }

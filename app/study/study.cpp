@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/ready/give_way.h"
 #include "app/ready/ready_fields.h"
 #include "app/study/light_study.h"
 #include "app/study/light_truth.h"
@@ -10,6 +11,7 @@
 #include "app/study/scale_study.h"
 #include "base/error.h"
 #include "render/gl/gl.h"
+#include "render/gl/gl_context.h"
 #include "scene/rules/needs.h"
 
 namespace isolux::app {
@@ -205,6 +207,23 @@ KnobStudy Studio::studySurface(const Knob& knob, base::Progress& progress, doubl
     result.knowsTruth = scale_->isPhantom();
   }
   return result;
+}
+
+std::unique_ptr<StudyTask> studyTask(StudySubject subject, std::vector<Knob> knobs) {
+  const auto work = [subject = std::move(subject), knobs = std::move(knobs)](base::Progress& progress,
+                                                                             const auto& tell) {
+    giveWay();
+    const auto context = render::OffscreenContext::create(render::ContextChoice::automatic);
+    context->makeCurrent();
+    Studio studio(context->gl(), subject);
+    const double part = 1.0 / static_cast<double>(knobs.size());
+    for (std::size_t i = 0; i < knobs.size(); ++i) {
+      const double from = part * static_cast<double>(i);
+      KnobStudy study = studio.study(knobs[i], progress, from, from + part);
+      tell([&](std::vector<KnobStudy>& found) { found.push_back(std::move(study)); });
+    }
+  };
+  return StudyTask::start({"", "measure accuracy"}, work);
 }
 
 }  // namespace isolux::app

@@ -17,7 +17,7 @@
 #include "app/compare/compared_picture.h"
 #include "app/study/study_results.h"
 #include "app/study/surface_truth.h"
-#include "base/progress.h"
+#include "base/task.h"
 #include "render/renderer.h"
 #include "scene/settings/machine.h"
 
@@ -59,5 +59,10 @@ class Studio {
   std::unique_ptr<LightStudio> light_;      // the same
   std::unique_ptr<PictureStudio> picture_;  // the same
 };
+
+// Studies knobs in the view of a scene on a background thread that gives way, with a renderer of its own.
+// Its news: the knobs that have been studied, in their order.
+using StudyTask = base::Task<void, std::vector<KnobStudy>>;
+std::unique_ptr<StudyTask> studyTask(StudySubject subject, std::vector<Knob> knobs);
 
 }  // namespace isolux::app

@@ -1,13 +1,26 @@
 // The combinations of settings that a search may take, made from the scene as it was given.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "app/target/choice.h"
+#include "render/graph/frame.h"
 #include "scene/scene.h"
+#include "scene/settings/machine.h"
+#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
+
+struct TargetQuestion {
+  std::shared_ptr<const volume::PreparedVolume> volume;
+  scene::Scene given;            // as the user gave it, with the picture's camera; not resolved
+  render::FrameRequest picture;  // size and deferred images
+  scene::Machine machine;
+  bool processor = false;          // is the executor
+  std::vector<std::string> fixed;  // paths of settings that stay as they are
+};
 
 // What decides which combinations there are.
 struct Turning {

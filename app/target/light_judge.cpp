@@ -26,37 +26,36 @@ TruthOptions pathsFor(double noise) {
 
 }  // namespace
 
-LightJudge::LightJudge(render::Renderer& renderer, SurfaceTruth& truth,
-                       std::shared_ptr<const volume::PreparedVolume> volume, const scene::Machine& machine,
-                       render::FrameRequest picture, glm::ivec2 size, double noise)
+LightJudge::LightJudge(render::Renderer& renderer, SurfaceTruth& truth, const TargetQuestion& question,
+                       glm::ivec2 size, double noise)
     : renderer_(renderer),
       surface_(truth),
-      volume_(std::move(volume)),
-      picture_(std::move(picture)),
+      question_(question),
       size_(size),
       noise_(noise),
-      controller_({.threads = machine.threads}) {}
+      controller_({.threads = question.machine.threads}) {}
 
 const LightTruth& LightJudge::truthOf(Measuring measuring, base::Progress& progress) {
   const std::size_t count = std::min(judgedPixels(measuring), seen_);
   if (const auto known = truths_.find(count); known != truths_.end()) return known->second;
-  return truths_.emplace(count, lightTruthOf(*reference_, volume_, *hits_, count, pathsFor(noise_), progress))
+  return truths_
+      .emplace(count, lightTruthOf(*reference_, question_.volume, *hits_, count, pathsFor(noise_), progress))
       .first->second;
 }
 
 void LightJudge::draw(const scene::Scene& scene, base::Progress& progress) {
   drawn_.reset();
   render::FrameRequest whole;
-  whole.size = picture_.size;
+  whole.size = question_.picture.size;
   whole.color = false;
   whole.aovs = {render::Aov::depth, render::Aov::irradiance};
-  whole.supersampling = picture_.aovs.empty() ? scene.picture.supersampling : 1;
+  whole.supersampling = question_.picture.aovs.empty() ? scene.picture.supersampling : 1;
   base::Progress inner;  // a bake's own fraction is not the search's
   const std::stop_callback stop(progress.token(), [&inner] { inner.requestStop(); });
-  lightPicture(controller_, renderer_, scene, whole, volume_, inner);
+  lightPicture(controller_, renderer_, scene, whole, question_.volume, inner);
   if (whole.supersampling > 1) {  // which casts no ray through a pixel's centre, where light is judged
     whole.supersampling = 1;
-    lightPicture(controller_, renderer_, scene, whole, volume_, inner);
+    lightPicture(controller_, renderer_, scene, whole, question_.volume, inner);
   }
   std::vector<std::vector<float>> drawn =
       drawnImages(renderer_, litScene(scene, whole), size_, whole.aovs, progress);

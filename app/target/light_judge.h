@@ -16,9 +16,8 @@
 #include "app/light/light_controller.h"
 #include "app/study/light_errors.h"
 #include "app/study/surface_truth.h"
-#include "app/target/choice.h"
+#include "app/target/candidates.h"
 #include "render/renderer.h"
-#include "scene/settings/machine.h"
 
 namespace isolux::app {
 
@@ -30,11 +29,10 @@ constexpr std::size_t judgedPixels(Measuring measuring) {
 
 class LightJudge {
  public:
-  // `picture`: what light is baked for. `truth`: of the view in `size`, whose pixels are judged. `noise`: of
-  // the light's truth, in parts of the mean E, at most, as far as kMostPaths reach.
-  LightJudge(render::Renderer& renderer, SurfaceTruth& truth,
-             std::shared_ptr<const volume::PreparedVolume> volume, const scene::Machine& machine,
-             render::FrameRequest picture, glm::ivec2 size, double noise);
+  // Light is baked for the question's picture. `truth`: of the view in `size`, whose pixels are judged.
+  // `noise`: of the light's truth, in parts of the mean E, at most, as far as kMostPaths reach.
+  LightJudge(render::Renderer& renderer, SurfaceTruth& truth, const TargetQuestion& question, glm::ivec2 size,
+             double noise);
 
   // `scene` resolved and complete, its light stored. The same scene again is not baked again. The standard
   // error is that of a part of the picture's pixels, drawn by lot: none where all are judged. Throws
@@ -47,8 +45,7 @@ class LightJudge {
 
   render::Renderer& renderer_;
   SurfaceTruth& surface_;
-  std::shared_ptr<const volume::PreparedVolume> volume_;
-  render::FrameRequest picture_;
+  const TargetQuestion& question_;
   glm::ivec2 size_;
   double noise_;
   LightController controller_;

@@ -1,17 +1,21 @@
 #include "app/target/target_search.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <iterator>
 
 #include "app/light/light_picture.h"
+#include "app/ready/give_way.h"
 #include "app/ready/ready_fields.h"
 #include "app/ready/rest_scene.h"
 #include "app/target/drawn_images.h"
 #include "app/target/stages.h"
 #include "app/target/work.h"
 #include "base/error.h"
+#include "render/gl/gl_context.h"
 #include "render/passes/pass_declarations.h"
+#include "render/passes/processor.h"
 #include "scene/rules/automatic.h"
 #include "scene/rules/gi_choice.h"
 
@@ -73,9 +77,7 @@ scene::Scene TargetSearch::sceneOf(const Candidate& candidate, base::Progress& p
 
 bool TargetSearch::prepare(base::Progress& progress) {
   progress.report(0.0, "choosing settings");
-  if (!reference_) {
-    reference_ = wholeSurface(sceneOf({}, progress));
-  }
+  if (!reference_) reference_ = wholeSurface(sceneOf({}, progress));
   const TrueSurface truth = truthAt(size_).of(reference_->hit.field, reference_->derivatives, progress);
   return std::any_of(truth.hits.begin(), truth.hits.end(), [](const TrueHit& hit) { return hit.hit; });
 }
@@ -135,8 +137,7 @@ TargetErrors TargetSearch::measureLight(const Candidate& candidate, Measuring me
                                         base::Progress& progress) {
   if (!light_) {
     const glm::ivec2 size = measuredSize(question_.picture.size, kMostPixels);
-    light_ = std::make_unique<LightJudge>(renderer_, truthAt(size), question_.volume, question_.machine,
-                                          question_.picture, size, lightNoise_);
+    light_ = std::make_unique<LightJudge>(renderer_, truthAt(size), question_, size, lightNoise_);
   }
   TargetErrors errors;
   errors[indexOf(Quantity::light)] =
@@ -264,6 +265,41 @@ std::optional<TargetAnswer> TargetSearch::keepErrors(const std::vector<Limit>& a
       "it is the least work that keeps " + limitsText(std::span(answer.limits).first(answer.asked));
   answer.expectedMilliseconds = scaledMilliseconds(chosen.candidate, progress);
   return answer;
+}
+
+namespace {
+
+std::atomic<int> searching{0};
+
+std::optional<TargetAnswer> answerTo(const TargetSubject& subject, base::Progress& progress) {
+  const auto context = render::OffscreenContext::create(render::ContextChoice::automatic);
+  context->makeCurrent();
+  render::Renderer renderer(context->gl());
+  renderer.setMachine(subject.machine);
+  renderer.setVolume(subject.volume);
+  renderer.setLight(subject.light);
+  TargetQuestion question = subject;
+  question.processor = render::takesProcessor(subject.machine.executor, *context->gl());
+  question.picture.stop = progress.token();
+  TargetSearch search(renderer, std::move(question));
+  return subject.limits.empty() ? search.keepTime(subject.milliseconds, progress)
+                                : search.keepErrors(subject.limits, progress);
+}
+
+}  // namespace
+
+std::unique_ptr<TargetTask> targetTask(TargetSubject asked) {
+  ++searching;
+  const std::shared_ptr<const void> counted(&searching, [](const void*) { --searching; });
+  const auto work = [subject = std::move(asked), counted](base::Progress& progress) {
+    giveWay();
+    return answerTo(subject, progress);
+  };
+  return TargetTask::start({"", "choose settings"}, work);
+}
+
+int runningSearches() {
+  return searching;
 }
 
 }  // namespace isolux::app

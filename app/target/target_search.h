@@ -20,7 +20,7 @@
 #include "app/target/candidates.h"
 #include "app/target/choice.h"
 #include "app/target/light_judge.h"
-#include "base/progress.h"
+#include "base/task.h"
 #include "render/renderer.h"
 #include "scene/settings/machine.h"
 
@@ -29,15 +29,6 @@ namespace isolux::app {
 inline constexpr int kFewPixels = 40000, kManyPixels = 160000, kMostPixels = 800000;
 // `picture`, or smaller in about the same proportions.
 glm::ivec2 measuredSize(glm::ivec2 picture, int mostPixels);
-
-struct TargetQuestion {
-  std::shared_ptr<const volume::PreparedVolume> volume;
-  scene::Scene given;            // as the user gave it, with the picture's camera; not resolved
-  render::FrameRequest picture;  // size and deferred images
-  scene::Machine machine;
-  bool processor = false;          // is the executor
-  std::vector<std::string> fixed;  // paths of settings that stay as they are
-};
 
 struct TargetAnswer {
   std::vector<MeasuredCandidate> measured;  // in the order of the search
@@ -88,5 +79,19 @@ class TargetSearch {
   double lightNoise_ = 0.01;                            // of the truth: app/target/light_judge.h
   std::unique_ptr<LightJudge> light_;
 };
+
+// Searches the settings that keep an error or a time for the view on show, on a background thread that gives
+// way, with a renderer of its own.
+struct TargetSubject : TargetQuestion {           // whose executor the machine decides
+  std::shared_ptr<const gi::PictureLight> light;  // that is stored: frames that are timed read it
+  std::vector<Limit> limits;                      // empty: `milliseconds` is what is to be kept
+  double milliseconds = 0.0;
+};
+// Its value: none where nothing of the first isosurface is seen. Its error: also that nothing keeps it.
+using TargetTask = base::Task<std::optional<TargetAnswer>>;
+std::unique_ptr<TargetTask> targetTask(TargetSubject asked);
+
+// Searches of this process that have not ended.
+int runningSearches();
 
 }  // namespace isolux::app

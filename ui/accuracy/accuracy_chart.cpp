@@ -36,10 +36,10 @@ QScatterSeries* scatter(QScatterSeries::MarkerShape shape, double pixels, const 
 
 void ink(QAbstractAxis* axis, const QString& title) {
   axis->setTitleText(title);
-  axis->setTitleBrush(colours::text);
-  axis->setLabelsBrush(colours::text);
-  axis->setLinePen(QPen(colours::edge));
-  axis->setGridLinePen(QPen(colours::border));
+  axis->setTitleBrush(colours.text);
+  axis->setLabelsBrush(colours.text);
+  axis->setLinePen(QPen(colours.edge));
+  axis->setGridLinePen(QPen(colours.border));
   QFont font = axis->titleFont();
   font.setBold(false);
   axis->setTitleFont(font);
@@ -124,10 +124,10 @@ void AccuracyChart::rebuild() {
   least_ = std::pow(10.0, std::floor(std::log10(0.8 * smallest)));
 
   auto* front = new QLineSeries;
-  auto* ordinary = scatter(QScatterSeries::MarkerShapeCircle, pointPixels, colours::accent, colours::window);
+  auto* ordinary = scatter(QScatterSeries::MarkerShapeCircle, pointPixels, colours.accent, colours.window);
   auto* present =
-      scatter(QScatterSeries::MarkerShapeRectangle, presentPixels, colours::isovalue, colours::window);
-  auto* ring = scatter(QScatterSeries::MarkerShapeCircle, ringPixels, Qt::transparent, colours::text);
+      scatter(QScatterSeries::MarkerShapeRectangle, presentPixels, colours.isovalue, colours.window);
+  auto* ring = scatter(QScatterSeries::MarkerShapeCircle, ringPixels, Qt::transparent, colours.text);
   std::vector<QPointF> best;
   for (const app::KnobPoint& point : points_) {
     const QPointF place = inAxes(point);
@@ -137,7 +137,7 @@ void AccuracyChart::rebuild() {
   }
   std::sort(best.begin(), best.end(), [](QPointF a, QPointF b) { return a.x() < b.x(); });
   for (const QPointF place : best) front->append(place);
-  front->setPen(QPen(colours::quietText, 1.0, Qt::DashLine));
+  front->setPen(QPen(colours.quietText, 1.0, Qt::DashLine));
 
   auto* cost = new QValueAxis;
   const double step = roundStep(std::max(dearest, 1e-9));
@@ -159,7 +159,7 @@ void AccuracyChart::rebuild() {
   }
   for (const app::KnobPoint& point : points_) {
     auto* label = new QGraphicsSimpleTextItem(shownValue(point.value), chart());
-    label->setBrush(colours::text);
+    label->setBrush(colours.text);
     labels_ += label;
   }
   placeLabels();

@@ -38,38 +38,21 @@ QString labelOf(const app::Knob& knob) {
   return wordsOf(QString(knob.label));
 }
 
-QString costText(const app::Knob& knob) {
-  switch (knob.cost) {
-    case app::Cost::passes:
-      break;
-    case app::Cost::frameMilliseconds:
-      return AccuracyPanel::tr("render time, ms");
-    case app::Cost::bakeSeconds:
-      return AccuracyPanel::tr("light computation time, s");
-    case app::Cost::lookupMilliseconds:
-      return AccuracyPanel::tr("light lookup time, ms");
-    case app::Cost::gpuMegabytes:
-      return AccuracyPanel::tr("graphics memory, MiB");
-  }
-  return AccuracyPanel::tr("render time of these passes, ms");
-}
-
-QString errorText(const app::Knob& knob) {
-  switch (knob.measure) {
-    case app::Measure::hits:
-      return AccuracyPanel::tr("depth error, voxels");
-    case app::Measure::shape:
-      return AccuracyPanel::tr("normal error, degrees");
-    case app::Measure::scale:
-      return AccuracyPanel::tr("relative curvature error");
-    case app::Measure::edges:
-    case app::Measure::shadow:  // which no point of a plot has
-      return AccuracyPanel::tr("error at edges, fraction of the range");
-    case app::Measure::light:
-      break;
-  }
-  return AccuracyPanel::tr("relative light error");
-}
+// In the order of app::Cost.
+constexpr const char* kCostTexts[] = {
+    QT_TRANSLATE_NOOP("isolux::ui::AccuracyPanel", "render time of these passes, ms"),
+    QT_TRANSLATE_NOOP("isolux::ui::AccuracyPanel", "render time, ms"),
+    QT_TRANSLATE_NOOP("isolux::ui::AccuracyPanel", "light computation time, s"),
+    QT_TRANSLATE_NOOP("isolux::ui::AccuracyPanel", "light lookup time, ms"),
+    QT_TRANSLATE_NOOP("isolux::ui::AccuracyPanel", "graphics memory, MiB")};
+// In the order of app::Measure; of shadows, which no point of a plot has, the last.
+constexpr const char* kErrorTexts[] = {
+    QT_TRANSLATE_NOOP("isolux::ui::AccuracyPanel", "depth error, voxels"),
+    QT_TRANSLATE_NOOP("isolux::ui::AccuracyPanel", "normal error, degrees"),
+    QT_TRANSLATE_NOOP("isolux::ui::AccuracyPanel", "relative curvature error"),
+    QT_TRANSLATE_NOOP("isolux::ui::AccuracyPanel", "relative light error"),
+    QT_TRANSLATE_NOOP("isolux::ui::AccuracyPanel", "error at edges, fraction of the range"),
+    QT_TRANSLATE_NOOP("isolux::ui::AccuracyPanel", "error at edges, fraction of the range")};
 
 }  // namespace
 
@@ -114,8 +97,7 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
   showKnob();
 }
 
-// ---- What is told
-// ------------------------------------------------------------------------------------------------
+// What is told
 
 void AccuracyPanel::setVolume(const VolumePointer& volume) {
   drop();
@@ -206,8 +188,7 @@ void AccuracyPanel::listKnobs() {
   showKnob();
 }
 
-// ---- Measuring
-// ------------------------------------------------------------------------------------------------
+// Measuring
 
 std::vector<app::Knob> AccuracyPanel::missing() const {
   std::vector<app::Knob> list;
@@ -270,8 +251,7 @@ void AccuracyPanel::takeStudies(app::StudyTask& task) {
     showState();
 }
 
-// ---- What is shown
-// ------------------------------------------------------------------------------------------------
+// What is shown
 
 const app::Knob* AccuracyPanel::knob() const {
   const int at = knobs_->currentIndex();
@@ -288,7 +268,8 @@ void AccuracyPanel::showKnob() {
     const auto found = measured_.find(shown->name);
     std::vector<app::KnobPoint> points;
     if (found != measured_.end()) points = app::pointsOf(found->second.study, scene_, volume_->facts);
-    chart_->show(std::move(points), costText(*shown), errorText(*shown));
+    chart_->show(std::move(points), tr(kCostTexts[static_cast<std::size_t>(shown->cost)]),
+                 tr(kErrorTexts[static_cast<std::size_t>(shown->measure)]));
   } else {
     chart_->show({}, {}, {});
   }

@@ -12,7 +12,7 @@
 #include <QImage>
 #include <QTimer>
 
-#include "app/jobs/study_job.h"
+#include "app/study/study.h"
 #include "ui/accuracy/picture_accuracy.h"
 #include "ui/document/background_task.h"
 #include "ui/document/baked_light.h"

@@ -75,7 +75,7 @@ void AccuracyPanel::showPicture() {
   const bool lit = scene::usesGi(resolved_);
   if (!isSeen() || !volume_ || !complete_ || previewing_ || (lit && lightChanging_))
     return picture_->show({});
-  picture_->show(PictureAccuracy::Subject{volume_, resolved_, lit ? light_ : nullptr, drawn_.request.size,
+  picture_->show(PictureAccuracy::Subject{{volume_, resolved_, lit ? light_ : nullptr, drawn_.request.size},
                                           drawn_.onProcessor});
 }
 
@@ -94,7 +94,7 @@ void AccuracyPanel::showTarget() {
   app::TargetSubject subject;
   if (isSeen()) {
     subject.volume = volume_;
-    subject.scene = scene_;
+    subject.given = scene_;
     subject.picture.size = drawn_.request.size;
     subject.picture.supersampling = std::clamp(resolved_.picture.supersampling, 1, 4);
     subject.picture.pixelRatio = drawn_.request.pixelRatio;

@@ -21,6 +21,28 @@ namespace {
 constexpr double micrometresBelow = 1e-3;  // mm
 constexpr double millimetresToMicrometres = 1e3;
 
+struct QuantityWords {
+  const char* unit;
+  const char* kept;  // %1: its bound
+  double scale;      // of a number in this unit
+};
+// In the order of app::Quantity.
+constexpr QuantityWords kQuantityWords[app::kQuantities] = {
+    {QT_TRANSLATE_NOOP("QObject", "mm (depth)"), QT_TRANSLATE_NOOP("QObject", "depth error ≤ %1 mm"), 1.0},
+    {QT_TRANSLATE_NOOP("QObject", "voxels (depth)"), QT_TRANSLATE_NOOP("QObject", "depth error ≤ %1 voxels"),
+     1.0},
+    {QT_TRANSLATE_NOOP("QObject", "% (missed pixels)"), QT_TRANSLATE_NOOP("QObject", "missed pixels ≤ %1 %"),
+     0.01},
+    {QT_TRANSLATE_NOOP("QObject", "degrees (normals)"), QT_TRANSLATE_NOOP("QObject", "normal error ≤ %1°"),
+     1.0},
+    {QT_TRANSLATE_NOOP("QObject", "% (curvature)"), QT_TRANSLATE_NOOP("QObject", "curvature error ≤ %1 %"),
+     0.01},
+    {QT_TRANSLATE_NOOP("QObject", "% (light)"), QT_TRANSLATE_NOOP("QObject", "light error ≤ %1 %"), 0.01}};
+
+const QuantityWords& quantityWords(app::Quantity quantity) {
+  return kQuantityWords[app::indexOf(quantity)];
+}
+
 QString roundedText(double value) {
   return numberText(value, 2);
 }
@@ -50,23 +72,8 @@ QString settingText(const std::string& assignment) {
 }
 
 QString keptText(const app::Limit& limit, double bound) {
-  const QString number = numberText(bound / unitOf(limit.quantity), 2);
-  switch (limit.quantity) {
-    case app::Quantity::depthMm:
-      return QObject::tr("depth error ≤ %1 mm").arg(number);
-    case app::Quantity::depthVoxels:
-      return QObject::tr("depth error ≤ %1 voxels").arg(number);
-    case app::Quantity::missed:
-      if (bound == 0.0) return QObject::tr("no missed pixels");
-      return QObject::tr("missed pixels ≤ %1 %").arg(number);
-    case app::Quantity::normal:
-      return QObject::tr("normal error ≤ %1°").arg(number);
-    case app::Quantity::curvature:
-      return QObject::tr("curvature error ≤ %1 %").arg(number);
-    case app::Quantity::light:
-      break;
-  }
-  return QObject::tr("light error ≤ %1 %").arg(number);
+  if (limit.quantity == app::Quantity::missed && bound == 0.0) return QObject::tr("no missed pixels");
+  return QObject::tr(quantityWords(limit.quantity).kept).arg(numberText(bound / unitOf(limit.quantity), 2));
 }
 
 }  // namespace
@@ -109,27 +116,11 @@ QString accuracyMeaning(const app::Accuracy& accuracy) {
 }
 
 QString unitTextOf(app::Quantity quantity) {
-  switch (quantity) {
-    case app::Quantity::depthMm:
-      return QObject::tr("mm (depth)");
-    case app::Quantity::depthVoxels:
-      return QObject::tr("voxels (depth)");
-    case app::Quantity::missed:
-      return QObject::tr("% (missed pixels)");
-    case app::Quantity::normal:
-      return QObject::tr("degrees (normals)");
-    case app::Quantity::curvature:
-      return QObject::tr("% (curvature)");
-    case app::Quantity::light:
-      break;
-  }
-  return QObject::tr("% (light)");
+  return QObject::tr(quantityWords(quantity).unit);
 }
 
 double unitOf(app::Quantity quantity) {
-  const bool isPart = quantity == app::Quantity::missed || quantity == app::Quantity::curvature ||
-                      quantity == app::Quantity::light;
-  return isPart ? 0.01 : 1.0;
+  return quantityWords(quantity).scale;
 }
 
 QString answerText(const app::TargetAnswer& answer) {

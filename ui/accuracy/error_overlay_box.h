@@ -8,7 +8,7 @@
 #include <QImage>
 #include <QWidget>
 
-#include "app/jobs/overlay_job.h"
+#include "app/accuracy/error_overlay.h"
 #include "ui/document/background_task.h"
 
 class QComboBox;

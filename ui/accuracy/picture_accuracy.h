@@ -1,4 +1,4 @@
-// How accurate the picture on screen is: measured on a background thread (app/jobs/accuracy_job.h), and known
+// How accurate the picture on screen is: measured on a background thread (app/accuracy/accuracy.h), and known
 // only while the picture that it was measured of is on show.
 #pragma once
 
@@ -7,7 +7,7 @@
 
 #include <QObject>
 
-#include "app/jobs/accuracy_job.h"
+#include "app/accuracy/accuracy.h"
 #include "ui/document/background_task.h"
 
 namespace isolux::ui {

@@ -23,7 +23,7 @@ constexpr int narrowestNumber = 48, shortestUnit = 13;  // pixels; characters
 constexpr double mostAtFirst = 0.01, millisecondsAtFirst = 100.0;
 
 bool sameQuestion(const app::TargetSubject& a, const app::TargetSubject& b) {
-  return a.volume == b.volume && a.scene == b.scene && a.picture.size == b.picture.size &&
+  return a.volume == b.volume && a.given == b.given && a.picture.size == b.picture.size &&
          a.picture.pixelRatio == b.picture.pixelRatio && a.machine == b.machine;
 }
 
@@ -144,12 +144,11 @@ QString TargetBox::questionName() const {
                     : tr("Keep %1 %2").arg(most_->text(), unit_->currentText());
 }
 
-// ---- The search
-// ------------------------------------------------------------------------------------------------
+// The search
 
 void TargetBox::find() {
   drop();
-  if (subject_.scene.isosurface.clipped && scene::cutsSurfaces(subject_.scene)) {
+  if (subject_.given.isosurface.clipped && scene::cutsSurfaces(subject_.given)) {
     said_ = tr("Errors are known only for an uncut isosurface: remove the cuts or exclude it from them");
     return showState();
   }
@@ -186,12 +185,11 @@ void TargetBox::take(app::TargetTask& task) {
 void TargetBox::apply() {
   if (!answer_) return;
   const app::Candidate& chosen = answer_->measured[answer_->chosen].candidate;
-  const Edit edit{app::applied(chosen, subject_.scene), questionName(), {}, false};
-  if (!(edit.scene == subject_.scene)) Q_EMIT edited(edit);
+  const Edit edit{app::applied(chosen, subject_.given), questionName(), {}, false};
+  if (!(edit.scene == subject_.given)) Q_EMIT edited(edit);
 }
 
-// ---- What is shown
-// ------------------------------------------------------------------------------------------------
+// What is shown
 
 QString TargetBox::text() const {
   return text_->text();

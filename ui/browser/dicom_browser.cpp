@@ -81,9 +81,9 @@ QPixmap pictureOf(const volume::DecodedImage& image, double ratio) {
 QPixmap emptyPicture(double ratio) {
   QPixmap square(QSize(pictureSide, pictureSide) * ratio);
   square.setDevicePixelRatio(ratio);
-  square.fill(colours::base);
+  square.fill(colours.base);
   QPainter painter(&square);
-  painter.setPen(colours::border);
+  painter.setPen(colours.border);
   painter.drawRect(QRectF(0.5, 0.5, pictureSide - 1.0, pictureSide - 1.0));
   return square;
 }
@@ -295,7 +295,7 @@ void DicomBrowser::showOne(const volume::DicomSeries& series) {
   for (const std::string& note : app::shortWarnings(series)) notes += textOf(note);
   item->setText(notesColumn, notes.join(", "));
   item->setToolTip(notesColumn, notes.join('\n'));
-  item->setForeground(notesColumn, series.problem.empty() ? colours::warning : colours::error);
+  item->setForeground(notesColumn, series.problem.empty() ? colours.warning : colours.error);
 }
 
 void DicomBrowser::showAnew() {

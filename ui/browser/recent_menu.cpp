@@ -33,7 +33,7 @@ class PictureMenuStyle : public QProxyStyle {
 // In the middle of a plate of that size; without a picture an empty plate.
 QPixmap plateOf(const RecentFile& file, QSize size, double ratio) {
   QPixmap plate(size * ratio);
-  plate.fill(colours::base);
+  plate.fill(colours.base);
   const QImage picture(recentPicture(file));
   QPainter painter(&plate);
   if (!picture.isNull()) {
@@ -41,7 +41,7 @@ QPixmap plateOf(const RecentFile& file, QSize size, double ratio) {
         picture.scaled(plate.size(), Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
     painter.drawImage((plate.width() - scaled.width()) / 2, (plate.height() - scaled.height()) / 2, scaled);
   }
-  painter.setPen(colours::border);
+  painter.setPen(colours.border);
   painter.drawRect(0, 0, plate.width() - 1, plate.height() - 1);
   painter.end();
   plate.setDevicePixelRatio(ratio);

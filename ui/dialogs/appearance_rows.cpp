@@ -5,8 +5,8 @@
 #include <QLabel>
 
 #include "ui/document/preferences.h"
-#include "ui/theme/interface_scale.h"
 #include "ui/theme/style.h"
+#include "ui/theme/theme.h"
 #include "ui/widgets/number_spin_box.h"
 
 namespace isolux::ui {

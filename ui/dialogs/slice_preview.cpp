@@ -23,7 +23,7 @@ void SlicePreview::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), Qt::black);
   if (image_.isNull()) {
-    painter.setPen(colours::quietText);
+    painter.setPen(colours.quietText);
     painter.drawText(rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap, text_);
   } else {
     QSizeF size(width(), width() / aspect_);
@@ -34,7 +34,7 @@ void SlicePreview::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::SmoothPixmapTransform, !enlarged);
     painter.drawImage(target, image_);
   }
-  painter.setPen(colours::border);
+  painter.setPen(colours.border);
   painter.drawRect(rect().adjusted(0, 0, -1, -1));
 }
 

@@ -10,7 +10,7 @@
 #include <QObject>
 #include <QTimer>
 
-#include "app/jobs/mark_job.h"
+#include "app/marks/mark_evaluator.h"
 #include "ui/document/background_task.h"
 #include "ui/document/document.h"
 

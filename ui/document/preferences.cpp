@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
-#include "ui/theme/interface_scale.h"
+#include "ui/theme/theme.h"
 
 namespace isolux::ui {
 

@@ -16,7 +16,7 @@ void keepMachine(const scene::Machine& before, const scene::Machine& after);
 // dark where nothing was kept.
 Theme keptTheme();
 void keepTheme(Theme theme);
-// Per cent, smallestScale to largestScale (ui/theme/interface_scale.h).
+// Per cent, smallestScale to largestScale (ui/theme/theme.h).
 int keptScale();
 void keepScale(int percent);
 

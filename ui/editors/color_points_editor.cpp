@@ -37,9 +37,9 @@ double toThousandths(double position) {
 
 QImage barPicture(const std::vector<ColorPoint>& points) {
   QImage image(barSamples, 1, QImage::Format_RGB32);
-  const std::vector<glm::vec3> colours = scene::pointSamples(points, barSamples);
+  const std::vector<glm::vec3> samples = scene::pointSamples(points, barSamples);
   for (int i = 0; i < barSamples; ++i)
-    image.setPixel(i, 0, screenColour(colours[static_cast<std::size_t>(i)]).rgb());
+    image.setPixel(i, 0, screenColour(samples[static_cast<std::size_t>(i)]).rgb());
   return image;
 }
 
@@ -204,7 +204,7 @@ void ColorPointsView::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
   if (!isEnabled()) painter.setOpacity(0.4);
   painter.drawImage(bar(), colours_);
-  painter.setPen(QPen(colours::border, 1.0));
+  painter.setPen(QPen(colours.border, 1.0));
   painter.drawRect(bar());
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const bool chosen = static_cast<int>(i) == selected_;
@@ -212,7 +212,7 @@ void ColorPointsView::paintEvent(QPaintEvent*) {
     painter.setBrush(screenColour(points_[i].color));
     painter.setPen(QPen(QColor(0, 0, 0, 170), chosen ? 4.5 : 3.5));
     painter.drawEllipse(placeOf(points_[i].position), size, size);
-    painter.setPen(QPen(chosen && hasFocus() ? colours::accent : QColor(Qt::white), chosen ? 2.5 : 1.5));
+    painter.setPen(QPen(chosen && hasFocus() ? colours.accent : QColor(Qt::white), chosen ? 2.5 : 1.5));
     painter.drawEllipse(placeOf(points_[i].position), size, size);
   }
 }

@@ -66,12 +66,12 @@ QImage pictureOf(const std::vector<CurvaturePoint>& points) {
   QImage image(texels, texels, QImage::Format_RGB32);
   scene::Look look;
   look.curvaturePoints = points;
-  const std::vector<glm::vec3> colours = scene::curvatureTexels(look, texels);
+  const std::vector<glm::vec3> samples = scene::curvatureTexels(look, texels);
   for (int row = 0; row < texels; ++row)
     for (int column = 0; column < texels; ++column)
       image.setPixel(
           column, texels - 1 - row,
-          screenColour(colours[static_cast<std::size_t>(row) * texels + static_cast<std::size_t>(column)])
+          screenColour(samples[static_cast<std::size_t>(row) * texels + static_cast<std::size_t>(column)])
               .rgb());
   return image;
 }
@@ -241,11 +241,11 @@ void CurvatureMapView::paintEvent(QPaintEvent*) {
   painter.drawImage(area, map_);
   QPainterPath never;
   never.addPolygon(QPolygonF({area.topLeft(), area.topRight(), area.bottomLeft(), area.topLeft()}));
-  QColor veil = colours::base;
+  QColor veil = colours.base;
   veil.setAlpha(210);
   painter.fillPath(never, veil);
-  painter.fillPath(never, QBrush(colours::border, Qt::BDiagPattern));
-  painter.setPen(QPen(colours::border, 1.0));
+  painter.fillPath(never, QBrush(colours.border, Qt::BDiagPattern));
+  painter.setPen(QPen(colours.border, 1.0));
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(area);
   paintAxes(painter);
@@ -261,7 +261,7 @@ void CurvatureMapView::paintAxes(QPainter& painter) const {
   QFont small = font();
   small.setPointSizeF(0.86 * small.pointSizeF());
   painter.setFont(small);
-  painter.setPen(colours::quietText);
+  painter.setPen(colours.quietText);
   const double line = QFontMetricsF(small).height();
   const auto beside = [&](double kappa2, const QString& text) {
     const double y = std::clamp(positionOf({1.0, kappa2}).y() - 0.5 * line, area.top(), area.bottom() - line);
@@ -278,7 +278,7 @@ void CurvatureMapView::paintAxes(QPainter& painter) const {
   beside(-1.0, tr("saddle"));
   below(-1.0, tr("cup"), Qt::AlignLeft);
   below(0.0, tr("valley"), Qt::AlignHCenter);
-  painter.setPen(colours::text);
+  painter.setPen(colours.text);
   painter.drawText(QRectF(area.left(), area.bottom() + radius + 5.0 + line, area.width(), line),
                    Qt::AlignCenter, "κ₁  →");
   painter.save();
@@ -296,7 +296,7 @@ void CurvatureMapView::paintPoints(QPainter& painter) const {
     painter.setBrush(screenColour(points_[i].color));
     painter.setPen(QPen(QColor(0, 0, 0, 170), chosen ? 4.5 : 3.5));
     painter.drawEllipse(centre, size, size);
-    painter.setPen(QPen(chosen && hasFocus() ? colours::accent : QColor(Qt::white), chosen ? 2.5 : 1.5));
+    painter.setPen(QPen(chosen && hasFocus() ? colours.accent : QColor(Qt::white), chosen ? 2.5 : 1.5));
     painter.drawEllipse(centre, size, size);
   }
 }

@@ -125,8 +125,8 @@ void EnvironmentPreview::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
   if (!loaded()) {
-    painter.fillRect(rect(), colours::base);
-    painter.setPen(problem_.isEmpty() ? colours::quietText : colours::error);
+    painter.fillRect(rect(), colours.base);
+    painter.setPen(problem_.isEmpty() ? colours.quietText : colours.error);
     painter.drawText(rect().adjusted(8, 4, -8, -4), Qt::AlignCenter | Qt::TextWordWrap,
                      problem_.isEmpty() ? tr("Loading the environment…") : problem_);
     return;
@@ -135,7 +135,7 @@ void EnvironmentPreview::paintEvent(QPaintEvent*) {
   painter.drawImage(rect(), image_);
   paintMarks(painter);
   if (hasFocus()) {
-    painter.setPen(QPen(colours::accent, 1.0));
+    painter.setPen(QPen(colours.accent, 1.0));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
   }

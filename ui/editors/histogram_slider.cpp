@@ -49,7 +49,7 @@ void HistogramSlider::setSurfaces(const std::vector<HistogramHandle>& surfaces) 
   if (handles_.empty()) handles_.emplace_back();
   const auto isActive = [this](const HistogramHandle& handle) { return handle.number == active_; };
   if (std::none_of(handles_.begin(), handles_.end(), isActive)) active_ = 0;
-  if (handles_.size() == 1) handles_.front().colour = colours::isovalue;
+  if (handles_.size() == 1) handles_.front().colour = colours.isovalue;
   if (dragging_) setActiveValue(held);
   update();
 }
@@ -143,7 +143,7 @@ void HistogramSlider::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const QRectF area = plotArea();
-  painter.fillRect(area, colours::base);
+  painter.fillRect(area, colours.base);
   if (volume_) {
     paintColumns(painter, area);
     paintAxis(painter, area);
@@ -152,10 +152,10 @@ void HistogramSlider::paintEvent(QPaintEvent*) {
     paintHandles(painter, area, width(), labels, placedHandles());
   }
   if (!volume_) {
-    painter.setPen(colours::quietText);
+    painter.setPen(colours.quietText);
     painter.drawText(area, Qt::AlignCenter, tr("The histogram of the volume appears here"));
   }
-  painter.setPen(QPen(hasFocus() ? colours::accent : colours::edge, 1.0));
+  painter.setPen(QPen(hasFocus() ? colours.accent : colours.edge, 1.0));
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(area.adjusted(-0.5, -0.5, 0.5, 0.5));
 }
@@ -171,12 +171,12 @@ void HistogramSlider::paintColumns(QPainter& painter, const QRectF& area) const 
     const bool in = insideAbove_ ? x >= line : x < line;
     painter.fillRect(
         QRectF(area.left() + x, area.bottom() - std::max(1.0, height), 1.0, std::max(1.0, height)),
-        in ? colours::plotInside : colours::plotOutside);
+        in ? colours.plotInside : colours.plotOutside);
   }
   painter.setRenderHint(QPainter::Antialiasing);
   // Peaks: small marks on the floor of the plot.
   painter.setPen(Qt::NoPen);
-  QColor ink = colours::plotInk;
+  QColor ink = colours.plotInk;
   ink.setAlpha(150);
   painter.setBrush(ink);
   for (const double peak : volume_->histogram.peaks) {
@@ -200,9 +200,9 @@ void HistogramSlider::paintAxis(QPainter& painter, const QRectF& area) const {
   const QFontMetricsF metrics(font);
   for (const double tick : plot_.ticks(area.width(), 85.0)) {
     const double x = area.left() + plot_.pixelOf(tick, area.width());
-    painter.setPen(QPen(colours::border, 1.0));
+    painter.setPen(QPen(colours.border, 1.0));
     painter.drawLine(QPointF(x, area.bottom()), QPointF(x, area.bottom() + 4.0));
-    painter.setPen(colours::quietText);
+    painter.setPen(colours.quietText);
     const QString label = numberText(tick);
     const double labelWidth = metrics.horizontalAdvance(label);
     const double left = std::clamp(x - 0.5 * labelWidth, 2.0, this->width() - labelWidth - 2.0);
@@ -212,11 +212,11 @@ void HistogramSlider::paintAxis(QPainter& painter, const QRectF& area) const {
     const double whole = plot_.maximum() - plot_.minimum();
     const double from = (plot_.shownMinimum() - plot_.minimum()) / whole * area.width();
     const double length = std::max(4.0, plot_.shownRange() / whole * area.width());
-    painter.fillRect(QRectF(area.left(), area.top() - 5.0, area.width(), 3.0), colours::border);
-    painter.fillRect(QRectF(area.left() + from, area.top() - 5.0, length, 3.0), colours::accent);
+    painter.fillRect(QRectF(area.left(), area.top() - 5.0, area.width(), 3.0), colours.border);
+    painter.fillRect(QRectF(area.left() + from, area.top() - 5.0, length, 3.0), colours.accent);
   }
   if (hovered_ && !dragging_) {
-    painter.setPen(colours::quietText);
+    painter.setPen(colours.quietText);
     const QString label = text(*hovered_);
     const double x = area.left() + plot_.pixelOf(*hovered_, area.width());
     const double labelWidth = metrics.horizontalAdvance(label);

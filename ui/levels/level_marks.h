@@ -1,6 +1,6 @@
 // What a coarser level hides of the picture on screen: found on a background thread
-// (app/jobs/structure_job.h) as soon as the picture is finished, hatched in it, and said in words. Nothing of
-// it runs for a volume's own voxels.
+// (app/accuracy/hidden_structure.h) as soon as the picture is finished, hatched in it, and said in words.
+// Nothing of it runs for a volume's own voxels.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 #include <QImage>
 #include <QObject>
 
-#include "app/jobs/structure_job.h"
+#include "app/accuracy/hidden_structure.h"
 #include "ui/document/background_task.h"
 #include "ui/document/document.h"
 

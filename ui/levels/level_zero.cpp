@@ -111,19 +111,16 @@ void LevelZero::draw() {
       thread_ = std::make_unique<app::PictureThread>(
           app::PictureThread::Options{.priority = app::PictureThread::Priority::background,
                                       .news = posted(this, [this] { takeStill(); })});
-    thread_->drawStill(std::move(wanted));
+    drawing_ = thread_->drawStill(std::move(wanted));
   } catch (const base::Error& error) {
     return say({}, tr("Full resolution is not drawn: %1").arg(QString::fromStdString(error.reason())));
   }
-  drawing_ = true;
   say(tr("drawing full resolution"), {});
   takeStill();  // there may be no context to draw with
 }
 
 void LevelZero::stopDrawing() {
-  if (!drawing_) return;
-  drawing_ = false;
-  thread_->stopStill();
+  if (drawing_) std::exchange(drawing_, nullptr)->progress.requestStop();
 }
 
 void LevelZero::sayOpening() {
@@ -135,14 +132,14 @@ void LevelZero::sayOpening() {
 }
 
 void LevelZero::takeStill() {
-  if (!thread_ || !drawing_) return;
+  if (!drawing_) return;
   const app::PictureThread::Context* const context = thread_->context();
-  if (const std::unique_ptr<app::PictureThread::Still> still = thread_->takeStill()) {
-    takePicture(*still);
-  } else if (context && context->failure) {
-    drawing_ = false;
-    say({}, tr("Full resolution is not drawn: %1").arg(whatOf(context->failure)));
-  }
+  const bool finished = drawing_->finished;
+  if (!finished && !(context && context->failure)) return;
+  const auto still = std::exchange(drawing_, nullptr);
+  const std::exception_ptr failure = finished ? still->failure : context->failure;
+  if (failure) return say({}, tr("Full resolution is not drawn: %1").arg(whatOf(failure)));
+  takePicture(still->picture);
 }
 
 void LevelZero::takeVolume(app::WholeFileTask& task) {
@@ -157,13 +154,7 @@ void LevelZero::takeVolume(app::WholeFileTask& task) {
   if (shown_) draw();
 }
 
-void LevelZero::takePicture(app::PictureThread::Still& still) {
-  if (const auto* const failure = std::get_if<std::exception_ptr>(&still)) {
-    drawing_ = false;
-    return say({}, tr("Full resolution is not drawn: %1").arg(whatOf(*failure)));
-  }
-  drawing_ = false;
-  const auto& picture = std::get<render::StillPicture>(still);
+void LevelZero::takePicture(const render::StillPicture& picture) {
   image_ = imageOf(picture.color);
   const render::BrickReport& bricks = picture.report.bricks;
   const auto percent = [](double share) { return numberText(100.0 * share, 2); };
@@ -183,19 +174,14 @@ render::StillPicture LevelZero::picture(const render::FrameRequest& request, boo
                                         QWidget* window, const QString& what) {
   app::PictureOrder wanted = order(request);
   wanted.scene.picture.transparent = transparent;
-  thread_->drawStill(std::move(wanted));
-  std::unique_ptr<app::PictureThread::Still> still;
-  waitFor(window, {what,
-                   [&] {
-                     if (!still) still = thread_->takeStill();
-                     return still != nullptr;
-                   },
-                   [&] { return thread_->stillFraction(); }, [&] { thread_->stopStill(); }});
-  if (!still)
+  const auto still = thread_->drawStill(std::move(wanted));
+  waitFor(window, {what, [&] { return still->finished.load(); }, [&] { return still->progress.fraction(); },
+                   [&] { still->progress.requestStop(); }});
+  if (!still->finished)
     throw base::Error(base::ErrorKind::interrupted, "", "",
                       tr("waiting for the image was cancelled").toStdString());
-  if (auto* const drawn = std::get_if<render::StillPicture>(still.get())) return std::move(*drawn);
-  std::rethrow_exception(std::get<std::exception_ptr>(*still));
+  if (still->failure) std::rethrow_exception(still->failure);
+  return std::move(still->picture);
 }
 
 void LevelZero::say(const QString& text, const QString& meaning) {

@@ -62,7 +62,7 @@ class LevelZero : public QObject {
   void sayOpening();
   void takeVolume(app::WholeFileTask& task);
   void takeStill();
-  void takePicture(app::PictureThread::Still& still);
+  void takePicture(const render::StillPicture& picture);
   void stopDrawing();
   void say(const QString& text, const QString& meaning);
   app::PictureOrder order(const render::FrameRequest& request) const;
@@ -70,12 +70,13 @@ class LevelZero : public QObject {
   scene::Machine machine_;
   std::optional<scene::Source> source_;
   std::optional<Shown> shown_;
-  bool wanted_ = true, drawing_ = false;
+  bool wanted_ = true;
   BackgroundTask<app::WholeFile> opening_;
   VolumePointer whole_;             // of source_
   scene::Machine wholeMachine_;     // what draws it
   std::optional<QString> refused_;  // why source_ cannot be opened
   std::unique_ptr<app::PictureThread> thread_;
+  std::shared_ptr<app::PictureThread::Still> drawing_;
   QImage image_;
   QString text_, meaning_;
 };

@@ -184,7 +184,7 @@ void MarksPanel::showRow(QTreeWidgetItem* item, std::size_t mark) {
   const QString says = known ? markSummary(reports_[mark]) : QString("…");
   const bool doubtful = known && (!reports_[mark].notes.empty() || !reports_[mark].problem.empty());
   item->setText(valueColumn, doubtful ? "⚠ " + says : says);
-  item->setForeground(valueColumn, doubtful ? colours::warning : colours::text);
+  item->setForeground(valueColumn, doubtful ? colours.warning : colours.text);
   item->setToolTip(valueColumn, known ? markText(shown, reports_[mark]).trimmed() : QString());
 }
 

@@ -128,7 +128,7 @@ void PassesPanel::showPasses() {
     item->setSizeHint(passNameColumn, {0, fontMetrics().height() + 8});
     auto* why = new QTreeWidgetItem(item);
     why->setFirstColumnSpanned(true);
-    why->setForeground(passNameColumn, colours::quietText);
+    why->setForeground(passNameColumn, colours.quietText);
     why->setFont(passNameColumn, small);
     why->setSizeHint(passNameColumn, {0, fontMetrics().height() + 5});
     why->setTextAlignment(passNameColumn, Qt::AlignLeft | Qt::AlignTop);
@@ -153,7 +153,7 @@ void PassesPanel::write() {
     item->setText(timeColumn, ran ? timeText(pass.milliseconds) : "–");
     item->setText(memoryColumn, pass.bytes > 0 ? bytesText(static_cast<double>(pass.bytes)) : "–");
     for (int column = 0; column < passColumns; ++column)
-      item->setForeground(column, ran ? colours::text : colours::quietText);
+      item->setForeground(column, ran ? colours.text : colours.quietText);
     const auto last = lastTimes_.find(pass.name);
     item->setToolTip(timeColumn, ran || last == lastTimes_.end()
                                      ? QString()

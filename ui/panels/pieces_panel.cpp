@@ -265,7 +265,7 @@ void PiecesPanel::fillRow(QTreeWidgetItem* item, std::size_t id, bool shown) con
   for (const PieceColumn column : {volumeColumn, boxColumn})
     item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
   for (int column = 0; column < pieceColumns; ++column)
-    item->setForeground(column, shown ? colours::text : colours::quietText);
+    item->setForeground(column, shown ? colours.text : colours.quietText);
   const volume::Piece& piece = found_.pieces->list()[id];
   if (id >= found_.measures.size()) {
     item->setText(boxColumn, {});

@@ -42,7 +42,7 @@ QLabel* headingOf(const QString& text, QWidget* parent) {
 
 QIcon noPicture() {
   QPixmap blank(picturePixels);
-  blank.fill(colours::base);
+  blank.fill(colours.base);
   QIcon icon(blank);
   icon.addPixmap(blank, QIcon::Disabled);
   return icon;

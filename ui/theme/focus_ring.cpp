@@ -31,8 +31,8 @@ class RingFrame : public QWidget {
  protected:
   void paintEvent(QPaintEvent*) override {
     QPainter painter(this);
-    painter.fillRect(rect(), colours::base);
-    painter.setPen(QPen(colours::accent, thick, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+    painter.fillRect(rect(), colours.base);
+    painter.setPen(QPen(colours.accent, thick, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
     painter.drawRect(QRectF(rect()).adjusted(0.5 * thick, 0.5 * thick, -0.5 * thick, -0.5 * thick));
   }
 };

@@ -44,7 +44,7 @@ class ThemedIcon : public QIconEngine {
 
  private:
   QPixmap drawn(int side, QIcon::Mode mode, double ratio) const {
-    const QColor& colour = mode == QIcon::Disabled ? colours::disabledText : colours::text;
+    const QColor& colour = mode == QIcon::Disabled ? colours.disabledText : colours.text;
     const QString key = QString("isolux %1 %2 %3 %4").arg(name_, colour.name()).arg(side).arg(ratio);
     QPixmap pixmap;
     if (!QPixmapCache::find(key, &pixmap)) {

@@ -12,7 +12,7 @@
 #include <QStyleOption>
 #include <QWidget>
 
-#include "ui/theme/interface_scale.h"
+#include "ui/theme/theme.h"
 
 namespace isolux::ui {
 
@@ -62,35 +62,12 @@ class Style : public QProxyStyle {
     const bool enabled = option->state & State_Enabled, focus = enabled && option->state & State_HasFocus;
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
-    painter->setPen(QPen(focus ? colours::accent : enabled ? colours::edge : colours::disabledText, 1.0));
+    painter->setPen(QPen(focus ? colours.accent : enabled ? colours.edge : colours.disabledText, 1.0));
     painter->setBrush(Qt::NoBrush);
     painter->drawRoundedRect(QRectF(option->rect).adjusted(0.5, 0.5, -0.5, -0.5), radius, radius);
     painter->restore();
   }
 };
-
-void takeColours(const ThemeColours& from) {
-  colours::window = from.window;
-  colours::base = from.base;
-  colours::raised = from.raised;
-  colours::border = from.border;
-  colours::edge = from.edge;
-  colours::text = from.text;
-  colours::quietText = from.quietText;
-  colours::disabledText = from.disabledText;
-  colours::accent = from.accent;
-  colours::onAccent = from.onAccent;
-  colours::isovalue = from.isovalue;
-  colours::onIsovalue = from.onIsovalue;
-  colours::error = from.error;
-  colours::warning = from.warning;
-  colours::good = from.good;
-  colours::errorArea = from.errorArea;
-  colours::noteArea = from.noteArea;
-  colours::plotInside = from.plotInside;
-  colours::plotOutside = from.plotOutside;
-  colours::plotInk = from.plotInk;
-}
 
 QPalette paletteOf(const ThemeColours& c) {
   QPalette palette;
@@ -121,7 +98,7 @@ QPalette paletteOf(const ThemeColours& c) {
   return palette;
 }
 
-// Places in it are named: @border is colours::border.
+// Places in it are named: @border is colours.border.
 constexpr auto sheet = R"(
     QToolBar { border: 0; border-bottom: 1px solid @border; padding: 3px 6px; spacing: 2px; background: @window; }
     QToolBar::separator { background: @border; width: 1px; margin: 5px 6px; }
@@ -204,8 +181,7 @@ void applyTheme(Theme theme) {
   }();
   static_cast<void>(first);
   chosenTheme = theme;
-  const ThemeColours& colours = coloursOf(theme);
-  takeColours(colours);
+  colours = coloursOf(theme);
   QApplication::setPalette(paletteOf(colours));
   qApp->setStyleSheet(sheetOf(colours));
 }

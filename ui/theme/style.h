@@ -5,19 +5,13 @@
 // follow when the theme changes. Qt tells widgets of it by QEvent::PaletteChange.
 #pragma once
 
-#include <QColor>
-
 #include "ui/theme/theme.h"
 
 class QWidget;
 
 namespace isolux::ui {
 
-// Of the theme that is on (ui/theme/theme.h).
-namespace colours {
-inline QColor window, base, raised, border, edge, text, quietText, disabledText, accent, onAccent, isovalue,
-    onIsovalue, error, warning, good, errorArea, noteArea, plotInside, plotOutside, plotInk;
-}  // namespace colours
+inline ThemeColours colours;  // of the theme that is on
 
 // After the QApplication is made, and whenever another theme is chosen.
 void applyTheme(Theme theme);

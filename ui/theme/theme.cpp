@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <QByteArray>
 #include <QGuiApplication>
 #include <QPalette>
 #include <QStyleHints>
@@ -13,6 +14,8 @@
 namespace isolux::ui {
 
 namespace {
+
+double scaleOfTexts = 1.0;
 
 const ThemeColours darkColours{.window{0x24, 0x28, 0x2e},
                                .base{0x1a, 0x1d, 0x22},
@@ -85,6 +88,17 @@ const ThemeColours& coloursOf(Theme theme) {
 double contrast(const QColor& a, const QColor& b) {
   const double p = relativeLuminance(a), q = relativeLuminance(b);
   return (std::max(p, q) + 0.05) / (std::min(p, q) + 0.05);
+}
+
+void applyInterfaceScale(int percent) {
+  constexpr auto variable = "QT_SCALE_FACTOR";
+  const double scale = 0.01 * std::clamp(percent, smallestScale, largestScale);
+  scaleOfTexts = std::min(1.0, scale);
+  if (scale > 1.0 && !qEnvironmentVariableIsSet(variable)) qputenv(variable, QByteArray::number(scale));
+}
+
+double textScale() {
+  return scaleOfTexts;
 }
 
 }  // namespace isolux::ui

@@ -1,4 +1,4 @@
-#include "ui/viewport/cut_painter.h"
+#include "ui/viewport/overlay_painters.h"
 
 #include <algorithm>
 
@@ -39,7 +39,7 @@ void paintOutline(QPainter& painter, const app::CutShape& shape, bool marked) {
   painter.setOpacity(0.5);
   strokeTwice(painter, hidden, cutInk, 1.0, Qt::DotLine);
   painter.setOpacity(marked ? 1.0 : 0.8);
-  strokeTwice(painter, seen, marked ? colours::accent : cutInk, marked ? 2.2 : 1.3);
+  strokeTwice(painter, seen, marked ? colours.accent : cutInk, marked ? 2.2 : 1.3);
   painter.setOpacity(1.0);
 }
 
@@ -57,7 +57,7 @@ QPainterPath tipOf(glm::dvec2 from, glm::dvec2 tip) {
 
 void fillKnob(QPainter& painter, const QPainterPath& path, const QColor& fill, bool marked, bool far) {
   painter.setOpacity(far && !marked ? 0.6 : 1.0);
-  strokeTwice(painter, path, marked ? colours::accent : cutInk, marked ? 2.6 : 1.6);
+  strokeTwice(painter, path, marked ? colours.accent : cutInk, marked ? 2.6 : 1.6);
   painter.fillPath(path, fill);
   painter.setOpacity(1.0);
 }
@@ -71,7 +71,7 @@ void paintPlaneKnobs(QPainter& painter, const app::CutShape& shape, const std::o
     shaft.moveTo(pointOf(knob.pixel));
     shaft.lineTo(pointOf(tip.pixel));
     strokeTwice(painter, shaft, cutInk, 1.8, tip.far ? Qt::DotLine : Qt::SolidLine);
-    fillKnob(painter, tipOf(knob.pixel, tip.pixel), held(tip) ? colours::accent : cutInk, held(tip), tip.far);
+    fillKnob(painter, tipOf(knob.pixel, tip.pixel), held(tip) ? colours.accent : cutInk, held(tip), tip.far);
   };
   if (tip.far) arrow();  // the knob lies before it
   QPainterPath disc;
@@ -102,7 +102,7 @@ void paintBoxKnobs(QPainter& painter, const app::CutShape& shape, const std::opt
       path.addRect(QRectF(at.x() - 1.5, at.y() - 7.0, 3.0, 14.0));
       path = path.simplified();
     }
-    fillKnob(painter, path, held ? colours::accent : knob.far ? cutFill : cutInk, held, knob.far);
+    fillKnob(painter, path, held ? colours.accent : knob.far ? cutFill : cutInk, held, knob.far);
   };
   for (const bool far : {true, false})
     for (const app::CutKnob& knob : shape.knobs)

@@ -1,4 +1,4 @@
-#include "ui/viewport/lamp_painter.h"
+#include "ui/viewport/overlay_painters.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -36,7 +36,7 @@ QPainterPath arrowFrom(QPointF centre, glm::dvec2 toward) {
 void paintHandle(QPainter& painter, const app::LampHandle& handle, bool marked) {
   const QPointF centre(handle.pixel.x, handle.pixel.y);
   const QColor colour = screenColour(handle.color);
-  const QColor line = marked ? colours::accent : QColor(Qt::white);
+  const QColor line = marked ? colours.accent : QColor(Qt::white);
   painter.setPen(QPen(lampRim, marked ? 6.0 : 4.5));
   painter.setBrush(Qt::NoBrush);
   painter.drawEllipse(centre, discRadius, discRadius);

@@ -1,4 +1,4 @@
-#include "ui/viewport/mark_painter.h"
+#include "ui/viewport/overlay_painters.h"
 
 #include <algorithm>
 #include <array>

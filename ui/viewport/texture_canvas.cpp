@@ -38,8 +38,7 @@ GLuint TextureCanvas::overTexture(const QImage& over) {
   const QImage image = over.convertToFormat(QImage::Format_RGBX8888);
   own.over = render::Texture::make2D(own.gl, GL_RGBA8, {image.width(), image.height()});
   own.over.setFilter(GL_LINEAR);
-  own.gl->TextureSubImage2D(own.over.id(), 0, 0, 0, image.width(), image.height(), GL_RGBA, GL_UNSIGNED_BYTE,
-                            image.constBits());
+  own.over.write(GL_RGBA, GL_UNSIGNED_BYTE, image.constBits());
   own.overKey = over.cacheKey();
   return own.over.id();
 }

@@ -48,6 +48,7 @@ class QPushButton;
 #include "ui/viewport/canvas.h"
 #include "ui/viewport/canvas_choice.h"
 #include "ui/viewport/slice_outlines.h"
+#include "ui/widgets/waiting.h"
 
 namespace isolux::ui {
 
@@ -180,9 +181,8 @@ class Viewport : public QWidget {
   void orderSoon();
   void order();
   app::PictureOrder orderOf(const render::FrameRequest& request, bool atRest);
-  void awaitContext(const QString& what);
+  bool await(Waiting waiting);
   void awaitFields(const QString& what);
-  std::unique_ptr<app::PictureThread::Still> awaitStill(const QString& what);
   render::FrameRequest::Hits wantedHits(const render::FrameRequest& request) const;
   double toldRays() const;    // of this view, in the finest picture that told all that is lit
   bool toldEveryRay() const;  // of this view, at full size

@@ -13,18 +13,8 @@ constexpr double turnStep = 5.0 * std::numbers::pi / 180.0, panStep = 0.05, zoom
 
 // x right, y up; 0 0 for other keys.
 glm::dvec2 arrowOf(int key) {
-  switch (key) {
-    case Qt::Key_Left:
-      return {-1.0, 0.0};
-    case Qt::Key_Right:
-      return {1.0, 0.0};
-    case Qt::Key_Up:
-      return {0.0, 1.0};
-    case Qt::Key_Down:
-      return {0.0, -1.0};
-    default:
-      return {0.0, 0.0};
-  }
+  return {int(key == Qt::Key_Right) - int(key == Qt::Key_Left),
+          int(key == Qt::Key_Up) - int(key == Qt::Key_Down)};
 }
 
 }  // namespace

@@ -16,27 +16,17 @@ namespace {
 
 constexpr int hiddenMilliseconds = 4;  // of looking what is behind the surface, in one turn of the event loop
 
-QString whatToClick(scene::MarkKind kind) {
-  using scene::MarkKind;
-  switch (kind) {
-    case MarkKind::point:
-      return QObject::tr("Pin: click on the surface");
-    case MarkKind::distance:
-      return QObject::tr("Distance: click two points; Shift adds more");
-    case MarkKind::path:
-      return QObject::tr("Geodesic distance: click two points; Shift adds more");
-    case MarkKind::angle:
-      return QObject::tr(
-          "Angle: click three points, the vertex second; Shift at the third measures between two lines");
-    case MarkKind::circle:
-      return QObject::tr("Circle: click three points");
-    case MarkKind::thickness:
-      return QObject::tr("Thickness: click on the surface");
-    case MarkKind::piece:
-      return QObject::tr("Piece: click on a piece");
-  }
-  return {};
-}
+// In the order of scene::MarkKind.
+constexpr const char* kWhatToClick[] = {
+    QT_TRANSLATE_NOOP("QObject", "Pin: click on the surface"),
+    QT_TRANSLATE_NOOP("QObject", "Distance: click two points; Shift adds more"),
+    QT_TRANSLATE_NOOP("QObject", "Geodesic distance: click two points; Shift adds more"),
+    QT_TRANSLATE_NOOP("QObject",
+                      "Angle: click three points, the vertex second; Shift at the third measures "
+                      "between two lines"),
+    QT_TRANSLATE_NOOP("QObject", "Circle: click three points"),
+    QT_TRANSLATE_NOOP("QObject", "Thickness: click on the surface"),
+    QT_TRANSLATE_NOOP("QObject", "Piece: click on a piece")};
 
 }  // namespace
 
@@ -78,9 +68,11 @@ void Viewport::showMarks() {
     }
     shapes.push_back(app::markShape(mark, report));
   }
-  overlay_->setMarks(
-      std::move(shapes),
-      tool_ ? tr("%1.  Backspace removes the last point; Esc ends").arg(whatToClick(*tool_)) : QString());
+  QString hint;
+  if (tool_)
+    hint = tr("%1.  Backspace removes the last point; Esc ends")
+               .arg(QObject::tr(kWhatToClick[static_cast<std::size_t>(*tool_)]));
+  overlay_->setMarks(std::move(shapes), hint);
 }
 
 // A few milliseconds at a time: the rest in the next turns of the event loop.

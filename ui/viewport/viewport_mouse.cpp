@@ -20,8 +20,7 @@
 
 namespace isolux::ui {
 
-// ---- Views
-// --------------------------------------------------------------------------------------------------
+// Views
 
 void Viewport::sendCamera(const scene::Camera& camera, const QString& name, const char* mergeKey,
                           bool endsAfterPause) {
@@ -60,8 +59,7 @@ void Viewport::toggleProjection() {
   sendCamera(camera, perspective ? tr("Orthographic view") : tr("Perspective view"), "", false);
 }
 
-// ---- Mouse
-// --------------------------------------------------------------------------------------------------
+// Mouse
 
 void Viewport::mousePressEvent(QMouseEvent* event) {
   if (drag_ != Drag::none) return;  // the first button decides
@@ -257,8 +255,7 @@ void Viewport::reportPointed() {
   Q_EMIT pointed(pick);
 }
 
-// ---- Lamps
-// --------------------------------------------------------------------------------------------------
+// Lamps
 
 app::LampStage Viewport::lampStage() const {
   return app::lampStageOf(resolved_, volume_ ? volume_->facts : scene::VolumeFacts{}, {width(), height()});

@@ -16,9 +16,7 @@
 #include "base/color.h"
 #include "ui/language/number_text.h"
 #include "ui/theme/style.h"
-#include "ui/viewport/cut_painter.h"
-#include "ui/viewport/lamp_painter.h"
-#include "ui/viewport/mark_painter.h"
+#include "ui/viewport/overlay_painters.h"
 
 namespace isolux::ui {
 
@@ -108,37 +106,6 @@ void ViewportOverlay::setProblem(const QString& reason, const QString& advice) {
   problem_ = reason;
   advice_ = advice;
   setAccessibleDescription(reason.isEmpty() ? note_ : reason + "\n\n" + advice);
-  update();
-}
-
-void ViewportOverlay::setTopInset(int pixels) {
-  if (pixels == topInset_) return;
-  topInset_ = pixels;
-  update();
-}
-
-void ViewportOverlay::setTaken(std::vector<QRectF> boxes) {
-  if (boxes == taken_) return;
-  taken_ = std::move(boxes);
-  update();
-}
-
-void ViewportOverlay::setHint(const QString& text) {
-  hint_ = text;
-  update();
-}
-
-void ViewportOverlay::setLamps(std::vector<app::LampHandle> lamps, const std::optional<app::LampGrip>& grip) {
-  if (lamps == lamps_ && grip == grip_) return;
-  lamps_ = std::move(lamps);
-  grip_ = grip;
-  update();
-}
-
-void ViewportOverlay::setCuts(std::vector<app::CutShape> cuts, const std::optional<app::CutGrip>& grip) {
-  if (cuts == cuts_ && grip == cutGrip_) return;
-  cuts_ = std::move(cuts);
-  cutGrip_ = grip;
   update();
 }
 
@@ -308,9 +275,7 @@ std::optional<scene::StandardView> ViewportOverlay::cubeViewAt(QPointF position)
 
 void ViewportOverlay::pointAtCube(std::optional<QPointF> position) {
   const auto face = position ? cubeViewAt(*position) : std::nullopt;
-  if (face == pointedFace_) return;
-  pointedFace_ = face;
-  update();
+  set(pointedFace_, face);
 }
 
 void ViewportOverlay::setSlices(SlicesInPicture slices) {
@@ -329,7 +294,7 @@ void ViewportOverlay::paintCube(QPainter& painter, QPointF centre) const {
     QPolygonF square;
     for (const glm::dvec2& corner : face.corners) square << centre + point(corner);
     const int shade = static_cast<int>(46.0 + 44.0 * face.facing);
-    painter.setBrush(face.view == pointedFace_ ? colours::accent : QColor(shade, shade + 5, shade + 12, 225));
+    painter.setBrush(face.view == pointedFace_ ? colours.accent : QColor(shade, shade + 5, shade + 12, 225));
     painter.setPen(QPen(QColor(0xd5, 0xda, 0xe0, 200), 1.0));
     painter.drawPolygon(square);
     if (face.facing < 0.25) continue;
@@ -369,16 +334,16 @@ void ViewportOverlay::paintScale(QPainter& painter, const Arrangement& places) c
 }
 
 void ViewportOverlay::paintProblem(QPainter& painter) const {
-  painter.fillRect(rect(), colours::base);
+  painter.fillRect(rect(), colours.base);
   QFont title = font();
   title.setPointSizeF(title.pointSizeF() + 4.0);
   title.setWeight(QFont::DemiBold);
   const QRectF box = QRectF(rect()).adjusted(40, 0, -40, 0);
-  painter.setPen(colours::text);
+  painter.setPen(colours.text);
   painter.setFont(title);
   painter.drawText(box.adjusted(0, 0, 0, -0.5 * height() - 8.0), Qt::AlignHCenter | Qt::AlignBottom,
                    tr("The image cannot be drawn"));
-  painter.setPen(colours::quietText);
+  painter.setPen(colours.quietText);
   painter.setFont(font());
   painter.drawText(box.adjusted(0, 0.5 * height() + 8.0, 0, 0), Qt::AlignHCenter | Qt::TextWordWrap,
                    problem_ + "\n\n" + advice_);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <QRectF>
@@ -27,20 +28,27 @@ class ViewportOverlay : public QWidget {
   // Why there is no picture, and what can be done; empty: there is one. Both are the widget's accessible
   // description.
   void setProblem(const QString& reason, const QString& advice = {});
-  void setTopInset(int pixels);  // letters, cube and note stand below
+  void setTopInset(int pixels) { set(topInset_, pixels); }  // letters, cube and note stand below
   // Keeps the overlay clear of what stands in the picture already (legends, buttons).
-  void setTaken(std::vector<QRectF> boxes);
+  void setTaken(std::vector<QRectF> boxes) { set(taken_, std::move(boxes)); }
   void setNote(const QString& text);  // over a picture that is not all there; empty: none
   // Lamps that can be dragged, and which of them the pointer holds or is over.
-  void setLamps(std::vector<app::LampHandle> lamps, const std::optional<app::LampGrip>& grip);
-  void setCuts(std::vector<app::CutShape> cuts, const std::optional<app::CutGrip>& grip);  // the same of cuts
+  void setLamps(std::vector<app::LampHandle> lamps, const std::optional<app::LampGrip>& grip) {
+    set(lamps_, std::move(lamps));
+    set(grip_, grip);
+  }
+  void setCuts(std::vector<app::CutShape> cuts,
+               const std::optional<app::CutGrip>& grip) {  // the same of cuts
+    set(cuts_, std::move(cuts));
+    set(cutGrip_, grip);
+  }
   // Marks, and what clicks would do; empty: they set none.
   void setMarks(std::vector<app::MarkShape> marks, const QString& toolHint);
   void setSlices(SlicesInPicture slices);
   // From which side the cube's face there shows; none: no face.
   std::optional<scene::StandardView> cubeViewAt(QPointF position) const;
-  void pointAtCube(std::optional<QPointF> position);  // lights the face up
-  void setHint(const QString& text);                  // in place of a picture: what to do first
+  void pointAtCube(std::optional<QPointF> position);       // lights the face up
+  void setHint(const QString& text) { set(hint_, text); }  // in place of a picture: what to do first
   // Says where things stand: clear of one another, of what is taken, and, the letters, of outlines of slices.
   // Empty boxes: not there, or no room.
   struct Arrangement {
@@ -55,6 +63,10 @@ class ViewportOverlay : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  template <class T>
+  void set(T& member, T value) {
+    if (std::exchange(member, std::move(value)) != member) update();
+  }
   QFont letterFont() const;
   QFont scaleFont() const;
   QString scaleText(double mm) const;

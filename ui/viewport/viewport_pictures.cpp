@@ -14,7 +14,6 @@
 #include "ui/language/translated.h"
 #include "ui/viewport/viewport.h"
 #include "ui/viewport/viewport_overlay.h"
-#include "ui/widgets/waiting.h"
 
 namespace isolux::ui {
 
@@ -62,6 +61,11 @@ QString reasonOf(const std::exception_ptr& failure) {
   } catch (...) {
     return QObject::tr("internal error");
   }
+}
+
+[[noreturn]] void throwCancelled() {
+  throw base::Error(base::ErrorKind::interrupted, "", "",
+                    Viewport::tr("waiting for the image was cancelled").toStdString());
 }
 
 constexpr auto needsOpenGl = QT_TRANSLATE_NOOP(
@@ -446,7 +450,7 @@ render::StillPicture Viewport::picture(const StillWish& wish) {
   };
   if (stillComes_) refuse(tr("another image is being saved"));
   const QString what = wish.what.isEmpty() ? tr("Drawing the image") : wish.what;
-  awaitContext(what);
+  await({what, [this] { return hasContext_ || failed_; }, [] { return 0.0; }});  // of a new window
   if (!hasContext_ || failed_) refuse(tr("there is no image to save"));
   awaitFields(what);
   const bool ofScreen = wish.size == glm::ivec2(0);
@@ -458,67 +462,51 @@ render::StillPicture Viewport::picture(const StillWish& wish) {
   if (!ofScreen) order.request.pixelRatio = wish.pixelRatio;
   if (wish.camera) order.scene.camera = *wish.camera;
   order.scene.picture.transparent = scene_.picture.transparent;
-  thread_->drawStill(std::move(order));
-  const std::unique_ptr<app::PictureThread::Still> still = awaitStill(what);
+  const auto still = thread_->drawStill(std::move(order));
+  setDrawing(true);
+  const bool finished =
+      await({what, [&] { return still->finished.load(); }, [&] { return still->progress.fraction(); },
+             [&] { still->progress.requestStop(); }});
+  setDrawing(false);
   changed();  // the order that was dropped for it
-  if (!still)
-    throw base::Error(base::ErrorKind::interrupted, "", "",
-                      tr("waiting for the image was cancelled").toStdString());
-  if (auto* const picture = std::get_if<render::StillPicture>(still.get())) return std::move(*picture);
+  if (!finished) throwCancelled();
+  if (!still->failure) return std::move(still->picture);
   try {
-    std::rethrow_exception(std::get<std::exception_ptr>(*still));
+    std::rethrow_exception(still->failure);
   } catch (const base::Error&) {
     throw;
   } catch (...) {
-    throw base::Error(base::ErrorKind::graphics, "", "", reasonOf(std::current_exception()).toStdString());
+    throw base::Error(base::ErrorKind::graphics, "", "", reasonOf(still->failure).toStdString());
   }
 }
 
-// Of a window that was just opened.
-void Viewport::awaitContext(const QString& what) {
-  bool stopped = hasContext_ || failed_;
+// Whether it is done; false: the user has cancelled, or the program ends.
+bool Viewport::await(Waiting waiting) {
+  const std::function<bool()> done = waiting.done;
+  if (done()) return true;
+  bool stopped = false;
+  if (!waiting.cancel) {
+    waiting.cancel = [&] { stopped = true; };
+    waiting.done = [&] { return done() || stopped; };
+  }
   stillComes_ = true;
-  if (!stopped)
-    waitFor(window(), {what, [&] { return hasContext_ || failed_ || stopped; }, [] { return 0.0; },
-                       [&] { stopped = true; }});
+  waitFor(window(), waiting);
   stillComes_ = false;
+  return done();
 }
 
 // Throws what ended the job.
 void Viewport::awaitFields(const QString& what) {
   const auto ready = [this] { return !volume_ || app::fieldsAreReady(resolved_, *volume_); };
-  if (ready()) return;
-  bool stopped = false;
-  stillComes_ = true;
-  waitFor(window(),
-          {what,
-           [&] {
-             if (ready() || stopped) return true;
-             makeFields();
-             return !fieldTask_;
-           },
-           [this] { return fieldTask_ ? fieldTask_->progress().fraction() : 0.0; }, [&] { stopped = true; }});
-  stillComes_ = false;
+  await({what,
+         [&] {
+           if (!ready()) makeFields();
+           return ready() || !fieldTask_;
+         },
+         [this] { return fieldTask_ ? fieldTask_->progress().fraction() : 0.0; }});
   if (ready()) return;
   if (!fieldTask_ && fieldError_) throw base::Error(*fieldError_);
-  throw base::Error(base::ErrorKind::interrupted, "", "",
-                    tr("waiting for the image was cancelled").toStdString());
-}
-
-// Null: the program ends.
-std::unique_ptr<app::PictureThread::Still> Viewport::awaitStill(const QString& what) {
-  std::unique_ptr<app::PictureThread::Still> still;
-  stillComes_ = true;
-  setDrawing(true);
-  waitFor(window(), {what,
-                     [&] {
-                       still = thread_->takeStill();
-                       return still != nullptr;
-                     },
-                     [this] { return thread_->stillFraction(); }, [this] { thread_->stopStill(); }});
-  stillComes_ = false;
-  setDrawing(false);
-  return still;
+  throwCancelled();
 }
 
 }  // namespace isolux::ui

@@ -34,7 +34,7 @@ void ColorButton::showColour(glm::dvec3 linear) {
   swatch.fill(Qt::transparent);
   QPainter painter(&swatch);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(colours::border, 1.0));
+  painter.setPen(QPen(colours.border, 1.0));
   painter.setBrush(screenColour(linear));
   painter.drawRoundedRect(QRectF(QPointF(0.5, 0.5), QSizeF(iconSize()) - QSizeF(1, 1)), 3, 3);
   setIcon(QIcon(swatch));

@@ -61,7 +61,7 @@ void PictureDot::paintEvent(QPaintEvent*) {
   if (milliseconds_ < 0.0) return;
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const QColor colour = isFinal() ? colours::quietText : colours::warning;
+  const QColor colour = isFinal() ? colours.quietText : colours.warning;
   painter.setPen(QPen(colour, 1.5));
   painter.setBrush(isFinal() ? QBrush(colour) : Qt::NoBrush);
   painter.drawEllipse(QRectF(0.5 * (width() - dotSide), 0.5 * (height() - dotSide), dotSide, dotSide));

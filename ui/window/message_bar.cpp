@@ -66,7 +66,7 @@ void MessageBar::present(Message message) {
 // In the colours of the theme (ui/theme/style.h).
 void MessageBar::dress() {
   const bool error = shown_.kind == Kind::error, warning = shown_.kind == Kind::warning;
-  const QColor colour = error ? colours::error : warning ? colours::warning : colours::accent;
+  const QColor colour = error ? colours.error : warning ? colours.warning : colours.accent;
   symbol_->setPixmap(iconPixmap(error || warning ? "error" : "info", 18, colour, devicePixelRatioF()));
   const QString level = error ? "error" : warning ? "warning" : "note";
   if (property("level").toString() == level) return;

@@ -57,8 +57,7 @@ class LightBoundsGlTest : public test::RenderGlTest {
     LightController controller({.threads = 2});
     lightPicture(controller, *renderer_, lit.scene, request, lit.volume, progress_);
     lit.light = controller.light();
-    lit.errors =
-        measureErrors(*renderer_, lit.scene, request, *lit.volume, progress_, {lit.light, lit.volume});
+    lit.errors = measureErrors(*renderer_, {lit.volume, lit.scene, lit.light, size}, progress_);
     renderer_->render(lit.scene, request);
     lit.irradiance = renderer_->readAov(render::Aov::irradiance).values;
     return lit;

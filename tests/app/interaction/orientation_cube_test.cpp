@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "app/interaction/camera_turn.h"
+#include "app/interaction/turning.h"
 
 namespace isolux::test {
 namespace {

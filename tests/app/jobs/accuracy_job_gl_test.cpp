@@ -1,6 +1,6 @@
 // Bounds of a picture on a thread of their own: those that are measured here, of what drew the picture; and a
 // task that is dropped ends.
-#include "app/jobs/accuracy_job.h"
+#include "app/accuracy/accuracy.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ class AccuracyJobGlTest : public RenderGlTest {
  protected:
   app::AccuracySubject subject(bool onProcessor) {
     const auto volume = phantom("torus", 32);
-    return {volume, scene::resolve(assigned({}), volume->facts), nullptr, {96, 80}, onProcessor};
+    return {{volume, scene::resolve(assigned({}), volume->facts), nullptr, {96, 80}}, onProcessor};
   }
 };
 
@@ -30,10 +30,7 @@ TEST_F(AccuracyJobGlTest, FindsWhatIsMeasuredHere) {
     renderer_->setVolume(asked.volume);
     renderer_->invalidate();
     base::Progress progress;
-    render::FrameRequest request;
-    request.size = asked.size;
-    const app::Accuracy here =
-        app::accuracyOf(app::measureErrors(*renderer_, asked.scene, request, *asked.volume, progress));
+    const app::Accuracy here = app::accuracyOf(app::measureErrors(*renderer_, asked, progress));
     ASSERT_TRUE(pollUntil([&] { return task->finished(); }));
     ASSERT_FALSE(task->error()) << task->error()->what();
     const app::Accuracy& found = task->value().accuracy;

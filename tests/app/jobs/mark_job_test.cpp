@@ -1,5 +1,5 @@
 // Marks measured on a thread: all of them, the quick ones first, and stopped soon.
-#include "app/jobs/mark_job.h"
+#include "app/marks/mark_evaluator.h"
 
 #include <gtest/gtest.h>
 

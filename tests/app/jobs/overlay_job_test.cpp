@@ -1,5 +1,5 @@
 // Errors laid over a picture on a thread of its own: the same as where they are painted by hand.
-#include "app/jobs/overlay_job.h"
+#include "app/accuracy/error_overlay.h"
 
 #include <limits>
 

@@ -215,15 +215,11 @@ TEST_F(PictureThreadGlTest, AfterAResetOfTheDriverTheNextPictureHasAnotherContex
 TEST_F(PictureThreadGlTest, AStillIsDrawnWhateverIsOrderedMeanwhile) {
   thread_.draw(order(30.0, {800, 600}));
   const app::PictureOrder asked = order(25.0, {320, 240});
-  thread_.drawStill(asked);
+  const auto still = thread_.drawStill(asked);
   thread_.draw(order(31.0));
-  std::unique_ptr<app::PictureThread::Still> still;
-  ASSERT_TRUE(pollUntil([&] {
-    still = thread_.takeStill();
-    return still != nullptr;
-  }));
-  ASSERT_TRUE(std::holds_alternative<render::StillPicture>(*still));
-  EXPECT_EQ(std::get<render::StillPicture>(*still).color.rgba, expected(asked));
+  ASSERT_TRUE(pollUntil([&] { return still->finished.load(); }));
+  ASSERT_FALSE(still->failure);
+  EXPECT_EQ(still->picture.color.rgba, expected(asked));
 }
 
 }  // namespace isolux::test

@@ -1,6 +1,6 @@
 // Searches on a thread of their own: what TargetSearch finds, refusals as errors, and an end when they are
 // dropped.
-#include "app/target/target_job.h"
+#include "app/target/target_search.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ class TargetJobGlTest : public RenderGlTest {
   TargetSubject subject(const std::string& target) {
     TargetSubject subject;
     subject.volume = phantom("gyroid", 48);
-    subject.scene = assigned({"derivatives.normal_scale=0"});
+    subject.given = assigned({"derivatives.normal_scale=0"});
     subject.picture.size = {160, 120};
     subject.machine.executor = scene::Executor::cpu;
     if (!target.empty()) subject.limits = parseErrorTarget(target);
@@ -32,7 +32,7 @@ TEST_F(TargetJobGlTest, FindsWhatTheSearchFinds) {
   renderer_->setMachine(asked.machine);
   renderer_->setVolume(asked.volume);
   base::Progress progress;
-  TargetSearch search(*renderer_, {asked.volume, asked.scene, asked.picture, asked.machine, true, {}});
+  TargetSearch search(*renderer_, {asked.volume, asked.given, asked.picture, asked.machine, true, {}});
   const TargetAnswer here = search.keepErrors(asked.limits, progress).value();
   ASSERT_TRUE(pollUntil([&] { return task->finished(); }));
   ASSERT_FALSE(task->error()) << task->error()->what();

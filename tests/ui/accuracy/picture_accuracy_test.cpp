@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/files/image_io.h"
-#include "app/target/target_job.h"
+#include "app/target/target_search.h"
 #include "tests/support/ui/window_fixture.h"
 #include "ui/accuracy/accuracy_panel.h"
 #include "ui/accuracy/accuracy_text.h"

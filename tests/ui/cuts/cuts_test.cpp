@@ -17,7 +17,7 @@
 #include "ui/editors/planes_widget.h"
 #include "ui/editors/setting_editor.h"
 #include "ui/panels/settings_panel.h"
-#include "ui/viewport/cut_painter.h"
+#include "ui/viewport/overlay_painters.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/number_spin_box.h"
 #include "ui/window/message_bar.h"

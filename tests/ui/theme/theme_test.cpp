@@ -15,8 +15,8 @@
 #include "ui/dialogs/preferences_dialog.h"
 #include "ui/document/preferences.h"
 #include "ui/theme/icons.h"
-#include "ui/theme/interface_scale.h"
 #include "ui/theme/style.h"
+#include "ui/theme/theme.h"
 
 namespace isolux::test {
 namespace {

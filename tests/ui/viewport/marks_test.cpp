@@ -21,7 +21,7 @@
 #include "ui/document/mark_reports.h"
 #include "ui/panels/marks_panel.h"
 #include "ui/panels/settings_panel.h"
-#include "ui/viewport/mark_painter.h"
+#include "ui/viewport/overlay_painters.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/message_bar.h"
 

@@ -106,7 +106,7 @@ TEST_F(KeyboardTest, EachStopOfTheTabKeyShowsWhereItIs) {
     const double ratio = seen.devicePixelRatio();
     int accented = 0;
     for (int x = 0; x < place.width(); ++x)
-      accented += seen.pixelColor(static_cast<int>(x * ratio), 0) == ui::colours::accent;
+      accented += seen.pixelColor(static_cast<int>(x * ratio), 0) == ui::colours.accent;
     EXPECT_GT(accented, place.width() / 2) << name;
   }
   EXPECT_GT(stops.size(), 20u);

@@ -1,4 +1,4 @@
-#include "app/jobs/give_way.h"
+#include "app/ready/give_way.h"
 
 #include <sched.h>
 #include <sys/resource.h>
