@@ -1389,37 +1389,6 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
     </message>
 </context>
 <context>
-    <name>isolux::ui::ColorPointsEditor</name>
-    <message>
-        <source>Colour of the selected point</source>
-        <translation>Farbe des gewählten Punktes</translation>
-    </message>
-    <message>
-        <source>Position of the selected point, as a fraction of the range</source>
-        <translation>Position des gewählten Punktes als Bruchteil des Bereichs</translation>
-    </message>
-    <message>
-        <source>Position of the selected point</source>
-        <translation>Position des gewählten Punktes</translation>
-    </message>
-    <message>
-        <source>Add a point (click on the bar, or Insert)</source>
-        <translation>Punkt hinzufügen (auf den Balken klicken, oder Einfg)</translation>
-    </message>
-    <message>
-        <source>Add a point</source>
-        <translation>Punkt hinzufügen</translation>
-    </message>
-    <message>
-        <source>Remove the selected point (Delete)</source>
-        <translation>Gewählten Punkt entfernen (Entf)</translation>
-    </message>
-    <message>
-        <source>Remove the selected point</source>
-        <translation>Gewählten Punkt entfernen</translation>
-    </message>
-</context>
-<context>
     <name>isolux::ui::ColorPointsView</name>
     <message>
         <source>Colour bar with control points</source>
@@ -1429,32 +1398,17 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <source>Point %1 of %2 at %3</source>
         <translation>Punkt %1 von %2 bei %3</translation>
     </message>
-</context>
-<context>
-    <name>isolux::ui::CurvatureMapEditor</name>
     <message>
-        <source>Colour of the selected point</source>
-        <translation>Farbe des gewählten Punktes</translation>
+        <source>Position of the selected point</source>
+        <translation>Position des gewählten Punktes</translation>
     </message>
     <message>
-        <source>Add a point (double click on the map)</source>
-        <translation>Punkt hinzufügen (Doppelklick auf die Skala)</translation>
+        <source>Position of the selected point, as a fraction of the range</source>
+        <translation>Position des gewählten Punktes als Bruchteil des Bereichs</translation>
     </message>
     <message>
-        <source>Add a point</source>
-        <translation>Punkt hinzufügen</translation>
-    </message>
-    <message>
-        <source>Remove the selected point (Delete)</source>
-        <translation>Gewählten Punkt entfernen (Entf)</translation>
-    </message>
-    <message>
-        <source>Remove the selected point</source>
-        <translation>Gewählten Punkt entfernen</translation>
-    </message>
-    <message>
-        <source>%1 of the selected point, as a fraction of the range</source>
-        <translation>%1 des gewählten Punktes, als Anteil des Bereichs</translation>
+        <source>Add a point (click on the bar, or Insert)</source>
+        <translation>Punkt hinzufügen (auf den Balken klicken, oder Einfg)</translation>
     </message>
 </context>
 <context>
@@ -1482,6 +1436,14 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
     <message>
         <source>valley</source>
         <translation>Tal</translation>
+    </message>
+    <message>
+        <source>%1 of the selected point, as a fraction of the range</source>
+        <translation>%1 des gewählten Punktes, als Anteil des Bereichs</translation>
+    </message>
+    <message>
+        <source>Add a point (double click on the map)</source>
+        <translation>Punkt hinzufügen (Doppelklick auf die Skala)</translation>
     </message>
 </context>
 <context>
@@ -3763,6 +3725,25 @@ Ein Werkzeug aus dem Menü Messen wählen, dann auf die Oberfläche klicken: Pin
     <message>
         <source>%1 voxels</source>
         <translation>%1 Voxel</translation>
+    </message>
+</context>
+<context>
+    <name>isolux::ui::PointsEditor</name>
+    <message>
+        <source>Colour of the selected point</source>
+        <translation>Farbe des gewählten Punktes</translation>
+    </message>
+    <message>
+        <source>Add a point</source>
+        <translation>Punkt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove the selected point</source>
+        <translation>Gewählten Punkt entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the selected point (Delete)</source>
+        <translation>Gewählten Punkt entfernen (Entf)</translation>
     </message>
 </context>
 <context>

@@ -10,8 +10,8 @@ namespace isolux::ui {
 
 struct Edit {
   scene::Scene scene;
-  QString name;      // for undo and recordings: "Rotate", "Set isovalue"
-  QString mergeKey;  // edits with the same non-empty key are one undo step until the gesture ends
+  QString name;           // for undo and recordings: "Rotate", "Set isovalue"
+  QString mergeKey = {};  // edits with the same non-empty key are one undo step until the gesture ends
   // A gesture without a natural end (wheel, arrow keys, typing) ends after a pause.
   bool endsAfterPause = false;
 };

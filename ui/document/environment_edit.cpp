@@ -50,14 +50,14 @@ bool letsEnvironmentMove(const scene::Scene& before, const Edit& edit) {
 }
 
 Edit lightProbeChosen(const scene::Scene& scene, const QString& file) {
-  Edit edit{scene, QObject::tr("Choose environment map"), {}, false};
+  Edit edit{scene, QObject::tr("Choose environment map")};
   edit.scene.light.environment.file = file.toStdString();
   showGi(edit.scene);
   return edit;
 }
 
 Edit builtInLightChosen(const scene::Scene& scene, scene::BuiltInLight light) {
-  Edit edit{scene, QObject::tr("Choose light"), {}, false};
+  Edit edit{scene, QObject::tr("Choose light")};
   scene::chooseBuiltIn(edit.scene.light.environment, light);
   showGi(edit.scene);
   return edit;

@@ -11,10 +11,20 @@ namespace isolux::ui {
 
 namespace {
 constexpr auto factorKey = "picture/factor", sizeKey = "picture/size", sessionKey = "picture/session",
-               fullPathsKey = "picture/fullPaths", lettersKey = "picture/letters",
-               scaleBarKey = "picture/scaleBar", isovalueKey = "picture/isovalue",
-               caveatsKey = "picture/caveats", transparentKey = "picture/transparent";
+               fullPathsKey = "picture/fullPaths";
 constexpr double largestFactor = 8.0;
+
+// What the user chooses of a picture, and has it unless another was chosen.
+struct Word {
+  const char* key;
+  bool scene::Picture::*member;
+  bool atFirst;
+};
+constexpr Word words[] = {{"picture/letters", &scene::Picture::letters, true},
+                          {"picture/scaleBar", &scene::Picture::scaleBar, true},
+                          {"picture/isovalue", &scene::Picture::isovalue, true},
+                          {"picture/caveats", &scene::Picture::caveats, true},
+                          {"picture/transparent", &scene::Picture::transparent, false}};
 }  // namespace
 
 QSize PictureWish::pixels(QSize window) const {
@@ -52,32 +62,23 @@ void keepPictureWish(const PictureWish& wish) {
 
 scene::Picture withKeptWords(scene::Picture picture) {
   const QSettings kept;
-  picture.letters = kept.value(lettersKey, true).toBool();
-  picture.scaleBar = kept.value(scaleBarKey, true).toBool();
-  picture.isovalue = kept.value(isovalueKey, true).toBool();
-  picture.caveats = kept.value(caveatsKey, true).toBool();
-  picture.transparent = kept.value(transparentKey, false).toBool();
+  for (const Word& word : words) picture.*word.member = kept.value(word.key, word.atFirst).toBool();
   return picture;
 }
 
 void keepWords(const scene::Picture& picture) {
   QSettings kept;
-  kept.setValue(lettersKey, picture.letters);
-  kept.setValue(scaleBarKey, picture.scaleBar);
-  kept.setValue(isovalueKey, picture.isovalue);
-  kept.setValue(caveatsKey, picture.caveats);
-  kept.setValue(transparentKey, picture.transparent);
+  for (const Word& word : words) kept.setValue(word.key, picture.*word.member);
+}
+
+scene::Picture withWordsOf(const scene::Picture& chosen, scene::Picture picture) {
+  for (const Word& word : words) picture.*word.member = chosen.*word.member;
+  return picture;
 }
 
 scene::Picture asInWindow(scene::Picture picture) {
-  const scene::Picture plain;
-  picture.letters = plain.letters;
-  picture.scaleBar = plain.scaleBar;
-  picture.isovalue = plain.isovalue;
-  picture.caveats = plain.caveats;
-  picture.transparent = plain.transparent;
-  picture.pixelRatio = plain.pixelRatio;
-  return picture;
+  picture.pixelRatio = scene::Picture{}.pixelRatio;
+  return withWordsOf({}, picture);
 }
 
 }  // namespace isolux::ui

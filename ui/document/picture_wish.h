@@ -27,6 +27,8 @@ void keepPictureWish(const PictureWish& wish);
 // then as chosen last.
 scene::Picture withKeptWords(scene::Picture picture);
 void keepWords(const scene::Picture& picture);
+// `picture` with what is written on `chosen`, and its background.
+scene::Picture withWordsOf(const scene::Picture& chosen, scene::Picture picture);
 // As the window draws it, which writes letters and lengths over its picture by itself and has a background.
 scene::Picture asInWindow(scene::Picture picture);
 

@@ -31,6 +31,12 @@ void keepPrivacy(const Privacy& privacy) {
   kept.setValue(savedKey, privacy.hideInSaved);
 }
 
+void keepHiddenOnScreen(bool hide) {
+  Privacy privacy = keptPrivacy();
+  privacy.hideOnScreen = hide;
+  keepPrivacy(privacy);
+}
+
 QString shownText(const QString& text, const VolumePointer& volume) {
   return keptPrivacy().hideOnScreen ? hiddenText(text, volume) : text;
 }

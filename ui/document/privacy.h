@@ -15,6 +15,7 @@ struct Privacy {
 };
 Privacy keptPrivacy();
 void keepPrivacy(const Privacy& privacy);
+void keepHiddenOnScreen(bool hide);
 
 // The text as it may be shown, or saved: without what names the patient of the volume where the user wants
 // it so. `volume` may be null.

@@ -46,8 +46,7 @@ EnvironmentPreview::EnvironmentPreview(QWidget* parent) : QWidget(parent) {
 
 EnvironmentPreview::~EnvironmentPreview() = default;
 
-// ---- The probe
-// ----------------------------------------------------------------------------------------------
+// The probe
 
 void EnvironmentPreview::setScene(const scene::Scene& scene, const scene::Scene& resolved) {
   const scene::Environment &was = resolved_.light.environment, &is = resolved.light.environment;
@@ -86,8 +85,7 @@ void EnvironmentPreview::take(app::ProbeTask& task) {
   update();
 }
 
-// ---- Painting
-// -----------------------------------------------------------------------------------------------
+// Painting
 
 QPointF EnvironmentPreview::placeOf(glm::dvec3 direction) const {
   const double x = std::atan2(direction.x, direction.y) / (2.0 * pi) + 0.5;
@@ -185,8 +183,7 @@ void EnvironmentPreview::resizeEvent(QResizeEvent*) {
   image_ = {};
 }
 
-// ---- Turning
-// ------------------------------------------------------------------------------------------------
+// Turning
 
 void EnvironmentPreview::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton || !hasProbe()) return;

@@ -2,13 +2,13 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QLineEdit>
 #include <QSettings>
 #include <QToolButton>
 #include <nlohmann/json.hpp>
 
 #include "ui/theme/icons.h"
+#include "ui/widgets/parts.h"
 
 namespace isolux::ui {
 
@@ -23,17 +23,12 @@ bool isLightProbe(const QString& file) {
 
 FileWidget::FileWidget(QWidget* parent)
     : ValueWidget(parent), line_(new QLineEdit(this)), choose_(new QToolButton(this)) {
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(4);
-  layout->addWidget(line_, 1);
-  layout->addWidget(choose_);
+  layOut(this, lineOf({{line_, 1}, choose_}, 4), {});
   line_->setPlaceholderText(tr("none"));
   line_->setMinimumWidth(60);
   choose_->setIcon(icon("open"));
   choose_->setIconSize({16, 16});
-  choose_->setToolTip(tr("Choose a file"));
-  choose_->setAccessibleName(tr("Choose a file"));
+  nameAndTip(choose_, tr("Choose a file"));
   setFocusProxy(line_);
   connect(line_, &QLineEdit::editingFinished, this, [this] {
     if (!line_->isModified()) return;

@@ -85,8 +85,7 @@ void HistogramSlider::wantDetail() {
   });
 }
 
-// ---- Painting
-// -----------------------------------------------------------------------------------------------
+// Painting
 
 QRectF HistogramSlider::plotArea() const {
   return QRectF(rect()).adjusted(sideMargin, topMargin, -sideMargin, -axisHeight);

@@ -154,13 +154,10 @@ void HistogramSlider::contextMenuEvent(QContextMenuEvent* event) {
   const double value = std::clamp(valueUnder(event->pos().x()), plot_.minimum(), plot_.maximum());
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  connect(menu->addAction(tr("Add isosurface at %1").arg(text(value))), &QAction::triggered, this,
-          [this, value] { Q_EMIT surfaceWanted(value); });
-  connect(menu->addAction(tr("Suggested isovalue")), &QAction::triggered, this,
-          &HistogramSlider::suggestionWanted);
-  QAction* const whole = menu->addAction(tr("Whole range"));
-  whole->setEnabled(plot_.zoomed());
-  connect(whole, &QAction::triggered, this, &HistogramSlider::showAll);
+  menu->addAction(tr("Add isosurface at %1").arg(text(value)), this,
+                  [this, value] { Q_EMIT surfaceWanted(value); });
+  menu->addAction(tr("Suggested isovalue"), this, &HistogramSlider::suggestionWanted);
+  menu->addAction(tr("Whole range"), this, &HistogramSlider::showAll)->setEnabled(plot_.zoomed());
   menu->popup(event->globalPos());
 }
 

@@ -1,13 +1,14 @@
 #include "ui/editors/light_chooser.h"
 
-#include <QHBoxLayout>
 #include <QTimer>
 
 #include "app/light/light_thumbnail.h"
 #include "scene/rules/environment.h"
 #include "scene/settings/choice_names.h"
 #include "ui/document/environment_edit.h"
+#include "ui/document/picture_pixels.h"
 #include "ui/language/number_text.h"
+#include "ui/widgets/parts.h"
 
 namespace isolux::ui {
 
@@ -33,8 +34,7 @@ QString meaningOf(scene::BuiltInLight light) {
 }
 
 QIcon thumbnailOf(scene::BuiltInLight light, qreal ratio) {
-  const render::ColorImage ball = app::litBall(light, static_cast<int>(thumbnailPixels * ratio));
-  QImage image(ball.rgba.data(), ball.size.x, ball.size.y, QImage::Format_RGBA8888);
+  QImage image = imageOf(app::litBall(light, static_cast<int>(thumbnailPixels * ratio)));
   image.setDevicePixelRatio(ratio);
   return QIcon(QPixmap::fromImage(image));
 }
@@ -42,17 +42,14 @@ QIcon thumbnailOf(scene::BuiltInLight light, qreal ratio) {
 }  // namespace
 
 LightChooser::LightChooser(QWidget* parent) : QWidget(parent) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 2, 0, 2);
-  row->setSpacing(4);
+  auto* row = lineOf({}, 4);
+  layOut(this, row, {0, 2, 0, 2});
   for (const auto light : {scene::BuiltInLight::studio, scene::BuiltInLight::window,
                            scene::BuiltInLight::overcast, scene::BuiltInLight::sunset}) {
     const std::string_view word = scene::choiceName(light);
-    auto* button = new QToolButton(this);
     const QString name = wordsOf(QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size())));
-    button->setText(name);
-    button->setAccessibleName(tr("Light: %1").arg(name));
-    button->setToolTip(name + ": " + meaningOf(light));
+    auto* button = textButton(name, {}, this);
+    nameAndTip(button, tr("Light: %1").arg(name), name + ": " + meaningOf(light));
     button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
     button->setIconSize({thumbnailPixels, thumbnailPixels});
     button->setCheckable(true);

@@ -3,11 +3,11 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <nlohmann/json.hpp>
 
 #include "scene/scene.h"
 #include "ui/widgets/number_spin_box.h"
+#include "ui/widgets/parts.h"
 
 namespace isolux::ui {
 
@@ -15,18 +15,15 @@ using nlohmann::json;
 
 PlanesWidget::PlanesWidget(const scene::SettingInfo& setting, QWidget* parent)
     : ValueWidget(parent), minimum_(setting.minimum), maximum_(setting.maximum) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(6);
-  list_ = new QVBoxLayout;
-  list_->setSpacing(8);
-  layout->addLayout(list_);
-  add_ = new QToolButton(this);
-  add_->setText(tr("Add a plane"));
-  add_->setToolTip(
+  list_ = columnOf({}, 8);
+  add_ = textButton(
+      tr("Add a plane"),
       tr("Add a copy of the last plane, or a plane across the z axis through the origin. The Cut menu adds "
-         "planes through the view’s target."));
+         "planes through the view’s target."),
+      this);
+  auto* const layout = columnOf({list_}, 6);
   layout->addWidget(add_, 0, Qt::AlignLeft);
+  layOut(this, layout, {});
   setFocusProxy(add_);
   connect(add_, &QToolButton::clicked, this, [this] {
     json planes = value();
@@ -52,20 +49,17 @@ void PlanesWidget::addRow() {
     box->setRange(minimum_, maximum_);
     box->setSingleStep(i < 3 ? 1.0 : 0.05);
     box->setMinimumWidth(48);
-    box->setAccessibleName((i < 3 ? tr("Plane %1, %2 of its point, mm") : tr("Plane %1, %2 of its normal"))
-                               .arg(number)
-                               .arg(QChar(axes[axis])));
-    box->setToolTip(box->accessibleName());
+    nameAndTip(box, (i < 3 ? tr("Plane %1, %2 of its point, mm") : tr("Plane %1, %2 of its normal"))
+                     .arg(number)
+                     .arg(QChar(axes[axis])));
     grid->addWidget(box, static_cast<int>(i / 3), 1 + static_cast<int>(axis));
     grid->setColumnStretch(1 + static_cast<int>(axis), 1);
     connect(box, &NumberSpinBox::refused, this, &ValueWidget::refused);
     connect(box, &NumberSpinBox::valueChanged, this, [this] { Q_EMIT changed(true); });
   }
   const auto button = [&](const QString& text, const QString& tip, int line) {
-    auto* made = new QToolButton(row.box);
-    made->setText(text);
-    made->setToolTip(tip);
-    made->setAccessibleName(tip);
+    auto* made = textButton(text, tip, row.box);
+    nameAndTip(made, tip);
     made->setAutoRaise(true);
     made->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
     grid->addWidget(made, line, 4);

@@ -7,7 +7,7 @@
 #include "ui/editors/value_widgets.h"
 
 class QToolButton;
-class QVBoxLayout;
+class QBoxLayout;
 
 namespace isolux::ui {
 
@@ -36,7 +36,7 @@ class PlanesWidget : public ValueWidget {
 
   double minimum_, maximum_;
   std::vector<Row> rows_;
-  QVBoxLayout* list_;
+  QBoxLayout* list_;
   QToolButton* add_;
 };
 

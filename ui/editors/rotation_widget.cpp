@@ -6,6 +6,7 @@
 
 #include "ui/theme/style.h"
 #include "ui/widgets/number_spin_box.h"
+#include "ui/widgets/parts.h"
 
 namespace isolux::ui {
 
@@ -30,8 +31,7 @@ RotationWidget::RotationWidget(QWidget* parent) : ValueWidget(parent) {
     box->setSingleStep(5.0);
     box->setSuffix("°");
     box->setMinimumWidth(48);
-    box->setAccessibleName(angles[i].name);
-    box->setToolTip(angles[i].tip);
+    nameAndTip(box, angles[i].name, angles[i].tip);
     auto* name = new QLabel(angles[i].name, this);
     setInk(name, Ink::quiet);
     layout->addWidget(name, 0, column);

@@ -1,19 +1,19 @@
 #include "ui/editors/setting_editor.h"
 
 #include <QCheckBox>
-#include <QHBoxLayout>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QToolButton>
 #include <QToolTip>
-#include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "scene/color_maps.h"
+#include "scene/curvature_map.h"
 #include "scene/rules/relevance.h"
 #include "ui/language/number_text.h"
 #include "ui/language/translated.h"
 #include "ui/theme/icons.h"
+#include "ui/widgets/parts.h"
 
 namespace isolux::ui {
 
@@ -34,13 +34,6 @@ QString describe(const scene::Setting& setting) {
          QObject::tr("Default: %1")
              .arg(QString::fromStdString(value.is_string() ? value.get<std::string>() : value.dump()));
 }
-
-// Rows do not jump.
-void keepPlaceWhenHidden(QWidget* widget) {
-  QSizePolicy policy = widget->sizePolicy();
-  policy.setRetainSizeWhenHidden(true);
-  widget->setSizePolicy(policy);
-}
 }  // namespace
 
 SettingEditor::SettingEditor(const scene::Setting& setting, QWidget* parent)
@@ -48,10 +41,8 @@ SettingEditor::SettingEditor(const scene::Setting& setting, QWidget* parent)
       setting_(setting),
       value_(makeValueWidget(setting, this)),
       reset_(new QToolButton(this)) {
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(4);
-  layout->addWidget(value_, 1);
+  auto* layout = lineOf({{value_, 1}}, 4);
+  layOut(this, layout, {});
   if (setting.mayBeAutomatic) {
     keepPlaceWhenHidden(value_);
     automatic_ = new QCheckBox(tr("auto"), this);
@@ -65,8 +56,7 @@ SettingEditor::SettingEditor(const scene::Setting& setting, QWidget* parent)
   reset_->setIcon(icon("restore"));
   reset_->setIconSize({14, 14});
   reset_->setAutoRaise(true);
-  reset_->setToolTip(tr("Reset to default"));
-  reset_->setAccessibleName(tr("Reset %1").arg(nameOf(setting)));
+  nameAndTip(reset_, tr("Reset %1").arg(nameOf(setting)), tr("Reset to default"));
   keepPlaceWhenHidden(reset_);
   layout->addWidget(reset_);
   description_ = describe(setting);
@@ -104,8 +94,7 @@ void SettingEditor::setScene(const scene::Scene& scene, const scene::Scene& reso
     automatic_->setChecked(automatic);
   }
   // Some automatic values are found while the picture is drawn: there is no number to show.
-  // An automatic colour map is shown by points that it could be made of.
-  const bool unknown = automatic && seen == "auto" && !isPoints(setting_);
+  const bool unknown = automatic && seen == "auto";
   value_->setVisible(!unknown);
   if (seen == shown_ || unknown) return;
   shown_ = seen;
@@ -120,9 +109,10 @@ void SettingEditor::setFound(const nlohmann::json& value) {
 
 nlohmann::json SettingEditor::seenValue() const {
   const nlohmann::json resolved = setting_.get(resolved_);
-  if (resolved == "auto" && setting_.type == scene::SettingType::color_points) {
+  if (resolved == "auto" && isPoints(setting_)) {  // points that it could be made of
     scene::Scene automatic;
     automatic.look.colormapPoints = scene::automaticColorPoints(resolved_.look);
+    automatic.look.curvaturePoints = scene::automaticCurvaturePoints();
     automatic.look.accessibilityPoints = scene::automaticAccessibilityPoints();
     return setting_.get(automatic);
   }

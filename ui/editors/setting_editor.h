@@ -4,6 +4,7 @@
 #include <memory>
 
 #include <QWidget>
+#include <nlohmann/json.hpp>
 
 #include "scene/settings/settings.h"
 #include "ui/document/edit.h"

@@ -6,7 +6,6 @@
 #include <QAbstractSpinBox>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSignalBlocker>
@@ -16,8 +15,8 @@
 
 #include "base/numbers.h"
 #include "scene/settings/assignment.h"
-#include "ui/editors/color_points_editor.h"
-#include "ui/editors/curvature_map_editor.h"
+#include "ui/editors/color_points_view.h"
+#include "ui/editors/curvature_map_view.h"
 #include "ui/editors/file_widget.h"
 #include "ui/editors/planes_widget.h"
 #include "ui/editors/rotation_widget.h"
@@ -25,6 +24,7 @@
 #include "ui/language/translated.h"
 #include "ui/widgets/color_button.h"
 #include "ui/widgets/number_spin_box.h"
+#include "ui/widgets/parts.h"
 
 namespace isolux::ui {
 
@@ -33,13 +33,6 @@ namespace {
 using nlohmann::json;
 using scene::SettingInfo;
 using scene::SettingType;
-
-QHBoxLayout* rowLayout(QWidget* widget) {
-  auto* layout = new QHBoxLayout(widget);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(6);
-  return layout;
-}
 
 QString suffixOf(const SettingInfo& setting) {
   if (setting.unit == "degrees") return "°";
@@ -71,7 +64,8 @@ class NumberWidget : public ValueWidget {
         minimum_(setting.minimum),
         maximum_(setting.maximum),
         box_(new NumberSpinBox(this)) {
-    auto* layout = rowLayout(this);
+    auto* layout = lineOf({}, 6);
+    layOut(this, layout, {});
     box_->setRange(minimum_, maximum_);
     box_->setSuffix(suffixOf(setting));
     setFocusProxy(box_);
@@ -135,73 +129,75 @@ class NumberWidget : public ValueWidget {
   QSlider* slider_ = nullptr;
 };
 
-class IntegerWidget : public ValueWidget {
+// Holds the value in one other widget.
+template <class Inner>
+class SingleWidget : public ValueWidget {
  public:
-  IntegerWidget(const SettingInfo& setting, QWidget* parent)
-      : ValueWidget(parent), box_(new IntegerSpinBox(this)) {
-    box_->setRange(static_cast<int>(setting.minimum), static_cast<int>(setting.maximum));
-    box_->setSuffix(suffixOf(setting));
-    connect(box_, &IntegerSpinBox::refused, this, &ValueWidget::refused);
-    rowLayout(this)->addWidget(box_, 1);
-    setFocusProxy(box_);
-    connect(box_, &QSpinBox::valueChanged, this, [this] { Q_EMIT changed(true); });
+  explicit SingleWidget(QWidget* parent) : ValueWidget(parent), inner_(new Inner(this)) {
+    layOut(this, lineOf({{inner_, 1}}), {});
+    setFocusProxy(inner_);
   }
-  void showValue(const json& value) override {
-    const QSignalBlocker block(box_);
-    box_->setValue(value.get<int>());
-  }
-  json value() const override { return box_->value(); }
 
- private:
-  IntegerSpinBox* box_;
+ protected:
+  Inner* const inner_;
 };
 
-class TextWidget : public ValueWidget {
+class IntegerWidget : public SingleWidget<IntegerSpinBox> {
  public:
-  TextWidget(const SettingInfo&, QWidget* parent) : ValueWidget(parent), line_(new QLineEdit(this)) {
-    rowLayout(this)->addWidget(line_, 1);
-    setFocusProxy(line_);
-    connect(line_, &QLineEdit::editingFinished, this, [this] {
-      if (line_->isModified()) Q_EMIT changed(false);
-      line_->setModified(false);
-    });
+  IntegerWidget(const SettingInfo& setting, QWidget* parent) : SingleWidget(parent) {
+    inner_->setRange(static_cast<int>(setting.minimum), static_cast<int>(setting.maximum));
+    inner_->setSuffix(suffixOf(setting));
+    connect(inner_, &IntegerSpinBox::refused, this, &ValueWidget::refused);
+    connect(inner_, &QSpinBox::valueChanged, this, [this] { Q_EMIT changed(true); });
   }
   void showValue(const json& value) override {
-    line_->setText(QString::fromStdString(value.get<std::string>()));
-    line_->setCursorPosition(0);
+    const QSignalBlocker block(inner_);
+    inner_->setValue(value.get<int>());
   }
-  json value() const override { return line_->text().toStdString(); }
+  json value() const override { return inner_->value(); }
+};
 
- private:
-  QLineEdit* line_;
+class TextWidget : public SingleWidget<QLineEdit> {
+ public:
+  explicit TextWidget(QWidget* parent) : SingleWidget(parent) {
+    connect(inner_, &QLineEdit::editingFinished, this, [this] {
+      if (!inner_->isModified()) return;
+      inner_->setModified(false);
+      take();
+    });
+  }
+  void showValue(const json& value) override { showText(value.get<std::string>()); }
+  json value() const override { return inner_->text().toStdString(); }
+
+ protected:
+  virtual void take() { Q_EMIT changed(false); }  // what was typed
+  void showText(const std::string& text) {
+    inner_->setText(QString::fromStdString(text));
+    inner_->setCursorPosition(0);
+  }
 };
 
 // World points as text. A text that is no such list is not taken.
-class PositionsWidget : public ValueWidget {
+class PositionsWidget : public TextWidget {
  public:
-  explicit PositionsWidget(QWidget* parent) : ValueWidget(parent), line_(new QLineEdit(this)) {
-    rowLayout(this)->addWidget(line_, 1);
-    line_->setPlaceholderText("x,y,z; x,y,z");
-    line_->setClearButtonEnabled(true);
-    setFocusProxy(line_);
-    connect(line_, &QLineEdit::editingFinished, this, [this] {
-      if (!line_->isModified()) return;
-      line_->setModified(false);
-      if (value().is_array())
-        Q_EMIT changed(false);
-      else
-        showValue(shown_);
-    });
+  explicit PositionsWidget(QWidget* parent) : TextWidget(parent) {
+    inner_->setPlaceholderText("x,y,z; x,y,z");
+    inner_->setClearButtonEnabled(true);
   }
   void showValue(const json& value) override {
     shown_ = value;
-    line_->setText(QString::fromStdString(scene::textOfPositions(value)));
-    line_->setCursorPosition(0);
+    showText(scene::textOfPositions(value));
   }
-  json value() const override { return scene::positionsOf(line_->text().toStdString()); }
+  json value() const override { return scene::positionsOf(inner_->text().toStdString()); }
 
  private:
-  QLineEdit* line_;
+  void take() override {
+    if (value().is_array())
+      TextWidget::take();
+    else
+      showValue(shown_);
+  }
+
   json shown_ = json::array();
 };
 
@@ -209,7 +205,7 @@ class PositionsWidget : public ValueWidget {
 class MarksWidget : public ValueWidget {
  public:
   explicit MarksWidget(QWidget* parent) : ValueWidget(parent), count_(new QLabel(this)) {
-    rowLayout(this)->addWidget(count_, 1);
+    layOut(this, lineOf({{count_, 1}}), {});
   }
   void showValue(const json& value) override {
     shown_ = value;
@@ -223,53 +219,41 @@ class MarksWidget : public ValueWidget {
   json shown_ = json::array();
 };
 
-class ToggleWidget : public ValueWidget {
+class ToggleWidget : public SingleWidget<QCheckBox> {
  public:
-  ToggleWidget(const SettingInfo&, QWidget* parent) : ValueWidget(parent), box_(new QCheckBox(this)) {
-    rowLayout(this)->addWidget(box_, 1);
-    setFocusProxy(box_);
-    connect(box_, &QCheckBox::toggled, this, [this] { Q_EMIT changed(false); });
+  explicit ToggleWidget(QWidget* parent) : SingleWidget(parent) {
+    connect(inner_, &QCheckBox::toggled, this, [this] { Q_EMIT changed(false); });
   }
   void showValue(const json& value) override {
-    const QSignalBlocker block(box_);
-    box_->setChecked(value.get<bool>());
+    const QSignalBlocker block(inner_);
+    inner_->setChecked(value.get<bool>());
   }
-  json value() const override { return box_->isChecked(); }
-
- private:
-  QCheckBox* box_;
+  json value() const override { return inner_->isChecked(); }
 };
 
-class ChoiceWidget : public ValueWidget {
+class ChoiceWidget : public SingleWidget<CalmWheel<QComboBox>> {
  public:
-  ChoiceWidget(const SettingInfo& setting, QWidget* parent)
-      : ValueWidget(parent), combo_(new CalmWheel<QComboBox>(this)) {
+  ChoiceWidget(const SettingInfo& setting, QWidget* parent) : SingleWidget(parent) {
     for (const std::string& choice : setting.choices) {
       const QString word = QString::fromStdString(choice);
-      combo_->addItem(word == "color" ? QObject::tr("Single colour") : wordsOf(word), word);
+      inner_->addItem(word == "color" ? QObject::tr("Single colour") : wordsOf(word), word);
     }
-    combo_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // not the longest choice
-    combo_->setMinimumContentsLength(8);
-    rowLayout(this)->addWidget(combo_, 1);
-    setFocusProxy(combo_);
-    connect(combo_, &QComboBox::currentIndexChanged, this, [this] { Q_EMIT changed(false); });
+    // not the longest choice
+    inner_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    inner_->setMinimumContentsLength(8);
+    connect(inner_, &QComboBox::currentIndexChanged, this, [this] { Q_EMIT changed(false); });
   }
   void showValue(const json& value) override {
-    const QSignalBlocker block(combo_);
-    combo_->setCurrentIndex(combo_->findData(QString::fromStdString(value.get<std::string>())));
+    const QSignalBlocker block(inner_);
+    inner_->setCurrentIndex(inner_->findData(QString::fromStdString(value.get<std::string>())));
   }
-  json value() const override { return combo_->currentData().toString().toStdString(); }
-
- private:
-  QComboBox* combo_;
+  json value() const override { return inner_->currentData().toString().toStdString(); }
 };
 
 class ColourWidget : public ValueWidget {
  public:
-  ColourWidget(const SettingInfo&, QWidget* parent) : ValueWidget(parent), button_(new ColorButton(this)) {
-    auto* layout = rowLayout(this);
-    layout->addWidget(button_);
-    layout->addStretch(1);
+  explicit ColourWidget(QWidget* parent) : ValueWidget(parent), button_(new ColorButton(this)) {
+    layOut(this, lineOf({button_, Cell::room()}), {});
     setFocusProxy(button_);
     connect(button_, &ColorButton::chosen, this, [this](glm::dvec3 colour) {
       button_->showColour(colour);
@@ -289,8 +273,8 @@ class ColourWidget : public ValueWidget {
 class VectorWidget : public ValueWidget {
  public:
   VectorWidget(const SettingInfo& setting, QWidget* parent) : ValueWidget(parent) {
-    auto* layout = rowLayout(this);
-    layout->setSpacing(4);
+    auto* layout = lineOf({}, 4);
+    layOut(this, layout, {});
     boxes_.resize(scene::componentsOf(setting.type));
     const char* names[] = {"x", "y", "z"};
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
@@ -332,11 +316,11 @@ ValueWidget* makeValueWidget(const SettingInfo& setting, QWidget* parent) {
       return new IntegerWidget(setting, parent);
     case SettingType::text:
       if (setting.path.ends_with(".file")) return new FileWidget(parent);
-      return new TextWidget(setting, parent);
+      return new TextWidget(parent);
     case SettingType::choice:
       return new ChoiceWidget(setting, parent);
     case SettingType::toggle:
-      return new ToggleWidget(setting, parent);
+      return new ToggleWidget(parent);
     case SettingType::positions:
       return new PositionsWidget(parent);
     case SettingType::planes:
@@ -344,16 +328,16 @@ ValueWidget* makeValueWidget(const SettingInfo& setting, QWidget* parent) {
     case SettingType::marks:
       return new MarksWidget(parent);
     case SettingType::color_points:
-      return new ColorPointsEditor(setting, parent);
+      return new PointsEditor(new ColorPointsView(parent), parent);
     case SettingType::points:
-      return new CurvatureMapEditor(parent);
+      return new PointsEditor(new CurvatureMapView(parent), parent);
     case SettingType::quaternion:
       return new RotationWidget(parent);
     case SettingType::pair:
     case SettingType::vector:
       break;
   }
-  if (isColour(setting)) return new ColourWidget(setting, parent);
+  if (isColour(setting)) return new ColourWidget(parent);
   return new VectorWidget(setting, parent);
 }
 

@@ -1,5 +1,5 @@
 // The editor of the (kappa1, kappa2) colour map: mouse, keys, and what reaches the scene.
-#include "ui/editors/curvature_map_editor.h"
+#include "ui/editors/curvature_map_view.h"
 
 #include <QCheckBox>
 #include <QTest>
@@ -41,8 +41,10 @@ class CurvatureMapEditorTest : public testing::Test {
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel_, 120000));
   }
   void show() { panel_.setScene(history_.scene(), history_.scene()); }
-  ui::CurvatureMapEditor* editor() { return panel_.findChild<ui::CurvatureMapEditor*>(); }
-  ui::CurvatureMapView* view() { return editor()->view(); }
+  ui::PointsEditor* editor() {
+    return panel_.editor("look.curvature_points")->findChild<ui::PointsEditor*>();
+  }
+  ui::PointsView* view() { return editor()->view(); }
   const std::vector<scene::CurvaturePoint>& points() { return *history_.scene().look.curvaturePoints; }
   QPoint at(glm::dvec2 kappa) { return view()->positionOf(kappa).toPoint(); }
 
@@ -53,7 +55,7 @@ class CurvatureMapEditorTest : public testing::Test {
 }  // namespace
 
 TEST_F(CurvatureMapEditorTest, PixelsAndKappasAreInverseAndTheSquareHasASize) {
-  const glm::dvec2 kappa = view()->kappaAt(view()->positionOf({0.3, -0.7}));
+  const glm::dvec2 kappa = view()->placeAt(view()->positionOf({0.3, -0.7}));
   EXPECT_NEAR(kappa.x, 0.3, 1e-12);
   EXPECT_NEAR(kappa.y, -0.7, 1e-12);
   EXPECT_GT(view()->positionOf({1.0, 0.0}).x() - view()->positionOf({-1.0, 0.0}).x(), 120.0);
@@ -77,7 +79,7 @@ TEST_F(CurvatureMapEditorTest, ADragIsOneStepAndStaysWhereCurvaturesCanBe) {
 
 TEST_F(CurvatureMapEditorTest, DoubleClickAddsAPointInTheColourOfTheMap) {
   const auto before = points();
-  const glm::dvec2 place = view()->kappaAt(at({0.4, -0.4}));
+  const glm::dvec2 place = view()->placeAt(at({0.4, -0.4}));
   QTest::mouseDClick(view(), Qt::LeftButton, Qt::NoModifier, at({0.4, -0.4}));
   ASSERT_EQ(points().size(), before.size() + 1);
   EXPECT_NEAR(points().back().kappa1, place.x, 1e-3);

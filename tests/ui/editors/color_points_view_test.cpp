@@ -1,5 +1,5 @@
 // The editor of one-dimensional transfer functions: mouse, keys, and what reaches the scene.
-#include "ui/editors/color_points_editor.h"
+#include "ui/editors/color_points_view.h"
 
 #include <QCheckBox>
 #include <QTest>
@@ -41,12 +41,12 @@ class ColorPointsEditorTest : public testing::Test {
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel_, 120000));
   }
   void show() { panel_.setScene(history_.scene(), history_.scene()); }
-  ui::ColorPointsEditor* editor() {
-    return panel_.editor("look.colormap_points")->findChild<ui::ColorPointsEditor*>();
+  ui::PointsEditor* editor() {
+    return panel_.editor("look.colormap_points")->findChild<ui::PointsEditor*>();
   }
-  ui::ColorPointsView* view() { return editor()->view(); }
+  ui::PointsView* view() { return editor()->view(); }
   const Points& points() { return *history_.scene().look.colormapPoints; }
-  QPoint at(double position) { return view()->placeOf(position).toPoint(); }
+  QPoint at(double position) { return view()->positionOf({position, 0.0}).toPoint(); }
 
   app::History history_;
   ui::SettingsPanel panel_;
