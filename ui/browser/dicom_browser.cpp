@@ -6,24 +6,23 @@
 #include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QFileDialog>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPainter>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSettings>
 #include <QShortcut>
 #include <QTreeWidget>
-#include <QVBoxLayout>
 
 #include "app/browser/series_text.h"
 #include "app/documents/anonymous.h"
 #include "base/color.h"
 #include "ui/browser/series_index.h"
 #include "ui/document/privacy.h"
+#include "ui/document/recent_files.h"
 #include "ui/theme/style.h"
+#include "ui/widgets/parts.h"
 
 namespace isolux::ui {
 
@@ -102,9 +101,9 @@ DicomBrowser::DicomBrowser(SeriesIndex* index, QWidget* parent)
       search_(new QLineEdit(this)),
       hide_(new QCheckBox(tr("&Hide patient data"), this)),
       tree_(new QTreeWidget(this)),
-      details_(new QLabel(this)),
+      details_(wrappedLabel({}, this)),
       summary_(new QLabel(this)),
-      progress_(new QProgressBar(this)),
+      progress_(thinBar(this)),
       stop_(new QPushButton(tr("&Stop"), this)) {
   setWindowTitle(tr("DICOM browser"));
   search_->setPlaceholderText(tr("Search patients, descriptions, dates, modalities"));
@@ -116,41 +115,22 @@ DicomBrowser::DicomBrowser(SeriesIndex* index, QWidget* parent)
   stop_->setAutoDefault(false);
   hide_->setChecked(keptPrivacy().hideOnScreen);
   hide_->setToolTip(tr("Show names, IDs and birth dates as “anonymous”, here and in the window"));
-  auto* top = new QHBoxLayout;
-  top->addWidget(choose);
-  top->addWidget(folder_, 1);
-  top->addWidget(hide_);
-  top->addWidget(search_, 1);
   makeTree();
-  details_->setWordWrap(true);
   details_->setTextFormat(Qt::PlainText);
   details_->setMinimumHeight(3 * fontMetrics().height());
   details_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  progress_->setRange(0, 1000);
-  progress_->setTextVisible(false);
-  progress_->setFixedSize(160, 8);
+  progress_->setFixedWidth(160);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel, this);
   open_ = buttons->button(QDialogButtonBox::Open);
-  auto* bottom = new QHBoxLayout;
-  bottom->addWidget(summary_, 1);
-  bottom->addWidget(progress_);
-  bottom->addWidget(stop_);
-  bottom->addWidget(buttons);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(14, 12, 14, 12);
-  layout->setSpacing(10);
-  layout->addLayout(top);
-  layout->addWidget(tree_, 1);
-  layout->addWidget(details_);
-  layout->addLayout(bottom);
+  auto* top = lineOf({choose, {folder_, 1}, hide_, {search_, 1}});
+  auto* bottom = lineOf({{summary_, 1}, progress_, stop_, buttons});
+  layOut(this, columnOf({top, {tree_, 1}, details_, bottom}, 10), {14, 12, 14, 12});
   resize(1120, 680);
 
   connect(choose, &QPushButton::clicked, this, &DicomBrowser::chooseFolder);
   connect(search_, &QLineEdit::textChanged, this, &DicomBrowser::filter);
   connect(hide_, &QCheckBox::toggled, this, [this](bool hide) {
-    Privacy privacy = keptPrivacy();
-    privacy.hideOnScreen = hide;
-    keepPrivacy(privacy);
+    keepHiddenOnScreen(hide);
     showAnew();
     Q_EMIT privacyChanged();
   });
@@ -163,9 +143,8 @@ DicomBrowser::DicomBrowser(SeriesIndex* index, QWidget* parent)
   connect(index_, &SeriesIndex::started, this, &DicomBrowser::restart);
   connect(index_, &SeriesIndex::changed, this, &DicomBrowser::showSeries);
   connect(index_, &SeriesIndex::ended, this, &DicomBrowser::showSummary);
-  connect(index_, &SeriesIndex::progressed, this, [this](double fraction) {
-    progress_->setValue(static_cast<int>(1000.0 * std::clamp(fraction, 0.0, 1.0)));
-  });
+  connect(index_, &SeriesIndex::progressed, progress_,
+          [this](double fraction) { showFraction(progress_, fraction); });
   pictureTimer_.setInterval(30);
   connect(&pictureTimer_, &QTimer::timeout, this, &DicomBrowser::drawPictures);
   pictureTimer_.start();
@@ -197,8 +176,7 @@ void DicomBrowser::makeTree() {
 }
 
 void DicomBrowser::chooseFolder() {
-  const QString start =
-      index_->folder().isEmpty() ? QSettings().value("lastFolder").toString() : index_->folder();
+  const QString start = index_->folder().isEmpty() ? lastFolder() : index_->folder();
   const QString folder = QFileDialog::getExistingDirectory(this, tr("Search a folder or disc"), start);
   if (!folder.isEmpty()) index_->start(folder);
 }
@@ -366,8 +344,7 @@ void DicomBrowser::openCurrent() {
   Q_EMIT chosen(folder, uid);
 }
 
-// ---- Small pictures, of what is visible only
-// -------------------------------------------------------------------------------------------------
+// Small pictures, of what is visible only
 
 QTreeWidgetItem* DicomBrowser::withoutPicture() const {
   const QRect area = tree_->viewport()->rect();

@@ -72,18 +72,17 @@ void RecentMenu::fill() {
   const QList<RecentFile> files = recentEntries();
   for (const RecentFile& file : files) {
     QString shown = fontMetrics().elidedText(shownName(file), Qt::ElideMiddle, widestName);
-    QAction* const action = addAction(shown.replace('&', "&&"));
-    action->setIcon(plateOf(file, menuPicture, devicePixelRatioF()));
+    QAction* const action = addAction(plateOf(file, menuPicture, devicePixelRatioF()),
+                                      shown.replace('&', "&&"), this, [this, file] { Q_EMIT chosen(file); });
     action->setIconVisibleInMenu(true);
     if (!keptPrivacy().hideOnScreen) action->setToolTip(file.path);
-    connect(action, &QAction::triggered, this, [this, file] { Q_EMIT chosen(file); });
   }
   if (files.isEmpty()) {
     addAction(tr("No recent files"))->setEnabled(false);
     return;
   }
   addSeparator();
-  connect(addAction(tr("Clear this list")), &QAction::triggered, this, [] { clearRecentFiles(); });
+  addAction(tr("Clear this list"), this, &clearRecentFiles);
 }
 
 RecentPictures::RecentPictures(QWidget* parent) : QFrame(parent), row_(new QHBoxLayout(this)) {

@@ -8,6 +8,7 @@
 #include "ui/theme/style.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/number_spin_box.h"
+#include "ui/widgets/parts.h"
 
 namespace isolux::ui {
 
@@ -21,21 +22,12 @@ AppearanceRows::AppearanceRows(QWidget* parent)
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(14);
   grid->setVerticalSpacing(9);
-  const auto addRow = [&](int row, const QString& name, QWidget* editor, const QString& tip) {
-    auto* label = new QLabel(name, this);
-    label->setBuddy(editor);
-    label->setToolTip(tip);
-    editor->setToolTip(tip);
-    editor->setAccessibleName(name);
-    grid->addWidget(label, row, 0);
-    grid->addWidget(editor, row, 1);
-  };
   theme_->addItems({tr("Dark"), tr("Light"), tr("System default")});  // as Theme
-  addRow(0, tr("Theme"), theme_, tr("The background of the image is a setting of the scene."));
+  addRow(grid, 0, tr("Theme"), theme_, tr("The background of the image is a setting of the scene."));
   scale_->setRange(smallestScale, largestScale);
   scale_->setSingleStep(25);
   scale_->setSuffix(" %");
-  addRow(1, tr("Text and control size"), scale_, tr("Multiplies the scaling of the screen."));
+  addRow(grid, 1, tr("Text and control size"), scale_, tr("Multiplies the scaling of the screen."));
   grid->addWidget(later_, 2, 1);
   grid->setColumnStretch(1, 1);
   setInk(later_, Ink::quiet);

@@ -1,22 +1,18 @@
 #include "ui/dialogs/mesh_dialog.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QVBoxLayout>
 
 #include "scene/rules/needs.h"
 #include "scene/shown_surfaces.h"
 #include "ui/language/number_text.h"
+#include "ui/widgets/parts.h"
 #include "volume/extraction/surface_mesh.h"
 
 namespace isolux::ui {
@@ -29,24 +25,20 @@ MeshDialog::MeshDialog(std::shared_ptr<const volume::PreparedVolume> volume, sce
       closed(new QCheckBox(tr("&Cap openings at the volume border"), this)),
       start(new QPushButton(tr("&Export…"), this)),
       showPlace(new QPushButton(tr("Sho&w largest deviation"), this)),
-      bar(new QProgressBar(this)),
+      bar(thinBar(this)),
       volume_(std::move(volume)),
       resolved_(std::move(resolved)),
       estimate_(new QLabel(this)),
-      text_(new QLabel(this)) {
+      text_(wrappedLabel({}, this)) {
   setWindowTitle(tr("Export mesh"));
   tolerance->setRange(0.0, 1000.0);
   tolerance->setDecimals(3);
   tolerance->setSingleStep(0.01);
   tolerance->setSuffix(" mm");
   tolerance->setSpecialValueText(tr("No subdivision"));
-  tolerance->setAccessibleName(tr("Tolerance"));
-  tolerance->setToolTip(tr("Largest deviation from the surface: triangles are split until they meet it"));
-  bar->setRange(0, 1000);
-  bar->setTextVisible(false);
-  bar->setFixedHeight(8);
+  nameAndTip(tolerance, tr("Tolerance"),
+             tr("Largest deviation from the surface: triangles are split until they meet it"));
   bar->setAccessibleName(tr("Progress"));
-  text_->setWordWrap(true);
   text_->setMinimumWidth(380);
   start->setDefault(true);
 
@@ -59,18 +51,9 @@ MeshDialog::MeshDialog(std::shared_ptr<const volume::PreparedVolume> volume, sce
   form->addRow(tr("Tolerance"), tolerance);
   form->addRow(QString(), closed);
   form->addRow(tr("Triangles"), estimate_);
-  auto* buttons = new QHBoxLayout;
   auto* close = new QPushButton(tr("Close"), this);
-  buttons->addWidget(showPlace);
-  buttons->addStretch(1);
-  buttons->addWidget(close);
-  buttons->addWidget(start);
   showPlace->hide();
-  auto* layout = new QVBoxLayout(this);
-  layout->addLayout(form);
-  layout->addWidget(text_);
-  layout->addWidget(bar);
-  layout->addLayout(buttons);
+  layOut(this, columnOf({form, text_, bar, lineOf({showPlace, Cell::room(), close, start})}));
 
   const bool cut = resolved_.isosurface.clipped && scene::cutsSurfaces(resolved_);
   resolved_.isosurface.clipped = false;
@@ -139,22 +122,22 @@ void MeshDialog::exportTo(const QString& file) {
 }
 
 void MeshDialog::showProgress(const QString& name) {
-  const double fraction = std::clamp(task_->progress().fraction(), 0.0, 1.0);
-  bar->setValue(static_cast<int>(std::lround(fraction * 1000.0)));
+  const double fraction = task_->progress().fraction();
+  showFraction(bar, fraction);
   const QString rest = left_.text(fraction);
   tell(rest.isEmpty() ? tr("Writing %1…").arg(name) : tr("Writing %1… %2").arg(name, rest));
 }
 
 void MeshDialog::take(const QString& file, base::Task<volume::SurfaceMesh>& task) {
   start->setText(tr("&Export…"));
-  bar->setValue(0);
+  showFraction(bar, 0.0);
   if (const auto& error = task.error()) {
     const bool stopped = error->kind() == base::ErrorKind::interrupted;
     tell(stopped ? tr("Stopped: nothing was written.") : QString::fromStdString(error->what()),
          stopped ? Ink::normal : Ink::error);
     return;
   }
-  bar->setValue(1000);
+  showFraction(bar, 1.0);
   const volume::SurfaceMesh& mesh = task.value();
   const QString name = QFileInfo(file).fileName();
   const QString made = QString::fromStdString(app::meshText(mesh));

@@ -7,13 +7,12 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QGroupBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
-#include <QVBoxLayout>
 
 #include "app/files/image_io.h"
+#include "ui/widgets/parts.h"
 
 namespace isolux::ui {
 
@@ -22,12 +21,17 @@ namespace {
 constexpr std::array factors{1.0, 2.0, 4.0, 0.0};  // in the order of the list; 0: a size of one's own
 constexpr QSize previewSize(400, 280);
 
-QCheckBox* newCheck(const QString& text, bool on, const QString& tip, QBoxLayout* layout) {
+QCheckBox* newCheck(const QString& text, bool on, const QString& tip) {
   auto* box = new QCheckBox(text);
   box->setChecked(on);
   box->setToolTip(tip);
-  layout->addWidget(box);
   return box;
+}
+
+QGroupBox* newGroup(const QString& title, QBoxLayout* rows) {
+  auto* group = new QGroupBox(title);
+  layOut(group, rows);
+  return group;
 }
 
 QSpinBox* newSide(int pixels, const QString& name) {
@@ -45,24 +49,18 @@ PictureDialog::PictureDialog(const PictureChoices& choices, QSize window, bool h
   setWindowTitle(tr("Save image"));
   setAttribute(Qt::WA_DeleteOnClose);
 
-  auto* words = new QGroupBox(tr("Annotations"));
-  auto* wordRows = new QVBoxLayout(words);
   letters = newCheck(tr("&Orientation labels"), choices.picture.letters,
-                     tr("Side of the patient at each edge, if the patient orientation is known"), wordRows);
-  scaleBar = newCheck(tr("Scale &bar"), choices.picture.scaleBar, tr("Bar of a round length in millimetres"),
-                      wordRows);
+                     tr("Side of the patient at each edge, if the patient orientation is known"));
+  scaleBar = newCheck(tr("Scale &bar"), choices.picture.scaleBar, tr("Bar of a round length in millimetres"));
   isovalue = newCheck(tr("&Isovalue"), choices.picture.isovalue,
-                      tr("Isovalues of the surfaces shown, with their unit"), wordRows);
+                      tr("Isovalues of the surfaces shown, with their unit"));
   caveats = newCheck(tr("&Hidden and interpolated data"), choices.picture.caveats,
-                     tr("Lists hidden pieces and interpolated slices"), wordRows);
+                     tr("Lists hidden pieces and interpolated slices"));
   legend = newCheck(tr("Le&gend"), choices.legend && hasLegend,
                     hasLegend ? tr("Meaning of the colours; also shown in the window")
-                              : tr("The colours of this look show no quantity"),
-                    wordRows);
+                              : tr("The colours of this look show no quantity"));
   legend->setEnabled(hasLegend);
 
-  auto* form = new QGroupBox(tr("Size and background"));
-  auto* formRows = new QVBoxLayout(form);
   size = new QComboBox;
   size->setAccessibleName(tr("Size"));
   const auto times = [&](const QString& name, double factor) {
@@ -75,25 +73,15 @@ PictureDialog::PictureDialog(const PictureChoices& choices, QSize window, bool h
   size->setCurrentIndex(at == factors.end() ? 0 : static_cast<int>(at - factors.begin()));
   width = newSide(choices.wish.size.width(), tr("Width"));
   height = newSide(choices.wish.size.height(), tr("Height"));
-  auto* sides = new QHBoxLayout;
-  sides->addWidget(width);
-  sides->addWidget(new QLabel("×"));
-  sides->addWidget(height);
-  sides->addWidget(new QLabel(tr("pixels")));
-  sides->addStretch(1);
-  formRows->addWidget(size);
-  formRows->addLayout(sides);
+  auto* sides = lineOf({width, new QLabel("×"), height, new QLabel(tr("pixels")), Cell::room()});
   transparent = newCheck(tr("&Transparent background"), choices.picture.transparent,
-                         tr("Surface only, with anti-aliased edges, for slides and posters"), formRows);
+                         tr("Surface only, with anti-aliased edges, for slides and posters"));
 
-  auto* file = new QGroupBox(tr("File contents"));
-  auto* fileRows = new QVBoxLayout(file);
   session = newCheck(tr("Embed &session"), choices.wish.session,
-                     tr("The image opens again as a session: view, isovalue, look, measurements"), fileRows);
+                     tr("The image opens again as a session: view, isovalue, look, measurements"));
   fullPaths = newCheck(tr("Include full &paths"), choices.wish.fullPaths,
                        tr("Stores the folders of its files, which may identify you or the patient. Without "
-                          "them, the image opens as a session on this computer or next to its volume."),
-                       fileRows);
+                          "them, the image opens as a session on this computer or next to its volume."));
 
   preview = new QLabel;
   preview->setObjectName("preview");
@@ -110,15 +98,11 @@ PictureDialog::PictureDialog(const PictureChoices& choices, QSize window, bool h
   connect(save, &QPushButton::clicked, this, [this] { answer(&PictureDialog::saveAsked); });
   connect(copy, &QPushButton::clicked, this, [this] { answer(&PictureDialog::copyAsked); });
 
-  auto* left = new QVBoxLayout;
-  for (QGroupBox* box : {words, form, file}) left->addWidget(box);
-  left->addStretch(1);
-  auto* sidesLayout = new QHBoxLayout;
-  sidesLayout->addLayout(left);
-  sidesLayout->addWidget(preview, 1);
-  auto* layout = new QVBoxLayout(this);
-  layout->addLayout(sidesLayout, 1);
-  layout->addWidget(buttons);
+  auto* words = newGroup(tr("Annotations"), columnOf({letters, scaleBar, isovalue, caveats, legend}));
+  auto* form = newGroup(tr("Size and background"), columnOf({size, sides, transparent}));
+  auto* file = newGroup(tr("File contents"), columnOf({session, fullPaths}));
+  auto* left = columnOf({words, form, file, Cell::room()});
+  layOut(this, columnOf({{lineOf({left, {preview, 1}}), 1}, buttons}));
 
   for (QCheckBox* box : {letters, scaleBar, isovalue, caveats, legend, transparent, session})
     connect(box, &QCheckBox::toggled, this, &PictureDialog::showChoices);

@@ -11,7 +11,6 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QThread>
-#include <QVBoxLayout>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
@@ -21,6 +20,7 @@
 #include "ui/language/language.h"
 #include "ui/language/number_text.h"
 #include "ui/language/translated.h"
+#include "ui/widgets/parts.h"
 
 namespace isolux::ui {
 
@@ -66,13 +66,9 @@ PreferencesDialog::PreferencesDialog(const scene::Machine& machine, QWidget* par
   for (const scene::MachineSetting& setting : scene::machineSettings()) {
     if (!actsInTheWindow(setting)) continue;
     const int line = static_cast<int>(rows_.size());
-    Row row{&setting, new QLabel(labelOf(setting), this), makeValueWidget(setting, this), nullptr};
-    row.label->setBuddy(row.value);
-    for (QWidget* widget : {static_cast<QWidget*>(row.label), static_cast<QWidget*>(row.value)})
-      widget->setToolTip(describe(setting));
+    Row row{&setting, nullptr, makeValueWidget(setting, this), nullptr};
+    row.label = addRow(grid, line, labelOf(setting), row.value, describe(setting));
     nameValueWidget(row.value, labelOf(setting));
-    grid->addWidget(row.label, line, 0);
-    grid->addWidget(row.value, line, 1);
     if (setting.mayBeAutomatic) {
       row.automatic = new QCheckBox(tr("auto"), this);
       grid->addWidget(row.automatic, line, 2);
@@ -88,45 +84,29 @@ PreferencesDialog::PreferencesDialog(const scene::Machine& machine, QWidget* par
   addLanguage(grid);
   grid->setColumnStretch(1, 1);
 
-  auto* note = new QLabel(tr("Stored on this computer only, not in sessions or recordings."), this);
-  note->setWordWrap(true);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::RestoreDefaults | QDialogButtonBox::Close, this);
   connect(buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this,
           &PreferencesDialog::restoreDefaults);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(18, 18, 18, 14);
-  layout->setSpacing(14);
-  layout->addWidget(appearance_);
   auto* line = new QFrame(this);
   line->setFrameShape(QFrame::HLine);
-  layout->addWidget(line);
-  layout->addLayout(grid);
-  layout->addWidget(note);
-  layout->addWidget(privacy_);
-  layout->addStretch(1);
-  layout->addWidget(buttons);
+  auto* note = wrappedLabel(tr("Stored on this computer only, not in sessions or recordings."), this);
+  layOut(this, columnOf({appearance_, line, grid, note, privacy_, Cell::room(), buttons}, 14),
+         {18, 18, 18, 14});
   setMinimumWidth(440);
 }
 
 void PreferencesDialog::addLanguage(QGridLayout* grid) {
-  auto* label = new QLabel(tr("Language"), this);
-  label->setBuddy(language_);
-  language_->setAccessibleName(label->text());
   // Each in itself, so that who has chosen a foreign one finds back.
   language_->addItem(tr("System default"), static_cast<int>(Language::system));
   language_->addItem("English", static_cast<int>(Language::english));
   language_->addItem("Deutsch", static_cast<int>(Language::german));
   language_->setCurrentIndex(language_->findData(static_cast<int>(keptLanguage())));
   const QString tip = tr("Language of the window; takes effect after a restart.");
-  for (QWidget* widget : {static_cast<QWidget*>(label), static_cast<QWidget*>(language_)})
-    widget->setToolTip(tip);
-  auto* hint = new QLabel(tip, this);
-  hint->setWordWrap(true);
+  auto* hint = wrappedLabel(tip, this);
   hint->hide();
   const int line = grid->rowCount();
-  grid->addWidget(label, line, 0);
-  grid->addWidget(language_, line, 1);
+  addRow(grid, line, tr("Language"), language_, tip);
   grid->addWidget(hint, line + 1, 0, 1, 2);
   connect(language_, &QComboBox::currentIndexChanged, this, [this, hint] {
     keepLanguage(static_cast<Language>(language_->currentData().toInt()));

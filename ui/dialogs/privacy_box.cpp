@@ -1,9 +1,9 @@
 #include "ui/dialogs/privacy_box.h"
 
 #include <QCheckBox>
-#include <QVBoxLayout>
 
 #include "ui/document/privacy.h"
+#include "ui/widgets/parts.h"
 
 namespace isolux::ui {
 
@@ -18,9 +18,7 @@ PrivacyBox::PrivacyBox(QWidget* parent)
   const Privacy privacy = keptPrivacy();
   onScreen_->setChecked(privacy.hideOnScreen);
   inSaved_->setChecked(privacy.hideInSaved);
-  auto* layout = new QVBoxLayout(this);
-  layout->addWidget(onScreen_);
-  layout->addWidget(inSaved_);
+  layOut(this, columnOf({onScreen_, inSaved_}));
   connect(onScreen_, &QCheckBox::toggled, this, &PrivacyBox::keep);
   connect(inSaved_, &QCheckBox::toggled, this, &PrivacyBox::keep);
 }

@@ -7,19 +7,18 @@
 #include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QSpinBox>
-#include <QVBoxLayout>
 
 #include "ui/dialogs/raw_slice.h"
 #include "ui/dialogs/slice_preview.h"
 #include "ui/language/number_text.h"
 #include "ui/theme/style.h"
 #include "ui/widgets/number_spin_box.h"
+#include "ui/widgets/parts.h"
 
 namespace isolux::ui {
 
@@ -33,8 +32,7 @@ constexpr std::array<VoxelType, 10> types{
     VoxelType::int32, VoxelType::uint64, VoxelType::int64,  VoxelType::float32, VoxelType::float64};
 
 QString typeName(VoxelType type) {
-  const auto name = volume::nameOf(type);
-  return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+  return QString::fromUtf8(volume::nameOf(type));
 }
 
 QString guessText(const RawDescription& guess) {
@@ -56,16 +54,8 @@ QString grouped(std::uint64_t number) {
 }
 
 template <class Box>
-QWidget* inARow(const std::array<Box*, 3>& boxes, const QString& between) {
-  auto* row = new QWidget;
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(5);
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    if (i > 0) layout->addWidget(new QLabel(between));
-    layout->addWidget(boxes[i], 1);
-  }
-  return row;
+QLayout* inARow(const std::array<Box*, 3>& boxes) {
+  return lineOf({{boxes[0], 1}, new QLabel("×"), {boxes[1], 1}, new QLabel("×"), {boxes[2], 1}}, 5);
 }
 }  // namespace
 
@@ -77,17 +67,16 @@ RawImportDialog::RawImportDialog(const QString& file, QWidget* parent)
       type_(new QComboBox(this)),
       endianness_(new QComboBox(this)),
       header_(new QSpinBox(this)),
-      size_(new QLabel(this)),
+      size_(wrappedLabel({}, this)),
       sliceLabel_(new QLabel(this)),
       preview_(new SlicePreview(this)),
       slice_(new QSlider(Qt::Horizontal, this)),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel, this)),
       guesses_(volume::guessRaw(QFileInfo(file).fileName().toStdString(), fileBytes_)) {
   setWindowTitle(tr("Open raw file – %1").arg(QFileInfo(file).fileName()));
-  auto* intro = new QLabel(tr("<b>%1</b> has no header that Isolux can read. How are its voxels stored?")
-                               .arg(QFileInfo(file).fileName().toHtmlEscaped()),
-                           this);
-  intro->setWordWrap(true);
+  auto* intro = wrappedLabel(tr("<b>%1</b> has no header that Isolux can read. How are its voxels stored?")
+                                 .arg(QFileInfo(file).fileName().toHtmlEscaped()),
+                             this);
 
   suggestions_->addItem(guesses_.empty() ? tr("no match by name or size") : tr("choose…"));
   for (const RawDescription& guess : guesses_) suggestions_->addItem(guessText(guess));
@@ -111,7 +100,6 @@ RawImportDialog::RawImportDialog(const QString& file, QWidget* parent)
   header_->setRange(0, 1 << 30);
   header_->setSuffix(' ' + tr("bytes"));
   header_->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  size_->setWordWrap(true);
   size_->setMinimumHeight(2 * fontMetrics().height() + 4);
   size_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
 
@@ -120,33 +108,16 @@ RawImportDialog::RawImportDialog(const QString& file, QWidget* parent)
   form->setHorizontalSpacing(14);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   form->addRow(tr("Suggestions"), suggestions_);
-  form->addRow(tr("Voxels"), inARow(dims_, "×"));
+  form->addRow(tr("Voxels"), inARow(dims_));
   form->addRow(tr("Type"), type_);
   form->addRow(tr("Byte order"), endianness_);
   form->addRow(tr("Header"), header_);
-  form->addRow(tr("Spacing, mm"), inARow(spacing_, "×"));
+  form->addRow(tr("Spacing, mm"), inARow(spacing_));
   form->addRow(tr("Size"), size_);
-  auto* left = new QVBoxLayout;
-  left->addWidget(intro);
-  left->addSpacing(8);
-  left->addLayout(form);
-  left->addStretch(1);
-  auto* sliceRow = new QHBoxLayout;
-  sliceRow->addWidget(slice_, 1);
-  sliceRow->addWidget(sliceLabel_);
   sliceLabel_->setMinimumWidth(fontMetrics().horizontalAdvance(tr("slice 9999 of 9999")));
-  auto* right = new QVBoxLayout;
-  right->addWidget(preview_, 1);
-  right->addLayout(sliceRow);
-  auto* columns = new QHBoxLayout;
-  columns->setSpacing(20);
-  columns->addLayout(left, 0);
-  columns->addLayout(right, 1);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(18, 16, 18, 14);
-  layout->setSpacing(14);
-  layout->addLayout(columns, 1);
-  layout->addWidget(buttons_);
+  auto* left = columnOf({intro, Cell::gap(8), form, Cell::room()});
+  auto* right = columnOf({{preview_, 1}, lineOf({{slice_, 1}, sliceLabel_})});
+  layOut(this, columnOf({{lineOf({left, {right, 1}}, 20), 1}, buttons_}, 14), {18, 16, 18, 14});
   resize(820, 500);
 
   previewTimer_.setSingleShot(true);

@@ -1,27 +1,24 @@
 #include "ui/dialogs/reference_dialog.h"
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 
 #include <QComboBox>
 #include <QFileInfo>
-#include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSettings>
 #include <QSpinBox>
-#include <QVBoxLayout>
 
 #include "app/documents/picture_scene.h"
 #include "app/documents/session.h"
 #include "app/files/image_io.h"
 #include "app/files/reference_image.h"
+#include "ui/document/picture_pixels.h"
 #include "ui/document/privacy.h"
+#include "ui/document/recent_files.h"
 #include "ui/language/number_text.h"
 #include "ui/theme/style.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/save_dialog.h"
 
 namespace isolux::ui {
@@ -65,8 +62,8 @@ ReferenceDialog::ReferenceDialog(std::shared_ptr<const volume::PreparedVolume> v
       samples_(makeBox(1, 1000000, defaultSamples, tr("Paths per pixel"), this)),
       shown_(new QComboBox(this)),
       preview_(new QLabel(this)),
-      text_(new QLabel(this)),
-      bar_(new QProgressBar(this)),
+      text_(wrappedLabel({}, this)),
+      bar_(thinBar(this)),
       start_(new QPushButton(tr("Trace"), this)),
       save_(new QPushButton(tr("Save…"), this)) {
   setWindowTitle(tr("Path-traced image"));
@@ -76,34 +73,14 @@ ReferenceDialog::ReferenceDialog(std::shared_ptr<const volume::PreparedVolume> v
   preview_->setBackgroundRole(QPalette::Base);
   preview_->setAutoFillBackground(true);
   preview_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
-  text_->setWordWrap(true);
-  bar_->setRange(0, 1000);
-  bar_->setTextVisible(false);
-  bar_->setFixedHeight(8);
   shown_->addItems({tr("Image"), tr("Noise (white: 10 % or more)")});
   shown_->setAccessibleName(tr("Display"));
   save_->setEnabled(false);
   start_->setDefault(true);
 
-  auto* row = new QHBoxLayout;
-  row->addWidget(new QLabel(tr("Size"), this));
-  row->addWidget(width_);
-  row->addWidget(new QLabel("×", this));
-  row->addWidget(height_);
-  row->addSpacing(16);
-  row->addWidget(new QLabel(tr("Paths per pixel"), this));
-  row->addWidget(samples_);
-  row->addStretch(1);
-  row->addWidget(shown_);
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(text_, 1);
-  buttons->addWidget(start_);
-  buttons->addWidget(save_);
-  auto* layout = new QVBoxLayout(this);
-  layout->addLayout(row);
-  layout->addWidget(preview_, 1);
-  layout->addWidget(bar_);
-  layout->addLayout(buttons);
+  auto* row = lineOf({new QLabel(tr("Size")), width_, new QLabel("×"), height_, Cell::gap(16),
+                      new QLabel(tr("Paths per pixel")), samples_, Cell::room(), shown_});
+  layOut(this, columnOf({row, {preview_, 1}, bar_, lineOf({{text_, 1}, start_, save_})}));
   tell(
       tr("Traces every pixel independently, without baked light. Twice as many paths take twice the time; "
          "four times as many halve the noise."));
@@ -146,7 +123,7 @@ void ReferenceDialog::takeRound(app::ReferenceTask& task) {
     save_->setEnabled(!saving());
     showImage();
   }
-  bar_->setValue(static_cast<int>(std::lround(1000.0 * std::clamp(task.progress().fraction(), 0.0, 1.0))));
+  showFraction(bar_, task.progress().fraction());
 }
 
 QString ReferenceDialog::noiseText() const {
@@ -176,9 +153,7 @@ void ReferenceDialog::takeEnd(app::ReferenceTask& task) {
 
 void ReferenceDialog::showImage() {
   if (!round_) return;
-  const render::ColorImage& screen = shown_->currentIndex() == 0 ? round_->picture : round_->noise;
-  const QImage image(screen.rgba.data(), screen.size.x, screen.size.y, qsizetype{4} * screen.size.x,
-                     QImage::Format_RGBA8888);
+  const QImage image = imageOf(shown_->currentIndex() == 0 ? round_->picture : round_->noise);
   preview_->setPixmap(
       QPixmap::fromImage(image).scaled(preview_->size(), Qt::KeepAspectRatio, Qt::SmoothTransformation));
 }
@@ -192,10 +167,10 @@ void ReferenceDialog::choose() {
   const SaveAnswer answer = askForFileToSave(
       this,
       {tr("Save path-traced image"),
-       QSettings().value("lastFolder").toString() + "/reference.exr",
+       lastFolder() + "/reference.exr",
        {tr("OpenEXR, linear colours, irradiance and variance (*.exr)"), tr("PNG, with session (*.png)")}});
   if (answer.file.isEmpty()) return;
-  QSettings().setValue("lastFolder", QFileInfo(answer.file).absolutePath());
+  rememberFolder(answer.file);
   saveAs(answer.file);
 }
 

@@ -2,16 +2,15 @@
 
 #include <utility>
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 #include "ui/editors/histogram_slider.h"
 #include "ui/language/number_text.h"
 #include "ui/surfaces/surface_list.h"
 #include "ui/widgets/color_button.h"
 #include "ui/widgets/number_spin_box.h"
+#include "ui/widgets/parts.h"
 
 namespace isolux::ui {
 
@@ -21,46 +20,27 @@ IsovaluePanel::IsovaluePanel(QWidget* parent)
       spinBox_(new NumberSpinBox(this)),
       surfaces_(new SurfaceList(this)),
       title_(new QLabel(tr("Isovalue"), this)),
-      add_(new QToolButton(this)),
-      suggest_(new QToolButton(this)),
-      showAll_(new QToolButton(this)) {
-  QFont bold = title_->font();
-  bold.setWeight(QFont::DemiBold);
-  title_->setFont(bold);
+      add_(textButton(tr("Add surface"), {}, this)),
+      suggest_(textButton(
+          tr("Suggested"),
+          tr("Use the isovalue suggested by the histogram (also: double click on the histogram)"), this)),
+      showAll_(textButton(tr("Whole range"), tr("Show the whole range of values"), this)) {
+  makeBold(title_);
   title_->setBuddy(spinBox_);
   title_->setToolTip(
       tr("The surface consists of all points with this value.\n\nDrag the line on the histogram (counts are "
          "logarithmic).\nWheel or arrow keys: fine steps (Shift: tenfold)\nDouble click: suggested "
          "isovalue\nAlt+click or right click: add an isosurface there\nCtrl+wheel: zoom the value axis, "
          "middle drag: pan it"));
-  spinBox_->setAccessibleName(tr("Isovalue"));
-  spinBox_->setToolTip(tr("Exact isovalue. Arrow keys change it by one histogram step."));
-  add_->setText(tr("Add surface"));
-  suggest_->setText(tr("Suggested"));
-  suggest_->setToolTip(
-      tr("Use the isovalue suggested by the histogram (also: double click on the histogram)"));
-  showAll_->setText(tr("Whole range"));
-  showAll_->setToolTip(tr("Show the whole range of values"));
+  nameAndTip(spinBox_, tr("Isovalue"), tr("Exact isovalue. Arrow keys change it by one histogram step."));
   for (QToolButton* button : {add_, suggest_, showAll_}) {
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     button->setFocusPolicy(Qt::TabFocus);
   }
 
-  buttons_ = new QBoxLayout(QBoxLayout::TopToBottom);
-  buttons_->setSpacing(4);
-  for (QToolButton* button : {suggest_, showAll_, add_}) buttons_->addWidget(button);
-  auto* side = new QVBoxLayout;
-  side->setSpacing(4);
-  side->addWidget(title_);
-  side->addWidget(spinBox_);
-  side->addWidget(surfaces_);
-  side->addLayout(buttons_);
-  side->addStretch();
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(2, 8, 12, 4);
-  layout->setSpacing(4);
-  layout->addWidget(slider_, 1);
-  layout->addLayout(side);
+  buttons_ = columnOf({suggest_, showAll_, add_}, 4);
+  auto* side = columnOf({title_, spinBox_, surfaces_, buttons_, Cell::room(0)}, 4);
+  layOut(this, lineOf({{slider_, 1}, side}, 4), {2, 8, 12, 4});
   spinBox_->setFixedWidth(124);
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   setFixedHeight(146);
@@ -141,7 +121,7 @@ void IsovaluePanel::moveSurface(int number, double value, bool endsAfterPause) {
 void IsovaluePanel::addSurface(std::optional<double> value) {
   if (!volume_) return;
   if (const auto added = app::withSurface(scene_, *volume_, value))
-    Q_EMIT edited({*added, tr("Add isosurface"), {}, false});
+    Q_EMIT edited({*added, tr("Add isosurface")});
 }
 
 void IsovaluePanel::send(std::optional<double> value, const char* mergeKey, bool endsAfterPause) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QToolButton>
@@ -12,6 +11,7 @@
 #include "ui/language/number_text.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/style.h"
+#include "ui/widgets/parts.h"
 
 namespace isolux::ui {
 
@@ -29,32 +29,26 @@ QString percentText(double fraction) {  // 100 % only when it is done
   return QString("%1 %").arg(static_cast<int>(std::floor(100.0 * fraction)));
 }
 
-QString progressText(const app::LightState& state) {
-  QStringList parts{percentText(fractionOf(state.counters))};
-  if (state.counters.raysPerSecond > 0.0) parts += rateText(state.counters.raysPerSecond);
-  if (state.counters.secondsLeft > 0.0)
-    parts += QObject::tr("%1 left").arg(durationText(state.counters.secondsLeft));
-  return parts.join(" · ");
-}
-
-QString pausedText(const gi::BakeCounters& counters) {
-  const QString text = QObject::tr("Light paused at %1").arg(percentText(fractionOf(counters)));
-  return counters.secondsLeft > 0.0
-             ? text + " · " + QObject::tr("%1 left").arg(durationText(counters.secondsLeft))
-             : text;
-}
-
 QString stateText(const app::LightState& state, bool cancelled) {
   if (cancelled) return QObject::tr("Light stopped");
+  const gi::BakeCounters& counters = state.counters;
+  const QString percent = percentText(fractionOf(counters));
+  const auto withTimeLeft = [&](QStringList parts) {
+    if (counters.secondsLeft > 0.0) parts += QObject::tr("%1 left").arg(durationText(counters.secondsLeft));
+    return parts.join(" · ");
+  };
   switch (state.phase) {
     case Phase::off:
       return {};
     case Phase::preparing:
       return QObject::tr("Light: preparing…");
     case Phase::baking:
-      return QObject::tr("Light: %1").arg(progressText(state));
+      return QObject::tr("Light: %1")
+          .arg(withTimeLeft(counters.raysPerSecond > 0.0
+                                ? QStringList{percent, rateText(counters.raysPerSecond)}
+                                : QStringList{percent}));
     case Phase::paused:
-      return pausedText(state.counters);
+      return withTimeLeft({QObject::tr("Light paused at %1").arg(percent)});
     case Phase::finished:
       return QObject::tr("Light complete");
     case Phase::failed:
@@ -87,8 +81,8 @@ QString rateText(double raysPerSecond) {
 
 QString unfinishedLightText(const app::LightState& state, bool cancelled) {
   const bool onItsWay = state.phase == Phase::preparing || state.phase == Phase::baking ||
-                        state.phase == Phase::paused || cancelled;
-  if (!onItsWay || state.phase == Phase::off) return {};
+                        state.phase == Phase::paused || (cancelled && state.phase != Phase::off);
+  if (!onItsWay) return {};
   // While it is prepared nothing is counted yet: no texel is there.
   const double fraction = state.phase == Phase::preparing ? 0.0 : fractionOf(state.counters);
   return fraction < 1.0 ? QObject::tr("light %1 complete").arg(percentText(fraction)) : QString();
@@ -108,15 +102,10 @@ QString unfinishedLightSentence(const app::LightState& state, bool cancelled) {
 LightStatus::LightStatus(QWidget* parent)
     : QWidget(parent),
       label_(new ElidedLabel(this)),
-      bar_(new QProgressBar(this)),
+      bar_(thinBar(this)),
       pause_(new QToolButton(this)),
       stop_(new QToolButton(this)) {
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(10, 0, 0, 0);
-  layout->setSpacing(6);
   static_cast<ElidedLabel*>(label_)->keepFirstPart();
-  bar_->setRange(0, 1000);
-  bar_->setTextVisible(false);
   bar_->setFixedSize(90, 6);
   bar_->setAccessibleName(tr("Light"));
   for (QToolButton* button : {pause_, stop_}) {
@@ -125,18 +114,10 @@ LightStatus::LightStatus(QWidget* parent)
     button->setFixedSize(22, 22);
   }
   stop_->setIcon(icon("close"));
-  stop_->setToolTip(tr("Stop computing light and keep the result so far"));
-  stop_->setAccessibleName(tr("Stop computing light"));
-  layout->addWidget(label_);
-  layout->addWidget(bar_);
-  layout->addWidget(pause_);
-  layout->addWidget(stop_);
+  nameAndTip(stop_, tr("Stop computing light"), tr("Stop computing light and keep the result so far"));
+  layOut(this, lineOf({label_, bar_, pause_, stop_}, 6), {10, 0, 0, 0});
   connect(pause_, &QToolButton::clicked, this, [this] {
-    if (halted_) {
-      Q_EMIT goOn();
-    } else {
-      Q_EMIT paused();
-    }
+    Q_EMIT(this->*(halted_ ? &LightStatus::goOn : &LightStatus::paused))();
   });
   connect(stop_, &QToolButton::clicked, this, &LightStatus::cancelled);
   setState({}, false);
@@ -150,15 +131,11 @@ void LightStatus::setState(const app::LightState& state, bool cancelled) {
   label_->setToolTip(whyText(state));
   setInk(label_, state.phase == Phase::failed ? Ink::error : Ink::quiet);
   bar_->setVisible(works);
-  bar_->setValue(state.phase == Phase::preparing
-                     ? 0
-                     : static_cast<int>(std::lround(1000.0 * fractionOf(state.counters))));
+  showFraction(bar_, state.phase == Phase::preparing ? 0.0 : fractionOf(state.counters));
   bar_->setToolTip(whyText(state));
   pause_->setVisible((works && state.phase != Phase::preparing) || cancelled);
   pause_->setIcon(icon(halted_ ? "play" : "pause"));
-  const QString says = halted_ ? tr("Resume computing light") : tr("Pause computing light");
-  pause_->setToolTip(says);
-  pause_->setAccessibleName(says);
+  nameAndTip(pause_, halted_ ? tr("Resume computing light") : tr("Pause computing light"));
   stop_->setVisible(works);
   setVisible(state.phase != Phase::off);
 }

@@ -5,7 +5,6 @@
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPainter>
@@ -13,12 +12,12 @@
 #include <QStyledItemDelegate>
 #include <QToolButton>
 #include <QTreeWidget>
-#include <QVBoxLayout>
 
 #include "app/marks/mark_kinds.h"
 #include "ui/language/mark_text.h"
 #include "ui/theme/style.h"
 #include "ui/widgets/color_button.h"
+#include "ui/widgets/parts.h"
 
 namespace isolux::ui {
 
@@ -50,7 +49,7 @@ QIcon swatch(glm::dvec3 linear) {
 
 MarksPanel::MarksPanel(QWidget* parent)
     : Panel(parent),
-      empty_(new QLabel(
+      empty_(wrappedLabel(
           tr("No measurements yet.\n\nChoose a tool from the Measure menu, then click on the surface: pin "
              "(P), distance (M), geodesic distance (Shift+M), angle, circle, thickness or piece."),
           this)),
@@ -58,60 +57,38 @@ MarksPanel::MarksPanel(QWidget* parent)
       list_(new QTreeWidget(this)),
       details_(new QPlainTextEdit(this)),
       colour_(new ColorButton(this)) {
-  empty_->setWordWrap(true);
   empty_->setAlignment(Qt::AlignTop);
   for (QLabel* label : {empty_, measuring_}) setInk(label, Ink::quiet);
   details_->setReadOnly(true);
   details_->setAccessibleName(tr("Measured values"));
   details_->setFixedHeight(fontMetrics().lineSpacing() * detailLines + 12);
   details_->setTabChangesFocus(true);
-  colour_->setToolTip(tr("Colour of the measurement"));
-  colour_->setAccessibleName(tr("Colour of the measurement"));
-  QSizePolicy keepsPlace = colour_->sizePolicy();  // a mark that is chosen makes the panel no wider
-  keepsPlace.setRetainSizeWhenHidden(true);
-  colour_->setSizePolicy(keepsPlace);
+  nameAndTip(colour_, tr("Colour of the measurement"));
+  keepPlaceWhenHidden(colour_);  // a mark that is chosen makes the panel no wider
   connect(colour_, &ColorButton::chosen, this, &MarksPanel::recolour);
-  delete_ = addButton(tr("Delete"), tr("Delete selected measurements (Del)"));
-  copy_ = addButton(tr("Copy"), tr("Copy the values of all measurements as text"));
+  delete_ = addButton(tr("Delete"), tr("Delete selected measurements (Del)"), &MarksPanel::deleteChosen);
+  copy_ = addButton(tr("Copy"), tr("Copy the values of all measurements as text"), &MarksPanel::copy);
   export_ =
-      addButton(tr("Export…"), tr("Save the measurements as a table (CSV) or for 3D Slicer (.mrk.json)"));
-  import_ = addButton(tr("Import…"), tr("Open 3D Slicer markups (.mrk.json)"));
-  stop_ = addButton(tr("Stop"), tr("Stop measuring"));
+      addButton(tr("Export…"), tr("Save the measurements as a table (CSV) or for 3D Slicer (.mrk.json)"),
+                &MarksPanel::exportWanted);
+  import_ = addButton(tr("Import…"), tr("Open 3D Slicer markups (.mrk.json)"), &MarksPanel::importWanted);
+  stop_ = addButton(tr("Stop"), tr("Stop measuring"), &MarksPanel::stopWanted);
   anyway_ = addButton(tr("Measure anyway"),
-                      tr("Measure with voxels of 1 mm, which may be wrong: the file states no voxel size"));
-  connect(anyway_, &QToolButton::clicked, this, &MarksPanel::anywayWanted);
-  connect(delete_, &QToolButton::clicked, this, &MarksPanel::deleteChosen);
-  connect(copy_, &QToolButton::clicked, this, [this] { QApplication::clipboard()->setText(text()); });
-  connect(export_, &QToolButton::clicked, this, &MarksPanel::exportWanted);
-  connect(import_, &QToolButton::clicked, this, &MarksPanel::importWanted);
-  connect(stop_, &QToolButton::clicked, this, &MarksPanel::stopWanted);
+                      tr("Measure with voxels of 1 mm, which may be wrong: the file states no voxel size"),
+                      &MarksPanel::anywayWanted);
   makeList();
 
-  auto* buttons = new QHBoxLayout;
-  for (QWidget* widget : std::initializer_list<QWidget*>{colour_, delete_, copy_, export_, import_})
-    buttons->addWidget(widget);
-  buttons->addStretch(1);
-  auto* busy = new QHBoxLayout;
-  busy->addWidget(measuring_, 1);
-  busy->addWidget(stop_);
-  busy->addWidget(anyway_);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(12, 10, 12, 12);
-  layout->setSpacing(8);
-  layout->addWidget(empty_);
-  layout->addWidget(list_, 1);
-  layout->addLayout(busy);
-  layout->addWidget(details_);
-  layout->addLayout(buttons);
+  auto* busy = lineOf({{measuring_, 1}, stop_, anyway_});
+  auto* buttons = lineOf({colour_, delete_, copy_, export_, import_, Cell::room()});
+  layOut(this, columnOf({empty_, {list_, 1}, busy, details_, buttons}, 8), {12, 10, 12, 12});
   showMarks();
   setReports({}, false);
 }
 
-QToolButton* MarksPanel::addButton(const QString& text, const QString& tip) {
-  auto* button = new QToolButton(this);
-  button->setText(text);
-  button->setToolTip(tip);
+QToolButton* MarksPanel::addButton(const QString& text, const QString& tip, void (MarksPanel::*clicked)()) {
+  auto* button = textButton(text, tip, this);
   button->setFocusPolicy(Qt::StrongFocus);
+  connect(button, &QToolButton::clicked, this, clicked);
   return button;
 }
 
@@ -216,6 +193,10 @@ void MarksPanel::showDetails() {
   const app::MarkReport report = mark < reports_.size() ? reports_[mark] : app::MarkReport{};
   const QString text = markText(scene_.marks[mark], report).trimmed();
   if (text != details_->toPlainText()) details_->setPlainText(text);
+}
+
+void MarksPanel::copy() {
+  QApplication::clipboard()->setText(text());
 }
 
 QString MarksPanel::text() const {

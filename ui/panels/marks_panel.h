@@ -27,6 +27,7 @@ class MarksPanel : public Panel {
   void setReports(const std::vector<app::MarkReport>& reports, bool measuring);
 
   QTreeWidget* list() const { return list_; }
+  int current() const;      // mark of the list; -1: none
   QString details() const;  // all that the current mark says
   QString text() const;     // all that all marks say, for other programs
 
@@ -42,7 +43,7 @@ class MarksPanel : public Panel {
 
  private:
   enum Column { nameColumn, valueColumn, columns };
-  QToolButton* addButton(const QString& text, const QString& tip);
+  QToolButton* addButton(const QString& text, const QString& tip, void (MarksPanel::*clicked)());
   void makeList();
   void showMarks();
   void showDetails();
@@ -51,7 +52,7 @@ class MarksPanel : public Panel {
   void itemEdited(QTreeWidgetItem* item, int column);
   void recolour(glm::dvec3 linear);
   void deleteChosen();
-  int current() const;  // -1: none
+  void copy();
   void send(std::vector<scene::Mark> marks, const QString& name, const QString& mergeKey = {});
 
   scene::Scene scene_;

@@ -4,17 +4,16 @@
 
 #include <QApplication>
 #include <QClipboard>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QTreeWidget>
-#include <QVBoxLayout>
 
 #include "ui/language/number_text.h"
 #include "ui/language/translated.h"
 #include "ui/theme/style.h"
+#include "ui/widgets/parts.h"
 
 namespace isolux::ui {
 
@@ -42,16 +41,12 @@ bool anyRan(const render::FrameReport& report) {
 
 PassesPanel::PassesPanel(QWidget* parent)
     : Panel(parent),
-      heading_(new QLabel(tr("No image yet"), this)),
-      summary_(new QLabel(this)),
-      table_(new QTreeWidget(this)),
-      copy_(new QToolButton(this)) {
-  heading_->setWordWrap(true);
-  summary_->setWordWrap(true);
+      heading_(wrappedLabel(tr("No image yet"), this)),
+      summary_(wrappedLabel({}, this)),
+      table_(new QTreeWidget(this)) {
   setInk(summary_, Ink::quiet);
-  copy_->setText(tr("Copy"));
-  copy_->setToolTip(tr("Copy the table as text, for a document or a spreadsheet"));
-  connect(copy_, &QToolButton::clicked, this, [this] { QApplication::clipboard()->setText(text()); });
+  auto* copy = textButton(tr("Copy"), tr("Copy the table as text, for a document or a spreadsheet"), this);
+  connect(copy, &QToolButton::clicked, this, [this] { QApplication::clipboard()->setText(text()); });
 
   table_->setColumnCount(passColumns);
   table_->setHeaderLabels({tr("Pass"), tr("State"), tr("Time"), tr("Memory")});
@@ -70,15 +65,9 @@ PassesPanel::PassesPanel(QWidget* parent)
   header->setSectionResizeMode(QHeaderView::ResizeToContents);
   header->setSectionResizeMode(passNameColumn, QHeaderView::Stretch);
 
-  auto* top = new QHBoxLayout;
-  top->addWidget(heading_, 1);
-  top->addWidget(copy_, 0, Qt::AlignTop);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(12, 10, 12, 12);
-  layout->setSpacing(8);
-  layout->addLayout(top);
-  layout->addWidget(table_, 1);
-  layout->addWidget(summary_);
+  auto* top = lineOf({{heading_, 1}});
+  top->addWidget(copy, 0, Qt::AlignTop);
+  layOut(this, columnOf({top, {table_, 1}, summary_}, 8), {12, 10, 12, 12});
 
   timer_.setSingleShot(true);
   timer_.setInterval(refreshMilliseconds);

@@ -12,7 +12,6 @@
 #include "ui/viewport/canvas_choice.h"
 
 class QLabel;
-class QToolButton;
 class QTreeWidget;
 
 namespace isolux::ui {
@@ -29,8 +28,6 @@ class PassesPanel : public Panel {
 
  protected:
   void showEvent(QShowEvent* event) override;
-
- protected:
   void themeChanged() override;
 
  private:
@@ -42,7 +39,6 @@ class PassesPanel : public Panel {
 
   QLabel *heading_, *summary_;
   QTreeWidget* table_;
-  QToolButton* copy_;
   QTimer timer_;
   render::FrameReport report_;
   render::FrameRequest request_;

@@ -10,7 +10,6 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QTreeWidget>
-#include <QVBoxLayout>
 
 #include "app/interaction/piece_choice.h"
 #include "scene/shown_surfaces.h"
@@ -18,6 +17,7 @@
 #include "ui/language/number_text.h"
 #include "ui/theme/style.h"
 #include "ui/viewport/pointed_piece.h"
+#include "ui/widgets/parts.h"
 #include "volume/pieces/shown_pieces.h"
 
 namespace isolux::ui {
@@ -52,36 +52,24 @@ QString withErrorText(const volume::Measured& measured) {
 
 PiecesPanel::PiecesPanel(QWidget* parent)
     : Panel(parent),
-      heading_(new QLabel(this)),
-      more_(new QLabel(this)),
+      heading_(wrappedLabel({}, this)),
+      more_(wrappedLabel({}, this)),
       list_(new QTreeWidget(this)),
-      controls_(makeButtons()),
-      keep_(new SettingEditor(scene::setting("pieces.keep"), this)),
-      smallest_(new SettingEditor(scene::setting("pieces.smallest"), this)),
-      within_(new SettingEditor(scene::setting("pieces.within"), this)) {
-  heading_->setWordWrap(true);
-  more_->setWordWrap(true);
+      controls_(new QWidget(this)) {
   setInk(more_, Ink::quiet);
   makeList();
   auto* form = new QFormLayout;
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  form->addRow(tr("Keep the largest"), keep_);
-  form->addRow(tr("Hide smaller than"), smallest_);
-  form->addRow(tr("Inside the body above"), within_);
-  for (SettingEditor* editor : {keep_, smallest_, within_}) {
+  layOut(controls_, columnOf({makeButtons(), form}), {});
+  for (const auto& [path, label] : {std::pair{"pieces.keep", tr("Keep the largest")},
+                                    {"pieces.smallest", tr("Hide smaller than")},
+                                    {"pieces.within", tr("Inside the body above")}}) {
+    SettingEditor* editor = editors_.emplace_back(new SettingEditor(scene::setting(path), controls_));
+    form->addRow(label, editor);
     connect(editor, &SettingEditor::edited, this, &PiecesPanel::edited);
     connect(editor, &SettingEditor::failed, this, &PiecesPanel::failed);
   }
-  auto* all = qobject_cast<QVBoxLayout*>(controls_->layout());
-  all->addLayout(form);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(12, 10, 12, 12);
-  layout->setSpacing(8);
-  layout->addWidget(heading_);
-  layout->addWidget(list_, 1);
-  layout->addWidget(more_);
-  layout->addWidget(controls_);
-  layout->addStretch(0);
+  layOut(this, columnOf({heading_, {list_, 1}, more_, controls_, Cell::room(0)}, 8), {12, 10, 12, 12});
 
   restTimer_.setSingleShot(true);
   restTimer_.setInterval(isovalueRestMilliseconds);
@@ -118,8 +106,7 @@ QPushButton* PiecesPanel::addButton(const QString& text, const QString& tip, voi
   return button;
 }
 
-QWidget* PiecesPanel::makeButtons() {
-  auto* box = new QWidget(this);
+QLayout* PiecesPanel::makeButtons() {
   hide_ = addButton(tr("Hide"), tr("Hide the pieces selected in the list"), &PiecesPanel::hideSelected);
   only_ = addButton(tr("Show only"), tr("Hide all but the selected pieces"), &PiecesPanel::isolateSelected);
   centre_ = addButton(tr("Centre"), tr("Centre the view on the selected piece (double click)"),
@@ -130,14 +117,10 @@ QWidget* PiecesPanel::makeButtons() {
   grid->addWidget(only_, 0, 1);
   grid->addWidget(centre_, 1, 0);
   grid->addWidget(all_, 1, 1);
-  auto* layout = new QVBoxLayout(box);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addLayout(grid);
-  return box;
+  return grid;
 }
 
-// ---- What is found
-// -------------------------------------------------------------------------------------------
+// What is found
 
 void PiecesPanel::setVolume(const VolumePointer& volume) {
   volume_ = volume;
@@ -152,9 +135,7 @@ void PiecesPanel::setScene(const scene::Scene& scene, const scene::Scene& resolv
   const bool otherChoice = !(scene.pieces == scene_.pieces);
   scene_ = scene;
   resolved_ = resolved;
-  keep_->setScene(scene, resolved);
-  smallest_->setScene(scene, resolved);
-  within_->setScene(scene, resolved);
+  for (SettingEditor* editor : editors_) editor->setScene(scene, resolved);
   if (otherChoice) showRows();
   findSoon();
 }
@@ -215,8 +196,7 @@ void PiecesPanel::take(app::PieceTask& task) {
   find();  // estimates are there: now the measures, or another isovalue
 }
 
-// ---- What is shown
-// -------------------------------------------------------------------------------------------
+// What is shown
 
 void PiecesPanel::showFound() {
   showRows();
@@ -318,8 +298,7 @@ void PiecesPanel::showState() {
   heading_->setText(text);
 }
 
-// ---- What is done with them
-// ----------------------------------------------------------------------------------
+// What is done with them
 
 std::vector<std::size_t> PiecesPanel::selected() const {
   std::vector<std::size_t> ids;
@@ -337,17 +316,19 @@ void PiecesPanel::enableButtons() {
   all_->setEnabled(volume::hidesPieces(scene_.pieces));
 }
 
-glm::dvec3 PiecesPanel::seedOf(std::size_t id) const {
-  return found_.seedsMm[id];
+std::vector<glm::dvec3> PiecesPanel::selectedSeeds() const {
+  std::vector<glm::dvec3> seeds;
+  for (const std::size_t id : selected()) seeds.push_back(found_.seedsMm[id]);
+  return seeds;
 }
 
-QString PiecesPanel::nameOf(const QString& one, const QString& several,
-                            const std::vector<std::size_t>& ids) const {
+QString PiecesPanel::nameOfSelected(const QString& one, const QString& several) const {
+  const std::vector<std::size_t> ids = selected();
   return ids.size() == 1 ? one.arg(ids.front()) : several.arg(ids.size());
 }
 
 void PiecesPanel::choose(const QString& name, const scene::Pieces& choice) {
-  Edit edit{scene_, name, {}, false};
+  Edit edit{scene_, name};
   edit.scene.pieces = choice;
   Q_EMIT edited(edit);
 }
@@ -357,31 +338,26 @@ void PiecesPanel::toggle(QTreeWidgetItem* item, int column) {
   const auto id = static_cast<std::size_t>(list_->indexOfTopLevelItem(item));
   if (!measured()) return showRows();  // as it was
   if (item->checkState(idColumn) == Qt::Unchecked)
-    choose(tr("Hide piece %1").arg(id), app::withHidden(scene_.pieces, {seedOf(id)}));
+    choose(tr("Hide piece %1").arg(id), app::withHidden(scene_.pieces, {found_.seedsMm[id]}));
   else
     choose(tr("Show piece %1").arg(id),
-           app::withShown(scene_.pieces, *found_.pieces, static_cast<std::uint32_t>(id), seedOf(id)));
+           app::withShown(scene_.pieces, *found_.pieces, static_cast<std::uint32_t>(id), found_.seedsMm[id]));
 }
 
 void PiecesPanel::hideSelected() {
-  std::vector<glm::dvec3> seeds;
-  for (const std::size_t id : selected()) seeds.push_back(seedOf(id));
-  if (!seeds.empty())
-    choose(nameOf(tr("Hide piece %1"), tr("Hide %1 pieces"), selected()),
-           app::withHidden(scene_.pieces, seeds));
+  choose(nameOfSelected(tr("Hide piece %1"), tr("Hide %1 pieces")),
+         app::withHidden(scene_.pieces, selectedSeeds()));
 }
 
 void PiecesPanel::isolateSelected() {
-  std::vector<glm::dvec3> seeds;
-  for (const std::size_t id : selected()) seeds.push_back(seedOf(id));
-  if (!seeds.empty())
-    choose(nameOf(tr("Show only piece %1"), tr("Show only %1 pieces"), selected()), app::onlyThese(seeds));
+  choose(nameOfSelected(tr("Show only piece %1"), tr("Show only %1 pieces")),
+         app::onlyThese(selectedSeeds()));
 }
 
 void PiecesPanel::centreSelected() {
   if (!measured() || selected().size() != 1) return;
   const volume::WorldBox& box = found_.measures[selected().front()].bounds;
-  Edit edit{scene_, tr("Centre on piece"), {}, false};
+  Edit edit{scene_, tr("Centre on piece")};
   edit.scene.camera = app::centredOn(resolved_.camera, 0.5 * (box.lowMm + box.highMm));
   Q_EMIT edited(edit);
 }

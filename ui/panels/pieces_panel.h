@@ -11,6 +11,7 @@
 #include "ui/panels/panel.h"
 
 class QLabel;
+class QLayout;
 class QPushButton;
 class QTreeWidget;
 class QTreeWidgetItem;
@@ -38,7 +39,7 @@ class PiecesPanel : public Panel {
 
  private:
   void makeList();
-  QWidget* makeButtons();
+  QLayout* makeButtons();
   QPushButton* addButton(const QString& text, const QString& tip, void (PiecesPanel::*clicked)());
   bool isSeen() const;
   bool current() const;  // found_ is of the scene's isosurface
@@ -53,8 +54,8 @@ class PiecesPanel : public Panel {
   void showState();
   void enableButtons();
   std::vector<std::size_t> selected() const;  // ids
-  glm::dvec3 seedOf(std::size_t id) const;
-  QString nameOf(const QString& one, const QString& several, const std::vector<std::size_t>& ids) const;
+  std::vector<glm::dvec3> selectedSeeds() const;
+  QString nameOfSelected(const QString& one, const QString& several) const;
   void choose(const QString& name, const scene::Pieces& choice);
   void toggle(QTreeWidgetItem* item, int column);
   void hideSelected();
@@ -73,7 +74,7 @@ class PiecesPanel : public Panel {
   QTreeWidget* list_;
   QPushButton *hide_, *only_, *centre_, *all_;  // of controls_
   QWidget* controls_;
-  SettingEditor *keep_, *smallest_, *within_;
+  std::vector<SettingEditor*> editors_;
 };
 
 }  // namespace isolux::ui

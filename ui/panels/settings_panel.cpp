@@ -6,7 +6,7 @@
 #include <QLineEdit>
 #include <QScrollArea>
 #include <QToolButton>
-#include <QVBoxLayout>
+#include <QBoxLayout>
 #include <nlohmann/json.hpp>
 
 #include "ui/document/environment_edit.h"
@@ -16,6 +16,7 @@
 #include "ui/language/number_text.h"
 #include "ui/language/translated.h"
 #include "ui/theme/style.h"
+#include "ui/widgets/parts.h"
 
 namespace isolux::ui {
 
@@ -51,20 +52,9 @@ QToolButton* makeHeader(const PanelGroup& plan, QWidget* parent) {
   header->setAutoRaise(true);
   header->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   header->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  QFont font = header->font();
-  font.setWeight(QFont::DemiBold);
-  header->setFont(font);
+  makeBold(header);
   header->setStyleSheet("QToolButton { border: 0; padding: 6px 4px; text-align: left; }");
   return header;
-}
-
-// Rows one below the other. Not a QFormLayout: rows of one that are hidden and shown again in another order
-// get lost.
-QVBoxLayout* makeRows(QWidget* box) {
-  auto* rows = new QVBoxLayout(box);
-  rows->setContentsMargins(8, 2, 0, 8);
-  rows->setSpacing(5);
-  return rows;
 }
 
 }  // namespace
@@ -73,7 +63,7 @@ SettingsPanel::SettingsPanel(QWidget* parent)
     : Panel(parent),
       search_(new QLineEdit(this)),
       scroll_(new QScrollArea(this)),
-      nothing_(new QLabel(
+      nothing_(wrappedLabel(
           tr("No matching setting.\nMemory, threads and speed in motion are in Edit > Preferences."), this)),
       lights_(new LightChooser(this)),
       environment_(new EnvironmentPreview(this)) {
@@ -85,28 +75,20 @@ SettingsPanel::SettingsPanel(QWidget* parent)
   scroll_->setWidgetResizable(true);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   nothing_->setAlignment(Qt::AlignHCenter);
-  nothing_->setWordWrap(true);
   nothing_->setContentsMargins(0, 24, 0, 0);
   setInk(nothing_, Ink::quiet);
   nothing_->hide();
 
   auto* content = new QWidget(scroll_);
-  auto* groups = new QVBoxLayout(content);
-  groups->setContentsMargins(8, 2, 6, 8);
-  groups->setSpacing(2);
-  groups->addWidget(nothing_);
+  auto* groups = columnOf({nothing_}, 2);
+  layOut(content, groups, {8, 2, 6, 8});
   for (const PanelGroup& plan : panelGroups()) addGroup(plan, groups);
   groups->addStretch(1);
   scroll_->setWidget(content);
 
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  auto* searchBox = new QVBoxLayout;
+  auto* searchBox = columnOf({search_});
   searchBox->setContentsMargins(12, 8, 12, 6);
-  searchBox->addWidget(search_);
-  layout->addLayout(searchBox);
-  layout->addWidget(scroll_, 1);
+  layOut(this, columnOf({searchBox, {scroll_, 1}}, 0), {});
   settle_.setSingleShot(true);
   settle_.setInterval(settleMilliseconds);
   connect(&settle_, &QTimer::timeout, this, &SettingsPanel::showRows);
@@ -118,12 +100,14 @@ SettingsPanel::SettingsPanel(QWidget* parent)
   connect(environment_, &EnvironmentPreview::failed, this, &SettingsPanel::failed);
 }
 
-void SettingsPanel::addGroup(const PanelGroup& plan, QVBoxLayout* layout) {
+void SettingsPanel::addGroup(const PanelGroup& plan, QBoxLayout* layout) {
   auto* box = new QWidget(this);
   Group group{makeHeader(plan, this), box, {}, plan.open};
   layout->addWidget(group.header);
   layout->addWidget(box);
-  QVBoxLayout* rows = makeRows(box);
+  // Not a QFormLayout: rows of one that are hidden and shown again in another order get lost.
+  auto* rows = columnOf({}, 5);
+  layOut(box, rows, {8, 2, 0, 8});
   if (plan.title == environmentGroup) {
     rows->addWidget(lights_);
     rows->addWidget(environment_);
@@ -139,9 +123,8 @@ void SettingsPanel::addGroup(const PanelGroup& plan, QVBoxLayout* layout) {
 SettingsPanel::Row SettingsPanel::addRow(const scene::Setting& setting, const Group& group) {
   auto* editor = new SettingEditor(setting, group.box);
   const RowLabel words = labelOf(setting);
-  auto* label = new QLabel(words.text, group.box);
+  auto* label = wrappedLabel(words.text, group.box);
   label->setBuddy(editor->valueWidget());
-  label->setWordWrap(true);
   auto* line = new QWidget(group.box);
   Row row{editor, label, line, wordsToSearch(setting, words.text, group.header->text())};
   const bool wide = editor->isWide();
@@ -228,9 +211,8 @@ void SettingsPanel::setVolume(const VolumePointer& volume) {
 void SettingsPanel::setScene(const scene::Scene& scene, const scene::Scene& resolved) {
   lights_->setScene(scene);
   environment_->setScene(scene, resolved);
-  for (Group& group : groups_) {
+  for (const Group& group : groups_)
     for (const Row& row : group.rows) row.editor->setScene(scene, resolved);
-  }
   showRows();
 }
 
@@ -250,18 +232,21 @@ void SettingsPanel::showRows() {
   for (Group& group : groups_) showGroup(group);
 }
 
-SettingEditor* SettingsPanel::editor(const QString& path) const {
+const SettingsPanel::Row* SettingsPanel::rowOf(const QString& path) const {
   for (const Group& group : groups_)
     for (const Row& row : group.rows)
-      if (QString::fromStdString(row.editor->setting().path) == path) return row.editor;
+      if (QString::fromStdString(row.editor->setting().path) == path) return &row;
   return nullptr;
 }
 
+SettingEditor* SettingsPanel::editor(const QString& path) const {
+  const Row* const row = rowOf(path);
+  return row ? row->editor : nullptr;
+}
+
 bool SettingsPanel::shows(const QString& path) const {
-  for (const Group& group : groups_)
-    for (const Row& row : group.rows)
-      if (QString::fromStdString(row.editor->setting().path) == path) return row.shown;
-  return false;
+  const Row* const row = rowOf(path);
+  return row && row->shown;
 }
 
 void SettingsPanel::focusSearch() {

@@ -14,7 +14,7 @@ class QLabel;
 class QLineEdit;
 class QScrollArea;
 class QToolButton;
-class QVBoxLayout;
+class QBoxLayout;
 
 namespace isolux::ui {
 
@@ -53,8 +53,9 @@ class SettingsPanel : public Panel {
     std::vector<Row> rows;
     bool open;  // as the user left it
   };
-  void addGroup(const PanelGroup& plan, QVBoxLayout* layout);
+  void addGroup(const PanelGroup& plan, QBoxLayout* layout);
   Row addRow(const scene::Setting& setting, const Group& group);
+  const Row* rowOf(const QString& path) const;  // null: not edited here
   void holdRows(SettingEditor* editor);
   void showRows();
   void showGroup(Group& group);

@@ -17,22 +17,20 @@ SourcePanel::SourcePanel(QWidget* parent) : QWidget(parent), form_(new QFormLayo
   addEditor("source.mesh_voxels", tr("Mesh voxels"));
   addEditor("source.csg", tr("Boolean operation"));
   addEditor("source.csg_path", tr("Second volume"));
-  auto* choose = new QPushButton(tr("Choose file…"), this);
-  choose->setAutoDefault(false);
-  choose_ = choose;
+  choose_ = new QPushButton(tr("Choose file…"), this);
+  choose_->setAutoDefault(false);
   form_->addRow(QString(), choose_);
   addEditor("source.csg_value", tr("Second isovalue"));
   addEditor("source.csg_weight", tr("Second weight"));
-  connect(choose, &QPushButton::clicked, this, &SourcePanel::chooseSecond);
+  connect(choose_, &QPushButton::clicked, this, &SourcePanel::chooseSecond);
 }
 
-SettingEditor* SourcePanel::addEditor(const char* path, const QString& label) {
+void SourcePanel::addEditor(const char* path, const QString& label) {
   auto* editor = new SettingEditor(scene::setting(path), this);
   form_->addRow(label, editor);
   editors_.push_back(editor);
   connect(editor, &SettingEditor::edited, this, &SourcePanel::edited);
   connect(editor, &SettingEditor::failed, this, &SourcePanel::failed);
-  return editor;
 }
 
 SettingEditor* SourcePanel::editor(const QString& path) const {
@@ -62,7 +60,7 @@ void SourcePanel::chooseSecond() {
   const QString path =
       QFileDialog::getOpenFileName(this, tr("Choose the second volume"), folder, filters.join(";;"));
   if (path.isEmpty()) return;
-  Edit edit{scene_, tr("Choose second volume"), {}, false};
+  Edit edit{scene_, tr("Choose second volume")};
   edit.scene.source.csgPath = path.toStdString();
   Q_EMIT edited(edit);
 }

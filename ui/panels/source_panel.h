@@ -10,6 +10,7 @@
 #include "ui/document/edit.h"
 
 class QFormLayout;
+class QPushButton;
 
 namespace isolux::ui {
 
@@ -29,12 +30,12 @@ class SourcePanel : public QWidget {
   void failed(const QString& message);
 
  private:
-  SettingEditor* addEditor(const char* path, const QString& label);
+  void addEditor(const char* path, const QString& label);
   void chooseSecond();
 
   QFormLayout* form_;
   std::vector<SettingEditor*> editors_;
-  QWidget* choose_;
+  QPushButton* choose_;
   scene::Scene scene_;
 };
 

@@ -7,7 +7,6 @@
 
 #include <QComboBox>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
 #include <QSettings>
@@ -15,15 +14,16 @@
 #include <QSlider>
 #include <QSpinBox>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 #include "scene/settings/choice_names.h"
 #include "ui/document/privacy.h"
 #include "ui/language/number_text.h"
 #include "ui/language/sentences.h"
 #include "ui/panels/source_panel.h"
+#include "ui/theme/icons.h"
 #include "ui/theme/style.h"
 #include "ui/widgets/number_spin_box.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/wrapped_text.h"
 
 namespace isolux::ui {
@@ -31,6 +31,7 @@ namespace isolux::ui {
 namespace {
 
 constexpr auto speedKey = "volume/stepsPerSecond";
+constexpr std::size_t missingRow = 8;  // of the facts
 
 QString triple(glm::dvec3 v, int significant, const char* between = " × ") {
   return numberText(v.x, significant) + between + numberText(v.y, significant) + between +
@@ -59,25 +60,14 @@ VolumePanel::VolumePanel(QWidget* parent)
   scroll->setAccessibleName(tr("About the volume"));
   scroll->setWidgetResizable(true);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  auto* whole = new QVBoxLayout(this);
-  whole->setContentsMargins(0, 0, 0, 0);
-  whole->addWidget(scroll);
+  layOut(this, columnOf({scroll}), {});
   setMinimumWidth(310);
   facts_->setHorizontalSpacing(14);
   facts_->setVerticalSpacing(6);
   facts_->setLabelAlignment(Qt::AlignLeft | Qt::AlignTop);
-  facts_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  name_ = addRow(tr("Name"));
-  format_ = addRow(tr("Format"));
-  dims_ = addRow(tr("Voxels"));
-  type_ = addRow(tr("Type"));
-  spacing_ = addRow(tr("Spacing"));
-  extent_ = addRow(tr("Extent"));
-  axes_ = addRow(tr("Axes"));
-  range_ = addRow(tr("Values"));
-  missing_ = addRow(tr("Missing"));
-  memory_ = addRow(tr("Memory"));
-  time_ = addRow(tr("Time"));
+  for (const QString& name : {tr("Name"), tr("Format"), tr("Voxels"), tr("Type"), tr("Spacing"), tr("Extent"),
+                              tr("Axes"), tr("Values"), tr("Missing"), tr("Memory"), tr("Time")})
+    addRow(name);
 
   series_ = new QComboBox(choiceBox_);
   series_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -103,17 +93,12 @@ VolumePanel::VolumePanel(QWidget* parent)
   speed_->setSuffix(tr(" steps per second"));
   speed_->setOwnUndo();
   speed_->showValue(QSettings().value(speedKey, 2.0).toDouble());
-  auto* timeLayout = new QHBoxLayout(timeRow_);
-  timeLayout->setContentsMargins(0, 0, 0, 0);
-  timeLayout->addWidget(play_);
-  timeLayout->addWidget(timeSlider_, 1);
-  timeLayout->addWidget(timeStep_);
-  auto* const level = new IntegerSpinBox(choiceBox_);
-  connect(level, &IntegerSpinBox::refused, this, &VolumePanel::failed);
-  level_ = level;
+  layOut(timeRow_, lineOf({play_, {timeSlider_, 1}, timeStep_}), {});
+  level_ = new IntegerSpinBox(choiceBox_);
+  connect(level_, &IntegerSpinBox::refused, this, &VolumePanel::failed);
   level_->setToolTip(
       tr("Level 0 is full resolution; each further level halves it along each axis, by averaging voxels"));
-  choices_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  for (QFormLayout* form : {facts_, choices_}) form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   choices_->setContentsMargins(0, 0, 0, 8);
   choices_->addRow(tr("Kind"), kind_);
   choices_->addRow(tr("Series"), series_);
@@ -128,47 +113,39 @@ VolumePanel::VolumePanel(QWidget* parent)
   connect(source_, &SourcePanel::failed, this, &VolumePanel::failed);
 
   warningTitle_ = new QLabel(tr("Import warnings"), this);
-  QFont bold = warningTitle_->font();
-  bold.setWeight(QFont::DemiBold);
-  warningTitle_->setFont(bold);
+  makeBold(warningTitle_);
   setInk(warningTitle_, Ink::warning);
   warnings_ = new WrappedText(this);
 
   auto* content = new QWidget(this);
-  auto* layout = new QVBoxLayout(content);
-  layout->setContentsMargins(14, 12, 12, 12);
-  layout->setSpacing(8);
-  layout->addWidget(choiceBox_);
-  layout->addLayout(facts_);
-  layout->addSpacing(6);
-  layout->addWidget(source_);
-  layout->addSpacing(6);
-  layout->addWidget(warningTitle_);
-  layout->addWidget(warnings_);
-  layout->addStretch(1);
+  layOut(content,
+         columnOf({choiceBox_, facts_, Cell::gap(6), source_, Cell::gap(6), warningTitle_, warnings_,
+                   Cell::room()},
+                  8),
+         {14, 12, 12, 12});
   scroll->setWidget(content);
   showFacts();
   showChoices();
   setPlaying(false);
 
   connect(kind_, &QComboBox::activated, this, [this](int index) {
-    Edit edit{scene_, tr("Choose kind of data"), {}, false};
+    Edit edit{scene_, tr("Choose kind of data")};
     edit.scene.source.kind = static_cast<scene::DataKind>(index);
     Q_EMIT edited(edit);
   });
   connect(series_, &QComboBox::activated, this, [this] {
-    Edit edit{scene_, tr("Choose series"), {}, false};
+    Edit edit{scene_, tr("Choose series")};
     edit.scene.source.series = series_->currentData().toString().toStdString();
     edit.scene.source.level = 0;
     Q_EMIT edited(edit);
   });
   connect(component_, &QComboBox::activated, this, [this] {
-    Edit edit{scene_, tr("Choose channel"), {}, false};
+    Edit edit{scene_, tr("Choose channel")};
     edit.scene.source.component = component_->currentData().toInt();
     Q_EMIT edited(edit);
   });
   connect(timeStep_, &NumberSpinBox::valueChanged, this, [this](double step) {
-    Edit edit{scene_, tr("Choose time step"), {}, false};
+    Edit edit{scene_, tr("Choose time step")};
     edit.scene.source.timeStep = step;
     Q_EMIT edited(edit);
   });
@@ -179,24 +156,23 @@ VolumePanel::VolumePanel(QWidget* parent)
     Q_EMIT speedChanged(speed);
   });
   connect(level_, &QSpinBox::valueChanged, this, [this](int level) {
-    Edit edit{scene_, tr("Choose level"), {}, false};
+    Edit edit{scene_, tr("Choose level")};
     edit.scene.source.level = level;
     Q_EMIT edited(edit);
   });
 }
 
-WrappedText* VolumePanel::addRow(const QString& name) {
-  auto* value = new WrappedText(this);
+void VolumePanel::addRow(const QString& name) {
   auto* label = new QLabel(name, this);
   label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   label->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
   setInk(label, Ink::quiet);
-  facts_->addRow(label, value);
-  return value;
+  facts_->addRow(label, values_.emplace_back(new WrappedText(this)));
 }
 
 void VolumePanel::setVolume(const VolumePointer& volume) {
   volume_ = volume;
+  firstPictureSeconds_.reset();
   showFacts();
   showChoices();
   source_->show(scene_, volume_);
@@ -215,16 +191,12 @@ double VolumePanel::speed() const {
 
 void VolumePanel::setPlaying(bool playing) {
   play_->setIcon(icon(playing ? "pause" : "play"));
-  const QString says = playing ? tr("Pause") : tr("Play time steps");
-  play_->setToolTip(says);
-  play_->setAccessibleName(says);
+  nameAndTip(play_, playing ? tr("Pause") : tr("Play time steps"));
 }
 
 void VolumePanel::setFirstPicture(double seconds) {
-  if (!volume_) return;
-  time_->setText(tr("read %1 s, prepared %2 s; first image %3 s after reading")
-                     .arg(numberText(volume_->readSeconds, 2), numberText(volume_->prepareSeconds, 2),
-                          numberText(seconds, 2)));
+  firstPictureSeconds_ = seconds;
+  showFacts();
 }
 
 QString VolumePanel::warnings() const {
@@ -232,27 +204,29 @@ QString VolumePanel::warnings() const {
 }
 
 void VolumePanel::showFacts() {
-  for (WrappedText* label :
-       {name_, format_, dims_, type_, spacing_, extent_, axes_, range_, missing_, memory_, time_}) {
-    label->setText("–");
-    label->setToolTip({});
+  std::vector<Fact> known(values_.size(), {"–"});
+  known[missingRow] = {};
+  if (volume_) known = facts();
+  for (std::size_t i = 0; i < values_.size(); ++i) {
+    values_[i]->setText(known[i].text);
+    values_[i]->setToolTip(known[i].tip);
+    facts_->setRowVisible(values_[i], !known[i].text.isEmpty());
   }
-  warningTitle_->hide();
-  warnings_->hide();
-  warnings_->setText({});
-  facts_->setRowVisible(missing_, false);
-  if (!volume_) return;
+  QStringList warnings;
+  if (volume_)
+    for (const std::string& warning : volume_->volume.warnings)
+      warnings += "• " + shownText(QString::fromStdString(warning), volume_);
+  warnings_->setText(warnings.join("\n\n"));
+  warningTitle_->setVisible(!warnings.isEmpty());
+  warnings_->setVisible(!warnings.isEmpty());
+}
 
+std::vector<VolumePanel::Fact> VolumePanel::facts() const {
   const volume::Volume& volume = volume_->volume;
   const volume::Grid& grid = *volume.grid;
   const volume::GridGeometry& geometry = grid.geometry();
   const glm::dvec3 spacing = geometry.spacingMm();
-  const auto text = [this](std::string_view s) {
-    return shownText(QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size())), volume_);
-  };
-  name_->setText(text(volume.name));
-  format_->setText(text(volume.format));
-  dims_->setText(triple(glm::dvec3(grid.dims()), 9));
+  const auto text = [this](std::string_view s) { return shownText(QString::fromUtf8(s), volume_); };
   QString type = text(volume::nameOf(volume.fileType));
   if (volume.fileType != grid.storedType())
     type = tr("%1, in memory as %2").arg(type, text(volume::nameOf(grid.storedType())));
@@ -263,39 +237,35 @@ void VolumePanel::showFacts() {
                                     numberText(std::abs(grid.intercept()), shownDigits));
     }
   }
-  type_->setText(type);
   const glm::dvec3 extent = spacing * glm::dvec3(grid.dims() - 1);
   // Of a tilted series the distance of slices is not the length of the axis along which they are stacked.
   const glm::dmat3 directions = geometry.directions();
   const double across =
       spacing.z * std::abs(glm::dot(directions[2], glm::normalize(glm::cross(directions[0], directions[1]))));
   const bool tilted = across < 0.999 * spacing.z;
-  spacing_->setText(triple(spacing, shownDigits) + " mm" +
-                    (tilted ? tr(" (slices %1 mm apart)").arg(numberText(across, shownDigits)) : QString()));
-  spacing_->setToolTip(triple(spacing, allDigits) + " mm");
-  extent_->setText(triple(extent, shownDigits) + " mm");
-  extent_->setToolTip(triple(extent, allDigits) + " mm");
+  const QString apart = tilted ? tr(" (slices %1 mm apart)").arg(numberText(across, shownDigits)) : QString();
   QString axes = axesText(geometry.directions(), volume.axes);
   if (geometry.leftHanded()) axes = tr("%1; left-handed").arg(axes);
   if (volume.axes != scene::WorldAxes::anatomical) axes += '\n' + tr("orientation not stated");
-  axes_->setText(axes);
   const auto range = [&](int digits) {
     return numberText(grid.minimum(), digits) + " … " + valueText(grid.maximum(), text(volume.unit), digits);
   };
-  range_->setText(range(shownDigits));
-  range_->setToolTip(range(allDigits));
-  facts_->setRowVisible(missing_, grid.missingCount() > 0);
-  missing_->setText(tr("%1 voxels").arg(grid.missingCount()));
-  memory_->setText(bytesText(static_cast<double>(grid.bytes())));
-  time_->setText(tr("read %1 s, prepared %2 s")
-                     .arg(numberText(volume_->readSeconds, 2), numberText(volume_->prepareSeconds, 2)));
-  if (!volume.warnings.empty()) {
-    QStringList lines;
-    for (const std::string& warning : volume.warnings) lines += "• " + text(warning);
-    warnings_->setText(lines.join("\n\n"));
-    warningTitle_->show();
-    warnings_->show();
-  }
+  const QString missing = grid.missingCount() > 0 ? tr("%1 voxels").arg(grid.missingCount()) : QString();
+  const QString read = numberText(volume_->readSeconds, 2), prepared = numberText(volume_->prepareSeconds, 2);
+  const QString time = firstPictureSeconds_ ? tr("read %1 s, prepared %2 s; first image %3 s after reading")
+                                                  .arg(read, prepared, numberText(*firstPictureSeconds_, 2))
+                                            : tr("read %1 s, prepared %2 s").arg(read, prepared);
+  return {{text(volume.name)},
+          {text(volume.format)},
+          {triple(glm::dvec3(grid.dims()), 9)},
+          {type},
+          {triple(spacing, shownDigits) + " mm" + apart, triple(spacing, allDigits) + " mm"},
+          {triple(extent, shownDigits) + " mm", triple(extent, allDigits) + " mm"},
+          {axes},
+          {range(shownDigits), range(allDigits)},
+          {missing},
+          {bytesText(static_cast<double>(grid.bytes()))},
+          {time}};
 }
 
 void VolumePanel::showChoices() {

@@ -7,11 +7,11 @@ class QComboBox;
 class QFormLayout;
 class QLabel;
 class QSlider;
-class QSpinBox;
 class QToolButton;
 
 namespace isolux::ui {
 
+class IntegerSpinBox;
 class NumberSpinBox;
 class SourcePanel;
 class WrappedText;
@@ -28,7 +28,7 @@ class VolumePanel : public Panel {
   QComboBox* seriesChoice() const { return series_; }
   QComboBox* componentChoice() const { return component_; }
   NumberSpinBox* timeStepChoice() const { return timeStep_; }
-  QSpinBox* levelChoice() const { return level_; }
+  IntegerSpinBox* levelChoice() const { return level_; }
   QSlider* timeSlider() const { return timeSlider_; }
   QToolButton* playButton() const { return play_; }
   NumberSpinBox* speedChoice() const { return speed_; }
@@ -42,21 +42,26 @@ class VolumePanel : public Panel {
   void speedChanged(double stepsPerSecond);
 
  private:
-  WrappedText* addRow(const QString& name);
+  struct Fact {
+    QString text, tip = {};  // without a text it is not shown
+  };
+  void addRow(const QString& name);
+  std::vector<Fact> facts() const;  // in the order of values_
   void showFacts();
   void showChoices();
 
   scene::Scene scene_;
   VolumePointer volume_;
   QFormLayout *facts_, *choices_;
-  WrappedText *name_, *format_, *dims_, *type_, *spacing_, *extent_, *axes_, *range_, *missing_, *memory_;
-  WrappedText *time_, *warnings_;
+  std::vector<WrappedText*> values_;  // of facts_
+  std::optional<double> firstPictureSeconds_;
+  WrappedText* warnings_;
   QLabel* warningTitle_;
   QWidget* choiceBox_;
   QComboBox *kind_, *series_, *component_;
   QToolButton* play_;
   NumberSpinBox *timeStep_, *speed_;
-  QSpinBox* level_;
+  IntegerSpinBox* level_;
   QSlider* timeSlider_;  // the same, where it is let go
   QWidget* timeRow_;
   SourcePanel* source_;

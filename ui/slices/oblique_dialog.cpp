@@ -4,12 +4,12 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QVBoxLayout>
 
 #include <glm/geometric.hpp>
 
 #include "ui/slices/slice_view.h"
 #include "ui/widgets/number_spin_box.h"
+#include "ui/widgets/parts.h"
 
 namespace isolux::ui {
 
@@ -33,16 +33,11 @@ ObliqueDialog::ObliqueDialog(glm::dvec3 pointMm, glm::dvec3 normal, QWidget* par
   for (int i = 0; i < 3; ++i) grid->addWidget(new QLabel(QChar("xyz"[i]), this), 0, 1 + i, Qt::AlignHCenter);
   addRow(1, tr("Point (mm)"), point_, pointMm, 1e5);
   addRow(2, tr("Normal"), normal_, normal, 1e3);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(18, 18, 18, 14);
-  layout->setSpacing(14);
-  layout->addLayout(grid);
-  auto* note = new QLabel(tr("The crosshair moves to the point. The plane is perpendicular to the normal and "
-                             "follows the crosshair."),
-                          this);
-  note->setWordWrap(true);
-  layout->addWidget(note);
-  layout->addWidget(buttons_);
+  auto* note =
+      wrappedLabel(tr("The crosshair moves to the point. The plane is perpendicular to the normal and "
+                      "follows the crosshair."),
+                   this);
+  layOut(this, columnOf({grid, note, buttons_}, 14), {18, 18, 18, 14});
   connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
   check();
@@ -69,7 +64,7 @@ void askForPlane(SliceView& view) {
   QObject::connect(dialog, &QDialog::accepted, &view, [&view, dialog, before] {
     view.choose({.kind = app::SliceChoice::Kind::oblique, .normal = dialog->normal()});
     if (dialog->pointMm() == before) return;
-    Edit edit{view.scene(), QObject::tr("Move crosshair"), {}, false};
+    Edit edit{view.scene(), QObject::tr("Move crosshair")};
     edit.scene.slice.position = dialog->pointMm();
     Q_EMIT view.edited(edit);
   });

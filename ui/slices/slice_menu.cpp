@@ -30,17 +30,20 @@ constexpr double slabsMm[] = {0.0, 2.0, 5.0, 10.0, 20.0, 40.0};
 using Change = std::function<void(scene::Slice&)>;
 using Kind = app::SliceChoice::Kind;
 
-QAction* addChange(QMenu* menu, SliceView& view, const QString& text, const QString& undoName, bool checked,
-                   const Change& change) {
-  QAction* const action = menu->addAction(text);
+void addChoice(QMenu* menu, SliceView& view, const QString& text, bool checked,
+               const std::function<void()>& choose) {
+  QAction* const action = menu->addAction(text, &view, choose);
   action->setCheckable(true);
   action->setChecked(checked);
-  QObject::connect(action, &QAction::triggered, &view, [&view, undoName, change] {
-    Edit edit{view.scene(), undoName, {}, false};
+}
+
+void addChange(QMenu* menu, SliceView& view, const QString& text, const QString& undoName, bool checked,
+               const Change& change) {
+  addChoice(menu, view, text, checked, [&view, undoName, change] {
+    Edit edit{view.scene(), undoName};
     change(edit.scene.slice);
     Q_EMIT view.edited(edit);
   });
-  return action;
 }
 
 // One more isosurface, of the value there.
@@ -51,12 +54,9 @@ void addSurface(QMenu* menu, SliceView& view, glm::dvec3 worldMm) {
   if (!std::isfinite(value)) return;
   const std::optional<scene::Scene> added = app::withSurface(view.scene(), volume, value);
   const QString text = valueText(value, QString::fromStdString(volume.volume.unit));
-  QAction* const add = menu->addAction(QObject::tr("Add isosurface at this value, %1").arg(text));
-  add->setEnabled(added.has_value());
-  if (!added) return;
-  QObject::connect(add, &QAction::triggered, &view, [&view, scene = *added] {
-    Q_EMIT view.edited({scene, QObject::tr("Add isosurface"), {}, false});
-  });
+  const auto add = [&view, added] { Q_EMIT view.edited({*added, QObject::tr("Add isosurface")}); };
+  menu->addAction(QObject::tr("Add isosurface at this value, %1").arg(text), &view, add)
+      ->setEnabled(added.has_value());
 }
 
 void addWindows(QMenu* menu, SliceView& view) {
@@ -78,10 +78,7 @@ void addWindows(QMenu* menu, SliceView& view) {
 void addPlanes(QMenu* menu, SliceView& view) {
   const app::SliceChoice now = view.choice();
   const auto add = [&](const QString& text, const app::SliceChoice& choice) {
-    QAction* const action = menu->addAction(text);
-    action->setCheckable(true);
-    action->setChecked(choice == now);
-    QObject::connect(action, &QAction::triggered, &view, [&view, choice] { view.choose(choice); });
+    addChoice(menu, view, text, choice == now, [&view, choice] { view.choose(choice); });
   };
   using volume::SliceDirection;
   menu->addSection(QObject::tr("Plane"));
@@ -90,10 +87,7 @@ void addPlanes(QMenu* menu, SliceView& view) {
   add(QObject::tr("Sagittal"), {.direction = SliceDirection::sagittal});
   for (std::size_t i = 0; i < view.scene().clip.planes.size(); ++i)
     add(QObject::tr("Cut %1").arg(i + 1), {.kind = Kind::cut, .cut = i});
-  QAction* const oblique = menu->addAction(QObject::tr("Oblique…"));
-  oblique->setCheckable(true);
-  oblique->setChecked(now.kind == Kind::oblique);
-  QObject::connect(oblique, &QAction::triggered, &view, [&view] { askForPlane(view); });
+  addChoice(menu, view, QObject::tr("Oblique…"), now.kind == Kind::oblique, [&view] { askForPlane(view); });
 }
 
 void addSlabs(QMenu* menu, SliceView& view) {
@@ -140,8 +134,7 @@ QMenu* makeSliceMenu(SliceView& view, glm::dvec3 worldMm) {
       [contours](scene::Slice& slice) { slice.contourWidth = contours ? 0.0 : scene::Slice{}.contourWidth; });
   addConventions(menu, view);
   menu->addSeparator();
-  QObject::connect(menu->addAction(QObject::tr("Show the whole slice")), &QAction::triggered, &view,
-                   &SliceView::showWhole);
+  menu->addAction(QObject::tr("Show the whole slice"), &view, &SliceView::showWhole);
   return menu;
 }
 

@@ -10,6 +10,7 @@
 
 #include "app/slices/slice_content.h"
 #include "app/slices/slice_labels.h"
+#include "ui/document/picture_pixels.h"
 
 namespace isolux::ui {
 
@@ -164,10 +165,7 @@ void SliceView::showAnew() {
 void SliceView::take(app::SliceTask& task) {
   const app::SliceOrder order = std::exchange(ordered_, {});
   if (!task.error() && order.volume == volume_) {
-    const render::ColorImage& picture = task.value().picture;
-    image_ = QImage(picture.rgba.data(), picture.size.x, picture.size.y, 4 * picture.size.x,
-                    QImage::Format_RGBX8888)
-                 .copy();
+    image_ = imageOf(task.value().picture);
     drawn_ = order;
     if (drawn_->coarse == 1) fullMilliseconds_ = task.value().milliseconds;
   } else if (task.error() && task.error()->kind() != base::ErrorKind::interrupted) {

@@ -11,6 +11,7 @@
 #include "tests/support/memory_limit.h"
 #include "tests/support/ui/window_fixture.h"
 #include "ui/panels/volume_panel.h"
+#include "ui/widgets/number_spin_box.h"
 
 namespace isolux::test {
 namespace {
