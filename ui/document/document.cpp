@@ -177,8 +177,7 @@ double Document::secondsSinceRead() const {
   return total.count() - volume_->readSeconds;
 }
 
-// ---- Opening
-// ------------------------------------------------------------------------------------------------
+// Opening
 
 void Document::open(const QString& path, const QString& series) {
   try {
@@ -221,7 +220,7 @@ void Document::resetSettings() {
   next.source = scene().source;
   next.camera = scene().camera;
   next.marks = scene().marks;
-  edit({next, tr("Reset all settings"), {}, false});
+  edit({next, tr("Reset all settings")});
 }
 
 void Document::openScene(const scene::Scene& scene, const QString& sessionFile, CompleteScene completed) {
@@ -384,8 +383,7 @@ void Document::changeSource(const volume::PreparedVolume& volume) {
   history_.edit(next, pendingName_.toStdString());
 }
 
-// ---- Editing
-// ------------------------------------------------------------------------------------------------
+// Editing
 
 void Document::announce() {
   flow_.setScene(scene());
@@ -443,11 +441,10 @@ void Document::edit(const Edit& edit) {
     announce();  // the widget shows again what holds
     return;
   }
-  if (edit.endsAfterPause) {
+  if (edit.endsAfterPause)
     pauseTimer_.start();
-  } else {
+  else
     pauseTimer_.stop();
-  }
   commit(before, edit.name, !edit.mergeKey.isEmpty());
 }
 
@@ -457,27 +454,25 @@ void Document::endGesture() {
 }
 
 void Document::undo() {
-  if (!history_.canUndo()) return;
-  const scene::Scene before = scene();
-  const QString name = tr("Undo %1").arg(QString::fromStdString(history_.undoName()));
-  history_.seal();
-  history_.undo();
-  commit(before, name);
-  reloadIfSourceChanged();
+  if (history_.canUndo())
+    step(tr("Undo %1").arg(QString::fromStdString(history_.undoName())), &app::History::undo);
 }
 
 void Document::redo() {
-  if (!history_.canRedo()) return;
+  if (history_.canRedo())
+    step(tr("Redo %1").arg(QString::fromStdString(history_.redoName())), &app::History::redo);
+}
+
+void Document::step(const QString& name, scene::SceneDiff (app::History::*step)()) {
   const scene::Scene before = scene();
-  const QString name = tr("Redo %1").arg(QString::fromStdString(history_.redoName()));
   history_.seal();
-  history_.redo();
+  (history_.*step)();
   commit(before, name);
   reloadIfSourceChanged();
 }
 
 void Document::toggleFlow() {
-  Edit toggled{scene(), scene().flow.animate ? tr("Pause flow") : tr("Animate flow"), {}, false};
+  Edit toggled{scene(), scene().flow.animate ? tr("Pause flow") : tr("Animate flow")};
   toggled.scene.flow.animate = !scene().flow.animate;
   edit(toggled);
 }
@@ -531,8 +526,7 @@ void Document::reloadIfSourceChanged() {
   if (scene().source != loadedSource_) startLoading(scene(), After::keepScene);
 }
 
-// ---- Sessions and recordings
-// --------------------------------------------------------------------------------
+// Sessions and recordings
 
 void Document::checkOutput(const QString& file) const {
   app::OutputGuard guard;

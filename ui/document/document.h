@@ -141,6 +141,7 @@ class Document : public QObject {
   void changeSource(const volume::PreparedVolume& volume);
   // dragged: one edit of many.
   void commit(const scene::Scene& before, const QString& name, bool dragged = false);
+  void step(const QString& name, scene::SceneDiff (app::History::*step)());
   void reloadIfSourceChanged();
   void moveFlow();
   void movePlay();

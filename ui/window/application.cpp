@@ -94,9 +94,7 @@ void prepareApplication() {
   QCoreApplication::setOrganizationName("Isolux");
   QCoreApplication::setApplicationName("isolux");
   QGuiApplication::setDesktopFileName("isolux");  // by which a desktop knows whose window it is
-  const std::string_view version = app::version();
-  QCoreApplication::setApplicationVersion(
-      QString::fromUtf8(version.data(), static_cast<qsizetype>(version.size())));
+  QCoreApplication::setApplicationVersion(QString::fromUtf8(app::version()));
 }
 
 void finishApplication() {

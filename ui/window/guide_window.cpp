@@ -2,12 +2,10 @@
 
 #include <QDesktopServices>
 #include <QDir>
-#include <QHBoxLayout>
 #include <QTextBrowser>
 #include <QToolButton>
-#include <QVBoxLayout>
 
-#include "ui/theme/icons.h"
+#include "ui/widgets/parts.h"
 
 namespace isolux::ui {
 
@@ -36,27 +34,20 @@ GuideWindow::GuideWindow(const QString& folder, QWidget* parent)
   setWindowTitle(tr("Guide"));
   browser_->setOpenLinks(false);
   connect(browser_, &QTextBrowser::anchorClicked, this, &GuideWindow::follow);
-  auto* row = new QHBoxLayout;
-  const auto button = [&](const char* sign, const QString& name) {
-    auto* made = new QToolButton(this);
-    made->setText(sign);
-    made->setToolTip(name);
-    made->setAccessibleName(name);
-    row->addWidget(made);
+  const auto button = [this](const char* sign, const QString& name) {
+    auto* made = textButton(sign, {}, this);
+    nameAndTip(made, name);
     return made;
   };
   QToolButton *back = button("←", tr("Back")), *forward = button("→", tr("Forward")),
               *contents = button("⌂", tr("Contents"));
-  row->addStretch(1);
   connect(back, &QToolButton::clicked, browser_, &QTextBrowser::backward);
   connect(forward, &QToolButton::clicked, browser_, &QTextBrowser::forward);
   connect(browser_, &QTextBrowser::backwardAvailable, back, &QWidget::setEnabled);
   connect(browser_, &QTextBrowser::forwardAvailable, forward, &QWidget::setEnabled);
   const QUrl first = QUrl::fromLocalFile(QDir(folder).filePath("index.md"));
   connect(contents, &QToolButton::clicked, this, [this, first] { follow(first); });
-  auto* layout = new QVBoxLayout(this);
-  layout->addLayout(row);
-  layout->addWidget(browser_);
+  layOut(this, columnOf({lineOf({back, forward, contents, Cell::room()}), browser_}));
   resize(820, 760);
   follow(first);
   back->setEnabled(false);

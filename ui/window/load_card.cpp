@@ -1,7 +1,6 @@
 #include "ui/window/load_card.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <QEvent>
 #include <QGridLayout>
@@ -13,6 +12,7 @@
 #include "ui/document/picture_pixels.h"
 #include "ui/language/number_text.h"
 #include "ui/theme/style.h"
+#include "ui/widgets/parts.h"
 
 namespace isolux::ui {
 
@@ -26,7 +26,7 @@ LoadCard::LoadCard(QWidget* parent)
       caption_(new QLabel(this)),
       title_(new QLabel(this)),
       stage_(new QLabel(this)),
-      bar_(new QProgressBar(this)),
+      bar_(thinBar(this)),
       cancel_(new QPushButton(tr("Cancel"), this)) {
   setObjectName("loadCard");
   setCursor(Qt::ArrowCursor);
@@ -34,9 +34,6 @@ LoadCard::LoadCard(QWidget* parent)
   picture_->setObjectName("firstLook");
   for (QLabel* const label : {stage_, caption_}) setInk(label, Ink::quiet);
   dropLook();
-  bar_->setRange(0, 1000);
-  bar_->setTextVisible(false);
-  bar_->setFixedHeight(8);
   auto* layout = new QGridLayout(this);
   layout->setContentsMargins(margin, 12, 12, 12);
   layout->setVerticalSpacing(5);
@@ -63,7 +60,7 @@ LoadCard::LoadCard(QWidget* parent)
 void LoadCard::begin(const QString& name) {
   name_ = name;
   stage_->setText(" ");
-  bar_->setValue(0);
+  showFraction(bar_, 0.0);
   left_.begin();
   dropLook();
   place();
@@ -71,7 +68,7 @@ void LoadCard::begin(const QString& name) {
 }
 
 void LoadCard::report(double fraction, const QString& stage) {
-  bar_->setValue(static_cast<int>(std::lround(std::clamp(fraction, 0.0, 1.0) * 1000.0)));
+  showFraction(bar_, fraction);
   const QString rest = left_.text(fraction);
   const QString doing = stage.isEmpty() ? QString(" ") : tr("%1…").arg(wordsOf(stage));
   stage_->setText(rest.isEmpty() ? doing : tr("%1 %2").arg(doing, rest));

@@ -213,9 +213,8 @@ void MainWindow::connectDocument() {
   connect(document_, &Document::rawDescriptionNeeded, this, &MainWindow::chooseRaw);
   connect(loadCard_, &LoadCard::cancelled, document_, &Document::cancelLoading);
 
-  const auto showError = [this](const QString& text) { message_->show(MessageBar::Kind::error, text); };
-  connect(document_, &Document::failed, this, showError);
-  connect(viewport_, &Viewport::failed, this, showError);
+  connect(document_, &Document::failed, message_, &MessageBar::showError);
+  connect(viewport_, &Viewport::failed, message_, &MessageBar::showError);
 
   connect(viewport_, &Viewport::resized, document_, [this] {
     const glm::ivec2 pixels = viewport_->pixelSize();
@@ -226,8 +225,7 @@ void MainWindow::connectDocument() {
     return document_->facts();
   });
   connect(message_, &MessageBar::heightTaken, viewport_, &Viewport::setTopInset);
-  connect(viewport_, &Viewport::noted, this,
-          [this](const QString& text) { message_->show(MessageBar::Kind::note, text); });
+  connect(viewport_, &Viewport::noted, message_, &MessageBar::showNote);
   connect(viewport_, &Viewport::edited, this, &MainWindow::applyViewEdit);
   connect(viewport_, &Viewport::gestureEnded, this, &MainWindow::endGesture);
   connect(viewport_, &Viewport::pointed, this, &MainWindow::showPointed);
@@ -243,10 +241,14 @@ void MainWindow::connectDocument() {
   });
   connect(viewport_, &Viewport::drawing, pictureDot_, &PictureDot::setDrawing);
   connect(isovalue_, &IsovaluePanel::edited, document_, &Document::edit);
-  const auto begin = [this] { viewport_->setInteracting(true); };
+  const auto begin = [this] {
+    viewport_->setInteracting(true);
+    slices_->setInteracting(true);
+  };
   const auto end = [this] {
     viewport_->setInteracting(false);
     endGesture();
+    slices_->setInteracting(false);
   };
   connect(isovalue_, &IsovaluePanel::dragStarted, this, begin);
   connect(isovalue_, &IsovaluePanel::dragEnded, this, end);
@@ -254,14 +256,13 @@ void MainWindow::connectDocument() {
           [this] { panel<PassesPanel>()->setCanvas(viewport_->canvas()); });
   for (const Docked& docked : panels_) {
     connect(viewport_, &Viewport::reported, docked.panel, &Panel::setReport);
-    connect(docked.panel, &Panel::failed, this, showError);
+    connect(docked.panel, &Panel::failed, message_, &MessageBar::showError);
     connect(docked.panel, &Panel::edited, this, &MainWindow::applyEdit);
     connect(docked.panel, &Panel::dragStarted, this, begin);
     connect(docked.panel, &Panel::dragEnded, this, end);
   }
 }
 
-// The gravest, and how many there are. What tells of missing data stays.
 void MainWindow::togglePlay() {
   if (document_->playing())
     document_->pause();
@@ -270,6 +271,7 @@ void MainWindow::togglePlay() {
   play_->setChecked(document_->playing());  // nothing plays while another volume is loaded
 }
 
+// The gravest, and how many there are. What tells of missing data stays.
 void MainWindow::tellImport(const std::vector<std::string>& warnings) {
   message_->withdraw(MessageBar::Kind::warning);
   if (warnings.empty()) return;
@@ -291,10 +293,8 @@ void MainWindow::connectLight() {
             const bool works = state.phase == Phase::preparing || state.phase == Phase::baking;
             pictureDot_->setLight(unfinishedLightSentence(state, cancelled), works && !cancelled);
           });
-  connect(light_, &BakedLight::failed, this,
-          [this](const QString& text) { message_->show(MessageBar::Kind::error, text); });
-  connect(light_, &BakedLight::noted, this,
-          [this](const QString& text) { message_->show(MessageBar::Kind::note, text); });
+  connect(light_, &BakedLight::failed, message_, &MessageBar::showError);
+  connect(light_, &BakedLight::noted, message_, &MessageBar::showNote);
   connect(light_, &BakedLight::takesLong, this, [this](double seconds) {
     message_->show(MessageBar::Kind::question,
                    tr("Light for this image takes about %1").arg(durationText(seconds)),
@@ -317,8 +317,9 @@ void MainWindow::applyEdit(const Edit& edit) {
 // Not during a drag: the bar would move the picture away under the pointer.
 void MainWindow::tellOfMoving() {
   if (!std::exchange(tellsOfMoving_, false)) return;
-  message_->show(MessageBar::Kind::note, tr("Light is computed again for a rotatable environment; after "
-                                            "that, turning it needs no new computation"));
+  message_->showNote(
+      tr("Light is computed again for a rotatable environment; after that, turning it needs no "
+         "new computation"));
 }
 
 void MainWindow::endGesture() {
@@ -326,8 +327,18 @@ void MainWindow::endGesture() {
   tellOfMoving();
 }
 
-void MainWindow::open(const app::WindowRequest& request) {
+bool MainWindow::attempt(const std::function<void()>& work) {
   try {
+    work();
+    return true;
+  } catch (const base::Error& error) {
+    message_->showError(QString::fromStdString(error.what()));
+    return false;
+  }
+}
+
+void MainWindow::open(const app::WindowRequest& request) {
+  attempt([&] {
     scene::Machine machine = machine_;
     for (const std::string& assignment : request.machine) scene::applyAssignment(machine, assignment);
     setMachine(machine);
@@ -339,16 +350,13 @@ void MainWindow::open(const app::WindowRequest& request) {
     if (!builtIn) scene.source.path = QFileInfo(path).absoluteFilePath().toStdString();
     const bool describesItself = !request.sessionFile.empty() || !scene.source.raw.empty() || builtIn ||
                                  !volume::needsRawDescription(scene.source.path);
-    if (describesItself) {
+    if (describesItself)
       openRequested(wanted, scene);
-    } else {
+    else
       chooseRaw(QString::fromStdString(scene.source.path));
-    }
     // Not before: what opening begins with takes the message away that it cannot be recorded.
     if (!request.recordFile.empty()) document_->startRecording(QString::fromStdString(request.recordFile));
-  } catch (const base::Error& error) {
-    message_->show(MessageBar::Kind::error, QString::fromStdString(error.what()));
-  }
+  });
 }
 
 void MainWindow::showScene(const scene::Scene& scene, const scene::Scene& resolved) {
@@ -413,55 +421,14 @@ void MainWindow::showState() {
   redo_->setText(history.canRedo() ? tr("&Redo %1").arg(QString::fromStdString(history.redoName()))
                                    : tr("&Redo"));
   const bool loaded = document_->volume() != nullptr;
-  for (QAction* action : {save_, saveAs_, picture_, trace_, reset_, fit_, projection_})
-    action->setEnabled(loaded);
-  for (QAction* action : views_) action->setEnabled(loaded);
-  for (QAction* action : markTools_->actions()) action->setEnabled(loaded);
-  importMarks_->setEnabled(loaded);
+  for (QAction* action : ofVolume_) action->setEnabled(loaded);
   exportMarks_->setEnabled(!document_->scene().marks.empty());
   presetsMenu_->setEnabled(loaded);
-  copyCommand_->setEnabled(loaded);
-  copyPicture_->setEnabled(loaded);
-  mesh_->setEnabled(loaded);
   showLevel();
   const bool recording = document_->recording();
   record_->setText(recording ? tr("Stop &recording") : tr("Start &recording…"));
   record_->setChecked(recording);
   recordingLabel_->setText(recording ? tr("● Recording") : "");
-}
-
-void MainWindow::showPointed(const std::optional<app::Pick>& pick) {
-  const VolumePointer& loaded = document_->volume();
-  pointedPiece_->point(loaded, document_->resolvedScene(), loaded ? pick : std::nullopt);
-  if (!pick || !loaded) {
-    pointedText_.clear();
-    pointedLabel_->clear();
-    return;
-  }
-  const volume::Volume& volume = loaded->volume;
-  // The way a radiologist says them: "L 12.3"; "X −12.3" where no side is known.
-  const auto place = [&](int axis) {
-    const double mm = pick->worldMm[axis];
-    const bool sides = volume.axes == scene::WorldAxes::anatomical;
-    const QString letter =
-        sides ? QString::fromStdString(axisEnd(volume.axes, axis, mm >= 0.0)) : QString(QChar("XYZ"[axis]));
-    return QString("%1 %2%3").arg(letter, !sides && mm < 0.0 ? "−" : "").arg(std::abs(mm), 0, 'f', 1);
-  };
-  const QString unit = QString::fromStdString(volume.unit);
-  pointedText_ = tr("%1   %2   %3 mm      voxel %4, %5, %6      value %7")
-                     .arg(place(0), place(1), place(2))
-                     .arg(pick->voxel.x, 0, 'f', 1)
-                     .arg(pick->voxel.y, 0, 'f', 1)
-                     .arg(pick->voxel.z, 0, 'f', 1)
-                     .arg(valueText(pick->value, unit)) +
-                 shapeText(pick->worldMm);
-  showPointedText();
-}
-
-void MainWindow::showPointedText() {
-  if (pointedText_.isEmpty()) return;
-  const QString piece = pointedPiece_->text();
-  pointedLabel_->setText(piece.isEmpty() ? pointedText_ : pointedText_ + "      " + piece);
 }
 
 void MainWindow::showPanel(const QString& name) {

@@ -130,6 +130,25 @@ class MainWindow : public QMainWindow {
  private:
   QAction* newAction(QMenu* menu, const QString& text, const QString& iconName, const QKeySequence& keys,
                      const QString& tip);
+  // `slot` of `receiver` is called by its clicks.
+  template <class Receiver, class Slot>
+  QAction* newAction(QMenu* menu, const QString& text, const QString& iconName, const QKeySequence& keys,
+                     const QString& tip, Receiver* receiver, Slot slot) {
+    QAction* const action = newAction(menu, text, iconName, keys, tip);
+    connect(action, &QAction::triggered, receiver, slot);
+    return action;
+  }
+  // Checked or not, which `slot` is told by whatever changes it.
+  template <class Receiver, class Slot>
+  QAction* newSwitch(QMenu* menu, const QString& text, const QString& tip, bool on, Receiver* receiver,
+                     Slot slot, const QKeySequence& keys = {}) {
+    QAction* const action = newAction(menu, text, "", keys, tip);
+    action->setCheckable(true);
+    action->setChecked(on);
+    connect(action, &QAction::toggled, receiver, slot);
+    return action;
+  }
+  QAction* needsVolume(QAction* action);  // enabled while there is one
   void makeFileMenu();
   void makeEditMenu();
   void makeViewMenu();
@@ -152,6 +171,7 @@ class MainWindow : public QMainWindow {
   void connectLooks();
   void tellAccuracy();                                     // its panel, and LevelMarks: what is on screen
   void preview(const std::optional<scene::Scene>& scene);  // none: the document's
+  bool attempt(const std::function<void()>& work);         // tells the error of what could not be done
   void applyEdit(const Edit& edit);
   void applyViewEdit(const Edit& edit);  // of the viewport
   void endGesture();
@@ -234,11 +254,11 @@ class MainWindow : public QMainWindow {
     Panel* panel;
   };
   std::vector<Docked> panels_;
-  QMenu *recentMenu_ = nullptr, *presetsMenu_ = nullptr, *viewMenu_ = nullptr;
-  QAction *open_, *openFolder_, *save_, *saveAs_, *picture_, *trace_, *record_;
-  QAction *undo_, *redo_, *reset_, *fit_, *projection_, *fullScreen_, *animate_, *play_, *copyCommand_,
-      *copyPicture_, *mesh_, *hidePatient_, *markLevel_, *drawLevelZero_, *link_ = nullptr;
-  QAction *exportMarks_, *importMarks_;
+  QMenu *presetsMenu_ = nullptr, *viewMenu_ = nullptr;
+  QAction *open_, *openFolder_, *save_, *picture_, *record_, *undo_, *redo_, *reset_, *fit_, *projection_,
+      *fullScreen_, *animate_, *play_, *hidePatient_, *markLevel_, *drawLevelZero_, *exportMarks_,
+      *link_ = nullptr;
+  std::vector<QAction*> ofVolume_;  // needsVolume()
   QActionGroup* markTools_;
   QMenu* measureMenu_ = nullptr;
   QComboBox* look_;

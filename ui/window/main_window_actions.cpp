@@ -5,7 +5,6 @@
 #include <QMessageBox>
 #include <QScreen>
 #include <QTextBrowser>
-#include <QVBoxLayout>
 
 #include "app/files/documentation.h"
 #include "app/version.h"
@@ -20,6 +19,7 @@
 #include "ui/levels/level_zero.h"
 #include "ui/panels/settings_panel.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/parts.h"
 #include "ui/window/guide_window.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
@@ -27,7 +27,7 @@
 namespace isolux::ui {
 
 void MainWindow::chooseLook(int row) {
-  Edit edit{document_->scene(), tr("Change look"), {}, false};
+  Edit edit{document_->scene(), tr("Change look")};
   edit.scene.look.mode = scene::looks()[static_cast<std::size_t>(row)].mode;
   document_->edit(edit);
 }
@@ -64,8 +64,7 @@ void MainWindow::showPreferences() {
 void MainWindow::showGuide() {
   if (!guide_) {
     const std::filesystem::path folder = app::documentationFolder();
-    if (folder.empty())
-      return message_->show(MessageBar::Kind::error, tr("The documentation is not installed"));
+    if (folder.empty()) return message_->showError(tr("The documentation is not installed"));
     guide_ = new GuideWindow(QString::fromStdString(folder.string()), this);
     guide_->setAttribute(Qt::WA_DeleteOnClose);
   }
@@ -89,9 +88,7 @@ void MainWindow::showHelp() {
   text->setHtml(translatedCells(texts::help, helpText()));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, box);
   connect(buttons, &QDialogButtonBox::rejected, box, &QDialog::close);
-  auto* layout = new QVBoxLayout(box);
-  layout->addWidget(text);
-  layout->addWidget(buttons);
+  layOut(box, columnOf({text, buttons}));
   constexpr QSize wanted(760, 940);  // scrolls where the screen has not as many pixels
   box->resize(wanted.boundedTo(screen()->availableSize() * 9 / 10));
   box->show();
@@ -165,7 +162,7 @@ void MainWindow::showAbout() {
          "directly from the voxels.</p><p><b>Not a medical device: not for diagnosis.</b></p>"
          "<p>Free software under the <a href=\"https://opensource.org/license/bsd-3-clause\">BSD 3-Clause "
          "licence</a>, without any warranty.</p><p>Graphics: %2</p><p>Qt %3</p>")
-          .arg(QString::fromStdString(std::string(app::version())), viewport_->description().toHtmlEscaped(),
+          .arg(QString::fromUtf8(app::version()), viewport_->description().toHtmlEscaped(),
                QString(qVersion())));
   box->setModal(false);
   box->show();

@@ -50,8 +50,7 @@ std::vector<MessageBar::Answer> showInFolder(const QString& file) {
 }
 }  // namespace
 
-// ---- Opening
-// ------------------------------------------------------------------------------------------------
+// Opening
 
 void MainWindow::openPath(const QString& path) {
   if (QFileInfo(path).isDir() && !volume::isZarrFolder(path.toStdString())) {
@@ -137,8 +136,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
       Qt::QueuedConnection);
 }
 
-// ---- Saving
-// -------------------------------------------------------------------------------------------------
+// Saving
 
 // Beside the volume, by the name of the session or of the volume.
 QString MainWindow::proposedFile(const QString& suffix) const {
@@ -213,8 +211,7 @@ void MainWindow::tellRecorded() {
   tellSaved(file, tr("render it with isolux replay %1 --out FOLDER").arg(name));
 }
 
-// ---- Closing
-// -------------------------------------------------------------------------------------------------
+// Closing
 
 bool MainWindow::mayDiscard() {
   const QString file = document_->sessionFile();
@@ -265,21 +262,17 @@ bool MainWindow::endSession(bool mayAsk) {
   return true;
 }
 
-// ---- What a killed window has left
-// -------------------------------------------------------------------------------------------------
+// What a killed window has left
 
 void MainWindow::keepDocument(const std::filesystem::path& folder) {
   keeper_ = new DocumentKeeper(document_, folder, this);
-  connect(keeper_, &DocumentKeeper::failed, this,
-          [this](const QString& text) { message_->show(MessageBar::Kind::error, text); });
-  connect(keeper_, &DocumentKeeper::noted, this,
-          [this](const QString& text) { message_->show(MessageBar::Kind::note, text); });
+  connect(keeper_, &DocumentKeeper::failed, message_, &MessageBar::showError);
+  connect(keeper_, &DocumentKeeper::noted, message_, &MessageBar::showNote);
   offerLost();
   if (keeper_->damaged().empty()) return;
-  message_->show(MessageBar::Kind::note,
-                 tr("An autosave could not be read. Its file is %1")
-                     .arg(QString::fromStdString(keeper_->damaged().front().string())),
-                 showInFolder(QString::fromStdString(keeper_->damaged().front().string())));
+  const QString file = QString::fromStdString(keeper_->damaged().front().string());
+  message_->show(MessageBar::Kind::note, tr("An autosave could not be read. Its file is %1").arg(file),
+                 showInFolder(file));
 }
 
 void MainWindow::offerLost() {

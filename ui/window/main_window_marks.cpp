@@ -4,7 +4,6 @@
 #include <QFileInfo>
 #include <QMenu>
 #include <QMenuBar>
-#include <QSettings>
 #include <QToolBar>
 #include <QToolButton>
 
@@ -14,14 +13,13 @@
 #include "app/marks/markups_file.h"
 #include "ui/document/mark_reports.h"
 #include "ui/document/privacy.h"
-#include "ui/language/number_text.h"
+#include "ui/document/recent_files.h"
 #include "ui/panels/marks_panel.h"
 #include "ui/theme/icons.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/save_dialog.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
-#include "volume/measure/point_probe.h"
 
 namespace isolux::ui {
 
@@ -59,25 +57,24 @@ void MainWindow::makeMeasureMenu() {
   markTools_ = new QActionGroup(this);
   markTools_->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
   for (const MarkTool& tool : markTools) {
-    QAction* action =
-        newAction(menu, QObject::tr(tool.text), "", QKeySequence(tool.keys), QObject::tr(tool.tip));
+    const auto choose = [this, kind = tool.kind](bool on) {
+      viewport_->setTool(on ? std::optional(kind) : std::nullopt);
+      if (on) viewport_->setFocus();
+    };
+    QAction* action = needsVolume(newAction(menu, QObject::tr(tool.text), "", QKeySequence(tool.keys),
+                                            QObject::tr(tool.tip), this, choose));
     action->setCheckable(true);
     action->setData(static_cast<int>(tool.kind));
     markTools_->addAction(action);
-    connect(action, &QAction::triggered, this, [this, kind = tool.kind](bool on) {
-      viewport_->setTool(on ? std::optional(kind) : std::nullopt);
-      if (on) viewport_->setFocus();
-    });
   }
   menu->addSeparator();
-  QAction* show = newAction(menu, tr("&List of measurements"), "", {}, tr("Show the Measure panel"));
-  connect(show, &QAction::triggered, this, [this] { showPanel("Marks"); });
+  newAction(menu, tr("&List of measurements"), "", {}, tr("Show the Measure panel"), this,
+            [this] { showPanel("Marks"); });
   exportMarks_ = newAction(menu, tr("E&xport measurements…"), "", {},
-                           tr("Save as a table (CSV) or for 3D Slicer (.mrk.json)"));
-  connect(exportMarks_, &QAction::triggered, this, &MainWindow::chooseMarksToExport);
-  importMarks_ =
-      newAction(menu, tr("&Import measurements…"), "", {}, tr("Open 3D Slicer markups (.mrk.json)"));
-  connect(importMarks_, &QAction::triggered, this, &MainWindow::chooseMarksToImport);
+                           tr("Save as a table (CSV) or for 3D Slicer (.mrk.json)"), this,
+                           &MainWindow::chooseMarksToExport);
+  needsVolume(newAction(menu, tr("&Import measurements…"), "", {}, tr("Open 3D Slicer markups (.mrk.json)"),
+                        this, &MainWindow::chooseMarksToImport));
 }
 
 void MainWindow::connectMarks() {
@@ -96,32 +93,8 @@ void MainWindow::connectMarks() {
   });
 }
 
-// Only where noise, scale and field are known: nothing is made for a pointer that passes by.
-QString MainWindow::shapeText(glm::dvec3 worldMm) const {
-  const VolumePointer& volume = document_->volume();
-  scene::Scene scene = document_->resolvedScene();
-  const scene::Derivatives& derivatives = scene.derivatives;
-  if (!scene.isosurface.value ||
-      !volume->derivativeChoices->find(
-          {*scene.isosurface.value, derivatives.field, document_->scene().derivatives.noise}) ||
-      !volume->derivativeChoices->completeIfChosen(scene))
-    return {};
-  const auto interpolating = scene::Field::cubic_interpolating;
-  const bool reads = scene.hit.field == interpolating || derivatives.field == interpolating;
-  const double scale = derivatives.scale.value_or(0.0);
-  if ((reads && !volume->cubicFields->find(interpolating)) ||
-      (scale > 0.0 && !volume->cubicFields->find(derivatives.field, scale)))
-    return {};
-  base::Progress progress;
-  const auto point = volume::PointProbe(volume, scene, progress).at(worldMm);
-  if (!point || point->curvature.normal == glm::dvec3(0.0)) return {};
-  return tr("      κ₁ %1, κ₂ %2 /mm (confidence %3)")
-      .arg(numberText(point->curvature.kappa1, 3), numberText(point->curvature.kappa2, 3),
-           numberText(point->confidence, 2));
-}
-
 bool MainWindow::exportMarks(const QString& file) {
-  try {
+  return attempt([&] {
     const std::filesystem::path path = file.toStdString();
     const bool table = QFileInfo(file).suffix().compare("csv", Qt::CaseInsensitive) == 0;
     if (!table && !file.endsWith(".json", Qt::CaseInsensitive))
@@ -134,15 +107,11 @@ bool MainWindow::exportMarks(const QString& file) {
         app::withoutPatient(named, hiddenInSaved(document_->volume())).marks;
     app::writeTextFile(path, table ? app::marksCsv(marks, marks_->reports()) : app::markupsText(marks));
     tellSaved(file, table && marks_->measuring() ? tr("some measurements were not finished") : "");
-    return true;
-  } catch (const base::Error& error) {
-    message_->show(MessageBar::Kind::error, QString::fromStdString(error.what()));
-    return false;
-  }
+  });
 }
 
 bool MainWindow::importMarks(const QString& file) {
-  try {
+  return attempt([&] {
     const app::ReadMarks read = app::readMarkups(file.toStdString());
     const auto count = read.marks.size();
     const QString name = QFileInfo(file).fileName();
@@ -150,17 +119,13 @@ bool MainWindow::importMarks(const QString& file) {
                               : tr("%1 measurements from %2").arg(count).arg(name);
     if (!read.notes.empty()) text += "; " + tr("skipped: %1").arg(QString::fromStdString(read.notes.front()));
     if (count > 0) {
-      Edit edit{document_->scene(), tr("Import measurements"), {}, false};
+      Edit edit{document_->scene(), tr("Import measurements")};
       edit.scene.marks.insert(edit.scene.marks.end(), read.marks.begin(), read.marks.end());
       document_->edit(edit);
       showPanel("Marks");
     }
-    message_->show(MessageBar::Kind::note, text);
-    return true;
-  } catch (const base::Error& error) {
-    message_->show(MessageBar::Kind::error, QString::fromStdString(error.what()));
-    return false;
-  }
+    message_->showNote(text);
+  });
 }
 
 void MainWindow::chooseMarksToExport() {
@@ -171,9 +136,9 @@ void MainWindow::chooseMarksToExport() {
 }
 
 void MainWindow::chooseMarksToImport() {
-  const QString path = QFileDialog::getOpenFileName(
-      this, tr("Import measurements"), QSettings().value("lastFolder").toString(),
-      tr("3D Slicer markups (*.mrk.json *.json);;All files (*)"));
+  const QString path =
+      QFileDialog::getOpenFileName(this, tr("Import measurements"), lastFolder(),
+                                   tr("3D Slicer markups (*.mrk.json *.json);;All files (*)"));
   if (!path.isEmpty()) importMarks(path);
 }
 

@@ -3,8 +3,6 @@
 
 #include <QApplication>
 #include <QComboBox>
-#include <QDockWidget>
-#include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
 #include <QShortcut>
@@ -15,15 +13,19 @@
 #include "scene/rules/quality.h"
 #include "scene/settings/settings.h"
 #include "ui/browser/recent_menu.h"
+#include "ui/cuts/cut_menu.h"
 #include "ui/document/privacy.h"
 #include "ui/language/number_text.h"
 #include "ui/language/translated.h"
 #include "ui/levels/level_marks.h"
 #include "ui/levels/level_zero.h"
+#include "ui/panels/marks_panel.h"
 #include "ui/theme/icons.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/fitting_tool_bar.h"
+#include "ui/widgets/parts.h"
 #include "ui/window/main_window.h"
+#include "ui/window/message_bar.h"
 #include "ui/window/window_layout.h"
 #include "volume/phantom/phantom.h"
 
@@ -40,152 +42,130 @@ QAction* MainWindow::newAction(QMenu* menu, const QString& text, const QString& 
   return action;
 }
 
+QAction* MainWindow::needsVolume(QAction* action) {
+  ofVolume_.push_back(action);
+  return action;
+}
+
 void MainWindow::makeFileMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&File"));
-  QAction* another = newAction(menu, tr("&New window"), "", QKeySequence::New,
-                               tr("Open another window, to compare volumes"));
-  connect(another, &QAction::triggered, this, &MainWindow::newWindow);
-  open_ = newAction(menu, tr("&Open…"), "open", QKeySequence::Open, tr("Open a volume, session or image"));
-  connect(open_, &QAction::triggered, this, &MainWindow::chooseFile);
-  openFolder_ = newAction(menu, tr("Open &folder (DICOM)…"), "folder", QKeySequence("Ctrl+Shift+O"),
-                          tr("Open a folder of DICOM files or numbered images"));
-  connect(openFolder_, &QAction::triggered, this, &MainWindow::chooseFolder);
-  QAction* browse = newAction(menu, tr("&DICOM browser…"), "", QKeySequence("Ctrl+Shift+D"),
-                              tr("Choose from the patients, studies and series of a folder or disc"));
-  connect(browse, &QAction::triggered, this, &MainWindow::browseFolders);
+  newAction(menu, tr("&New window"), "", QKeySequence::New, tr("Open another window, to compare volumes"),
+            this, &MainWindow::newWindow);
+  open_ = newAction(menu, tr("&Open…"), "open", QKeySequence::Open, tr("Open a volume, session or image"),
+                    this, &MainWindow::chooseFile);
+  openFolder_ =
+      newAction(menu, tr("Open &folder (DICOM)…"), "folder", QKeySequence("Ctrl+Shift+O"),
+                tr("Open a folder of DICOM files or numbered images"), this, &MainWindow::chooseFolder);
+  newAction(menu, tr("&DICOM browser…"), "", QKeySequence("Ctrl+Shift+D"),
+            tr("Choose from the patients, studies and series of a folder or disc"), this,
+            &MainWindow::browseFolders);
   auto* recent = new RecentMenu(tr("Open re&cent"), menu);
-  recentMenu_ = recent;
   menu->addMenu(recent);
   connect(recent, &RecentMenu::chosen, this, &MainWindow::openRecent);
   connect(recent, &QMenu::aboutToShow, this, &MainWindow::keepShownPicture);
   QMenu* phantoms = menu->addMenu(tr("Open built-in &phantom"));
   phantoms->setToolTipsVisible(true);
   for (const volume::PhantomInfo& phantom : volume::phantoms()) {
-    const QString name = QString::fromStdString(std::string(phantom.name));
-    QAction* action = phantoms->addAction(wordsOf(name));
+    const QString name = QString::fromUtf8(phantom.name);
+    QAction* action = phantoms->addAction(wordsOf(name), this, [this, name] { openPath("phantom:" + name); });
     action->setToolTip(translated(texts::phantoms, phantom.meaning));
-    connect(action, &QAction::triggered, this, [this, name] { openPath("phantom:" + name); });
   }
   menu->addSeparator();
-  save_ = newAction(menu, tr("&Save session"), "save", QKeySequence::Save, tr("Save the session"));
-  connect(save_, &QAction::triggered, this, &MainWindow::saveSession);
-  saveAs_ = newAction(menu, tr("Save session &as…"), "", QKeySequence("Ctrl+Shift+S"),
-                      tr("Save the session elsewhere"));
-  connect(saveAs_, &QAction::triggered, this, &MainWindow::saveSessionAs);
-  picture_ = newAction(menu, tr("Save &image…"), "picture", QKeySequence("Ctrl+E"), tr("Save the image"));
-  connect(picture_, &QAction::triggered, this, &MainWindow::choosePicture);
-  trace_ = newAction(menu, tr("Path-&trace image…"), "", {},
-                     tr("Path-trace this view as a reference image without baked light"));
-  connect(trace_, &QAction::triggered, this, &MainWindow::tracePicture);
-  mesh_ = newAction(menu, tr("Export &mesh…"), "", {},
-                    tr("Export the isosurface as triangles, for 3-D printing and simulation"));
-  connect(mesh_, &QAction::triggered, this, &MainWindow::chooseMesh);
+  save_ = needsVolume(newAction(menu, tr("&Save session"), "save", QKeySequence::Save, tr("Save the session"),
+                                this, &MainWindow::saveSession));
+  needsVolume(newAction(menu, tr("Save session &as…"), "", QKeySequence("Ctrl+Shift+S"),
+                        tr("Save the session elsewhere"), this, &MainWindow::saveSessionAs));
+  picture_ = needsVolume(newAction(menu, tr("Save &image…"), "picture", QKeySequence("Ctrl+E"),
+                                   tr("Save the image"), this, &MainWindow::choosePicture));
+  needsVolume(newAction(menu, tr("Path-&trace image…"), "", {},
+                        tr("Path-trace this view as a reference image without baked light"), this,
+                        &MainWindow::tracePicture));
+  needsVolume(newAction(menu, tr("Export &mesh…"), "", {},
+                        tr("Export the isosurface as triangles, for 3-D printing and simulation"), this,
+                        &MainWindow::chooseMesh));
   menu->addSeparator();
   record_ = newAction(menu, tr("Start &recording…"), "record", QKeySequence("Ctrl+R"),
-                      tr("Record every change for `isolux replay`"));
+                      tr("Record every change for `isolux replay`"), this, &MainWindow::toggleRecording);
   record_->setCheckable(true);
-  connect(record_, &QAction::triggered, this, &MainWindow::toggleRecording);
   menu->addSeparator();
-  QAction* quit = newAction(menu, tr("&Quit"), "", QKeySequence::Quit, tr("Quit Isolux"));
-  connect(quit, &QAction::triggered, qApp, &QApplication::closeAllWindows);
+  newAction(menu, tr("&Quit"), "", QKeySequence::Quit, tr("Quit Isolux"), qApp,
+            &QApplication::closeAllWindows);
 }
 
 void MainWindow::makeEditMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&Edit"));
-  undo_ = newAction(menu, tr("&Undo"), "undo", QKeySequence::Undo, tr("Undo"));
-  connect(undo_, &QAction::triggered, document_, &Document::undo);
-  redo_ = newAction(menu, tr("&Redo"), "redo", QKeySequence::Redo, tr("Redo"));
-  connect(redo_, &QAction::triggered, document_, &Document::redo);
+  undo_ = newAction(menu, tr("&Undo"), "undo", QKeySequence::Undo, tr("Undo"), document_, &Document::undo);
+  redo_ = newAction(menu, tr("&Redo"), "redo", QKeySequence::Redo, tr("Redo"), document_, &Document::redo);
   menu->addSeparator();
-  copyPicture_ = newAction(menu, tr("&Copy image"), "", QKeySequence::Copy,
-                           tr("Copy the image with the options of Save image"));
+  QAction* copy = needsVolume(newAction(menu, tr("&Copy image"), "", QKeySequence::Copy,
+                                        tr("Copy the image with the options of Save image"), this,
+                                        &MainWindow::copyPicture));
   // Only while the picture has the focus: elsewhere it copies text.
-  copyPicture_->setShortcutContext(Qt::WidgetShortcut);
-  viewport_->addAction(copyPicture_);
-  connect(copyPicture_, &QAction::triggered, this, &MainWindow::copyPicture);
-  copyCommand_ = newAction(menu, tr("Copy as command &line"), "", QKeySequence("Ctrl+Shift+C"),
-                           tr("Copy a shell command that renders this image"));
-  connect(copyCommand_, &QAction::triggered, this, &MainWindow::copyCommand);
+  copy->setShortcutContext(Qt::WidgetShortcut);
+  viewport_->addAction(copy);
+  needsVolume(newAction(menu, tr("Copy as command &line"), "", QKeySequence("Ctrl+Shift+C"),
+                        tr("Copy a shell command that renders this image"), this, &MainWindow::copyCommand));
   menu->addSeparator();
-  QAction* find =
-      newAction(menu, tr("&Find a setting"), "", QKeySequence::Find, tr("Find a setting by its name"));
-  connect(find, &QAction::triggered, this, &MainWindow::findSetting);
+  newAction(menu, tr("&Find a setting"), "", QKeySequence::Find, tr("Find a setting by its name"), this,
+            &MainWindow::findSetting);
   menu->addSeparator();
-  QAction* preferences = newAction(menu, tr("&Preferences…"), "", QKeySequence("Ctrl+,"),
-                                   tr("Set memory, threads and speed for this computer"));
-  connect(preferences, &QAction::triggered, this, &MainWindow::showPreferences);
+  newAction(menu, tr("&Preferences…"), "", QKeySequence("Ctrl+,"),
+            tr("Set memory, threads and speed for this computer"), this, &MainWindow::showPreferences);
 }
 
 void MainWindow::makeViewMenu() {
   QMenu* menu = viewMenu_ = menuBar()->addMenu(tr("&View"));
-  for (int i = 0; i < scene::standardViewCount; ++i) {
-    QAction* action = newAction(menu, "", "", QKeySequence(QString::number(i + 1)), "");
-    connect(action, &QAction::triggered, this,
-            [this, i] { viewport_->applyStandardView(static_cast<scene::StandardView>(i)); });
-    views_.push_back(action);
-  }
+  for (int i = 0; i < scene::standardViewCount; ++i)
+    views_.push_back(
+        needsVolume(newAction(menu, "", "", QKeySequence(QString::number(i + 1)), "", this, [this, i] {
+          viewport_->applyStandardView(static_cast<scene::StandardView>(i));
+        })));
   nameViews();
   menu->addSeparator();
-  reset_ = newAction(menu, tr("&Reset view"), "reset_view", QKeySequence("R"), tr("Reset the view"));
-  connect(reset_, &QAction::triggered, viewport_, &Viewport::resetView);
-  fit_ = newAction(menu, tr("Zoom to &fit"), "fit", QKeySequence("F"), tr("Fit the volume into the view"));
-  connect(fit_, &QAction::triggered, viewport_, &Viewport::fitView);
-  projection_ = newAction(menu, tr("&Orthographic"), "perspective", QKeySequence("O"),
-                          tr("Switch between perspective and orthographic projection"));
+  reset_ = needsVolume(newAction(menu, tr("&Reset view"), "reset_view", QKeySequence("R"),
+                                 tr("Reset the view"), viewport_, &Viewport::resetView));
+  fit_ = needsVolume(newAction(menu, tr("Zoom to &fit"), "fit", QKeySequence("F"),
+                               tr("Fit the volume into the view"), viewport_, &Viewport::fitView));
+  projection_ = needsVolume(newAction(menu, tr("&Orthographic"), "perspective", QKeySequence("O"),
+                                      tr("Switch between perspective and orthographic projection"), viewport_,
+                                      &Viewport::toggleProjection));
   projection_->setCheckable(true);
-  connect(projection_, &QAction::triggered, viewport_, &Viewport::toggleProjection);
   menu->addSeparator();
-  QAction* next = newAction(menu, tr("&Next look"), "", QKeySequence("L"), tr("Next look"));
-  connect(next, &QAction::triggered, this, [this] { stepLook(1); });
-  QAction* previous = newAction(menu, tr("Pre&vious look"), "", QKeySequence("Shift+L"), tr("Previous look"));
-  connect(previous, &QAction::triggered, this, [this] { stepLook(-1); });
+  newAction(menu, tr("&Next look"), "", QKeySequence("L"), tr("Next look"), this, [this] { stepLook(1); });
+  newAction(menu, tr("Pre&vious look"), "", QKeySequence("Shift+L"), tr("Previous look"), this,
+            [this] { stepLook(-1); });
   makeQualityMenu(menu->addMenu(tr("Image &quality")));
   animate_ = newAction(menu, tr("&Animate flow"), "animate", QKeySequence("Space"),
-                       tr("Start or stop the flow animation"));
+                       tr("Start or stop the flow animation"), document_, &Document::toggleFlow);
   animate_->setCheckable(true);
   // Only while the picture has the focus: elsewhere the space bar presses buttons.
   animate_->setShortcutContext(Qt::WidgetShortcut);
   viewport_->addAction(animate_);
-  connect(animate_, &QAction::triggered, document_, &Document::toggleFlow);
-  play_ =
-      newAction(menu, tr("&Play time steps"), "play", QKeySequence("T"), tr("Play or pause the time steps"));
+  play_ = newAction(menu, tr("&Play time steps"), "play", QKeySequence("T"),
+                    tr("Play or pause the time steps"), this, &MainWindow::togglePlay);
   play_->setCheckable(true);
   play_->setEnabled(false);
-  connect(play_, &QAction::triggered, this, &MainWindow::togglePlay);
-  markLevel_ = newAction(menu, tr("&Mark structure lost in the overview"), "", {},
-                         tr("Hatch where the coarser level shown may hide structure of the volume"));
-  markLevel_->setCheckable(true);
-  markLevel_->setChecked(levelMarks_->marking());
-  connect(markLevel_, &QAction::toggled, levelMarks_, &LevelMarks::setMarking);
-  drawLevelZero_ = newAction(menu, tr("&Draw full resolution when idle"), "", {},
+  markLevel_ = newSwitch(menu, tr("&Mark structure lost in the overview"),
+                         tr("Hatch where the coarser level shown may hide structure of the volume"),
+                         levelMarks_->marking(), levelMarks_, &LevelMarks::setMarking);
+  drawLevelZero_ = newSwitch(menu, tr("&Draw full resolution when idle"),
                              tr("After the final image of a coarser level, draw full resolution from the "
-                                "file; creates an index if there is none"));
-  drawLevelZero_->setCheckable(true);
-  drawLevelZero_->setChecked(levelZero_->wanted());
-  connect(drawLevelZero_, &QAction::toggled, levelZero_, &LevelZero::setWanted);
+                                "file; creates an index if there is none"),
+                             levelZero_->wanted(), levelZero_, &LevelZero::setWanted);
   menu->addSeparator();
   layout_->fillMenu(menu);
-  link_ = newAction(menu, tr("Lin&k views of windows"), "", {},
-                    tr("Link the views of all windows; untick it in a window to leave that window out"));
-  link_->setCheckable(true);
-  connect(link_, &QAction::toggled, this, &MainWindow::setLinked);
-  QAction* use = newAction(menu, tr("&Copy view to other windows"), "", {},
-                           tr("Show the volumes of all other windows from this view"));
-  connect(use, &QAction::triggered, this, &MainWindow::useViewElsewhere);
-  hidePatient_ =
-      newAction(menu, tr("&Hide patient data"), "", {}, tr("Show name, ID and birth date as “anonymous”"));
-  hidePatient_->setCheckable(true);
-  hidePatient_->setChecked(keptPrivacy().hideOnScreen);
-  connect(hidePatient_, &QAction::toggled, this, [this](bool hide) {
-    Privacy privacy = keptPrivacy();
-    privacy.hideOnScreen = hide;
-    keepPrivacy(privacy);
-    applyPrivacy();
-  });
-  fullScreen_ = newAction(menu, tr("Full &screen"), "", QKeySequence("F11"),
-                          tr("Switch to full screen; Esc leaves it"));
-  fullScreen_->setCheckable(true);
-  connect(fullScreen_, &QAction::toggled, this, &MainWindow::toggleFullScreen);
+  link_ = newSwitch(menu, tr("Lin&k views of windows"),
+                    tr("Link the views of all windows; untick it in a window to leave that window out"),
+                    false, this, &MainWindow::setLinked);
+  newAction(menu, tr("&Copy view to other windows"), "", {},
+            tr("Show the volumes of all other windows from this view"), this, &MainWindow::useViewElsewhere);
+  hidePatient_ = newSwitch(menu, tr("&Hide patient data"), tr("Show name, ID and birth date as “anonymous”"),
+                           keptPrivacy().hideOnScreen, this, [this](bool hide) {
+                             keepHiddenOnScreen(hide);
+                             applyPrivacy();
+                           });
+  fullScreen_ = newSwitch(menu, tr("Full &screen"), tr("Switch to full screen; Esc leaves it"), false, this,
+                          &MainWindow::toggleFullScreen, QKeySequence("F11"));
   leaveFullScreen_ = new QShortcut(QKeySequence(Qt::Key_Escape), this);
   leaveFullScreen_->setEnabled(false);
   connect(leaveFullScreen_, &QShortcut::activated, this, [this] { fullScreen_->setChecked(false); });
@@ -193,13 +173,11 @@ void MainWindow::makeViewMenu() {
 
 void MainWindow::makeQualityMenu(QMenu* menu) {
   for (const scene::Quality& quality : scene::qualities()) {
-    QAction* action = menu->addAction(translated(texts::qualities, quality.title));
+    QAction* action = menu->addAction(translated(texts::qualities, quality.title), this, [this, &quality] {
+      document_->edit({scene::withQuality(document_->scene(), quality), tr("Change image quality")});
+    });
     action->setStatusTip(translated(texts::qualities, quality.meaning));
     action->setCheckable(true);
-    connect(action, &QAction::triggered, this, [this, &quality] {
-      document_->edit(
-          {scene::withQuality(document_->scene(), quality), tr("Change image quality"), {}, false});
-    });
     connect(menu, &QMenu::aboutToShow, action, [this, action, &quality] {
       action->setChecked(scene::withQuality(document_->scene(), quality) == document_->scene());
     });
@@ -222,17 +200,27 @@ void MainWindow::nameViews() {
   }
 }
 
+void MainWindow::makeCutMenu() {
+  auto* const cuts = new CutMenu(menuBar()->addMenu(tr("&Cut")), this);
+  connect(document_, &Document::volumeChanged, cuts, &CutMenu::setVolume);
+  connect(document_, &Document::sceneChanged, cuts, &CutMenu::setScene);
+  connect(cuts, &CutMenu::edited, this, &MainWindow::applyEdit);
+  connect(cuts, &CutMenu::handlesShown, viewport_, &Viewport::setCutHandles);
+  connect(cuts, &CutMenu::failed, message_, &MessageBar::showError);
+  connect(viewport_, &Viewport::cutMenuAsked, cuts, &CutMenu::showMenuOf);
+  cuts->setChosenMark([this] { return panel<MarksPanel>()->current(); });
+  viewport_->setCutHandles(cuts->showsHandles());
+}
+
 void MainWindow::makeHelpMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&Help"));
-  QAction* explore = newAction(menu, tr("Guided &tour"), "", {}, tr("Take a two-minute tour of the window"));
-  connect(explore, &QAction::triggered, this, &MainWindow::startTour);
-  QAction* guide = newAction(menu, tr("&Guide"), "", {}, tr("The documentation that comes with the program"));
-  connect(guide, &QAction::triggered, this, &MainWindow::showGuide);
-  QAction* help =
-      newAction(menu, tr("&Mouse and keys"), "", QKeySequence::HelpContents, tr("Mouse and keys"));
-  connect(help, &QAction::triggered, this, &MainWindow::showHelp);
-  QAction* about = newAction(menu, tr("&About Isolux"), "", {}, tr("Version and graphics"));
-  connect(about, &QAction::triggered, this, &MainWindow::showAbout);
+  newAction(menu, tr("Guided &tour"), "", {}, tr("Take a two-minute tour of the window"), this,
+            &MainWindow::startTour);
+  newAction(menu, tr("&Guide"), "", {}, tr("The documentation that comes with the program"), this,
+            &MainWindow::showGuide);
+  newAction(menu, tr("&Mouse and keys"), "", QKeySequence::HelpContents, tr("Mouse and keys"), this,
+            &MainWindow::showHelp);
+  newAction(menu, tr("&About Isolux"), "", {}, tr("Version and graphics"), this, &MainWindow::showAbout);
 }
 
 void MainWindow::makeToolBar() {
@@ -243,16 +231,14 @@ void MainWindow::makeToolBar() {
   bar->setIconSize({20, 20});
   auto* measure = new QToolButton(bar);
   measure->setIcon(icon("measure"));
-  measure->setToolTip(tr("Pins and measurements: P, M, Shift+M"));
-  measure->setAccessibleName(tr("Measure"));
+  nameAndTip(measure, tr("Measure"), tr("Pins and measurements: P, M, Shift+M"));
   measure->setPopupMode(QToolButton::InstantPopup);
   measure->setMenu(measureMenu_);
   look_ = new QComboBox(bar);
-  look_->setToolTip(tr("Look: what the colours show (L, Shift+L: next, previous)"));
-  look_->setAccessibleName(tr("Look"));
+  nameAndTip(look_, tr("Look"), tr("Look: what the colours show (L, Shift+L: next, previous)"));
   look_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   for (const scene::LookInfo& look : scene::looks()) {
-    look_->addItem(wordsOf(QString::fromStdString(std::string(look.name))));
+    look_->addItem(wordsOf(QString::fromUtf8(look.name)));
     look_->setItemData(look_->count() - 1, translated(texts::looks, look.meaning), Qt::ToolTipRole);
   }
   look_->setMaxVisibleItems(look_->count());

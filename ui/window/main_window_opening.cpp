@@ -1,5 +1,7 @@
 // Opening of ui/window/main_window.h: folders and their DICOM series, the recent files and their pictures,
 // and whether the patient is named.
+#include <QDir>
+#include <QFileDialog>
 #include <QFileInfo>
 #include <QSignalBlocker>
 #include <QTimer>
@@ -9,6 +11,7 @@
 #include "ui/browser/recent_menu.h"
 #include "ui/browser/series_index.h"
 #include "ui/document/privacy.h"
+#include "ui/document/recent_files.h"
 #include "ui/panels/volume_panel.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/load_card.h"
@@ -77,8 +80,7 @@ void MainWindow::browseFolders() {
   folders_->browse();
 }
 
-// ---- Recent files
-// -------------------------------------------------------------------------------------------------
+// Recent files
 
 void MainWindow::openRecent(const RecentFile& file) {
   if (!file.path.startsWith("phantom:") && !QFileInfo::exists(file.path) &&
@@ -118,8 +120,7 @@ void MainWindow::showRecentPictures() {
     recentPictures_->fill();
 }
 
-// ---- The patient
-// -------------------------------------------------------------------------------------------------
+// The patient
 
 void MainWindow::applyPrivacy() {
   const QSignalBlocker block(hidePatient_);
@@ -127,6 +128,38 @@ void MainWindow::applyPrivacy() {
   if (document_->volume()) panel<VolumePanel>()->setVolume(document_->volume());
   showRecentPictures();
   showState();
+}
+
+// A session or picture whose volume is not where it says
+
+// One of the same name that was opened lately may be another patient's: it is proposed, not taken.
+void MainWindow::askForVolume(const scene::Scene& scene, const QString& sessionFile) {
+  const QString name = QFileInfo(QString::fromStdString(scene.source.path)).fileName();
+  const QString of = QFileInfo(sessionFile).fileName();
+  const auto take = [this, scene, sessionFile](const QString& file) {
+    scene::Scene found = scene;
+    found.source.path = QFileInfo(file).absoluteFilePath().toStdString();
+    document_->openScene(found, sessionFile);
+  };
+  std::vector<MessageBar::Answer> answers;
+  for (const QString& recent : recentFiles()) {
+    if (QFileInfo(recent).fileName() != name || !QFileInfo::exists(recent)) continue;
+    answers.push_back(
+        {tr("Use the one in %1").arg(QFileInfo(recent).dir().dirName()), [take, recent] { take(recent); }});
+    break;
+  }
+  answers.push_back({tr("Find it…"), [this, take, name, sessionFile] {
+                       const QString file = QFileDialog::getOpenFileName(
+                           this, tr("Where is %1?").arg(name), QFileInfo(sessionFile).absolutePath());
+                       if (file.isEmpty()) return;
+                       rememberFolder(file);
+                       take(file);
+                     }});
+  message_->show(
+      MessageBar::Kind::question,
+      tr("%1 shows %2, which is neither in its previous folder nor next to the session. Where is it now?")
+          .arg(of, name),
+      std::move(answers));
 }
 
 }  // namespace isolux::ui

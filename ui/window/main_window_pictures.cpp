@@ -85,12 +85,8 @@ QImage MainWindow::previewOf(const PictureChoices& chosen) const {
 void MainWindow::takeChoices(const PictureChoices& chosen) {
   keepPictureWish(chosen.wish);
   keepWords(chosen.picture);
-  Edit edit{document_->scene(), tr("Change image annotations"), {}, false};
-  edit.scene.picture.letters = chosen.picture.letters;
-  edit.scene.picture.scaleBar = chosen.picture.scaleBar;
-  edit.scene.picture.isovalue = chosen.picture.isovalue;
-  edit.scene.picture.caveats = chosen.picture.caveats;
-  edit.scene.picture.transparent = chosen.picture.transparent;
+  Edit edit{document_->scene(), tr("Change image annotations")};
+  edit.scene.picture = withWordsOf(chosen.picture, edit.scene.picture);
   edit.scene.look.legend = chosen.legend;
   if (!(edit.scene == document_->scene())) document_->edit(edit);
 }
@@ -168,9 +164,9 @@ bool MainWindow::savePicture(const QString& file, bool withSession) {
     return true;
   } catch (const base::Error& error) {
     if (error.kind() == base::ErrorKind::interrupted)
-      message_->show(MessageBar::Kind::note, tr("The image was not saved (cancelled)"));
+      message_->showNote(tr("The image was not saved (cancelled)"));
     else
-      message_->show(MessageBar::Kind::error, QString::fromStdString(error.what()));
+      message_->showError(QString::fromStdString(error.what()));
     return false;
   }
 }
@@ -183,11 +179,11 @@ bool MainWindow::copyPicture() {
     QGuiApplication::clipboard()->setImage(imageOf(picture.color));
     const QString size =
         tr("Copied the image: %1 × %2 pixels").arg(picture.color.size.x).arg(picture.color.size.y);
-    message_->show(MessageBar::Kind::note, light.isEmpty() ? size : tr("%1, %2").arg(size, light));
+    message_->showNote(light.isEmpty() ? size : tr("%1, %2").arg(size, light));
     return true;
   } catch (const base::Error& error) {
     if (error.kind() != base::ErrorKind::interrupted)
-      message_->show(MessageBar::Kind::error, QString::fromStdString(error.what()));
+      message_->showError(QString::fromStdString(error.what()));
     return false;
   }
 }
@@ -202,18 +198,13 @@ void MainWindow::chooseMesh() {
                                 {tr("STL, for printing (*.stl)"), tr("PLY, with normals (*.ply)"),
                                  tr("Wavefront OBJ (*.obj)"), tr("VTK, with curvature (*.vtp)")}});
     if (answer.file.isEmpty()) return QString();
-    try {
-      document_->checkOutput(answer.file);
-    } catch (const base::Error& error) {
-      message_->show(MessageBar::Kind::error, QString::fromStdString(error.what()));
-      return QString();
-    }
+    if (!attempt([&] { document_->checkOutput(answer.file); })) return QString();
     rememberFolder(answer.file);
     return answer.file;
   });
   connect(dialog, &MeshDialog::exported, this, &MainWindow::tellSaved);
   connect(dialog, &MeshDialog::placeAsked, this, [this](const glm::dvec3& worldMm) {
-    Edit edit{document_->scene(), tr("Centre on mesh position"), {}, false};
+    Edit edit{document_->scene(), tr("Centre on mesh position")};
     edit.scene.camera = app::centredOn(document_->resolvedScene().camera, worldMm);
     applyEdit(edit);
   });
@@ -231,7 +222,7 @@ QString MainWindow::commandText() const {
 
 void MainWindow::copyCommand() {
   QGuiApplication::clipboard()->setText(commandText());
-  message_->show(MessageBar::Kind::note, tr("Copied a command that renders this image"));
+  message_->showNote(tr("Copied a command that renders this image"));
 }
 
 }  // namespace isolux::ui

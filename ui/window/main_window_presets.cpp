@@ -43,15 +43,14 @@ void MainWindow::showPresets() {
   const auto add = [&](const app::Preset& preset) {
     if (!app::whyNot(preset, *volume).empty()) return;
     QString title = translated(texts::presets, preset.title);
-    QAction* const action = presetsMenu_->addAction(title.replace('&', "&&"));
+    QAction* const action =
+        presetsMenu_->addAction(title.replace('&', "&&"), this, [this, preset] { applyPreset(preset); });
     action->setToolTip(translated(texts::presets, preset.meaning));
-    connect(action, &QAction::triggered, this, [this, preset] { applyPreset(preset); });
   };
   QAction* const kind = presetsMenu_->addAction(
-      tr("&Data: %1…")
-          .arg(wordsOf(QString::fromStdString(std::string(scene::choiceName(volume->kind.kind))))));
+      tr("&Data: %1…").arg(wordsOf(QString::fromUtf8(scene::choiceName(volume->kind.kind)))), this,
+      [this] { showPanel("Volume"); });
   kind->setToolTip(tr("Lists the presets for this kind of data; choose another kind in the Volume panel"));
-  connect(kind, &QAction::triggered, this, [this] { showPanel("Volume"); });
   presetsMenu_->addSeparator();
   for (const app::Preset& preset : app::builtInPresets()) add(preset);
   presetsMenu_->addSeparator();
@@ -59,24 +58,19 @@ void MainWindow::showPresets() {
   const std::vector<app::Preset> own = app::ownPresets(warnings);
   for (const app::Preset& preset : own) add(preset);
   if (!own.empty()) presetsMenu_->addSeparator();
-  connect(presetsMenu_->addAction(tr("&Save as preset…")), &QAction::triggered, this,
-          &MainWindow::savePreset);
-  connect(presetsMenu_->addAction(tr("&Reset all settings")), &QAction::triggered, document_,
-          &Document::resetSettings);
-  if (!warnings.empty()) message_->show(MessageBar::Kind::note, QString::fromStdString(warnings.front()));
+  presetsMenu_->addAction(tr("&Save as preset…"), this, &MainWindow::savePreset);
+  presetsMenu_->addAction(tr("&Reset all settings"), document_, &Document::resetSettings);
+  if (!warnings.empty()) message_->showNote(QString::fromStdString(warnings.front()));
 }
 
 void MainWindow::applyPreset(const app::Preset& preset) {
   const VolumePointer volume = document_->volume();
   if (!volume) return;
   if (const std::string reason = app::whyNot(preset, *volume); !reason.empty())
-    return message_->show(MessageBar::Kind::error,
-                          tr("Does not apply: %1").arg(translated(texts::presets, reason)));
+    return message_->showError(tr("Does not apply: %1").arg(translated(texts::presets, reason)));
   document_->endGesture();
   document_->edit({app::withPreset(document_->scene(), preset, *volume),
-                   tr("Preset %1").arg(translated(texts::presets, preset.title)),
-                   {},
-                   false});
+                   tr("Preset %1").arg(translated(texts::presets, preset.title))});
   if (scene::usesGi(document_->scene())) light_->askFirst();
 }
 
@@ -88,15 +82,13 @@ void MainWindow::savePreset() {
 }
 
 void MainWindow::keepPresetAs(const QString& title) {
-  try {
+  attempt([&] {
     const std::string text = title.toStdString(), name = app::presetNameOf(text);
     if (!mayReplacePreset(name, title, this)) return;
     const std::filesystem::path file = app::savePreset(
         app::presetOf(document_->scene(), name, text, document_->volume().get()), /*overwrite=*/true);
     tellSaved(QString::fromStdString(file.string()), {});
-  } catch (const base::Error& error) {
-    message_->show(MessageBar::Kind::error, QString::fromStdString(error.what()));
-  }
+  });
 }
 
 }  // namespace isolux::ui

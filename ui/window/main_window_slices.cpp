@@ -3,9 +3,7 @@
 #include "app/cuts/cut_edits.h"
 #include "app/slices/slice_choice.h"
 #include "app/slices/slice_content.h"
-#include "ui/panels/isovalue_panel.h"
 #include "ui/panels/marks_panel.h"
-#include "ui/panels/panel.h"
 #include "ui/slices/slice_board.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
@@ -16,15 +14,8 @@ namespace isolux::ui {
 void MainWindow::connectSlices() {
   connect(slices_, &SliceBoard::edited, this, &MainWindow::applyEdit);
   connect(slices_, &SliceBoard::gestureEnded, this, &MainWindow::endGesture);
-  connect(slices_, &SliceBoard::failed, this,
-          [this](const QString& text) { message_->show(MessageBar::Kind::error, text); });
+  connect(slices_, &SliceBoard::failed, message_, &MessageBar::showError);
   connect(slices_, &SliceBoard::planesChanged, this, &MainWindow::showSlicesInPicture);
-  connect(isovalue_, &IsovaluePanel::dragStarted, slices_, [this] { slices_->setInteracting(true); });
-  connect(isovalue_, &IsovaluePanel::dragEnded, slices_, [this] { slices_->setInteracting(false); });
-  for (const Docked& docked : panels_) {
-    connect(docked.panel, &Panel::dragStarted, slices_, [this] { slices_->setInteracting(true); });
-    connect(docked.panel, &Panel::dragEnded, slices_, [this] { slices_->setInteracting(false); });
-  }
   connect(viewport_, &Viewport::clicked, this,
           [this](const app::Pick& pick) { moveCrosshair(pick.worldMm); });
   connect(panel<MarksPanel>(), &MarksPanel::chosen, this, &MainWindow::moveCrosshair);
@@ -35,7 +26,7 @@ void MainWindow::moveCrosshair(glm::dvec3 worldMm) {
   const VolumePointer& volume = document_->volume();
   if (!volume || !slices_->slicesShown()) return;
   if (app::slicePosition(document_->scene(), volume->grid().geometry()) == worldMm) return;
-  Edit edit{document_->scene(), tr("Move crosshair"), {}, false};
+  Edit edit{document_->scene(), tr("Move crosshair")};
   edit.scene.slice.position = worldMm;
   applyEdit(edit);
 }

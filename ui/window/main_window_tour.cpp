@@ -82,44 +82,42 @@ void MainWindow::startTour() {
   const auto before = std::make_shared<scene::Scene>();
   const auto remember = [this, before] { *before = document_->resolvedScene(); };
   const auto now = [this] { return document_->resolvedScene(); };
-  std::vector<TourStep> steps;
-  steps.push_back({tr("Choose the surface"),
-                   tr("Drag the bright line in the histogram. The surface consists of all points with this "
-                      "value: in a CT, low values show skin, high ones bone."),
-                   [this] { return placeIn(this, isovalue_); },
-                   [now, before] { return now().isosurface.value != before->isosurface.value; }, remember});
-  steps.push_back({tr("Rotate the view"),
-                   tr("Drag with the left button to rotate, with the middle one to pan; the wheel zooms. "
-                      "Keys 1 to 6 show the six sides; R resets the view."),
-                   [this] { return placeIn(this, viewport_); },
-                   [now, before] { return now().camera != before->camera; }, remember});
-  steps.push_back({tr("Choose a look"),
-                   tr("This list sets what the colours show: the shaded surface, curvature, depth or global "
-                      "illumination. L selects the next look."),
-                   [this] { return placeIn(this, look_); },
-                   [now, before] { return now().look.mode != before->look.mode; }, remember});
-  steps.push_back({tr("Look inside"),
-                   tr("Press F4, or choose View > Layout. The outline in each slice is the surface. Click in "
-                      "a slice to move the crosshair."),
-                   [this] {
-                     return slices_->slicesShown() ? placeIn(this, slices_)
-                                                   : placeOfMenu(viewMenu_->menuAction());
-                   },
-                   [this] { return slices_->slicesShown(); },
-                   {}});
   const auto asked = std::make_shared<bool>(false);
-  steps.push_back({tr("Save the result"),
-                   tr("Save the image with this button, or Ctrl+E. It can show orientation labels, a scale "
-                      "bar and the isovalue, and opens again as a session. (You may also cancel.)"),
-                   [this] { return placeOfTool(picture_); }, [asked] { return *asked; },
-                   [asked] { *asked = false; }});
-  steps.push_back({tr("End of the tour"),
-                   tr("Presets set suitable isovalues for CT and MR. Ctrl+F finds every setting. F1 lists "
-                      "mouse and keys. You can undo every change."),
-                   {},
-                   {},
-                   {}});
-  tour_ = new Tour(this, std::move(steps));
+  const std::vector<TourStep> steps = {
+      {tr("Choose the surface"),
+       tr("Drag the bright line in the histogram. The surface consists of all points with this "
+          "value: in a CT, low values show skin, high ones bone."),
+       [this] { return placeIn(this, isovalue_); },
+       [now, before] { return now().isosurface.value != before->isosurface.value; }, remember},
+      {tr("Rotate the view"),
+       tr("Drag with the left button to rotate, with the middle one to pan; the wheel zooms. "
+          "Keys 1 to 6 show the six sides; R resets the view."),
+       [this] { return placeIn(this, viewport_); }, [now, before] { return now().camera != before->camera; },
+       remember},
+      {tr("Choose a look"),
+       tr("This list sets what the colours show: the shaded surface, curvature, depth or global "
+          "illumination. L selects the next look."),
+       [this] { return placeIn(this, look_); },
+       [now, before] { return now().look.mode != before->look.mode; }, remember},
+      {tr("Look inside"),
+       tr("Press F4, or choose View > Layout. The outline in each slice is the surface. Click in "
+          "a slice to move the crosshair."),
+       [this] {
+         return slices_->slicesShown() ? placeIn(this, slices_) : placeOfMenu(viewMenu_->menuAction());
+       },
+       [this] { return slices_->slicesShown(); },
+       {}},
+      {tr("Save the result"),
+       tr("Save the image with this button, or Ctrl+E. It can show orientation labels, a scale "
+          "bar and the isovalue, and opens again as a session. (You may also cancel.)"),
+       [this] { return placeOfTool(picture_); }, [asked] { return *asked; }, [asked] { *asked = false; }},
+      {tr("End of the tour"),
+       tr("Presets set suitable isovalues for CT and MR. Ctrl+F finds every setting. F1 lists "
+          "mouse and keys. You can undo every change."),
+       {},
+       {},
+       {}}};
+  tour_ = new Tour(this, steps);
   connect(picture_, &QAction::triggered, tour_, [asked] { *asked = true; });
 }
 

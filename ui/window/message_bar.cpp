@@ -11,6 +11,7 @@
 
 #include "ui/theme/icons.h"
 #include "ui/theme/style.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/wrapped_text.h"
 
 namespace isolux::ui {
@@ -26,8 +27,7 @@ MessageBar::MessageBar(QWidget* parent)
   auto* close = new QToolButton(this);
   close->setIcon(icon("close"));
   close->setAutoRaise(true);
-  close->setToolTip(tr("Close this message"));
-  close->setAccessibleName(tr("Close this message"));
+  nameAndTip(close, tr("Close this message"));
   layout_->setContentsMargins(12, 7, 8, 7);
   layout_->setSpacing(10);
   layout_->addWidget(symbol_);

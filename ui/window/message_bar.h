@@ -32,6 +32,8 @@ class MessageBar : public QFrame {
   // warning (data that are missing or invented) and a question wait until they are answered or closed: what
   // comes meanwhile covers them while it lasts.
   void show(Kind kind, const QString& text, std::vector<Answer> answers = {});
+  void showNote(const QString& text) { show(Kind::note, text); }
+  void showError(const QString& text) { show(Kind::error, text); }
   // What each text becomes before it is shown.
   void setFilter(std::function<QString(const QString&)> filter) { filter_ = std::move(filter); }
   void clear();              // what is shown; what waits is shown again, a question before a warning

@@ -136,9 +136,7 @@ void WindowLayout::fillMenu(QMenu* menu) {
   layouts->setToolTipsVisible(true);
   layouts->addActions(layouts_->actions());
   layouts->addSeparator();
-  QAction* const next = layouts->addAction(tr("&Next layout"));
-  next->setShortcut(QKeySequence("F4"));
-  connect(next, &QAction::triggered, this, &WindowLayout::stepLayout);
+  layouts->addAction(tr("&Next layout"), QKeySequence("F4"), this, &WindowLayout::stepLayout);
 
   QMenu* const shown = menu->addMenu(tr("&Panels"));
   for (QDockWidget* dock : docks_) shown->addAction(dock->toggleViewAction());
@@ -153,9 +151,7 @@ void WindowLayout::fillMenu(QMenu* menu) {
   connect(floats, &QAction::triggered, this, &WindowLayout::floatFront);
 
   QMenu* const go = menu->addMenu(tr("&Go to"));
-  QAction* const picture = go->addAction(tr("3-D &view"));
-  picture->setShortcut(QKeySequence("Ctrl+0"));
-  connect(picture, &QAction::triggered, this, [this] {
+  go->addAction(tr("3-D &view"), QKeySequence("Ctrl+0"), this, [this] {
     if (picture_->isVisible())
       picture_->setFocus(Qt::ShortcutFocusReason);
     else
@@ -163,17 +159,14 @@ void WindowLayout::fillMenu(QMenu* menu) {
   });
   constexpr std::size_t mostKeys = 9;
   for (std::size_t i = 0; i < docks_.size(); ++i) {
-    QAction* const action = go->addAction(docks_[i]->windowTitle());
+    QAction* const action =
+        go->addAction(docks_[i]->windowTitle(), this, [this, dock = docks_[i]] { goTo(dock); });
     if (i < mostKeys) action->setShortcut(QKeySequence(QString("Ctrl+%1").arg(i + 1)));
-    connect(action, &QAction::triggered, this, [this, dock = docks_[i]] { goTo(dock); });
   }
   go->addSeparator();
   for (const auto& [text, keys, step] : {std::tuple{tr("&Next part of the window"), "F6", 1},
-                                         std::tuple{tr("P&revious part of the window"), "Shift+F6", -1}}) {
-    QAction* const action = go->addAction(text);
-    action->setShortcut(QKeySequence(keys));
-    connect(action, &QAction::triggered, this, [this, by = step] { goOn(by); });
-  }
+                                         std::tuple{tr("P&revious part of the window"), "Shift+F6", -1}})
+    go->addAction(text, QKeySequence(keys), this, [this, by = step] { goOn(by); });
 }
 
 void WindowLayout::stepLayout() {
