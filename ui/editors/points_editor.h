@@ -31,10 +31,10 @@ struct MapPoint {
 class PointsView : public QWidget {
   Q_OBJECT
  public:
-  // A point of a map over one quantity or two, moved by a step of a key.
+  // One of the quantities, one or two, over which the map gives a colour.
   struct Axis {
     QString name, title, tip;  // an empty name is not shown
-    double minimum, step;      // the maximum is 1
+    double minimum, step;      // keys move a point by a step; the maximum is 1
   };
   PointsView(std::vector<Axis> axes, std::size_t fewest, QWidget* parent);
 

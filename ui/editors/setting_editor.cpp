@@ -5,6 +5,7 @@
 #include <QSlider>
 #include <QToolButton>
 #include <QToolTip>
+#include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "scene/color_maps.h"
@@ -39,6 +40,8 @@ QString describe(const scene::Setting& setting) {
 SettingEditor::SettingEditor(const scene::Setting& setting, QWidget* parent)
     : QWidget(parent),
       setting_(setting),
+      shown_(std::make_unique<nlohmann::json>()),
+      found_(std::make_unique<nlohmann::json>()),
       value_(makeValueWidget(setting, this)),
       reset_(new QToolButton(this)) {
   auto* layout = lineOf({{value_, 1}}, 4);
@@ -82,6 +85,8 @@ SettingEditor::SettingEditor(const scene::Setting& setting, QWidget* parent)
   connect(reset_, &QToolButton::clicked, this, &SettingEditor::resetToDefault);
 }
 
+SettingEditor::~SettingEditor() = default;
+
 void SettingEditor::setScene(const scene::Scene& scene, const scene::Scene& resolved) {
   scene_ = scene;
   resolved_ = resolved;
@@ -96,14 +101,14 @@ void SettingEditor::setScene(const scene::Scene& scene, const scene::Scene& reso
   // Some automatic values are found while the picture is drawn: there is no number to show.
   const bool unknown = automatic && seen == "auto";
   value_->setVisible(!unknown);
-  if (seen == shown_ || unknown) return;
-  shown_ = seen;
+  if (seen == *shown_ || unknown) return;
+  *shown_ = seen;
   value_->showValue(seen);
 }
 
 void SettingEditor::setFound(const nlohmann::json& value) {
-  if (value == found_) return;
-  found_ = value;
+  if (value == *found_) return;
+  *found_ = value;
   setScene(scene_, resolved_);
 }
 
@@ -116,7 +121,7 @@ nlohmann::json SettingEditor::seenValue() const {
     automatic.look.accessibilityPoints = scene::automaticAccessibilityPoints();
     return setting_.get(automatic);
   }
-  return resolved == "auto" && !found_.is_null() ? found_ : resolved;
+  return resolved == "auto" && !found_->is_null() ? *found_ : resolved;
 }
 
 void SettingEditor::explain() {
@@ -145,7 +150,7 @@ void SettingEditor::send(const nlohmann::json& value, bool endsAfterPause) {
   const bool gesture = dragging_ || endsAfterPause;
   Edit edit{scene_, tr("Change %1").arg(nameOf(setting_)),
             gesture ? QString::fromStdString(setting_.path) : QString(), endsAfterPause};
-  shown_ = nullptr;  // whatever comes back is shown
+  *shown_ = nullptr;  // whatever comes back is shown
   try {
     setting_.set(edit.scene, value);
   } catch (const base::Error& error) {

@@ -4,7 +4,6 @@
 #include <memory>
 
 #include <QWidget>
-#include <nlohmann/json.hpp>
 
 #include "scene/settings/settings.h"
 #include "ui/document/edit.h"
@@ -20,6 +19,7 @@ class SettingEditor : public QWidget {
   Q_OBJECT
  public:
   SettingEditor(const scene::Setting& setting, QWidget* parent);
+  ~SettingEditor() override;
 
   const scene::Setting& setting() const { return setting_; }
   ValueWidget* valueWidget() const { return value_; }
@@ -45,8 +45,7 @@ class SettingEditor : public QWidget {
 
   const scene::Setting& setting_;
   scene::Scene scene_, resolved_;
-  nlohmann::json shown_;
-  nlohmann::json found_;
+  const std::unique_ptr<nlohmann::json> shown_, found_;
   QString description_, whyInactive_;
   bool dragging_ = false;
   ValueWidget* value_;
