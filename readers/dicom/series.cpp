@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/words.h"
 #include "volume/read/input/length_doubt.h"
+#include "volume/read/input/text.h"
 
 namespace isolux::readers {
 

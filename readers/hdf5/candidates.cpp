@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/words.h"
 #include "readers/hdf5/hdf5_handles.h"
+#include "volume/read/input/text.h"
 
 namespace isolux::readers {
 
@@ -26,19 +27,8 @@ std::optional<FileNumber> numberOf(hid_t type) {
   const std::size_t bytes = ::H5Tget_size(type);
   const bool big = ::H5Tget_order(type) == H5T_ORDER_BE;
   if (kind == H5T_INTEGER && ::H5Tget_precision(type) == 8 * bytes) {
-    const bool isSigned = ::H5Tget_sign(type) == H5T_SGN_2;
-    switch (bytes) {
-      case 1:
-        return FileNumber{isSigned ? VoxelType::int8 : VoxelType::uint8, false, false};
-      case 2:
-        return FileNumber{isSigned ? VoxelType::int16 : VoxelType::uint16, false, big};
-      case 4:
-        return FileNumber{isSigned ? VoxelType::int32 : VoxelType::uint32, false, big};
-      case 8:
-        return FileNumber{isSigned ? VoxelType::int64 : VoxelType::uint64, false, big};
-      default:
-        return std::nullopt;
-    }
+    const auto integer = integerType(bytes, ::H5Tget_sign(type) == H5T_SGN_2);
+    return integer ? std::optional(FileNumber{*integer, false, big && bytes > 1}) : std::nullopt;
   }
   const auto same = [&](hid_t known) { return ::H5Tequal(type, known) > 0; };
   if (same(H5T_IEEE_F32LE) || same(H5T_IEEE_F32BE)) return FileNumber{VoxelType::float32, false, big};

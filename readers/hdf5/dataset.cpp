@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
+#include <cstddef>
 #include <cstring>
 #include <memory>
 #include <utility>
@@ -23,29 +23,10 @@ using base::throwInput;
 namespace {
 
 hid_t memoryType(VoxelType type) {
-  switch (type) {
-    case VoxelType::int8:
-      return H5T_NATIVE_INT8;
-    case VoxelType::uint8:
-      return H5T_NATIVE_UINT8;
-    case VoxelType::int16:
-      return H5T_NATIVE_INT16;
-    case VoxelType::uint16:
-      return H5T_NATIVE_UINT16;
-    case VoxelType::int32:
-      return H5T_NATIVE_INT32;
-    case VoxelType::uint32:
-      return H5T_NATIVE_UINT32;
-    case VoxelType::int64:
-      return H5T_NATIVE_INT64;
-    case VoxelType::uint64:
-      return H5T_NATIVE_UINT64;
-    case VoxelType::float32:
-      return H5T_NATIVE_FLOAT;
-    case VoxelType::float64:
-      break;
-  }
-  return H5T_NATIVE_DOUBLE;
+  const hid_t types[] = {H5T_NATIVE_INT8,  H5T_NATIVE_UINT8,  H5T_NATIVE_INT16, H5T_NATIVE_UINT16,
+                         H5T_NATIVE_INT32, H5T_NATIVE_UINT32, H5T_NATIVE_INT64, H5T_NATIVE_UINT64,
+                         H5T_NATIVE_FLOAT, H5T_NATIVE_DOUBLE};
+  return types[static_cast<int>(type)];
 }
 
 std::vector<Hdf5Filter> filtersOf(hid_t properties, const std::string& file, const std::string& place) {
@@ -97,19 +78,12 @@ void readStorage(hid_t properties, const std::string& file, Hdf5Layout& layout) 
 class UntouchedMemory {
  public:
   void* of(std::size_t bytes) {
-    if (bytes > size_) {
-      memory_.reset(std::malloc(bytes));
-      if (!memory_) throw std::bad_alloc();
-      size_ = bytes;
-    }
+    if (bytes > size_) memory_ = std::make_unique_for_overwrite<std::byte[]>(size_ = bytes);
     return memory_.get();
   }
 
  private:
-  struct Free {
-    void operator()(void* memory) const { std::free(memory); }
-  };
-  std::unique_ptr<void, Free> memory_;
+  std::unique_ptr<std::byte[]> memory_;
   std::size_t size_ = 0;
 };
 

@@ -47,6 +47,13 @@ constexpr Known kMeshScene{"a model of another format", "save the mesh as STL, O
 constexpr Known kTracks{"a list of tracks", "it holds no voxels"};
 constexpr Known kPicture{"a single picture in a format",
                          "save the slices as TIFF (`mogrify -format tif FILES`)"};
+constexpr Known kVdb{
+    "an OpenVDB file",
+    "copy its grid into an array with OpenVDB's Python module and save that as NRRD or Zarr"};
+constexpr Known kNetCdf{"a classic netCDF file", "`nccopy -k netCDF-4 FILE out.nc` converts it"};
+constexpr Known kGatan{"a Gatan file", "DigitalMicrograph or `bfconvert` (Bio-Formats) exports it as TIFF"};
+constexpr Known kIsq{"a Scanco ISQ file", "ITKIOScanco converts it to MetaImage"};
+constexpr Known kGltf{"a glTF model", "save the mesh as STL, OBJ or PLY"};
 constexpr Known kAfni{"an AFNI dataset", "`3dAFNItoNIFTI FILE` converts it"};
 
 constexpr Mark kMarks[] = {
@@ -64,16 +71,13 @@ constexpr Mark kMarks[] = {
      "CDF\1"sv,
      {"a classic netCDF or MINC 1 file",
       "`nccopy -k netCDF-4 FILE out.nc` converts it (MINC: `mincconvert -2`)"}},
-    {0, "CDF\2"sv, {"a classic netCDF file", "`nccopy -k netCDF-4 FILE out.nc` converts it"}},
-    {0, "CDF\5"sv, {"a classic netCDF file", "`nccopy -k netCDF-4 FILE out.nc` converts it"}},
+    {0, "CDF\2"sv, kNetCdf},
+    {0, "CDF\5"sv, kNetCdf},
     {0, "mrtrix image"sv, kMrtrix},
     {0, "mrtrix tracks"sv, {"a list of MRtrix tracks", "it holds no voxels"}},
     {208, "MAP "sv, kMrc},
     {0, "11111\n"sv, kSlc},
-    {0,
-     " BDV"sv,
-     {"an OpenVDB file",
-      "copy its grid into an array with OpenVDB's Python module and save that as NRRD or Zarr"}},
+    {0, " BDV"sv, kVdb},
     {0, "\x93NUMPY"sv, kNumpy},
     {0, "MATLAB 5.0"sv, {"a MATLAB 5 file", "save it with `save -v7.3`"}},
     {0, "# AmiraMesh"sv, kAmira},
@@ -83,7 +87,7 @@ constexpr Mark kMarks[] = {
      "!INTERFILE"sv,
      {"an Interfile header", "open its data file as raw, with the size and type that this file states"}},
     {0, "#INRIMAGE-4"sv, {"an INRIMAGE volume", "convert it to NRRD or MetaImage"}},
-    {0, "CTDATA-HEADER_V1"sv, {"a Scanco ISQ file", "ITKIOScanco converts it to MetaImage"}},
+    {0, "CTDATA-HEADER_V1"sv, kIsq},
     {0, "ncaa"sv, {"a Sunvision VFF volume", "convert it to NRRD or MetaImage"}},
     {0, "MATRIX72v"sv, {"an ECAT file", "`mri_convert` or TurkuPET's tools convert it to NIfTI"}},
     {0, "\x89PNG"sv, kPicture},
@@ -99,7 +103,7 @@ constexpr Mark kMarks[] = {
     {0, "P6\n"sv, kPicture},
     {0, "IMGF"sv, {"an image of GE's scanners", "`dcm2niix FILE` may convert it"}},
     {0, "%PDF"sv, {"a PDF document", "it holds no voxels"}},
-    {0, "glTF"sv, {"a glTF model", "save the mesh as STL, OBJ or PLY"}},
+    {0, "glTF"sv, kGltf},
 };
 
 // FreeSurfer's version, 1, and seven sizes: big-endian numbers of 4 bytes.
@@ -152,24 +156,22 @@ constexpr Ending kEndings[] = {
     {".npy", kNumpy},
     {".npz", kNumpy},
     {".mnc", {"a MINC file", "`mincconvert -2 FILE out.mnc` or `mnc2nii` converts it"}},
-    {".vdb",
-     {"an OpenVDB file",
-      "copy its grid into an array with OpenVDB's Python module and save that as NRRD or Zarr"}},
+    {".vdb", kVdb},
     {".am", kAmira},
     {".czi", kMicroscope},
     {".lif", kMicroscope},
     {".nd2", kMicroscope},
     {".oir", kMicroscope},
-    {".dm3", {"a Gatan file", "DigitalMicrograph or `bfconvert` (Bio-Formats) exports it as TIFF"}},
-    {".dm4", {"a Gatan file", "DigitalMicrograph or `bfconvert` (Bio-Formats) exports it as TIFF"}},
+    {".dm3", kGatan},
+    {".dm4", kGatan},
     {".par", {"a Philips PAR/REC pair", "`dcm2niix FILE` converts it"}},
     {".vmr", {"a BrainVoyager volume", "BrainVoyager exports it as NIfTI"}},
-    {".isq", {"a Scanco ISQ file", "ITKIOScanco converts it to MetaImage"}},
+    {".isq", kIsq},
     {".vgi",
      {"a VGStudio description", "open its .vol file as raw, with the size and type that this file states"}},
     {".gipl", {"a GIPL volume", "`c3d FILE -o out.nii.gz` (Convert3D) converts it"}},
     {".jp2", kPicture},
-    {".gltf", {"a glTF model", "save the mesh as STL, OBJ or PLY"}},
+    {".gltf", kGltf},
     {".3mf", {"a 3MF model", "save the mesh as STL, OBJ or PLY"}},
     {".x3d", kMeshScene},
     {".wrl", kMeshScene},

@@ -10,10 +10,10 @@
 namespace isolux::volume {
 
 // Bytes that the description needs, header included; the largest value when that does not fit 64 bits.
-std::uint64_t bytesNeeded(const volume::RawDescription& description);
+std::uint64_t bytesNeeded(const RawDescription& description);
 
 // Best first; each fits the size exactly. From the name: "skull_256x256x128_uint8.raw", "..._int16_be...".
 // From the size: cubes, then stacks of 512, 256, 128 and 64 squared slices. Empty when nothing fits.
-std::vector<volume::RawDescription> guessRaw(const std::string& fileName, std::uint64_t fileBytes);
+std::vector<RawDescription> guessRaw(const std::string& fileName, std::uint64_t fileBytes);
 
 }  // namespace isolux::volume

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "volume/read/file_format.h"
 #include "volume/read/input/bytes.h"
+#include "volume/read/input/text.h"
 #include "volume/read/tiff/tiff_pages.h"
 
 namespace isolux::volume {
@@ -65,10 +66,8 @@ std::vector<std::string> stepFiles(const std::string& path) {
     return {};
   std::vector<std::string> files;
   bool found = false;
-  for (std::size_t begin = 0; begin <= names.size();) {
-    const std::size_t end = std::min(names.find(kBetween, begin), names.size());
-    const std::string name = names.substr(begin, end - begin);
-    begin = end + 1;
+  for (const std::string_view part : splitAt(names, {&kBetween, 1})) {
+    const std::string name(part);
     const bool isPattern = name.find(kAny) != std::string::npos;
     for (const std::string& file : isPattern ? namesLike(folder, name) : std::vector{name}) {
       files.push_back((whole.parent_path() / file).string());
@@ -95,9 +94,7 @@ std::string pathOfSteps(const std::vector<std::string>& files) {
   while (behind < shorter && first[first.size() - 1 - behind] == last[last.size() - 1 - behind]) ++behind;
   const std::string pattern = first.substr(0, before) + kAny + first.substr(first.size() - behind);
   if (namesLike(folderOf(files.front()), pattern) == names) return (folder / pattern).string();
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : std::string(1, kBetween)) + name;
-  return (folder / list).string();
+  return (folder / joined(names, {&kBetween, 1})).string();
 }
 
 scene::Source sourceOfStep(scene::Source source, int step) {

@@ -33,12 +33,7 @@ std::optional<double> commonUnit(const std::vector<const AxisStatement*>& stated
                        std::string(kSpacingAssumed));
     return std::nullopt;
   }
-  const std::string& unit = stated.front()->unit;
-  if (!millimetresIn(unit))
-    warnings.push_back((unit.empty() ? "the file names no unit of length: a unit of "
-                                     : "the unit of length " + inQuotes(unit) + " is not known: ") +
-                       std::string(kSpacingAssumed));
-  return 1.0;
+  return millimetresOr1(stated.front()->unit, "", warnings);
 }
 
 void noteUneven(const AxisStatement& axis, char letter, std::vector<std::string>& warnings) {

@@ -80,15 +80,7 @@ glm::ivec3 dimsOf(const ArrayLayout& layout, const ArrayAxes& axes) {
 }  // namespace
 
 VoxelType chunkedType(VoxelType fileType) {
-  switch (fileType) {
-    case VoxelType::int8:
-    case VoxelType::uint8:
-    case VoxelType::int16:
-    case VoxelType::uint16:
-      return fileType;
-    default:
-      return VoxelType::float32;
-  }
+  return bytesOf(fileType) <= 2 ? fileType : VoxelType::float32;
 }
 
 ArrayVolume::ArrayVolume(ChunkedFacts facts, ArrayAxes axes,

@@ -14,21 +14,6 @@ bool isInteger(VoxelType type) {
   return type != VoxelType::float32 && type != VoxelType::float64;
 }
 
-VoxelType withoutSign(VoxelType type) {
-  switch (type) {
-    case VoxelType::int8:
-      return VoxelType::uint8;
-    case VoxelType::int16:
-      return VoxelType::uint16;
-    case VoxelType::int32:
-      return VoxelType::uint32;
-    case VoxelType::int64:
-      return VoxelType::uint64;
-    default:
-      return type;
-  }
-}
-
 bool saysUnsigned(const Attributes& attributes) {
   return sameIgnoringCase(textIn(attributes, "_Unsigned"), "true");
 }
@@ -127,7 +112,8 @@ std::string textIn(const Attributes& attributes, const std::string& name) {
 }
 
 FileNumber withSign(const Attributes& attributes, FileNumber number) {
-  if (saysUnsigned(attributes)) number.type = withoutSign(number.type);
+  if (saysUnsigned(attributes) && isInteger(number.type))
+    number.type = *integerType(bytesOf(number.type), false);
   return number;
 }
 
@@ -153,28 +139,17 @@ AxisStatement cfAxis(const Attributes& attributes, const std::string& name) {
 }
 
 std::optional<double> netCdfFill(const FileNumber& number) {
-  switch (number.type) {
-    case VoxelType::int8:
-    case VoxelType::uint8:
-      return std::nullopt;
-    case VoxelType::int16:
-      return -32767.0;
-    case VoxelType::uint16:
-      return 65535.0;
-    case VoxelType::int32:
-      return -2147483647.0;
-    case VoxelType::uint32:
-      return 4294967295.0;
-    case VoxelType::int64:
-      return -9223372036854775806.0;
-    case VoxelType::uint64:
-      return 18446744073709551614.0;
-    case VoxelType::float32:
-      return static_cast<double>(9.9692099683868690e+36f);
-    case VoxelType::float64:
-      break;
-  }
-  return 9.9692099683868690e+36;
+  // In the order of VoxelType, from int16 on.
+  static constexpr double fills[] = {-32767.0,
+                                     65535.0,
+                                     -2147483647.0,
+                                     4294967295.0,
+                                     -9223372036854775806.0,
+                                     18446744073709551614.0,
+                                     static_cast<double>(9.9692099683868690e+36f),
+                                     9.9692099683868690e+36};
+  if (bytesOf(number.type) == 1) return std::nullopt;
+  return fills[static_cast<int>(number.type) - static_cast<int>(VoxelType::int16)];
 }
 
 }  // namespace isolux::volume

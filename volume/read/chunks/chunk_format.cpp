@@ -18,24 +18,6 @@ namespace {
 
 constexpr std::uint64_t kLargestPackedChunk = std::uint64_t{1} << 31;
 
-void swapBytes(std::span<std::byte> bytes, std::size_t width) {
-  for (std::size_t at = 0; at + width <= bytes.size(); at += width)
-    std::reverse(bytes.begin() + static_cast<std::ptrdiff_t>(at),
-                 bytes.begin() + static_cast<std::ptrdiff_t>(at + width));
-}
-
-// IEEE 754 binary16, exactly.
-float floatOfHalf(std::uint16_t half) {
-  const std::uint32_t sign = static_cast<std::uint32_t>(half & 0x8000u) << 16;
-  const std::uint32_t exponent = half >> 10 & 0x1fu, fraction = half & 0x3ffu;
-  if (exponent == 0) {
-    const float small = std::ldexp(static_cast<float>(fraction), -24);
-    return sign != 0 ? -small : small;
-  }
-  const std::uint32_t wide = exponent == 0x1fu ? 0xffu : exponent + 112u;
-  return std::bit_cast<float>(sign | wide << 23 | fraction << 13);
-}
-
 std::vector<std::byte> floatsOfHalves(std::span<const std::byte> halves) {
   std::vector<std::byte> floats(2 * halves.size());
   for (std::size_t i = 0; i < halves.size() / 2; ++i) {

@@ -14,6 +14,7 @@
 
 #include "base/error.h"
 #include "volume/read/chunks/checksums.h"
+#include "volume/read/input/bytes.h"
 
 namespace isolux::volume {
 
@@ -30,16 +31,8 @@ using Unpacked = std::vector<std::byte>;
   damaged(kind, "they unpack to more than the " + std::to_string(atMost) + " bytes of a chunk");
 }
 
-std::uint32_t littleEndian32(PackedBytes bytes, std::size_t at) {
-  std::uint32_t number = 0;
-  for (std::size_t i = 0; i < 4; ++i) number |= static_cast<std::uint32_t>(bytes[at + i]) << (8 * i);
-  return number;
-}
-
-std::uint64_t bigEndian(PackedBytes bytes, std::size_t at, std::size_t width) {
-  std::uint64_t number = 0;
-  for (std::size_t i = 0; i < width; ++i) number = number << 8 | static_cast<std::uint64_t>(bytes[at + i]);
-  return number;
+std::uint32_t number32(PackedBytes bytes, std::size_t at, bool big = false) {
+  return numberAt<std::uint32_t>(&bytes[at], big);
 }
 
 // inflateEnd() on every way out.
@@ -113,7 +106,7 @@ void decodeLz4Block(PackedBytes packed, std::span<std::byte> out, CodecKind kind
 
 Unpacked unlz4(PackedBytes packed, std::size_t atMost) {
   if (packed.size() < 4) damaged(CodecKind::lz4, "they are cut off");
-  const std::size_t size = littleEndian32(packed, 0);
+  const std::size_t size = number32(packed, 0);
   if (size > atMost) tooLong(CodecKind::lz4, atMost);
   Unpacked out(size);
   decodeLz4Block(packed.subspan(4), out, CodecKind::lz4);
@@ -150,14 +143,15 @@ Unpacked unlzf(PackedBytes packed, std::size_t atMost) {
 Unpacked unlz4Blocks(PackedBytes packed, std::size_t atMost) {
   constexpr CodecKind kind = CodecKind::lz4Blocks;
   if (packed.size() < 12) damaged(kind, "they are cut off");
-  const std::uint64_t size = bigEndian(packed, 0, 8), blockBytes = bigEndian(packed, 8, 4);
+  const std::uint64_t size = numberAt<std::uint64_t>(packed.data(), true),
+                      blockBytes = number32(packed, 8, true);
   if (size > atMost) tooLong(kind, atMost);
   if (blockBytes == 0) damaged(kind, "blocks have no length");
   Unpacked out(static_cast<std::size_t>(size));
   std::span<std::byte> rest(out);
   for (std::size_t at = 12; !rest.empty();) {
     if (packed.size() - at < 4) damaged(kind, "they are cut off");
-    const auto length = static_cast<std::size_t>(bigEndian(packed, at, 4));
+    const std::size_t length = number32(packed, at, true);
     at += 4;
     if (length > packed.size() - at) damaged(kind, "they are cut off");
     const auto block = rest.first(static_cast<std::size_t>(std::min<std::uint64_t>(blockBytes, rest.size())));
@@ -205,14 +199,13 @@ PackedBytes summed(CodecKind kind, PackedBytes bytes) {
 
 Unpacked checkedCrc(PackedBytes packed) {
   const PackedBytes bytes = summed(CodecKind::crc32c, packed);
-  if (crc32c(bytes) != littleEndian32(packed, bytes.size()))
-    damaged(CodecKind::crc32c, "the checksum is wrong");
+  if (crc32c(bytes) != number32(packed, bytes.size())) damaged(CodecKind::crc32c, "the checksum is wrong");
   return {bytes.begin(), bytes.end()};
 }
 
 Unpacked checkedFletcher(PackedBytes packed) {
   const PackedBytes bytes = summed(CodecKind::fletcher32, packed);
-  const std::uint32_t sum = fletcher32(bytes), stored = littleEndian32(packed, bytes.size());
+  const std::uint32_t sum = fletcher32(bytes), stored = number32(packed, bytes.size());
   // HDF5 up to 1.6.2 wrote the bytes of each half the other way round on little-endian machines.
   const std::uint32_t reversed = (sum & 0x00ff00ffu) << 8 | (sum & 0xff00ff00u) >> 8;
   if (stored != sum && stored != reversed) damaged(CodecKind::fletcher32, "the checksum is wrong");
@@ -222,28 +215,9 @@ Unpacked checkedFletcher(PackedBytes packed) {
 }  // namespace
 
 std::string_view nameOf(CodecKind kind) {
-  switch (kind) {
-    case CodecKind::deflate:
-      return "deflate";
-    case CodecKind::zstd:
-      return "zstd";
-    case CodecKind::bzip2:
-      return "bzip2";
-    case CodecKind::lz4:
-    case CodecKind::lz4Blocks:
-      return "lz4";
-    case CodecKind::lzf:
-      return "lzf";
-    case CodecKind::blosc:
-      return "blosc";
-    case CodecKind::shuffle:
-      return "shuffle";
-    case CodecKind::crc32c:
-      return "crc32c";
-    case CodecKind::fletcher32:
-      break;
-  }
-  return "fletcher32";
+  static constexpr std::string_view names[] = {"deflate", "zstd",  "bzip2",   "lz4",    "lz4",
+                                               "lzf",     "blosc", "shuffle", "crc32c", "fletcher32"};
+  return names[static_cast<int>(kind)];
 }
 
 std::vector<std::byte> unpacked(const Codec& codec, std::span<const std::byte> packed, std::size_t atMost) {

@@ -9,14 +9,6 @@ namespace isolux::volume {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-Hdf5Layout announcedLayout(ReaderProcess& reader) {
-  return reader.announced(MessageKind::chunks, decodeHdf5Layout);
-}
-
-}  // namespace
-
 std::optional<Hdf5Path> hdf5PathOf(const std::string& path) {
   std::error_code ignored;
   if (fs::is_regular_file(path, ignored)) {
@@ -36,11 +28,8 @@ std::optional<Hdf5Path> hdf5PathOf(const std::string& path) {
 bool looksLikeHdf5(const Bytes& bytes) {
   constexpr std::string_view signature("\x89HDF\r\n\x1a\n", 8);
   for (std::uint64_t at = 0; at + signature.size() <= bytes.size() && at <= std::uint64_t{1} << 20;
-       at = at == 0 ? 512 : 2 * at) {
-    std::string head(signature.size(), '\0');
-    bytes.read(at, std::as_writable_bytes(std::span(head)));
-    if (head == signature) return true;
-  }
+       at = at == 0 ? 512 : 2 * at)
+    if (bytes.text(at, signature.size()) == signature) return true;
   return false;
 }
 
@@ -52,7 +41,7 @@ std::unique_ptr<ArrayVolume> openHdf5(const Hdf5Path& path, const std::string& s
   request.options.series = path.dataset.empty() ? series : path.dataset;
   request.options.budgetBytes = base::machineMemory().left();
   ReaderProcess reader(readerProgram("isolux-reader-hdf5"), request, progress);
-  const Hdf5Layout layout = announcedLayout(reader);
+  const Hdf5Layout layout = reader.announced(MessageKind::chunks, decodeHdf5Layout);
   reader.receive(bulkBytes(layout));
   std::vector<Hdf5Chunk> chunks(static_cast<std::size_t>(layout.chunkCount()));
   reader.read(0, std::as_writable_bytes(std::span(chunks)));

@@ -15,6 +15,25 @@ namespace isolux::volume {
 namespace fs = std::filesystem;
 using base::throwInput;
 
+namespace {
+
+template <class Word>
+void swapWords(std::span<std::byte> bytes) {
+  for (std::size_t at = 0; at + sizeof(Word) <= bytes.size(); at += sizeof(Word)) {
+    const Word swapped = numberAt<Word>(&bytes[at], std::endian::native == std::endian::little);
+    std::memcpy(&bytes[at], &swapped, sizeof(Word));
+  }
+}
+
+}  // namespace
+
+void swapBytes(std::span<std::byte> bytes, std::size_t width) {
+  if (width == 2) return swapWords<std::uint16_t>(bytes);
+  if (width == 4) return swapWords<std::uint32_t>(bytes);
+  if (width == 8) return swapWords<std::uint64_t>(bytes);
+  for (; bytes.size() >= width; bytes = bytes.subspan(width)) std::reverse(&bytes[0], &bytes[0] + width);
+}
+
 void Bytes::read(std::uint64_t offset, std::span<std::byte> out) const {
   if (offset > size_ || out.size() > size_ - offset)
     throwInput(name_, "byte " + std::to_string(offset),
@@ -22,9 +41,10 @@ void Bytes::read(std::uint64_t offset, std::span<std::byte> out) const {
   if (!out.empty()) doRead(offset, out);
 }
 
-std::string Bytes::head(std::size_t most) const {
-  std::string text(static_cast<std::size_t>(std::min<std::uint64_t>(most, size_)), '\0');
-  read(0, std::as_writable_bytes(std::span(text)));
+std::string Bytes::text(std::uint64_t offset, std::size_t most) const {
+  const std::uint64_t left = size_ - std::min(offset, size_);
+  std::string text(static_cast<std::size_t>(std::min<std::uint64_t>(most, left)), '\0');
+  read(offset, std::as_writable_bytes(std::span(text)));
   return text;
 }
 

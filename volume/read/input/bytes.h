@@ -4,8 +4,12 @@
 // throw base::Error{input}. Reading is const and safe from several threads.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -15,6 +19,17 @@
 
 namespace isolux::volume {
 
+// Returns the number whose bytes begin at `at`, in big- or little-endian order.
+template <class T>
+T numberAt(const void* at, bool big) {
+  std::array<std::byte, sizeof(T)> bytes;
+  std::memcpy(bytes.data(), at, sizeof(T));
+  if (big != (std::endian::native == std::endian::big)) std::reverse(bytes.begin(), bytes.end());
+  return std::bit_cast<T>(bytes);
+}
+// Reverses the bytes of each number of `width` bytes.
+void swapBytes(std::span<std::byte> bytes, std::size_t width);
+
 class Bytes {
  public:
   virtual ~Bytes() = default;
@@ -23,8 +38,9 @@ class Bytes {
   std::uint64_t size() const { return size_; }
   // Fills `out` from `offset`. Throws "the file ends after N bytes".
   void read(std::uint64_t offset, std::span<std::byte> out) const;
-  // Returns the first bytes, at most `most`.
-  std::string head(std::size_t most) const;
+  // Returns the bytes from `offset` on, at most `most`; throws only where `offset` is behind the end.
+  std::string text(std::uint64_t offset, std::size_t most) const;
+  std::string head(std::size_t most) const { return text(0, most); }
 
  protected:
   std::string name_;

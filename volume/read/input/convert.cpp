@@ -1,6 +1,7 @@
 #include "volume/read/input/convert.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -16,19 +17,6 @@ namespace {
 
 constexpr std::size_t chunkVoxels = std::size_t{1} << 20;  // between looks at the stop request
 
-// to[i] = f(from[i]), in chunks.
-template <typename To, typename From, typename F>
-std::vector<To> mapped(const std::vector<From>& from, const base::Progress& progress, F&& f) {
-  std::vector<To> to;
-  to.reserve(from.size());
-  for (std::size_t begin = 0; begin < from.size(); begin += chunkVoxels) {
-    progress.throwIfStopped();
-    const std::size_t end = std::min(from.size(), begin + chunkVoxels);
-    for (std::size_t i = begin; i < end; ++i) to.push_back(f(from[i]));
-  }
-  return to;
-}
-
 template <typename From, typename F>
 void forEach(const std::vector<From>& from, const base::Progress& progress, F&& f) {
   for (std::size_t begin = 0; begin < from.size(); begin += chunkVoxels) {
@@ -36,6 +24,15 @@ void forEach(const std::vector<From>& from, const base::Progress& progress, F&& 
     const std::size_t end = std::min(from.size(), begin + chunkVoxels);
     for (std::size_t i = begin; i < end; ++i) f(from[i]);
   }
+}
+
+// to[i] = f(from[i]).
+template <typename To, typename From, typename F>
+std::vector<To> mapped(const std::vector<From>& from, const base::Progress& progress, F&& f) {
+  std::vector<To> to;
+  to.reserve(from.size());
+  forEach(from, progress, [&](From v) { to.push_back(f(v)); });
+  return to;
 }
 
 template <typename To, typename From>
@@ -179,6 +176,24 @@ StoredVoxels fromDouble(const std::vector<double>& from, const base::Progress& p
 }
 
 }  // namespace
+
+std::optional<VoxelType> integerType(std::size_t bytes, bool isSigned) {
+  for (int type = 0; type < static_cast<int>(VoxelType::float32); type += 2)  // with a sign, then without
+    if (bytesOf(static_cast<VoxelType>(type)) == bytes)
+      return static_cast<VoxelType>(isSigned ? type : type + 1);
+  return std::nullopt;
+}
+
+float floatOfHalf(std::uint16_t half) {
+  const std::uint32_t sign = static_cast<std::uint32_t>(half & 0x8000u) << 16;
+  const std::uint32_t exponent = half >> 10 & 0x1fu, fraction = half & 0x3ffu;
+  if (exponent == 0) {
+    const float small = std::ldexp(static_cast<float>(fraction), -24);
+    return sign != 0 ? -small : small;
+  }
+  const std::uint32_t wide = exponent == 0x1fu ? 0xffu : exponent + 112u;
+  return std::bit_cast<float>(sign | wide << 23 | fraction << 13);
+}
 
 StoredVoxels toStored(FileVoxels&& voxels, const base::Progress& progress,
                       std::vector<std::string>& warnings) {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -55,6 +56,12 @@ auto withType(VoxelType type, F&& f) {
   }
   return f(double{});
 }
+
+// Returns the integer type of 1, 2, 4 or 8 bytes; none for other sizes.
+std::optional<VoxelType> integerType(std::size_t bytes, bool isSigned);
+
+// IEEE 754 binary16, exactly.
+float floatOfHalf(std::uint16_t half);
 
 struct StoredVoxels {
   VoxelArray voxels;

@@ -1,5 +1,4 @@
 #include "volume/read/input/image_header.h"
-#include "volume/read/input/length_doubt.h"
 
 #include <cmath>
 
@@ -8,29 +7,18 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "volume/read/input/length_doubt.h"
+#include "volume/read/input/text.h"
 
 namespace isolux::volume {
 
 using base::throwInput;
 
-namespace {
-
-bool finite(const glm::dvec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+std::optional<VoxelType> typeNamed(std::span<const TypeName> names, std::string_view name) {
+  for (const TypeName& entry : names)
+    if (sameIgnoringCase(entry.name, name)) return entry.type;
+  return std::nullopt;
 }
-
-// Unit columns that span space: |det| of a frame with 0.06 degrees between two axes is 1e-3.
-bool spansSpace(glm::dmat3 directions) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!finite(directions[axis])) return false;
-    const double length = glm::length(directions[axis]);
-    if (!(length > 1e-12) || !(length < 1e12)) return false;
-    directions[axis] /= length;
-  }
-  return std::abs(glm::determinant(directions)) > 1e-3;
-}
-
-}  // namespace
 
 std::uint64_t ImageHeader::voxels() const {
   return static_cast<std::uint64_t>(dims[0]) * static_cast<std::uint64_t>(dims[1]) *
@@ -74,11 +62,11 @@ glm::dmat4 checkedGeometry(glm::dmat3 directions, glm::dvec3 spacingMm, glm::dve
       warnings.push_back("spacing along " + name + " is negative; the axis runs backwards");
     }
   }
-  if (!spansSpace(directions)) {
+  if (!usableDirections(directions)) {
     warnings.push_back("the direction matrix is singular or not finite; the identity is used instead");
     directions = glm::dmat3(1.0);
   }
-  if (!finite(originMm)) {
+  if (!std::isfinite(originMm.x) || !std::isfinite(originMm.y) || !std::isfinite(originMm.z)) {
     warnings.push_back("the origin is not finite; 0 assumed");
     originMm = glm::dvec3(0.0);
   }
@@ -87,8 +75,13 @@ glm::dmat4 checkedGeometry(glm::dmat3 directions, glm::dvec3 spacingMm, glm::dve
   return GridGeometry::make(glm::ivec3(1), spacingMm, originMm, directions).worldFromVoxel;
 }
 
-bool usableDirections(const glm::dmat3& directions) {
-  return spansSpace(directions);
+bool usableDirections(glm::dmat3 directions) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double length = glm::length(directions[axis]);
+    if (!(length > 1e-12) || !(length < 1e12)) return false;
+    directions[axis] /= length;
+  }
+  return std::abs(glm::determinant(directions)) > 1e-3;
 }
 
 bool usableAffine(const glm::dmat4& worldFromVoxel) {
@@ -97,7 +90,7 @@ bool usableAffine(const glm::dmat4& worldFromVoxel) {
     if (!(length >= 1e-9) || !(length <= 1e9)) return false;
     if (!(std::abs(worldFromVoxel[3][axis]) <= 1e12)) return false;
   }
-  return spansSpace(glm::dmat3(worldFromVoxel));
+  return usableDirections(glm::dmat3(worldFromVoxel));
 }
 
 }  // namespace isolux::volume

@@ -5,7 +5,10 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/mat3x3.hpp>
@@ -19,6 +22,14 @@
 namespace isolux::volume {
 
 enum class Encoding { raw, zlib /* zlib, gzip, zstd or bzip2, told apart by content */, ascii };
+
+// What a format calls a voxel type.
+struct TypeName {
+  std::string_view name;
+  VoxelType type;
+};
+// Returns the type of that name, in upper or lower case.
+std::optional<VoxelType> typeNamed(std::span<const TypeName> names, std::string_view name);
 
 // Where the voxels are and how they are written.
 struct Payload {
@@ -64,8 +75,9 @@ void checkDims(const ImageHeader& header, const std::string& file, const std::st
 glm::dmat4 checkedGeometry(glm::dmat3 directions, glm::dvec3 spacingMm, glm::dvec3 originMm,
                            const std::string& file, std::vector<std::string>& warnings);
 
-// True where checkedGeometry() keeps the directions.
-bool usableDirections(const glm::dmat3& directions);
+// True where checkedGeometry() keeps the directions: unit columns span space (|det| of a frame with 0.06
+// degrees between two axes is 1e-3).
+bool usableDirections(glm::dmat3 directions);
 
 // True for an affine matrix with finite entries whose linear part is safely invertible.
 bool usableAffine(const glm::dmat4& worldFromVoxel);

@@ -33,8 +33,11 @@ std::optional<double> millimetresIn(std::string_view unit) {
 
 double millimetresOr1(std::string_view unit, std::string_view statement, std::vector<std::string>& warnings) {
   if (const auto mm = millimetresIn(unit)) return *mm;
-  const std::string warning = "the unit of length " + inQuotes(unit) + " (" + std::string(statement) +
-                              ") is not known: " + std::string(kSpacingAssumed);
+  std::string warning = "the file names no unit of length: a unit of ";
+  if (!unit.empty() || !statement.empty())
+    warning = "the unit of length " + inQuotes(unit) +
+              (statement.empty() ? "" : " (" + std::string(statement) + ")") + " is not known: ";
+  warning += kSpacingAssumed;
   if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
   return 1.0;
 }

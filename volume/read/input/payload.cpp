@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <optional>
 
@@ -22,16 +21,6 @@ static_assert(std::endian::native == std::endian::little, "voxels are swapped to
 namespace {
 
 constexpr std::size_t chunkBytes = std::size_t{1} << 20;
-
-template <typename T>
-void swapBytes(std::span<T> values) {
-  for (T& value : values) {
-    std::byte bytes[sizeof(T)];
-    std::memcpy(bytes, &value, sizeof(T));
-    std::reverse(bytes, bytes + sizeof(T));
-    std::memcpy(&value, bytes, sizeof(T));
-  }
-}
 
 // Where the data of one file begin: after the skipped lines and bytes.
 std::uint64_t beginOf(const Payload& payload, const Bytes& bytes, std::uint64_t dataBytes) {
@@ -81,9 +70,8 @@ void checkClaim(const Payload& payload, const Bytes& bytes, std::uint64_t begin,
                    "truncated: the header announces " + std::to_string(payload.compressedBytes) +
                        " compressed bytes, but only " + std::to_string(available) + " follow");
       if (payload.compressedBytes > 0) available = payload.compressedBytes;
-      std::string mark(static_cast<std::size_t>(std::min<std::uint64_t>(4, available)), '\0');
-      bytes.read(begin, std::as_writable_bytes(std::span(mark)));
-      if (dataBytes / bestRatio(mark) > available)
+      const auto markBytes = static_cast<std::size_t>(std::min<std::uint64_t>(4, available));
+      if (dataBytes / bestRatio(bytes.text(begin, markBytes)) > available)
         truncated(std::to_string(available) + " compressed bytes cannot hold that");
       break;
     }
@@ -93,14 +81,31 @@ void checkClaim(const Payload& payload, const Bytes& bytes, std::uint64_t begin,
   }
 }
 
+std::uint64_t filesOf(const Payload& payload) {
+  return std::max<std::uint64_t>(1, payload.files.size());
+}
+
 // That each data file holds.
 std::uint64_t elementsOfFile(const ImageHeader& header, const std::string& file) {
-  const std::uint64_t files = std::max<std::uint64_t>(1, header.payload.files.size());
+  const std::uint64_t files = filesOf(header.payload);
   if (header.elements() % files != 0)
     throwInput(file, "data file",
                std::to_string(files) + " data files cannot share " + std::to_string(header.elements()) +
                    " values equally");
   return header.elements() / files;
+}
+
+// A data file, which can hold its share of what the header claims.
+PlainBytes payloadFile(const ImageHeader& header, const Bytes& own, const OpenBeside& beside,
+                       std::uint64_t file) {
+  const Payload& payload = header.payload;
+  const std::uint64_t share = elementsOfFile(header, own.name()), shareBytes = share * bytesOf(header.type);
+  PlainBytes place;
+  if (!payload.files.empty()) place.beside = beside(payload.files[file]);
+  const Bytes& bytes = place.beside ? *place.beside : own;
+  place.begin = beginOf(payload, bytes, shareBytes);
+  checkClaim(payload, bytes, place.begin, shareBytes, share);
+  return place;
 }
 
 // The voxel stream of the whole payload, file after file.
@@ -111,15 +116,17 @@ class PayloadStream {
       : header_(header), own_(own), beside_(beside), progress_(progress) {
     shareBytes_ = elementsOfFile(header, own.name()) * bytesOf(header.type);
     // All files are looked at before the first voxel is stored.
-    for (std::uint64_t file = std::max<std::uint64_t>(1, header.payload.files.size()); file-- > 0;)
-      open(file);
+    for (std::uint64_t file = filesOf(header.payload); file-- > 0;) open(file);
   }
 
   void read(std::span<std::byte> out) {
     while (!out.empty()) {
       if (left_ == 0) open(file_ + 1);
       const auto part = static_cast<std::size_t>(std::min<std::uint64_t>(out.size(), left_));
-      stream_->read(out.first(part));
+      if (stream_)
+        stream_->read(out.first(part));
+      else
+        bytes_->read(begin() + (shareBytes_ - left_), out.first(part));
       left_ -= part;
       out = out.subspan(part);
     }
@@ -132,10 +139,7 @@ class PayloadStream {
       const std::uint64_t part = std::min(bytes, left_);
       bytes -= part;
       left_ -= part;
-      if (header_.payload.encoding == Encoding::raw)
-        stream_ = rawStream(*bytes_, begin_ + (shareBytes_ - left_));
-      else
-        discard(part);
+      if (stream_) discard(part);
     }
   }
 
@@ -160,8 +164,8 @@ class PayloadStream {
   }
 
   void lookBehind() {
-    more_ = stream_->hasMore() || more_;
-    cut_ = stream_->isCut() || cut_;
+    more_ = (stream_ ? stream_->hasMore() : begin() + shareBytes_ < bytes_->size()) || more_;
+    cut_ = (stream_ && stream_->isCut()) || cut_;
   }
 
   void open(std::uint64_t file) {
@@ -169,36 +173,26 @@ class PayloadStream {
     const Payload& payload = header_.payload;
     if (stream_ && left_ == 0 && payload.encoding == Encoding::zlib) lookBehind();
     file_ = file;
-    if (!payload.files.empty()) opened_ = beside_(payload.files[file]);
-    bytes_ = payload.files.empty() ? &own_ : opened_.get();
-    begin_ = beginOf(payload, *bytes_, shareBytes_);
-    checkClaim(payload, *bytes_, begin_, shareBytes_, shareBytes_ / bytesOf(header_.type));
+    opened_ = payloadFile(header_, own_, beside_, file);
+    bytes_ = opened_.beside ? opened_.beside.get() : &own_;
     left_ = shareBytes_;
-    switch (payload.encoding) {
-      case Encoding::raw:
-        stream_ = rawStream(*bytes_, begin_);
-        break;
-      case Encoding::ascii:
-        stream_ = textStream(*bytes_, begin_, header_.type);
-        break;
-      case Encoding::zlib: {
-        const std::uint64_t length =
-            payload.compressedBytes > 0 ? payload.compressedBytes : bytes_->size() - begin_;
-        stream_ = inflateStream(*bytes_, begin_, length);
-        discard(payload.skipDecoded);
-        break;
-      }
-    }
+    if (payload.encoding == Encoding::ascii) stream_ = textStream(*bytes_, begin(), header_.type);
+    if (payload.encoding != Encoding::zlib) return;
+    const std::uint64_t length =
+        payload.compressedBytes > 0 ? payload.compressedBytes : bytes_->size() - begin();
+    stream_ = inflateStream(*bytes_, begin(), length);
+    discard(payload.skipDecoded);
   }
+  std::uint64_t begin() const { return opened_.begin; }
 
   const ImageHeader& header_;
   const Bytes& own_;
   const OpenBeside& beside_;
   const base::Progress& progress_;
-  std::unique_ptr<Bytes> opened_;
+  PlainBytes opened_;
   const Bytes* bytes_ = nullptr;
-  std::unique_ptr<VoxelStream> stream_;
-  std::uint64_t file_ = 0, shareBytes_ = 0, begin_ = 0, left_ = 0;
+  std::unique_ptr<VoxelStream> stream_;  // null: the voxels are the file's bytes
+  std::uint64_t file_ = 0, shareBytes_ = 0, left_ = 0;
   bool more_ = false, cut_ = false;
 };
 
@@ -215,7 +209,7 @@ void forEachChunk(const ImageHeader& header, PayloadStream& stream, const base::
     const std::uint64_t count = std::min(chunkVoxels, header.voxels() - done);
     chunk.resize(static_cast<std::size_t>(count * components));
     stream.read(std::as_writable_bytes(std::span(chunk)));
-    if (swap && sizeof(T) > 1) swapBytes(std::span(chunk));
+    if (swap && sizeof(T) > 1) swapBytes(std::as_writable_bytes(std::span(chunk)), sizeof(T));
     f(std::span<const T>(chunk));
     done += count;
   }
@@ -232,22 +226,26 @@ FileVoxels decodeAs(const ImageHeader& header, PayloadStream& stream, const Read
   const auto step = static_cast<std::uint64_t>(options.timeStep);
   const auto slow = static_cast<std::uint64_t>(header.slowComponents);
   std::uint64_t position = 0;  // volumes passed
-  const auto seekVolume = [&](std::uint64_t volume) {
+  std::size_t done = 0;
+  // Passes the time step of a slow component, of `blocks` that are read.
+  const auto readBlock = [&](std::uint64_t block, std::uint64_t blocks, const auto& use) {
+    const std::uint64_t volume = block * steps + step;
     stream.skip((volume - position) * volumeBytes);
     position = volume + 1;
-  };
-  std::size_t done = 0;
-  const auto report = [&](std::size_t total) {
-    progress.report(static_cast<double>(done) / static_cast<double>(total), "reading");
+    forEachChunk<T>(header, stream, progress, [&](std::span<const T> chunk) {
+      use(chunk);
+      done += chunk.size() / components;
+      progress.report(static_cast<double>(done) / static_cast<double>(voxels * blocks), "reading");
+    });
+    dataFollow = position == slow * steps && stream.hasMore();
   };
 
   if (options.component < 0) {  // the magnitude, in float32 whatever the type
     std::vector<float> magnitude;
     resizeStoppably(magnitude, voxels, progress);
     for (std::uint64_t block = 0; block < slow; ++block) {
-      seekVolume(block * steps + step);
       std::size_t voxel = 0;
-      forEachChunk<T>(header, stream, progress, [&](std::span<const T> chunk) {
+      readBlock(block, slow, [&](std::span<const T> chunk) {
         for (std::size_t i = 0; i < chunk.size(); i += components, ++voxel) {
           double length = static_cast<double>(magnitude[voxel]);
           for (std::size_t c = 0; c < components; ++c)
@@ -255,28 +253,21 @@ FileVoxels decodeAs(const ImageHeader& header, PayloadStream& stream, const Read
           magnitude[voxel] = std::isfinite(length) ? static_cast<float>(std::min(length, 3.4e38))
                                                    : std::numeric_limits<float>::quiet_NaN();
         }
-        done += chunk.size() / components;
-        report(voxels * static_cast<std::size_t>(slow));
       });
     }
-    dataFollow = position == slow * steps && stream.hasMore();
     return magnitude;
   }
 
-  const auto component = static_cast<std::size_t>(options.component) % components;
-  const auto block = static_cast<std::uint64_t>(options.component) / static_cast<std::uint64_t>(components);
-  seekVolume(block * steps + step);
+  const auto component = static_cast<std::size_t>(options.component);
   std::vector<T> values;
   values.reserve(voxels);
-  forEachChunk<T>(header, stream, progress, [&](std::span<const T> chunk) {
+  readBlock(component / components, 1, [&](std::span<const T> chunk) {
     if (components == 1)
       values.insert(values.end(), chunk.begin(), chunk.end());
     else
-      for (std::size_t i = component; i < chunk.size(); i += components) values.push_back(chunk[i]);
-    done += chunk.size() / components;
-    report(voxels);
+      for (std::size_t i = component % components; i < chunk.size(); i += components)
+        values.push_back(chunk[i]);
   });
-  dataFollow = position == slow * steps && stream.hasMore();
   return values;
 }
 
@@ -330,15 +321,9 @@ FileVoxels decodePayload(const ImageHeader& header, const Bytes& own, const Open
 }
 
 std::vector<PlainBytes> plainBytes(const ImageHeader& header, const Bytes& own, const OpenBeside& beside) {
-  const Payload& payload = header.payload;
-  const std::uint64_t share = elementsOfFile(header, own.name()), shareBytes = share * bytesOf(header.type);
-  std::vector<PlainBytes> result(std::max<std::size_t>(1, payload.files.size()));
-  for (std::size_t file = 0; file < result.size(); ++file) {
-    if (!payload.files.empty()) result[file].beside = beside(payload.files[file]);
-    const Bytes& bytes = result[file].beside ? *result[file].beside : own;
-    result[file].begin = beginOf(payload, bytes, shareBytes);
-    checkClaim(payload, bytes, result[file].begin, shareBytes, share);
-  }
+  std::vector<PlainBytes> result;
+  for (std::uint64_t file = 0; file < filesOf(header.payload); ++file)
+    result.push_back(payloadFile(header, own, beside, file));
   return result;
 }
 

@@ -1,6 +1,7 @@
 #include "volume/read/input/streams.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -31,20 +32,6 @@ bool isZstd(std::string_view head) {
 bool isBzip2(std::string_view head) {
   return head.starts_with("BZh");
 }
-
-class RawStream final : public VoxelStream {
- public:
-  RawStream(const Bytes& bytes, std::uint64_t offset) : bytes_(bytes), at_(offset) {}
-  void read(std::span<std::byte> out) override {
-    bytes_.read(at_, out);
-    at_ += out.size();
-  }
-  bool hasMore() override { return at_ < bytes_.size(); }
-
- private:
-  const Bytes& bytes_;
-  std::uint64_t at_;
-};
 
 // What all kinds of packed streams share.
 class PackedStream : public VoxelStream {
@@ -237,8 +224,7 @@ class Bzip2Stream final : public PackedStream {
 };
 
 std::unique_ptr<PackedStream> packedStream(const Bytes& bytes, std::uint64_t offset, std::uint64_t length) {
-  std::string mark(static_cast<std::size_t>(std::min<std::uint64_t>(4, length)), '\0');
-  bytes.read(offset, std::as_writable_bytes(std::span(mark)));
+  const std::string mark = bytes.text(offset, static_cast<std::size_t>(std::min<std::uint64_t>(4, length)));
   if (isZstd(mark)) return std::make_unique<ZstdStream>(bytes, offset, length);
   if (isBzip2(mark)) return std::make_unique<Bzip2Stream>(bytes, offset, length);
   return std::make_unique<InflateStream>(bytes, offset, length);
@@ -299,7 +285,9 @@ class TextStream final : public VoxelStream {
         return static_cast<T>(*whole);
       }
       if constexpr (std::is_same_v<T, std::uint64_t>) {
-        if (const auto big = unsignedOf(word)) return *big;
+        T big = 0;
+        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), big);
+        if (error == std::errc() && end == word.data() + word.size()) return big;
       }
       // Some writers print integers as "3.0".
       const auto real = realOf(word);
@@ -317,16 +305,6 @@ class TextStream final : public VoxelStream {
       }
       return static_cast<T>(*real);
     }
-  }
-
-  static std::optional<std::uint64_t> unsignedOf(std::string_view word) {
-    std::uint64_t value = 0;
-    for (char c : word) {
-      if (c < '0' || c > '9' || __builtin_mul_overflow(value, std::uint64_t{10}, &value) ||
-          __builtin_add_overflow(value, static_cast<std::uint64_t>(c - '0'), &value))
-        return std::nullopt;
-    }
-    return value;
   }
 
   [[noreturn]] void fail(const std::string& reason) {
@@ -350,10 +328,6 @@ bool isPacked(std::string_view head) {
 
 std::uint64_t bestRatio(std::string_view head) {
   return isZstd(head) ? 32768 : isBzip2(head) ? std::uint64_t{1} << 21 : kBestDeflateRatio;
-}
-
-std::unique_ptr<VoxelStream> rawStream(const Bytes& bytes, std::uint64_t offset) {
-  return std::make_unique<RawStream>(bytes, offset);
 }
 
 std::unique_ptr<VoxelStream> inflateStream(const Bytes& bytes, std::uint64_t offset, std::uint64_t length) {

@@ -1,4 +1,4 @@
-// Forward streams of voxel bytes out of a file: plain, inflated, or parsed from text.
+// Forward streams of voxel bytes out of a file: inflated, or parsed from text.
 #pragma once
 
 #include <cstddef>
@@ -31,8 +31,6 @@ class VoxelStream {
   virtual bool isCut() const { return false; }
 };
 
-// Bytes from `offset` to the end of the file.
-std::unique_ptr<VoxelStream> rawStream(const Bytes& bytes, std::uint64_t offset);
 // zlib, gzip, zstd or bzip2 (several members, too) between `offset` and offset + length.
 std::unique_ptr<VoxelStream> inflateStream(const Bytes& bytes, std::uint64_t offset, std::uint64_t length);
 // Numbers separated by white space or commas, as values of `type` in the machine's byte order.

@@ -27,11 +27,6 @@ std::optional<MeshFormat> formatOf(const std::string& head, const std::string& e
   return std::nullopt;
 }
 
-// Points, triangles and their sides take about ten times the bytes of the densest file.
-void checkFileSize(const Bytes& bytes, const ReadOptions& options) {
-  checkBudget(10 * bytes.size(), "this mesh", "", bytes.name(), options);
-}
-
 struct MeshFile {
   TriangleMesh mesh;
   const char* format;
@@ -51,23 +46,19 @@ MeshFile readTriangles(const std::filesystem::path& path, const ReadOptions& opt
                        base::Progress& progress) {
   progress.report(0.0, "reading");
   const FileBytes bytes(path);
-  checkFileSize(bytes, options);
-  MeshFile file;
+  // Points, triangles and their sides take about ten times the bytes of the densest file.
+  checkBudget(10 * bytes.size(), "this mesh", "", bytes.name(), options);
   switch (formatOf(bytes.head(4096), lowered(path.extension().string())).value_or(MeshFormat::stl)) {
-    case MeshFormat::stl:
-      file = {readStlMesh(bytes, progress), "STL mesh"};
-      break;
     case MeshFormat::obj:
-      file = {readObjMesh(bytes, progress), "OBJ mesh"};
-      break;
+      return {readObjMesh(bytes, progress), "OBJ mesh"};
     case MeshFormat::ply:
-      file = {readPlyMesh(bytes, progress), "PLY mesh"};
-      break;
+      return {readPlyMesh(bytes, progress), "PLY mesh"};
     case MeshFormat::polyData:
-      file = {readPolyDataMesh(path, options.budgetBytes, progress), "VTK PolyData mesh"};
+      return {readPolyDataMesh(path, options.budgetBytes, progress), "VTK PolyData mesh"};
+    case MeshFormat::stl:
       break;
   }
-  return file;
+  return {readStlMesh(bytes, progress), "STL mesh"};
 }
 
 GridGeometry geometryFor(const TriangleMesh& mesh, const ReadOptions& options) {

@@ -25,14 +25,6 @@ std::string wholeText(const Bytes& bytes, const base::Progress& progress) {
   return text;
 }
 
-std::string_view nextWord(std::string_view& line) {
-  constexpr std::string_view spaces = " \t\r\n\f\v";
-  line.remove_prefix(std::min(line.find_first_not_of(spaces), line.size()));
-  const std::string_view word = line.substr(0, line.find_first_of(spaces));
-  line.remove_prefix(word.size());
-  return word;
-}
-
 void addPoint(TriangleMesh& mesh, const glm::dvec3& point, const std::string& file,
               const std::string& place) {
   constexpr double farthest = 1e12;  // mm, as for volumes

@@ -28,7 +28,6 @@ TriangleMesh readPlyMesh(const Bytes& bytes, const base::Progress& progress);
 
 // What the readers share.
 std::string wholeText(const Bytes& bytes, const base::Progress& progress);  // throws Error{interrupted}
-std::string_view nextWord(std::string_view& line);  // taken off the line; empty at its end
 // Throws naming `place` unless finite.
 void addPoint(TriangleMesh& mesh, const glm::dvec3& point, const std::string& file, const std::string& place);
 // A polygon as a fan round its first corner. Throws naming `place` for an index that is no point's.

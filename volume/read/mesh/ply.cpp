@@ -1,9 +1,7 @@
 // PLY: text or binary in either byte order. Of the element "vertex" x, y, z; of "face" the list of corners.
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstring>
 #include <optional>
 
 #include "base/error.h"
@@ -142,14 +140,10 @@ class PlyValues {
   double nextBinary(VoxelType type) {
     const std::size_t size = volume::bytesOf(type);
     if (data_.size() < size) truncated();
-    std::array<char, 8> raw{};
-    std::copy_n(data_.data(), size, raw.data());
+    const char* const raw = data_.data();
     data_.remove_prefix(size);
-    if ((encoding_ == PlyEncoding::big) != (std::endian::native == std::endian::big))
-      std::reverse(raw.data(), raw.data() + size);
-    return withType(type, [&](auto zero) {
-      std::memcpy(&zero, raw.data(), sizeof zero);
-      return static_cast<double>(zero);
+    return withType(type, [&]<class T>(T) {
+      return static_cast<double>(numberAt<T>(raw, encoding_ == PlyEncoding::big));
     });
   }
 

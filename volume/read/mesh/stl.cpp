@@ -1,7 +1,4 @@
 // STL: text ("solid ... endsolid") or binary (80 bytes, a count, 50 bytes per facet, little endian).
-#include <array>
-#include <cstring>
-
 #include "base/error.h"
 #include "volume/read/input/text.h"
 #include "volume/read/mesh/mesh_formats.h"
@@ -14,22 +11,13 @@ namespace {
 
 constexpr std::uint64_t kHeaderBytes = 84, kFacetBytes = 50;
 
-std::uint32_t littleEndian(const char* bytes) {
-  std::uint32_t value = 0;
-  for (int i = 3; i >= 0; --i) value = value << 8 | static_cast<unsigned char>(bytes[i]);
-  return value;
-}
-
 float littleEndianFloat(const char* bytes) {
-  const std::uint32_t bits = littleEndian(bytes);
-  float value;
-  std::memcpy(&value, &bits, sizeof value);
-  return value;
+  return numberAt<float>(bytes, false);
 }
 
 TriangleMesh readBinary(const std::string& data, const std::string& file, const base::Progress& progress) {
   if (data.size() < kHeaderBytes) throwInput(file, "byte 80", "truncated: the number of facets is missing");
-  const std::uint64_t facets = littleEndian(data.data() + 80);
+  const std::uint64_t facets = numberAt<std::uint32_t>(data.data() + 80, false);
   if (data.size() < kHeaderBytes + facets * kFacetBytes)
     throwInput(file, "byte 80",
                "truncated: " + std::to_string(facets) + " facets are announced, the file holds " +

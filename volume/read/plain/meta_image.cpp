@@ -18,16 +18,10 @@ namespace {
 
 constexpr std::size_t mostFiles = 65535;
 
-struct Field {
-  std::string_view key, value;
-  int line = 0;
-  std::string place() const { return linePlace(line, key); }
-};
-
 // The fields by lower-case key, and where the header ends.
-class Fields {
+class Fields : public HeaderFields {
  public:
-  Fields(std::string_view text, std::string file) : file_(std::move(file)) {
+  Fields(std::string_view text, const std::string& file) : HeaderFields(file) {
     Lines lines(text);
     while (const auto line = lines.next()) {
       const std::string_view content = trimmed(*line);
@@ -35,14 +29,14 @@ class Fields {
       const std::size_t equals = content.find('=');
       if (equals == std::string_view::npos)
         throwInput(file_, linePlace(lines.number()), "is not a \"Key = Value\" line");
-      const Field field{trimmed(content.substr(0, equals)), trimmed(content.substr(equals + 1)),
-                        lines.number()};
-      const std::string key = lowered(field.key);
+      const HeaderField field{trimmed(content.substr(0, equals)), trimmed(content.substr(equals + 1)),
+                              lines.number()};
+      const std::string key = lowered(field.name);
       if (key.starts_with("seq_frame")) {  // several of each frame of a tracked sequence
         isSequence_ = true;
         continue;
       }
-      add(key, field);
+      if (key != "comment" || !find({key})) add(key, field, "keys");
       if (key == "elementdatafile") {  // by definition the last key
         end_ = lines.offset();
         return;
@@ -54,23 +48,13 @@ class Fields {
   std::size_t end() const { return end_; }
   bool isSequence() const { return isSequence_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
-  const Field* find(std::initializer_list<std::string_view> keys) const {
+  const HeaderField* find(std::initializer_list<std::string_view> keys) const {
     for (std::string_view key : keys)
-      if (const auto it = fields_.find(std::string(key)); it != fields_.end()) return &it->second;
+      if (const HeaderField* field = HeaderFields::find(key)) return field;
     return nullptr;
   }
-  const Field& need(std::string_view key, std::string_view printed) const {
-    const Field* field = find({key});
-    if (!field) throwInput(file_, std::string(printed), "is missing");
-    return *field;
-  }
-  std::int64_t integer(const Field& field) const {
-    const auto value = integerOf(field.value);
-    if (!value) throwInput(file_, field.place(), inQuotes(field.value) + " is not a whole number");
-    return *value;
-  }
   // At least so many: 2D images often have the numbers of three axes.
-  std::vector<double> reals(const Field& field, std::size_t count) const {
+  std::vector<double> reals(const HeaderField& field, std::size_t count) const {
     const auto values = realsOf(field.value);
     if (!values) throwInput(file_, field.place(), inQuotes(field.value) + " is not a list of numbers");
     if (values->size() < count || (values->size() > count && values->size() > 3))
@@ -80,7 +64,7 @@ class Fields {
     return *values;
   }
   // A square matrix of at least so many rows; its rows.
-  std::size_t matrix(const Field& field, std::size_t axes, std::vector<double>& values) const {
+  std::size_t matrix(const HeaderField& field, std::size_t axes, std::vector<double>& values) const {
     const auto numbers = realsOf(field.value);
     if (!numbers) throwInput(file_, field.place(), inQuotes(field.value) + " is not a list of numbers");
     const std::size_t rows = axes == 2 && numbers->size() == 9 ? 3 : axes;
@@ -91,7 +75,7 @@ class Fields {
     values = *numbers;
     return rows;
   }
-  bool flag(const Field* field, bool otherwise) const {
+  bool flag(const HeaderField* field, bool otherwise) const {
     if (!field) return otherwise;
     for (std::string_view yes : {"true", "1", "t", "yes"})
       if (sameIgnoringCase(field->value, yes)) return true;
@@ -101,45 +85,28 @@ class Fields {
   }
 
  private:
-  void add(const std::string& key, const Field& field) {
-    const auto [known, isNew] = fields_.emplace(key, field);
-    if (fields_.size() > 1000) throwInput(file_, field.place(), "the header has more than 1000 keys");
-    if (isNew || key == "comment") return;
-    if (known->second.value != field.value)
-      throwInput(file_, field.place(), "is given twice, with different values");
-    warnings_.push_back(field.place() + ": is given twice");
-  }
-
-  std::string file_;
-  std::map<std::string, Field, std::less<>> fields_;
-  std::vector<std::string> warnings_;
   std::size_t end_ = 0;
   bool isSequence_ = false;
 };
 
 std::optional<VoxelType> metaImageType(std::string_view name) {
-  struct Name {
-    std::string_view name;
-    VoxelType type;
-  };
   // MET_LONG has 4 bytes whatever the machine, MET_LONG_LONG 8.
-  static constexpr Name names[] = {{"MET_CHAR", VoxelType::int8},         {"MET_UCHAR", VoxelType::uint8},
-                                   {"MET_ASCII_CHAR", VoxelType::int8},   {"MET_SHORT", VoxelType::int16},
-                                   {"MET_USHORT", VoxelType::uint16},     {"MET_INT", VoxelType::int32},
-                                   {"MET_UINT", VoxelType::uint32},       {"MET_LONG", VoxelType::int32},
-                                   {"MET_ULONG", VoxelType::uint32},      {"MET_LONG_LONG", VoxelType::int64},
-                                   {"MET_ULONG_LONG", VoxelType::uint64}, {"MET_FLOAT", VoxelType::float32},
-                                   {"MET_DOUBLE", VoxelType::float64}};
-  for (const Name& entry : names)
-    if (sameIgnoringCase(entry.name, name)) return entry.type;
-  return std::nullopt;
+  static constexpr TypeName names[] = {
+      {"MET_CHAR", VoxelType::int8},         {"MET_UCHAR", VoxelType::uint8},
+      {"MET_ASCII_CHAR", VoxelType::int8},   {"MET_SHORT", VoxelType::int16},
+      {"MET_USHORT", VoxelType::uint16},     {"MET_INT", VoxelType::int32},
+      {"MET_UINT", VoxelType::uint32},       {"MET_LONG", VoxelType::int32},
+      {"MET_ULONG", VoxelType::uint32},      {"MET_LONG_LONG", VoxelType::int64},
+      {"MET_ULONG_LONG", VoxelType::uint64}, {"MET_FLOAT", VoxelType::float32},
+      {"MET_DOUBLE", VoxelType::float64}};
+  return typeNamed(names, name);
 }
 
 // TransformMatrix alone says nothing of a patient: programs write it for any image. AnatomicalOrientation
 // does ("???" where nobody knows). ITK and what builds on it take the matrix as LPS and write the letters of
 // the ends the axes come from ("RAI" for the identity); MetaIO's own manual has them the other way, as the
 // ends they run to. Either is believed where it agrees with the matrix; letters that do not are no statement.
-scene::WorldAxes axesOf(const Field& orientation, const glm::dmat3& directions,
+scene::WorldAxes axesOf(const HeaderField& orientation, const glm::dmat3& directions,
                         std::vector<std::string>& warnings) {
   const std::string letters(orientation.value);
   if (letters.find('?') != std::string::npos || letters.size() < 3 || !usableDirections(directions))
@@ -157,14 +124,14 @@ scene::WorldAxes axesOf(const Field& orientation, const glm::dmat3& directions,
 }
 
 // Three names for one thing, of which the first counts; `what`: their common name.
-const Field* oneOf(const Fields& fields, std::initializer_list<std::string_view> keys, const char* what,
-                   std::vector<std::string>& warnings) {
-  const Field* const first = fields.find(keys);
+const HeaderField* oneOf(const Fields& fields, std::initializer_list<std::string_view> keys, const char* what,
+                         std::vector<std::string>& warnings) {
+  const HeaderField* const first = fields.find(keys);
   for (std::string_view key : keys)
-    if (const Field* other = fields.find({key});
+    if (const HeaderField* other = fields.find({key});
         first && other && realsOf(other->value) != realsOf(first->value))
-      warnings.push_back(std::string(first->key) + " and " + std::string(other->key) + " state different " +
-                         what + "; " + std::string(first->key) + " is taken");
+      warnings.push_back(std::string(first->name) + " and " + std::string(other->name) + " state different " +
+                         what + "; " + std::string(first->name) + " is taken");
   return first;
 }
 
@@ -172,21 +139,21 @@ void readGeometry(const Fields& fields, std::size_t axes, const std::string& fil
   glm::dvec3 spacing(1.0), origin(0.0);
   glm::dmat3 directions(1.0);
   double mm = 1.0;
-  const Field* const unit = fields.find({"distanceunits"});
+  const HeaderField* const unit = fields.find({"distanceunits"});
   if (unit && unit->value != "?" && !unit->value.empty())
-    mm = millimetresOr1(unit->value, unit->key, header.warnings);
-  const auto firstOf = [&](const Field& field, glm::dvec3& numbers) {
+    mm = millimetresOr1(unit->value, unit->name, header.warnings);
+  const auto firstOf = [&](const HeaderField& field, glm::dvec3& numbers) {
     const auto values = fields.reals(field, axes);
     for (std::size_t a = 0; a < std::min<std::size_t>(values.size(), 3); ++a)
       numbers[static_cast<int>(a)] = values[a] * mm;
   };
-  if (const Field* field = fields.find({"elementspacing", "elementsize"}))
+  if (const HeaderField* field = fields.find({"elementspacing", "elementsize"}))
     firstOf(*field, spacing);
   else
     header.warnings.push_back("ElementSpacing is missing; " + std::string(kSpacingAssumed));
-  if (const Field* field = oneOf(fields, {"offset", "position", "origin"}, "origins", header.warnings))
+  if (const HeaderField* field = oneOf(fields, {"offset", "position", "origin"}, "origins", header.warnings))
     firstOf(*field, origin);
-  if (const Field* field =
+  if (const HeaderField* field =
           oneOf(fields, {"transformmatrix", "orientation", "rotation"}, "directions", header.warnings)) {
     std::vector<double> values;
     const std::size_t rows = fields.matrix(*field, axes, values);
@@ -196,14 +163,14 @@ void readGeometry(const Fields& fields, std::size_t axes, const std::string& fil
         directions[static_cast<int>(axis)][static_cast<int>(i)] = values[axis * rows + i];
   }
   header.worldFromVoxel = checkedGeometry(directions, spacing, origin, file, header.warnings);
-  if (const Field* field = fields.find({"anatomicalorientation"}))
+  if (const HeaderField* field = fields.find({"anatomicalorientation"}))
     header.axes = axesOf(*field, directions, header.warnings);
 }
 
 // "Kinds = domain domain list": the frames of a sequence are no slices. Tracked ultrasound says so, or gives
 // each frame keys of its own.
 void readKinds(const Fields& fields, std::size_t axes, const std::string& file, ImageHeader& header) {
-  const Field* const field = fields.find({"kinds"});
+  const HeaderField* const field = fields.find({"kinds"});
   const auto kinds = field ? wordsOf(field->value) : std::vector<std::string_view>();
   const auto isFrames = [&](std::size_t axis) {
     return axis < kinds.size() && !sameIgnoringCase(kinds[axis], "domain") &&
@@ -222,9 +189,9 @@ void readKinds(const Fields& fields, std::size_t axes, const std::string& file, 
 
 // value = slope * stored + offset, as MetaIO's ElementToIntensityFunction has it.
 void readScaling(const Fields& fields, ImageHeader& header) {
-  if (const Field* slope = fields.find({"elementtointensityfunctionslope"}))
+  if (const HeaderField* slope = fields.find({"elementtointensityfunctionslope"}))
     header.slope = fields.reals(*slope, 1)[0];
-  if (const Field* offset = fields.find({"elementtointensityfunctionoffset"}))
+  if (const HeaderField* offset = fields.find({"elementtointensityfunctionoffset"}))
     header.intercept = fields.reals(*offset, 1)[0];
 }
 
@@ -248,7 +215,7 @@ std::string numberedName(std::string_view pattern, std::int64_t number, const st
 }
 
 void readDataFile(const Fields& fields, std::string_view text, const std::string& file, ImageHeader& header) {
-  const Field& field = *fields.find({"elementdatafile"});
+  const HeaderField& field = *fields.find({"elementdatafile"});
   Payload& payload = header.payload;
   const auto words = wordsOf(field.value);
   if (words.empty()) throwInput(file, field.place(), "names no data file");
@@ -257,12 +224,7 @@ void readDataFile(const Fields& fields, std::string_view text, const std::string
     return;
   }
   if (sameIgnoringCase(words[0], "list")) {
-    Lines lines(text.substr(fields.end()));
-    while (const auto line = lines.next()) {
-      if (const auto name = trimmed(*line); !name.empty()) payload.files.emplace_back(name);
-      if (payload.files.size() > mostFiles) throwInput(file, field.place(), "lists more than 65535 files");
-    }
-    if (payload.files.empty()) throwInput(file, field.place(), "the list of data files is empty");
+    payload.files = listedFiles(text.substr(fields.end()), file, field.place());
     return;
   }
   if (words.size() >= 3 && words[0].find('%') != std::string_view::npos) {
@@ -301,11 +263,11 @@ ImageHeader parseMetaImageHeader(std::string_view text, const std::string& file)
   ImageHeader header;
   header.format = "MetaImage";
   header.warnings = fields.warnings();
-  if (const Field* type = fields.find({"objecttype"}); type && !sameIgnoringCase(type->value, "image"))
+  if (const HeaderField* type = fields.find({"objecttype"}); type && !sameIgnoringCase(type->value, "image"))
     throwInput(file, type->place(), inQuotes(type->value) + " is not an image");
 
-  const Field& sizes = fields.need("dimsize", "DimSize");
-  const Field& count = fields.need("ndims", "NDims");
+  const HeaderField& sizes = fields.need("dimsize", "DimSize");
+  const HeaderField& count = fields.need("ndims", "NDims");
   const std::int64_t axes = fields.integer(count);
   if (axes < 2 || axes > 4)
     throwInput(file, count.place(), "2, 3 or 4 axes are read, not " + std::to_string(axes));
@@ -316,12 +278,12 @@ ImageHeader parseMetaImageHeader(std::string_view text, const std::string& file)
                "has " + std::to_string(dims->size()) + " sizes for " + std::to_string(axes) + " axes");
   for (std::size_t a = 0; a < dims->size(); ++a) (a < 3 ? header.dims[a] : header.timeSteps) = (*dims)[a];
 
-  const Field& type = fields.need("elementtype", "ElementType");
+  const HeaderField& type = fields.need("elementtype", "ElementType");
   const auto voxelType = metaImageType(type.value);
   if (!voxelType)
     throwInput(file, type.place(), "the voxel type " + inQuotes(type.value) + " is not supported");
   header.type = *voxelType;
-  if (const Field* channels = fields.find({"elementnumberofchannels"})) {
+  if (const HeaderField* channels = fields.find({"elementnumberofchannels"})) {
     header.components = fields.integer(*channels);
     if (header.components < 1) throwInput(file, channels->place(), "there must be at least one channel");
   }
@@ -333,21 +295,22 @@ ImageHeader parseMetaImageHeader(std::string_view text, const std::string& file)
   Payload& payload = header.payload;
   const bool big = fields.flag(fields.find({"binarydatabyteordermsb", "elementbyteordermsb"}), false);
   payload.endianness = big ? Endianness::big : Endianness::little;
-  const Field* compressed = fields.find({"compresseddata"});
+  const HeaderField* compressed = fields.find({"compresseddata"});
   if (fields.flag(compressed, false)) payload.encoding = Encoding::zlib;
-  const Field* binary = fields.find({"binarydata"});
+  const HeaderField* binary = fields.find({"binarydata"});
   if (!fields.flag(binary, true)) {
     if (payload.encoding == Encoding::zlib)
       throwInput(file, compressed->place(), "text data cannot be compressed");
     payload.encoding = Encoding::ascii;
   }
   readDataFile(fields, text.substr(0, kLongestMetaImageHeader), file, header);
-  if (const Field* size = fields.find({"compresseddatasize"}); size && payload.encoding == Encoding::zlib) {
+  if (const HeaderField* size = fields.find({"compresseddatasize"});
+      size && payload.encoding == Encoding::zlib) {
     const std::int64_t bytes = fields.integer(*size);
     if (bytes < 0) throwInput(file, size->place(), "is negative");
     if (payload.files.size() <= 1) payload.compressedBytes = static_cast<std::uint64_t>(bytes);
   }
-  if (const Field* skip = fields.find({"headersize"})) {
+  if (const HeaderField* skip = fields.find({"headersize"})) {
     const std::int64_t bytes = fields.integer(*skip);
     if (bytes < -1) throwInput(file, skip->place(), "must be -1 or a number of bytes");
     if (bytes == -1) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -38,70 +37,49 @@ struct NiftiFields {
   bool pair = false;
 };
 
-// Numbers at byte positions of the header, in its byte order.
-class Reader {
- public:
-  Reader(std::string_view head, bool big) : head_(head), big_(big) {}
-  template <typename T>
-  T at(std::size_t position) const {
-    char bytes[sizeof(T)];
-    std::memcpy(bytes, head_.data() + position, sizeof(T));
-    if (big_) std::reverse(bytes, bytes + sizeof(T));
-    T value;
-    std::memcpy(&value, bytes, sizeof(T));
-    return value;
-  }
-
- private:
-  std::string_view head_;
-  bool big_;
+// Where the fields of a version stand, bytes.
+struct NiftiPlaces {
+  std::size_t dim, intent, datatype, pixdim, voxOffset, slope, units, forms, orientation;
 };
 
-NiftiFields readVersion1(const Reader& in) {
+template <class Size, class Code, class Real, class Offset>
+NiftiFields fieldsAt(const NiftiPlaces& at, std::string_view head, bool big) {
+  const auto number = [&]<class T>(T, std::size_t place) { return numberAt<T>(head.data() + place, big); };
+  const auto real = [&](std::size_t place, std::size_t i) {
+    return static_cast<double>(number(Real{}, place + i * sizeof(Real)));
+  };
   NiftiFields f;
   for (std::size_t i = 0; i < 8; ++i) {
-    f.dim[i] = in.at<std::int16_t>(40 + 2 * i);
-    f.pixdim[i] = static_cast<double>(in.at<float>(76 + 4 * i));
+    f.dim[i] = number(Size{}, at.dim + i * sizeof(Size));
+    f.pixdim[i] = real(at.pixdim, i);
   }
-  f.intent = in.at<std::int16_t>(68);
-  f.datatype = in.at<std::int16_t>(70);
-  f.bitpix = in.at<std::int16_t>(72);
-  f.voxOffset = static_cast<double>(in.at<float>(108));
-  f.slope = static_cast<double>(in.at<float>(112));
-  f.intercept = static_cast<double>(in.at<float>(116));
-  f.units = in.at<std::uint8_t>(123);
-  f.qformCode = in.at<std::int16_t>(252);
-  f.sformCode = in.at<std::int16_t>(254);
+  f.intent = number(Code{}, at.intent);
+  f.datatype = number(std::int16_t{}, at.datatype);
+  f.bitpix = number(std::int16_t{}, at.datatype + 2);
+  f.voxOffset = static_cast<double>(number(Offset{}, at.voxOffset));
+  f.slope = real(at.slope, 0);
+  f.intercept = real(at.slope, 1);
+  f.units = static_cast<unsigned char>(head[at.units]);
+  f.qformCode = number(Code{}, at.forms);
+  f.sformCode = number(Code{}, at.forms + sizeof(Code));
   for (std::size_t i = 0; i < 3; ++i) {
-    f.quaternion[i] = static_cast<double>(in.at<float>(256 + 4 * i));
-    f.qoffset[i] = static_cast<double>(in.at<float>(268 + 4 * i));
-    for (std::size_t j = 0; j < 4; ++j)
-      f.srow[i][j] = static_cast<double>(in.at<float>(280 + 16 * i + 4 * j));
+    f.quaternion[i] = real(at.orientation, i);
+    f.qoffset[i] = real(at.orientation, 3 + i);
+    for (std::size_t j = 0; j < 4; ++j) f.srow[i][j] = real(at.orientation, 6 + 4 * i + j);
   }
   return f;
 }
 
-NiftiFields readVersion2(const Reader& in) {
-  NiftiFields f;
+NiftiFields readVersion1(std::string_view head, bool big) {
+  return fieldsAt<std::int16_t, std::int16_t, float, float>({40, 68, 70, 76, 108, 112, 123, 252, 256}, head,
+                                                            big);
+}
+
+NiftiFields readVersion2(std::string_view head, bool big) {
+  const std::size_t units = big ? 503 : 500;  // the lowest byte of four
+  NiftiFields f = fieldsAt<std::int64_t, std::int32_t, double, std::int64_t>(
+      {16, 504, 12, 104, 168, 176, units, 344, 352}, head, big);
   f.version = 2;
-  f.datatype = in.at<std::int16_t>(12);
-  f.bitpix = in.at<std::int16_t>(14);
-  for (std::size_t i = 0; i < 8; ++i) {
-    f.dim[i] = in.at<std::int64_t>(16 + 8 * i);
-    f.pixdim[i] = in.at<double>(104 + 8 * i);
-  }
-  f.voxOffset = static_cast<double>(in.at<std::int64_t>(168));
-  f.slope = in.at<double>(176);
-  f.intercept = in.at<double>(184);
-  f.qformCode = in.at<std::int32_t>(344);
-  f.sformCode = in.at<std::int32_t>(348);
-  for (std::size_t i = 0; i < 3; ++i) {
-    f.quaternion[i] = in.at<double>(352 + 8 * i);
-    f.qoffset[i] = in.at<double>(376 + 8 * i);
-    for (std::size_t j = 0; j < 4; ++j) f.srow[i][j] = in.at<double>(400 + 32 * i + 8 * j);
-  }
-  f.units = in.at<std::int32_t>(500) & 0xff;
-  f.intent = in.at<std::int32_t>(504);
   return f;
 }
 
@@ -113,7 +91,7 @@ struct Signature {
 Signature signatureOf(std::string_view head) {
   if (head.size() < 348) return {};
   for (const bool big : {false, true}) {
-    const auto size = Reader(head, big).at<std::int32_t>(0);
+    const auto size = numberAt<std::int32_t>(head.data(), big);
     if (size == 348) return {1, big};
     if (size == 540 && head.size() >= 540) return {2, big};
   }
@@ -136,12 +114,12 @@ NiftiFields fieldsOf(std::string_view head, const std::string& file) {
                "truncated: a NIfTI header has 348 bytes, these are " + std::to_string(head.size()));
   const Signature signature = signatureOf(head);
   if (signature.version == 0) throwInput(file, "sizeof_hdr", "is neither 348 nor 540");
-  const Reader in(head, signature.big);
   const std::string_view magic = magicOf(head, signature.version);
   if (!isPairMagic(magic) && !isSingleMagic(magic))
     throwInput(file, "magic",
                "is not NIfTI's; ANALYZE 7.5 files are not read, they do not tell left from right");
-  NiftiFields fields = signature.version == 1 ? readVersion1(in) : readVersion2(in);
+  NiftiFields fields =
+      signature.version == 1 ? readVersion1(head, signature.big) : readVersion2(head, signature.big);
   fields.endianness = signature.big ? Endianness::big : Endianness::little;
   fields.pair = isPairMagic(magic);
   const double least = fields.pair ? 0.0 : (fields.version == 1 ? 352.0 : 544.0);

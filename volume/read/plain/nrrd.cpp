@@ -21,14 +21,7 @@ using base::throwInput;
 
 namespace {
 
-constexpr std::size_t mostNrrdFiles = 65535;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-struct NrrdField {
-  std::string_view name, value;
-  int line = 0;
-  std::string place() const { return linePlace(line, name); }
-};
 
 struct Axis {
   std::int64_t size = 1;
@@ -40,50 +33,38 @@ struct Axis {
   bool withoutDirection = false;        // "none"
 };
 
-class Header {
+class Header : private HeaderFields {
  public:
-  Header(std::string_view text, std::string file);
+  Header(std::string_view text, const std::string& file);
   ImageHeader read();
 
  private:
-  const NrrdField* find(std::string_view name) const {
-    const auto it = fields_.find(name);
-    return it == fields_.end() ? nullptr : &it->second;
-  }
-  const NrrdField& need(std::string_view name) const {
-    const NrrdField* field = find(name);
-    if (!field) throwInput(file_, std::string(name), "is missing");
-    return *field;
-  }
-  std::int64_t integer(const NrrdField& field) const {
-    const auto value = integerOf(field.value);
-    if (!value) throwInput(file_, field.place(), inQuotes(field.value) + " is not a whole number");
-    return *value;
-  }
   // One entry per axis.
-  std::vector<std::string_view> perAxis(const NrrdField& field) const {
-    auto words = wordsOf(field.value);
-    if (words.size() != axes_.size())
+  std::vector<std::string_view> perAxis(const HeaderField& field,
+                                        std::vector<std::string_view> entries) const {
+    if (entries.size() != axes_.size())
       throwInput(
           file_, field.place(),
-          "has " + std::to_string(words.size()) + " entries for " + std::to_string(axes_.size()) + " axes");
-    return words;
+          "has " + std::to_string(entries.size()) + " entries for " + std::to_string(axes_.size()) + " axes");
+    return entries;
   }
-  double real(std::string_view word, const NrrdField& field) const {
+  std::vector<std::string_view> perAxis(const HeaderField& field) const {
+    return perAxis(field, wordsOf(field.value));
+  }
+  double real(std::string_view word, const HeaderField& field) const {
     const auto value = realOf(word);
     if (!value) throwInput(file_, field.place(), inQuotes(word) + " is not a number");
     return *value;
   }
 
-  void add(const NrrdField& field);
   void readAxes();
-  void readMinsAndMaxs(const NrrdField& low, const NrrdField* high);
+  void readMinsAndMaxs(const HeaderField& low, const HeaderField* high);
   void readSpace();
-  std::vector<std::string_view> quoted(const NrrdField& field) const;
+  std::vector<std::string_view> quoted(const HeaderField& field) const;
   glm::dvec3 spaceUnitsMm();
   void readValues(ImageHeader& header);
-  std::vector<std::string_view> vectorsOf(const NrrdField& field) const;
-  glm::dvec3 vectorOf(std::string_view text, const NrrdField& field) const;
+  std::vector<std::string_view> vectorsOf(const HeaderField& field) const;
+  glm::dvec3 vectorOf(std::string_view text, const HeaderField& field) const;
   bool isSpatial(const Axis& axis) const;
   void assignAxes(ImageHeader& header);
   void readGeometry(ImageHeader& header);
@@ -91,9 +72,7 @@ class Header {
   void readEncoding(ImageHeader& header) const;
   void readDataFiles(ImageHeader& header) const;
 
-  std::string file_;
   std::string_view text_;
-  std::map<std::string, NrrdField, std::less<>> fields_;
   std::size_t end_ = 0;  // of the header
   int endLine_ = 0;
   bool attached_ = false;  // an empty line ended the header
@@ -102,7 +81,6 @@ class Header {
   int spaceDimension_ = 0;
   glm::dvec3 toLps_{1.0};      // signs
   bool patientSpace_ = false;  // the space is named by the patient's sides
-  std::vector<std::string> warnings_;
 };
 
 // The synonyms of the definition, without spaces around the name.
@@ -122,7 +100,7 @@ std::string canonicalName(std::string_view name) {
   return lower;
 }
 
-Header::Header(std::string_view text, std::string file) : file_(std::move(file)), text_(text) {
+Header::Header(std::string_view text, const std::string& file) : HeaderFields(file), text_(text) {
   Lines lines(text);
   const auto magic = lines.next();
   if (!magic || !magic->starts_with("NRRD000") || magic->size() != 8 || (*magic)[7] < '1' ||
@@ -140,21 +118,12 @@ Header::Header(std::string_view text, std::string file) : file_(std::move(file))
     if (colon == std::string_view::npos)
       throwInput(file_, linePlace(endLine_), "is not a \"field: value\" line");
     if (colon + 1 < line->size() && (*line)[colon + 1] == '=') continue;  // key:=value
-    const NrrdField field{trimmed(line->substr(0, colon)), trimmed(line->substr(colon + 1)), endLine_};
-    add(field);
-    if (canonicalName(field.name) == "data file" && !wordsOf(field.value).empty() &&
-        wordsOf(field.value)[0] == "LIST")
+    const HeaderField field{trimmed(line->substr(0, colon)), trimmed(line->substr(colon + 1)), endLine_};
+    const std::string name = canonicalName(field.name);
+    add(name, field, "fields");
+    if (name == "data file" && !wordsOf(field.value).empty() && wordsOf(field.value)[0] == "LIST")
       break;  // the rest are file names
   }
-}
-
-void Header::add(const NrrdField& field) {
-  const auto [known, isNew] = fields_.emplace(canonicalName(field.name), field);
-  if (fields_.size() > 1000) throwInput(file_, field.place(), "the header has more than 1000 fields");
-  if (isNew) return;
-  if (known->second.value != field.value)
-    throwInput(file_, field.place(), "is given twice, with different values");
-  warnings_.push_back(field.place() + ": is given twice");
 }
 
 std::optional<VoxelType> nrrdType(std::string_view name) {
@@ -183,12 +152,12 @@ std::optional<VoxelType> nrrdType(std::string_view name) {
 }
 
 void Header::readAxes() {
-  const NrrdField& dimension = need("dimension");
+  const HeaderField& dimension = need("dimension");
   const std::int64_t count = integer(dimension);
   if (count < 2 || count > 5)
     throwInput(file_, dimension.place(), "2 to 5 axes are read, not " + std::to_string(count));
   axes_.resize(static_cast<std::size_t>(count));
-  const NrrdField& sizes = need("sizes");
+  const HeaderField& sizes = need("sizes");
   const auto words = perAxis(sizes);
   for (std::size_t a = 0; a < words.size(); ++a) {
     const auto size = integerOf(words[a]);
@@ -198,29 +167,25 @@ void Header::readAxes() {
                  "an axis has " + std::to_string(*size) + " voxels; at least 1 is needed");
     axes_[a].size = *size;
   }
-  if (const NrrdField* kinds = find("kinds")) {
+  if (const HeaderField* kinds = find("kinds")) {
     const auto names = perAxis(*kinds);
     for (std::size_t a = 0; a < names.size(); ++a) axes_[a].kind = names[a];
   }
-  if (const NrrdField* spacings = find("spacings")) {
+  if (const HeaderField* spacings = find("spacings")) {
     const auto values = perAxis(*spacings);
     for (std::size_t a = 0; a < values.size(); ++a) axes_[a].spacing = real(values[a], *spacings);
   }
-  if (const NrrdField* low = find("axis mins")) readMinsAndMaxs(*low, find("axis maxs"));
-  if (const NrrdField* units = find("units")) {
-    const auto names = quoted(*units);
-    if (names.size() != axes_.size())
-      throwInput(
-          file_, units->place(),
-          "has " + std::to_string(names.size()) + " entries for " + std::to_string(axes_.size()) + " axes");
+  if (const HeaderField* low = find("axis mins")) readMinsAndMaxs(*low, find("axis maxs"));
+  if (const HeaderField* units = find("units")) {
+    const auto names = perAxis(*units, quoted(*units));
     for (std::size_t a = 0; a < names.size(); ++a) axes_[a].unit = names[a];
   }
 }
 
 // Of a cell-centred axis, the usual kind, the ends lie half a sample beyond the first and the last one.
-void Header::readMinsAndMaxs(const NrrdField& low, const NrrdField* high) {
+void Header::readMinsAndMaxs(const HeaderField& low, const HeaderField* high) {
   const auto lows = perAxis(low), highs = high ? perAxis(*high) : lows;
-  const NrrdField* centers = find("centers");
+  const HeaderField* centers = find("centers");
   const auto centering = centers ? perAxis(*centers) : std::vector<std::string_view>(axes_.size());
   for (std::size_t a = 0; a < axes_.size(); ++a) {
     Axis& axis = axes_[a];
@@ -238,7 +203,7 @@ void Header::readMinsAndMaxs(const NrrdField& low, const NrrdField* high) {
 }
 
 // "mm" "mm" "" -> the texts between the quotes; words without quotes as they are.
-std::vector<std::string_view> Header::quoted(const NrrdField& field) const {
+std::vector<std::string_view> Header::quoted(const HeaderField& field) const {
   std::vector<std::string_view> texts;
   for (std::string_view rest = trimmed(field.value); !rest.empty(); rest = trimmed(rest)) {
     const bool isQuoted = rest[0] == '"';
@@ -251,7 +216,7 @@ std::vector<std::string_view> Header::quoted(const NrrdField& field) const {
 }
 
 void Header::readSpace() {
-  if (const NrrdField* space = find("space")) {
+  if (const HeaderField* space = find("space")) {
     std::string name = lowered(space->value);
     spaceDimension_ = 3;
     patientSpace_ = true;
@@ -276,18 +241,14 @@ void Header::readSpace() {
     } else {
       throwInput(file_, space->place(), "the space " + inQuotes(space->value) + " is not known");
     }
-  } else if (const NrrdField* dimension = find("space dimension")) {
+  } else if (const HeaderField* dimension = find("space dimension")) {
     const std::int64_t n = integer(*dimension);
     if (n < 2 || n > 4) throwInput(file_, dimension->place(), "2, 3 or 4 space dimensions are read");
     spaceDimension_ = static_cast<int>(n);
   }
-  if (const NrrdField* directions = find("space directions")) {
+  if (const HeaderField* directions = find("space directions")) {
     if (spaceDimension_ == 0) throwInput(file_, directions->place(), "needs a space or a space dimension");
-    const auto vectors = vectorsOf(*directions);
-    if (vectors.size() != axes_.size())
-      throwInput(
-          file_, directions->place(),
-          "has " + std::to_string(vectors.size()) + " entries for " + std::to_string(axes_.size()) + " axes");
+    const auto vectors = perAxis(*directions, vectorsOf(*directions));
     for (std::size_t a = 0; a < vectors.size(); ++a) {
       if (sameIgnoringCase(vectors[a], "none"))
         axes_[a].withoutDirection = true;
@@ -298,7 +259,7 @@ void Header::readSpace() {
 }
 
 // "(1,0,0) none (0, 1, 0)" -> "(1,0,0)", "none", "(0, 1, 0)".
-std::vector<std::string_view> Header::vectorsOf(const NrrdField& field) const {
+std::vector<std::string_view> Header::vectorsOf(const HeaderField& field) const {
   std::vector<std::string_view> vectors;
   std::string_view rest = trimmed(field.value);
   while (!rest.empty()) {
@@ -312,7 +273,7 @@ std::vector<std::string_view> Header::vectorsOf(const NrrdField& field) const {
 }
 
 // The fourth number of a space with time is left out.
-glm::dvec3 Header::vectorOf(std::string_view text, const NrrdField& field) const {
+glm::dvec3 Header::vectorOf(std::string_view text, const HeaderField& field) const {
   if (text.size() < 2 || text.front() != '(' || text.back() != ')')
     throwInput(file_, field.place(), inQuotes(text) + " is not a vector like (1,0,0)");
   std::string inner(text.substr(1, text.size() - 2));
@@ -334,7 +295,7 @@ bool Header::isSpatial(const Axis& axis) const {
 
 // Which axes are x, y, z; the others must stand before or behind them.
 void Header::assignAxes(ImageHeader& header) {
-  const NrrdField& sizes = need("sizes");
+  const HeaderField& sizes = need("sizes");
   for (std::size_t a = 0; a < axes_.size(); ++a)
     if (isSpatial(axes_[a])) spatial_.push_back(a);
   if (spatial_.size() == 4 && axes_.size() == 4 && !find("space directions")) {
@@ -374,7 +335,7 @@ void Header::assignAxes(ImageHeader& header) {
 // mm in the units of the space's axes; without a word they are mm.
 glm::dvec3 Header::spaceUnitsMm() {
   glm::dvec3 mm(1.0);
-  const NrrdField* units = find("space units");
+  const HeaderField* units = find("space units");
   if (!units) return mm;
   const auto names = quoted(*units);
   if (names.size() != static_cast<std::size_t>(spaceDimension_))
@@ -389,11 +350,11 @@ glm::dvec3 Header::spaceUnitsMm() {
 // What the numbers mean. NRRD's range before quantisation is for reconstruction by Teem's own rule, which
 // other programs do not apply either.
 void Header::readValues(ImageHeader& header) {
-  if (const NrrdField* unit = find("sample units")) {
+  if (const HeaderField* unit = find("sample units")) {
     const auto names = quoted(*unit);
     header.unit = names.size() == 1 ? names[0] : unit->value;
   }
-  const NrrdField *low = find("old min"), *high = find("old max");
+  const HeaderField *low = find("old min"), *high = find("old max");
   if (low || high)
     warnings_.push_back("the values were quantised from " + std::string(low ? low->value : "?") + " to " +
                         std::string(high ? high->value : "?") +
@@ -413,7 +374,7 @@ void Header::noteContradictions() {
     }
   if (placed && differ)
     warnings_.push_back("\"spacings\" and \"space directions\" disagree; the directions are taken");
-  if (const NrrdField* dimension = find("space dimension");
+  if (const HeaderField* dimension = find("space dimension");
       dimension && find("space") && integer(*dimension) != spaceDimension_)
     warnings_.push_back("\"space\" and \"space dimension\" disagree; the space is taken");
 }
@@ -447,7 +408,7 @@ void Header::readGeometry(ImageHeader& header) {
     const glm::dvec3 a = directions[0], b = directions[1];
     directions[2] = {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
   }
-  if (const NrrdField* field = find("space origin")) {
+  if (const HeaderField* field = find("space origin")) {
     if (spaceDimension_ == 0) throwInput(file_, field->place(), "needs a space or a space dimension");
     origin = vectorOf(field->value, *field) * spaceMm;
   }
@@ -459,7 +420,7 @@ void Header::readGeometry(ImageHeader& header) {
 }
 
 void Header::readEncoding(ImageHeader& header) const {
-  const NrrdField& encoding = need("encoding");
+  const HeaderField& encoding = need("encoding");
   const std::string name = lowered(encoding.value);
   Payload& payload = header.payload;
   if (name == "raw") {
@@ -474,7 +435,7 @@ void Header::readEncoding(ImageHeader& header) const {
   } else {
     throwInput(file_, encoding.place(), "the encoding " + inQuotes(encoding.value) + " is not known");
   }
-  if (const NrrdField* endian = find("endian")) {
+  if (const HeaderField* endian = find("endian")) {
     if (sameIgnoringCase(endian->value, "big"))
       payload.endianness = Endianness::big;
     else if (!sameIgnoringCase(endian->value, "little"))
@@ -482,12 +443,12 @@ void Header::readEncoding(ImageHeader& header) const {
   } else if (bytesOf(header.type) > 1 && payload.encoding != Encoding::ascii) {
     header.warnings.push_back("the field \"endian\" is missing; little endian assumed");
   }
-  if (const NrrdField* skip = find("line skip")) {
+  if (const HeaderField* skip = find("line skip")) {
     const std::int64_t lines = integer(*skip);
     if (lines < 0) throwInput(file_, skip->place(), "is negative");
     payload.lineSkip = static_cast<std::uint64_t>(lines);
   }
-  if (const NrrdField* skip = find("byte skip")) {
+  if (const HeaderField* skip = find("byte skip")) {
     const std::int64_t bytes = integer(*skip);
     if (bytes < -1) throwInput(file_, skip->place(), "must be -1 or a number of bytes");
     if (bytes == -1) {
@@ -504,7 +465,7 @@ void Header::readEncoding(ImageHeader& header) const {
 
 void Header::readDataFiles(ImageHeader& header) const {
   Payload& payload = header.payload;
-  const NrrdField* data = find("data file");
+  const HeaderField* data = find("data file");
   if (!data) {
     if (!attached_)
       throwInput(file_, linePlace(endLine_),
@@ -515,13 +476,7 @@ void Header::readDataFiles(ImageHeader& header) const {
   const auto words = wordsOf(data->value);
   if (words.empty()) throwInput(file_, data->place(), "names no data file");
   if (words[0] == "LIST") {
-    Lines lines(text_.substr(end_));
-    while (const auto line = lines.next()) {
-      if (const auto name = trimmed(*line); !name.empty()) payload.files.emplace_back(name);
-      if (payload.files.size() > mostNrrdFiles)
-        throwInput(file_, data->place(), "lists more than 65535 files");
-    }
-    if (payload.files.empty()) throwInput(file_, data->place(), "the list of data files is empty");
+    payload.files = listedFiles(text_.substr(end_), file_, data->place());
   } else if (words.size() >= 4 && words[0].find('%') != std::string_view::npos) {
     throwInput(file_, data->place(), "file name patterns are not supported; list the files with LIST");
   } else {
@@ -532,7 +487,7 @@ void Header::readDataFiles(ImageHeader& header) const {
 ImageHeader Header::read() {
   ImageHeader header;
   header.format = "NRRD";
-  const NrrdField& type = need("type");
+  const HeaderField& type = need("type");
   const auto voxelType = nrrdType(type.value);
   if (!voxelType)
     throwInput(file_, type.place(), "the voxel type " + inQuotes(type.value) + " is not supported");

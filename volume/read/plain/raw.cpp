@@ -20,35 +20,19 @@ constexpr const char* usage = "WxHxD TYPE [little|big] [spacing sx,sy,sz] [heade
                     reason + "; expected: " + usage);
 }
 
-std::vector<std::string_view> splitAt(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (;;) {
-    const std::size_t end = text.find(separator);
-    parts.push_back(text.substr(0, end));
-    if (end == std::string_view::npos) return parts;
-    text.remove_prefix(end + 1);
-  }
-}
-
-std::optional<VoxelType> typeNamed(std::string_view name) {
-  struct Alias {
-    std::string_view name;
-    VoxelType type;
-  };
-  static constexpr Alias aliases[] = {{"char", VoxelType::int8},     {"uchar", VoxelType::uint8},
-                                      {"short", VoxelType::int16},   {"ushort", VoxelType::uint16},
-                                      {"int", VoxelType::int32},     {"uint", VoxelType::uint32},
-                                      {"float", VoxelType::float32}, {"double", VoxelType::float64}};
+std::optional<VoxelType> rawTypeNamed(std::string_view name) {
+  static constexpr TypeName aliases[] = {{"char", VoxelType::int8},     {"uchar", VoxelType::uint8},
+                                         {"short", VoxelType::int16},   {"ushort", VoxelType::uint16},
+                                         {"int", VoxelType::int32},     {"uint", VoxelType::uint32},
+                                         {"float", VoxelType::float32}, {"double", VoxelType::float64}};
   for (int type = 0; type <= static_cast<int>(VoxelType::float64); ++type)
     if (sameIgnoringCase(name, nameOf(static_cast<VoxelType>(type)))) return static_cast<VoxelType>(type);
-  for (const Alias& alias : aliases)
-    if (sameIgnoringCase(name, alias.name)) return alias.type;
-  return std::nullopt;
+  return typeNamed(aliases, name);
 }
 
 glm::ivec3 dimsOf(std::string_view word) {
   const std::string lower = lowered(word);  // "256X256X128" is fine
-  const auto parts = splitAt(lower, 'x');
+  const auto parts = splitAt(lower, "x");
   if (parts.size() != 3) badWord(word, "three sizes are needed");
   glm::ivec3 dims;
   for (int axis = 0; axis < 3; ++axis) {
@@ -60,7 +44,7 @@ glm::ivec3 dimsOf(std::string_view word) {
 }
 
 glm::dvec3 spacingOf(std::string_view word) {
-  const auto parts = splitAt(word, ',');
+  const auto parts = splitAt(word, ",");
   if (parts.size() != 3) badWord(word, "three spacings are needed");
   glm::dvec3 spacing;
   for (int axis = 0; axis < 3; ++axis) {
@@ -80,7 +64,7 @@ RawDescription parseRawDescription(const std::string& text) {
   RawDescription description;
   description.dims = dimsOf(words[0]);
   if (words.size() < 2) badWord(text, "the type is missing");
-  const auto type = typeNamed(words[1]);
+  const auto type = rawTypeNamed(words[1]);
   if (!type) badWord(words[1], "is not a voxel type (int8 ... uint64, float32, float64)");
   description.type = *type;
   bool hasOrder = false, hasSpacing = false, hasHeader = false;

@@ -59,6 +59,9 @@ class Check {
   void refuseType(const std::string& type);
   [[noreturn]] void refuseParallel() const;
   void readImageTag(const Tag& tag);
+  void readTag(const Tag& tag);
+  const Array& chosenArray();
+  void placeVoxels();
   void checkSize(const Array& array);
   void checkBinary(std::uint64_t begin, std::uint64_t end, bool base64);
   std::string bytesAt(std::uint64_t begin, std::uint64_t end, bool base64, std::uint64_t skip,
@@ -72,6 +75,10 @@ class Check {
   VtiHeader header_;
   bool parallel_ = false;             // of a .pvti
   std::vector<std::string> sources_;  // of its pieces
+  bool hasFile_ = false, hasImage_ = false, hasPiece_ = false;
+  std::string_view section_;  // PointData or CellData, while in it
+  std::string wanted_[2];     // of points, of cells
+  std::vector<Array> arrays_;
   glm::dvec3 spacing_{1.0}, origin_{0.0};
   glm::dmat3 directions_{1.0};
   std::array<std::int64_t, 6> whole_{};
@@ -99,10 +106,7 @@ void Check::cutAppended(std::size_t appended) {
   if (mark == std::string::npos && text_.size() < bytes_.size()) {  // the tag itself is cut
     constexpr std::size_t longestTag = 4096;
     text_.resize(appended);
-    std::string tag(std::min<std::size_t>(longestTag, static_cast<std::size_t>(bytes_.size()) - appended),
-                    '\0');
-    bytes_.read(appended, std::as_writable_bytes(std::span(tag)));
-    text_ += tag;
+    text_ += bytes_.text(appended, longestTag);
     mark = text_.find('_', appended);
   }
   if (mark == std::string::npos) throwInput(file_, "AppendedData", "truncated: the data do not start");
@@ -185,68 +189,55 @@ void Check::refuseParallel() const {
                  (sources_.size() > 3 ? ", ..." : "") + "); write them as one .vti, or open one of them");
 }
 
-VtiHeader Check::run() {
-  header_.image.format = "VTK XML";
-  Tags tags(text_, file_);
-  bool hasFile = false, hasImage = false, hasPiece = false;
-  std::string_view section;
-  std::string wanted[2];
-  std::vector<Array> arrays;
-  while (const auto tag = tags.next()) {
-    if (tag->name == "DataArray" || tag->name == "Array") checkArrayClaims(*tag, bytes_);
-    if (tag->name == "VTKFile") {
-      const auto type = tag->find("type");
-      if (!type || *type != "ImageData") refuseType(type ? std::string(*type) : "");
-      const auto order = tag->find("byte_order");
-      const auto width = tag->find("header_type");
-      layout_.big = order && *order == "BigEndian";
-      layout_.header64 = width && *width == "UInt64";
-      if (const auto compressor = tag->find("compressor")) layout_.compressor = *compressor;
-      hasFile = true;
-    } else if (tag->name == "Piece" && parallel_) {
-      sources_.emplace_back(tag->find("Source").value_or(""));
-    } else if (tag->name == "ImageData") {
-      readImageTag(*tag);
-      hasImage = true;
-    } else if (tag->name == "Piece") {
-      if (!hasImage) throwInput(file_, "Piece", "is outside of ImageData");
-      if (hasPiece)
-        throwInput(file_, "Piece",
-                   "the image is cut into several pieces; write it in one (ParaView: save the data as .vti)");
-      if (extentOf(*tag, "Extent") != whole_) throwInput(file_, "Piece Extent", "is not the whole extent");
-      hasPiece = true;
-    } else if (tag->name == "PointData" || tag->name == "CellData") {
-      section = tag->name;
-      if (const auto scalars = tag->find("Scalars")) wanted[section == "CellData"] = *scalars;
-    } else if (tag->name == "/PointData" || tag->name == "/CellData") {
-      section = {};
-    } else if (tag->name == "DataArray" && hasPiece && !section.empty()) {
-      const auto text = [&](std::string_view key) { return std::string(tag->find(key).value_or("")); };
-      arrays.push_back({*tag, text("Name"), text("type"), section == "CellData"});
-      if (arrays.size() > 10000) throwInput(file_, "DataArray", "the file has more than 10000 arrays");
-    } else if (tag->name == "AppendedData") {
-      const auto encoding = tag->find("encoding");
-      layout_.appendedBase64 = !encoding || *encoding == "base64";
-    }
+void Check::readTag(const Tag& tag) {
+  const auto text = [&](std::string_view key) { return std::string(tag.find(key).value_or("")); };
+  if (tag.name == "DataArray" || tag.name == "Array") checkArrayClaims(tag, bytes_);
+  if (tag.name == "VTKFile") {
+    if (const std::string type = text("type"); type != "ImageData") refuseType(type);
+    layout_.big = text("byte_order") == "BigEndian";
+    layout_.header64 = text("header_type") == "UInt64";
+    if (const auto compressor = tag.find("compressor")) layout_.compressor = *compressor;
+    hasFile_ = true;
+  } else if (tag.name == "Piece" && parallel_) {
+    sources_.push_back(text("Source"));
+  } else if (tag.name == "ImageData") {
+    readImageTag(tag);
+    hasImage_ = true;
+  } else if (tag.name == "Piece") {
+    if (!hasImage_) throwInput(file_, "Piece", "is outside of ImageData");
+    if (hasPiece_)
+      throwInput(file_, "Piece",
+                 "the image is cut into several pieces; write it in one (ParaView: save the data as .vti)");
+    if (extentOf(tag, "Extent") != whole_) throwInput(file_, "Piece Extent", "is not the whole extent");
+    hasPiece_ = true;
+  } else if (tag.name == "PointData" || tag.name == "CellData") {
+    section_ = tag.name;
+    if (const auto scalars = tag.find("Scalars")) wanted_[section_ == "CellData"] = *scalars;
+  } else if (tag.name == "/PointData" || tag.name == "/CellData") {
+    section_ = {};
+  } else if (tag.name == "DataArray" && hasPiece_ && !section_.empty()) {
+    arrays_.push_back({tag, text("Name"), text("type"), section_ == "CellData"});
+    if (arrays_.size() > 10000) throwInput(file_, "DataArray", "the file has more than 10000 arrays");
+  } else if (tag.name == "AppendedData") {
+    const auto encoding = tag.find("encoding");
+    layout_.appendedBase64 = !encoding || *encoding == "base64";
   }
-  if (!hasFile) throwInput(file_, "VTKFile", "is missing");
-  if (parallel_) refuseParallel();
-  if (!hasImage) throwInput(file_, "ImageData", "is missing");
-  if (!hasPiece) throwInput(file_, "Piece", "is missing");
+}
 
+const Array& Check::chosenArray() {
   const Array* chosen = nullptr;
   for (const bool cells : {false, true})
     for (const bool named : {true, false})
-      for (const Array& array : arrays) {
+      for (const Array& array : arrays_) {
         const bool fits =
-            array.cells == cells && !array.name.empty() && (!named || array.name == wanted[cells]);
+            array.cells == cells && !array.name.empty() && (!named || array.name == wanted_[cells]);
         if (!chosen && fits) chosen = &array;
       }
   if (!chosen) throwInput(file_, "PointData", "has no named array");
   header_.array = chosen->name;
   header_.cells = chosen->cells;
-  if (std::count_if(arrays.begin(), arrays.end(), [&](const Array& a) { return a.cells == chosen->cells; }) >
-      1)
+  if (std::count_if(arrays_.begin(), arrays_.end(),
+                    [&](const Array& array) { return array.cells == chosen->cells; }) > 1)
     header_.image.warnings.push_back("the file has several arrays; " + inQuotes(header_.array) + " is shown");
   const auto voxelType = vtiType(chosen->type);
   if (!voxelType)
@@ -259,7 +250,10 @@ VtiHeader Check::run() {
                  inQuotes(*components) + " is not a number of components");
     header_.image.components = *n;
   }
+  return *chosen;
+}
 
+void Check::placeVoxels() {
   ImageHeader& image = header_.image;
   image.worldFromVoxel = checkedGeometry(directions_, spacing_, origin_, file_, image.warnings);
   glm::dvec3 first(static_cast<double>(whole_[0]), static_cast<double>(whole_[2]),
@@ -277,7 +271,19 @@ VtiHeader Check::run() {
   image.worldFromVoxel[3] = image.worldFromVoxel * glm::dvec4(first, 1.0);
   if (!usableAffine(image.worldFromVoxel)) throwInput(file_, "ImageData Origin", "is more than 1e12 mm away");
   checkDims(image, file_, "ImageData WholeExtent");
-  checkSize(*chosen);
+}
+
+VtiHeader Check::run() {
+  header_.image.format = "VTK XML";
+  Tags tags(text_, file_);
+  while (const auto tag = tags.next()) readTag(*tag);
+  if (!hasFile_) throwInput(file_, "VTKFile", "is missing");
+  if (parallel_) refuseParallel();
+  if (!hasImage_) throwInput(file_, "ImageData", "is missing");
+  if (!hasPiece_) throwInput(file_, "Piece", "is missing");
+  const Array& chosen = chosenArray();
+  placeVoxels();
+  checkSize(chosen);
   return header_;
 }
 
@@ -329,21 +335,10 @@ std::string Check::bytesAt(std::uint64_t begin, std::uint64_t end, bool base64, 
   const std::uint64_t first = base64 ? begin + skip / 3 * 4 : begin + skip;
   if (first >= end) return {};
   const std::uint64_t wanted = base64 ? (skip % 3 + count + 2) / 3 * 4 : count;
-  std::string text(static_cast<std::size_t>(std::min(wanted, end - first)), '\0');
-  bytes_.read(first, std::as_writable_bytes(std::span(text)));
+  const std::string text = bytes_.text(first, static_cast<std::size_t>(std::min(wanted, end - first)));
   if (!base64) return text;
-  std::string decoded;
-  std::uint32_t bits = 0;
-  int have = 0;
-  for (char c : text) {
-    static constexpr std::string_view letters =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    const std::size_t value = letters.find(c);
-    if (value == std::string_view::npos) break;
-    bits = (bits << 6) | static_cast<std::uint32_t>(value);
-    have += 6;
-    if (have >= 8) decoded += static_cast<char>((bits >> (have -= 8)) & 0xff);
-  }
+  std::string_view rest = text;
+  const std::string decoded = decodedBase64(rest);
   const auto drop = static_cast<std::size_t>(skip % 3);
   return decoded.size() <= drop ? std::string() : decoded.substr(drop, count);
 }
@@ -352,12 +347,9 @@ std::uint64_t Check::number(const std::string& text, std::size_t index) const {
   const std::size_t width = layout_.header64 ? 8 : 4;
   if (text.size() < (index + 1) * width)
     throwInput(file_, "DataArray " + header_.array, "truncated: the size of the data is missing");
-  std::uint64_t value = 0;
-  for (std::size_t i = 0; i < width; ++i) {
-    const std::size_t at = index * width + (layout_.big ? i : width - 1 - i);
-    value = (value << 8) | static_cast<unsigned char>(text[at]);
-  }
-  return value;
+  const char* const at = &text[index * width];
+  return layout_.header64 ? numberAt<std::uint64_t>(at, layout_.big)
+                          : numberAt<std::uint32_t>(at, layout_.big);
 }
 
 void Check::checkBinary(std::uint64_t begin, std::uint64_t end, bool base64) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <optional>
 
 #include "base/error.h"
@@ -20,28 +19,22 @@ namespace {
 constexpr std::size_t longestLegacyHeader = std::size_t{1} << 20;  // up to the first array
 
 std::optional<VoxelType> legacyTypeNamed(std::string_view name) {
-  struct Name {
-    std::string_view name;
-    VoxelType type;
-  };
   // "long" has the 8 bytes it had on the 64-bit machine that wrote it.
-  static constexpr Name names[] = {{"char", VoxelType::int8},
-                                   {"signed_char", VoxelType::int8},
-                                   {"unsigned_char", VoxelType::uint8},
-                                   {"short", VoxelType::int16},
-                                   {"unsigned_short", VoxelType::uint16},
-                                   {"int", VoxelType::int32},
-                                   {"unsigned_int", VoxelType::uint32},
-                                   {"long", VoxelType::int64},
-                                   {"unsigned_long", VoxelType::uint64},
-                                   {"vtktypeint64", VoxelType::int64},
-                                   {"vtktypeuint64", VoxelType::uint64},
-                                   {"vtkidtype", VoxelType::int32},
-                                   {"float", VoxelType::float32},
-                                   {"double", VoxelType::float64}};
-  for (const Name& entry : names)
-    if (sameIgnoringCase(entry.name, name)) return entry.type;
-  return std::nullopt;
+  static constexpr TypeName names[] = {{"char", VoxelType::int8},
+                                       {"signed_char", VoxelType::int8},
+                                       {"unsigned_char", VoxelType::uint8},
+                                       {"short", VoxelType::int16},
+                                       {"unsigned_short", VoxelType::uint16},
+                                       {"int", VoxelType::int32},
+                                       {"unsigned_int", VoxelType::uint32},
+                                       {"long", VoxelType::int64},
+                                       {"unsigned_long", VoxelType::uint64},
+                                       {"vtktypeint64", VoxelType::int64},
+                                       {"vtktypeuint64", VoxelType::uint64},
+                                       {"vtkidtype", VoxelType::int32},
+                                       {"float", VoxelType::float32},
+                                       {"double", VoxelType::float64}};
+  return typeNamed(names, name);
 }
 
 class Parser {
@@ -170,14 +163,9 @@ std::vector<double> Parser::numbers(std::uint64_t count, VoxelType type) {
     return values;
   }
   if (text_.size() - at < count * width) fail("is longer than the 1 MiB of a header, or truncated");
-  withType(type, [&]<class T>(T number) {
-    for (std::uint64_t i = 0; i < count; ++i) {
-      char bytes[sizeof(T)];
-      std::reverse_copy(text_.begin() + static_cast<std::ptrdiff_t>(at + i * width),
-                        text_.begin() + static_cast<std::ptrdiff_t>(at + (i + 1) * width), bytes);
-      std::memcpy(&number, bytes, sizeof(T));
-      values.push_back(static_cast<double>(number));
-    }
+  withType(type, [&]<class T>(T) {
+    for (std::uint64_t i = 0; i < count; ++i)
+      values.push_back(static_cast<double>(numberAt<T>(&text_[at + i * width], true)));
   });
   skip(static_cast<std::size_t>(count) * width);
   return values;
@@ -289,9 +277,8 @@ ImageHeader Parser::parse() {
          " is not a regular volume; resample it (ParaView: Resample To Image) and save it as .vti");
   readStructure();
 
-  glm::dvec3 origin = origin_;
   if (!hasSpacing_) header_.warnings.push_back("SPACING is missing; " + std::string(kSpacingAssumed));
-  header_.worldFromVoxel = checkedGeometry(glm::dmat3(1.0), spacing_, origin, file_, header_.warnings);
+  header_.worldFromVoxel = checkedGeometry(glm::dmat3(1.0), spacing_, origin_, file_, header_.warnings);
   if (cells_) {  // a value per cell: the samples are the centres of the cells
     header_.warnings.push_back(
         "the file has values of cells, not of points; each is taken at its cell's centre");

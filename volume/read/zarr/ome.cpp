@@ -104,20 +104,6 @@ void append(const JsonField& list, AxisTransform& transform) {
   }
 }
 
-// Of the spatial axis, warned of once.
-double unitOf(const std::vector<OmeAxis>& list, const std::vector<std::optional<std::size_t>>& space,
-              std::size_t direction, std::vector<std::string>& warnings) {
-  if (!space[direction]) return 1.0;
-  const std::string& unit = list[*space[direction]].unit;
-  if (const auto mm = millimetresIn(unit)) return *mm;
-  const std::string warning =
-      unit.empty()
-          ? "the file names no unit of length: a unit of " + std::string(kSpacingAssumed)
-          : "the unit of length " + inQuotes(unit) + " is not known: " + std::string(kSpacingAssumed);
-  if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
-  return 1.0;
-}
-
 // Since version 0.5 all is under "ome".
 JsonField rootOf(const nlohmann::json& attributes, const std::string& file) {
   const bool inOme = attributes.contains("ome") && attributes["ome"].is_object();
@@ -172,7 +158,8 @@ std::optional<OmeImage> parseOme(const nlohmann::json& attributes, const std::st
     OmeLevel level{safePath(dataset.at("path")), glm::dvec3(1.0), glm::dvec3(0.0), transform.placed};
     for (std::size_t direction = 0; direction < 3; ++direction) {
       if (!space[direction]) continue;
-      const double unit = transform.scaled ? unitOf(axes, space, direction, ome.warnings) : 1.0;
+      const double unit =
+          transform.scaled ? millimetresOr1(axes[*space[direction]].unit, "", ome.warnings) : 1.0;
       const auto axis = static_cast<int>(direction);
       level.spacingMm[axis] = transform.scale[*space[direction]] * unit;
       level.originMm[axis] = transform.translation[*space[direction]] * unit;

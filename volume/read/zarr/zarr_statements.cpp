@@ -1,13 +1,13 @@
 #include "volume/read/zarr/zarr_statements.h"
 
 #include <algorithm>
-#include <cstring>
 #include <optional>
 #include <string_view>
 
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "volume/read/input/bytes.h"
 #include "volume/read/input/convert.h"
 #include "volume/read/input/text.h"
 #include "volume/read/zarr/json_fields.h"
@@ -38,22 +38,11 @@ std::optional<AttributeValue> valueOf(const nlohmann::json& json) {
 
 // xarray writes fill values of floats into Zarr 3 as their bytes, little endian, in base64.
 std::optional<double> numberInBase64(std::string_view text, VoxelType type) {
-  static constexpr std::string_view letters =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  std::uint32_t bits = 0;
-  int have = 0;
-  for (const char c : text.substr(0, text.find('='))) {
-    const std::size_t digit = letters.find(c);
-    if (digit == std::string_view::npos) return std::nullopt;
-    bits = bits << 6 | static_cast<std::uint32_t>(digit);
-    have += 6;
-    if (have >= 8) bytes += static_cast<char>(bits >> (have -= 8) & 0xffu);
-  }
-  return withType(type, [&]<class T>(T number) -> std::optional<double> {
+  const std::string bytes = decodedBase64(text);
+  if (!text.empty() && text.front() != '=') return std::nullopt;
+  return withType(type, [&]<class T>(T) -> std::optional<double> {
     if (bytes.size() != sizeof(T)) return std::nullopt;
-    std::memcpy(&number, bytes.data(), sizeof(T));
-    return static_cast<double>(number);
+    return static_cast<double>(numberAt<T>(bytes.data(), false));
   });
 }
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cctype>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <numeric>
@@ -54,11 +54,8 @@ std::array<std::byte, 8> fillOfBits(const JsonField& field, const FileNumber& nu
   const std::size_t width = bytesOf(number.type);
   if (number.half || digits.size() != 2 * width) field.refuse("is not a number of the array's type");
   std::uint64_t bits = 0;
-  for (const char c : digits) {
-    if (std::isxdigit(static_cast<unsigned char>(c)) == 0) field.refuse("is not a number");
-    const auto digit = static_cast<std::uint64_t>(c <= '9' ? c - '0' : (c | 0x20) - 'a' + 10);
-    bits = bits << 4 | digit;
-  }
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), bits, 16);
+  if (error != std::errc() || end != digits.data() + digits.size()) field.refuse("is not a number");
   for (std::size_t i = 0; i < width; ++i) fill[i] = static_cast<std::byte>(bits >> (8 * i) & 0xffu);
   if constexpr (std::endian::native == std::endian::big)
     std::reverse(fill.begin(), fill.begin() + static_cast<std::ptrdiff_t>(width));
