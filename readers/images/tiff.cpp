@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <cmath>
+#include <bit>
 #include <cstdarg>
 #include <cstdio>
 #include <cstring>
@@ -53,21 +53,8 @@ Samples samplesOf(const PageOfFile& from) {
     throwInput(from.file.string(), "page " + std::to_string(page.index + 1),
                "numbers of " + std::to_string(bits) + " bits in SampleFormat " +
                    std::to_string(page.sampleFormat) + " are not supported");
-  const int width = bits <= 8 ? 0 : bits <= 16 ? 1 : bits <= 32 ? 2 : 3;
-  constexpr VoxelType types[][2] = {{VoxelType::uint8, VoxelType::int8},
-                                    {VoxelType::uint16, VoxelType::int16},
-                                    {VoxelType::uint32, VoxelType::int32},
-                                    {VoxelType::uint64, VoxelType::int64}};
-  return {types[width][isSigned], bits, page.samples};
-}
-
-float realOfHalf(std::uint16_t half) {
-  const int exponent = half >> 10 & 31, fraction = half & 1023;
-  const float size = exponent == 31  ? (fraction ? std::numeric_limits<float>::quiet_NaN()
-                                                 : std::numeric_limits<float>::infinity())
-                     : exponent == 0 ? std::ldexp(static_cast<float>(fraction), -24)
-                                     : std::ldexp(static_cast<float>(fraction + 1024), exponent - 25);
-  return half >> 15 ? -size : size;
+  const std::size_t bytes = std::bit_ceil(static_cast<unsigned>(bits + 7) / 8);
+  return {*integerType(bytes, isSigned), bits, page.samples};
 }
 
 // Number `index` of a row of numbers of `bits` bits, of which the highest bit comes first; the sign is kept.
@@ -103,7 +90,7 @@ void unpack(const std::byte* row, std::int64_t first, std::int64_t count, const 
     } else if (samples.type == VoxelType::float32) {
       std::uint16_t half;
       std::memcpy(&half, row + i * 2, 2);
-      const float value = realOfHalf(half);
+      const float value = floatOfHalf(half);
       std::memcpy(out, &value, width);
     } else if (samples.bits == 24) {  // libtiff turns these into the machine's byte order
       std::int32_t value = 0;
@@ -144,8 +131,7 @@ class PageReader {
     open(from);
     complaint().clear();
     TIFFSetWarningHandler(keepComplaint);  // of damaged pixels that libtiff goes on with
-    TIFFIsTiled(tiff_.get()) ? readTiles(from, samples, out, progress)
-                             : readStrips(from, samples, out, progress);
+    readBlocks(from, samples, out, progress);
     TIFFSetWarningHandler(nullptr);
     if (!complaint().empty() && warnings_.size() < 100) warnings_.push_back(place(from) + ": " + complaint());
   }
@@ -207,57 +193,43 @@ class PageReader {
     }
   }
 
-  void readStrips(const PageOfFile& from, const Samples& samples, std::span<std::byte> out,
+  // By tiles, or by strips, which are as wide as the page.
+  void readBlocks(const PageOfFile& from, const Samples& samples, std::span<std::byte> out,
                   base::Progress& progress) {
     TIFF* const tiff = tiff_.get();
-    std::uint32_t rowsPerStrip = 0;
-    TIFFGetFieldDefaulted(tiff, TIFFTAG_ROWSPERSTRIP, &rowsPerStrip);
-    const auto height = static_cast<std::uint32_t>(from.page.height);
-    rowsPerStrip = std::clamp<std::uint32_t>(rowsPerStrip, 1, height);
-    const std::size_t rowBytes = out.size() / height;
-    const auto storedRow = static_cast<std::size_t>(TIFFScanlineSize64(tiff));
-    buffer_.resize(static_cast<std::size_t>(TIFFStripSize64(tiff)));
-    checkRows(storedRow, rowsPerStrip, from.page.width, samples, from);
-    for (std::uint16_t plane = 0; plane < (inPlanes_ ? from.page.samples : 1); ++plane)
-      for (std::uint32_t y = 0; y < height; y += rowsPerStrip) {
-        progress.throwIfStopped();
-        const std::uint32_t rows = std::min(rowsPerStrip, height - y);
-        const auto wanted = static_cast<tmsize_t>(storedRow * rows);
-        if (TIFFReadEncodedStrip(tiff, TIFFComputeStrip(tiff, y, plane), buffer_.data(), wanted) != wanted)
-          fail(from);
-        for (std::uint32_t row = 0; row < rows; ++row)
-          unpackRow(buffer_.data() + storedRow * row, from.page.width, samples, from, plane,
-                    out.data() + rowBytes * (y + row));
-      }
-  }
-
-  void readTiles(const PageOfFile& from, const Samples& samples, std::span<std::byte> out,
-                 base::Progress& progress) {
-    TIFF* const tiff = tiff_.get();
-    std::uint32_t tileWidth = 0, tileHeight = 0;
-    TIFFGetField(tiff, TIFFTAG_TILEWIDTH, &tileWidth);
-    TIFFGetField(tiff, TIFFTAG_TILELENGTH, &tileHeight);
-    if (tileWidth < 1 || tileHeight < 1 || tileWidth > 65536 || tileHeight > 65536)
-      throwInput(file_.string(), place(from), "has tiles of an absurd size");
+    const bool tiled = TIFFIsTiled(tiff) != 0;
     const auto width = static_cast<std::uint32_t>(from.page.width);
     const auto height = static_cast<std::uint32_t>(from.page.height);
+    std::uint32_t blockWidth = width, blockHeight = 0;
+    if (tiled) {
+      TIFFGetField(tiff, TIFFTAG_TILEWIDTH, &blockWidth);
+      TIFFGetField(tiff, TIFFTAG_TILELENGTH, &blockHeight);
+      if (blockWidth < 1 || blockHeight < 1 || blockWidth > 65536 || blockHeight > 65536)
+        throwInput(file_.string(), place(from), "has tiles of an absurd size");
+    } else {
+      TIFFGetFieldDefaulted(tiff, TIFFTAG_ROWSPERSTRIP, &blockHeight);
+      blockHeight = std::clamp<std::uint32_t>(blockHeight, 1, height);
+    }
     const std::size_t rowBytes = out.size() / height, pixelBytes = rowBytes / width;
-    const auto storedRow = static_cast<std::size_t>(TIFFTileRowSize64(tiff));
-    const std::uint64_t tileBytes = TIFFTileSize64(tiff);
-    if (tileBytes / 4 > out.size() + (std::size_t{64} << 20))
+    const auto storedRow =
+        static_cast<std::size_t>(tiled ? TIFFTileRowSize64(tiff) : TIFFScanlineSize64(tiff));
+    const std::uint64_t blockBytes = tiled ? TIFFTileSize64(tiff) : TIFFStripSize64(tiff);
+    if (tiled && blockBytes / 4 > out.size() + (std::size_t{64} << 20))
       throwInput(file_.string(), place(from), "has tiles that are larger than the page");
-    buffer_.resize(static_cast<std::size_t>(tileBytes));
-    checkRows(storedRow, tileHeight, tileWidth, samples, from);
+    buffer_.resize(static_cast<std::size_t>(blockBytes));
+    checkRows(storedRow, blockHeight, blockWidth, samples, from);
     for (std::uint16_t plane = 0; plane < (inPlanes_ ? from.page.samples : 1); ++plane)
-      for (std::uint32_t y = 0; y < height; y += tileHeight)
-        for (std::uint32_t x = 0; x < width; x += tileWidth) {
+      for (std::uint32_t y = 0; y < height; y += blockHeight)
+        for (std::uint32_t x = 0; x < width; x += blockWidth) {
           progress.throwIfStopped();
-          const auto wanted = static_cast<tmsize_t>(tileBytes);
-          if (TIFFReadEncodedTile(tiff, TIFFComputeTile(tiff, x, y, 0, plane), buffer_.data(), wanted) !=
-              wanted)
-            fail(from);
-          for (std::uint32_t row = 0; row < std::min(tileHeight, height - y); ++row)
-            unpackRow(buffer_.data() + storedRow * row, std::min(tileWidth, width - x), samples, from, plane,
+          const std::uint32_t rows = std::min(blockHeight, height - y);
+          const auto wanted = static_cast<tmsize_t>(tiled ? blockBytes : storedRow * rows);
+          const tmsize_t got =
+              tiled ? TIFFReadEncodedTile(tiff, TIFFComputeTile(tiff, x, y, 0, plane), buffer_.data(), wanted)
+                    : TIFFReadEncodedStrip(tiff, TIFFComputeStrip(tiff, y, plane), buffer_.data(), wanted);
+          if (got != wanted) fail(from);
+          for (std::uint32_t row = 0; row < rows; ++row)
+            unpackRow(buffer_.data() + storedRow * row, std::min(blockWidth, width - x), samples, from, plane,
                       out.data() + rowBytes * (y + row) + pixelBytes * x);
         }
   }
@@ -286,10 +258,7 @@ void readRawPlane(const Bytes& bytes, const TiffPage& page, std::size_t plane, b
   std::vector<std::byte> raw(static_cast<std::size_t>(page.rawBytes()));
   bytes.read(page.pixels + plane * raw.size(), raw);
   const auto width = static_cast<std::size_t>(samples.bits / 8);
-  if (bigEndian && width > 1)
-    for (std::size_t i = 0; i + width <= raw.size(); i += width)
-      std::reverse(raw.begin() + static_cast<std::ptrdiff_t>(i),
-                   raw.begin() + static_cast<std::ptrdiff_t>(i + width));
+  if (bigEndian && width > 1) swapBytes(raw, width);
   const auto numbers = static_cast<std::int64_t>(out.size() / bytesOf(samples.type));
   unpack(raw.data(), 0, numbers, samples, out.data(), 1);
 }

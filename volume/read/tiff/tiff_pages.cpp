@@ -66,24 +66,11 @@ class Walk {
     return value;
   }
 
+  // Bytes of a value: byte, text, short, long, ratio (two longs), signed byte, anything; double; long of 8
+  // bytes.
   static std::size_t widthOf(std::uint64_t type) {
-    switch (type) {
-      case 1:  // byte
-      case 2:  // text
-      case 6:  // signed byte
-      case 7:  // anything
-        return 1;
-      case 3:  // short
-        return 2;
-      case 4:  // long
-        return 4;
-      case 5:   // two longs, a ratio
-      case 12:  // double
-      case 16:  // long of 8 bytes
-        return 8;
-      default:
-        return 0;
-    }
+    static constexpr std::size_t widths[] = {0, 1, 1, 2, 4, 8, 1, 1, 0, 0, 0, 0, 8, 0, 0, 0, 8};
+    return type < std::size(widths) ? widths[type] : 0;
   }
 
   Entry entryAt(std::uint64_t at) const {
@@ -118,7 +105,7 @@ class Walk {
     constexpr std::uint64_t longest = std::uint64_t{64} << 20;
     if (entry.type != 2 || entry.count > std::min(longest, bytes_.size())) return {};
     const std::vector<std::byte> raw = rawOf(entry, longest);
-    std::string text(reinterpret_cast<const char*>(raw.data()), raw.size());
+    const std::string text(reinterpret_cast<const char*>(raw.data()), raw.size());
     return text.substr(0, text.find('\0'));
   }
 
@@ -142,13 +129,11 @@ class Walk {
     spend(entry.count * width, place);
     std::vector<std::byte> raw = entry.count == 1 ? std::vector<std::byte>() : rawOf(entry, entry.count);
     if (entry.count == 1) return {number(entry.at, width)};
+    if (file_.bigEndian) swapBytes(raw, width);
     std::vector<std::uint64_t> values;
     values.reserve(static_cast<std::size_t>(entry.count));
     for (std::size_t i = 0; i < raw.size(); i += width) {
       if (i % (std::size_t{1} << 20) == 0) progress_.throwIfStopped();
-      if (file_.bigEndian)
-        std::reverse(raw.begin() + static_cast<std::ptrdiff_t>(i),
-                     raw.begin() + static_cast<std::ptrdiff_t>(i + width));
       std::uint64_t value = 0;
       std::memcpy(&value, raw.data() + i, width);
       values.push_back(value);
@@ -180,37 +165,21 @@ class Walk {
         {33550, "GeoTIFF"},     {33922, "GeoTIFF"},   {34264, "GeoTIFF"},
         {33560, "Olympus SIS"}, {34361, "FluoView"},  {34680, "FEI"},
         {34682, "FEI"},         {33628, "MetaMorph"}, {51123, "Micro-Manager"}};
-    switch (entry.tag) {
-      case 270:
-        says.description = textOf(entry);
-        break;
-      case 282:
-        says.xResolution = ratioOf(entry);
-        break;
-      case 283:
-        says.yResolution = ratioOf(entry);
-        break;
-      case 296:
-        says.resolutionUnit = static_cast<int>(std::min<std::int64_t>(valueOf(entry), 4));
-        break;
-      case 33629:
-        says.uicPlanes = static_cast<std::int64_t>(std::min<std::uint64_t>(entry.count, mostPages));
-        break;
-      case 34412:
-        if (entry.count >= 64 && widthOf(entry.type) == 1) says.lsmInfo = rawOf(entry, 64);
-        break;
-      case 42112:
-        says.gdalMetadata = textOf(entry);
-        break;
-      case 42113:
-        says.noData = textOf(entry);
-        break;
-      default:
-        for (const auto& [tag, name] : unread)
-          if (tag == entry.tag && (says.unreadRecords.empty() || says.unreadRecords.back() != name))
-            says.unreadRecords.emplace_back(name);
-        break;
-    }
+    static constexpr std::pair<std::uint64_t, std::string TiffStatements::*> texts[] = {
+        {270, &TiffStatements::description},
+        {42112, &TiffStatements::gdalMetadata},
+        {42113, &TiffStatements::noData}};
+    for (const auto& [tag, text] : texts)
+      if (tag == entry.tag) says.*text = textOf(entry);
+    for (const auto& [tag, name] : unread)
+      if (tag == entry.tag && (says.unreadRecords.empty() || says.unreadRecords.back() != name))
+        says.unreadRecords.emplace_back(name);
+    if (entry.tag == 282) says.xResolution = ratioOf(entry);
+    if (entry.tag == 283) says.yResolution = ratioOf(entry);
+    if (entry.tag == 296) says.resolutionUnit = static_cast<int>(std::min<std::int64_t>(valueOf(entry), 4));
+    if (entry.tag == 33629)
+      says.uicPlanes = static_cast<std::int64_t>(std::min<std::uint64_t>(entry.count, mostPages));
+    if (entry.tag == 34412 && entry.count >= 64 && widthOf(entry.type) == 1) says.lsmInfo = rawOf(entry, 64);
   }
 
   void holdDirectory(std::uint64_t at, std::uint64_t bytes) {
@@ -234,50 +203,18 @@ class Walk {
     bool reduced = false;
     Entry offsets, counts;
     for (std::uint64_t from = begin; from < end; from += entryBytes) {
+      static constexpr std::pair<std::uint64_t, std::int64_t TiffPage::*> numbers[] = {
+          {256, &TiffPage::width},       {257, &TiffPage::height},      {258, &TiffPage::bits},
+          {259, &TiffPage::compression}, {262, &TiffPage::photometric}, {274, &TiffPage::orientation},
+          {277, &TiffPage::samples},     {339, &TiffPage::sampleFormat}};
       const Entry entry = entryAt(from);
       constexpr std::int64_t reducedOrMask = 1 | 4;
-      switch (entry.tag) {
-        case 254:
-          reduced |= (valueOf(entry) & reducedOrMask) != 0;
-          break;
-        case 255:
-          reduced |= valueOf(entry) == 2;
-          break;
-        case 256:
-          page.width = valueOf(entry);
-          break;
-        case 257:
-          page.height = valueOf(entry);
-          break;
-        case 258:
-          page.bits = valueOf(entry);
-          break;
-        case 259:
-          page.compression = static_cast<int>(std::min<std::int64_t>(valueOf(entry), 65535));
-          break;
-        case 262:
-          page.photometric = static_cast<int>(std::min<std::int64_t>(valueOf(entry), 65535));
-          break;
-        case 273:
-        case 324:
-          offsets = entry;
-          break;
-        case 274:
-          page.orientation = static_cast<int>(std::min<std::int64_t>(valueOf(entry), 65535));
-          break;
-        case 279:
-        case 325:
-          counts = entry;
-          break;
-        case 277:
-          page.samples = valueOf(entry);
-          break;
-        case 339:
-          page.sampleFormat = static_cast<int>(std::min<std::int64_t>(valueOf(entry), 65535));
-          break;
-        default:
-          break;
-      }
+      reduced |= entry.tag == 254 && (valueOf(entry) & reducedOrMask) != 0;
+      reduced |= entry.tag == 255 && valueOf(entry) == 2;
+      if (entry.tag == 273 || entry.tag == 324) offsets = entry;
+      if (entry.tag == 279 || entry.tag == 325) counts = entry;
+      for (const auto& [tag, number] : numbers)
+        if (entry.tag == tag) page.*number = valueOf(entry);
     }
     const std::uint64_t next = number(end, wide_ ? 8 : 4);
     if (!reduced) checkPage(page, offsets, counts, place);
@@ -303,7 +240,7 @@ class Walk {
                  page.photometric == yCbCr ? "has YCbCr pixels, which are read from JPEG only"
                                            : "has LogLuv pixels, which are not read");
     const std::uint64_t claim = page.rawBytes();
-    if (claim / bestRatio(static_cast<std::uint64_t>(page.compression)) > bytes_.size())
+    if (claim / bestRatio(page.compression) > bytes_.size())
       throwInput(bytes_.name(), place,
                  "truncated: " + std::to_string(claim) + " bytes are announced, the file has " +
                      std::to_string(bytes_.size()));
@@ -315,20 +252,11 @@ class Walk {
                      " bytes of the file");
   }
 
-  static std::uint64_t bestRatio(std::uint64_t compression) {
-    switch (compression) {
-      case 1:
-        return 1;  // none
-      case 32773:
-        return 64;  // PackBits
-      case 8:
-      case 32946:
-        return kBestDeflateRatio;
-      case 5:
-        return 4096;  // LZW
-      default:
-        return 100000;
-    }
+  static std::uint64_t bestRatio(std::int64_t compression) {
+    if (compression == 1) return 1;       // none
+    if (compression == 32773) return 64;  // PackBits
+    if (compression == 5) return 4096;    // LZW
+    return compression == 8 || compression == 32946 ? kBestDeflateRatio : 100000;
   }
 
   const Bytes& bytes_;

@@ -21,7 +21,7 @@ struct TiffPage {
   int index = 0;                // in the file
   std::uint64_t directory = 0;  // byte
   std::int64_t width = 0, height = 0, samples = 1, bits = 1;
-  int sampleFormat = 1, photometric = 1, compression = 1, orientation = 1;
+  std::int64_t sampleFormat = 1, photometric = 1, compression = 1, orientation = 1;
   std::uint64_t pixels = 0;  // byte of the first strip or tile
   bool contiguous = false;   // strips that follow one another, not compressed
   bool sameLayoutAs(const TiffPage& other) const {

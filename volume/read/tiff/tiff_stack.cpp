@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <map>
 #include <set>
 
@@ -10,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "volume/read/input/bytes.h"
 #include "volume/read/input/length_doubt.h"
 #include "volume/read/input/length_unit.h"
 #include "volume/read/input/text.h"
@@ -62,14 +62,7 @@ class Statements {
 
   // ImageJ's order and that of its copies: channel fastest, then slice, then frame.
   void takeHyperstack(std::int64_t channels, std::int64_t slices, std::int64_t frames) {
-    stack_.channels = channels;
-    stack_.slices = slices;
-    stack_.frames = frames;
-    for (std::int64_t t = 0, at = 0; t < frames; ++t)
-      for (std::int64_t z = 0; z < slices; ++z)
-        for (std::int64_t c = 0; c < channels; ++c, ++at)
-          stack_.planes[static_cast<std::size_t>((t * channels + c) * slices + z)] =
-              static_cast<std::size_t>(at);
+    takeAxes("TZCYX", {frames, slices, channels, 1, 1});
   }
 
   // Planes behind one another, of which the directory describes the first only.
@@ -139,11 +132,7 @@ class Statements {
     const bool named = !unit.empty() && !lowered(unit).starts_with("pixel");
     if (!named && !spacing) return;
     const std::string statement = std::string("of ") + kDescription;
-    double mm = 1.0;
-    if (named)
-      mm = millimetresOr1(unit, statement, warnings);
-    else
-      warnings.push_back("the file names no unit of length: a unit of " + std::string(kSpacingAssumed));
+    const double mm = named ? millimetresOr1(unit, statement, warnings) : millimetresOr1("", "", warnings);
     const glm::dvec3 units(mm, yUnit.empty() ? mm : millimetresOr1(yUnit, statement, warnings),
                            zUnit.empty() ? mm : millimetresOr1(zUnit, statement, warnings));
     glm::dvec3 size(says_.xResolution > 0.0 ? 1.0 / says_.xResolution : 1.0,
@@ -240,12 +229,7 @@ class Statements {
 
   void readLsm() {
     const auto at = [&]<typename T>(std::size_t byte, T) {
-      std::byte raw[sizeof(T)];
-      std::copy_n(says_.lsmInfo.begin() + static_cast<std::ptrdiff_t>(byte), sizeof(T), raw);
-      if (file_.bigEndian) std::reverse(raw, raw + sizeof(T));
-      T value;
-      std::memcpy(&value, raw, sizeof(T));
-      return value;
+      return numberAt<T>(&says_.lsmInfo[byte], file_.bigEndian);
     };
     const std::int64_t slices = at(16, std::int32_t{}), frames = at(24, std::int32_t{});
     const auto pages = static_cast<std::int64_t>(file_.pages.size());
