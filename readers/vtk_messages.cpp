@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <mutex>
 
+#include <vtkAlgorithm.h>
+#include <vtkCallbackCommand.h>
 #include <vtkLogger.h>
+#include <vtkNew.h>
 #include <vtkOutputWindow.h>
 
 #include "volume/read/input/text.h"
@@ -53,6 +56,17 @@ std::string reasonOf(const char* text) {
 }
 
 }  // namespace
+
+void watch(vtkAlgorithm* algorithm, base::Progress& progress) {
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetCallback([](vtkObject* caller, unsigned long, void* clientData, void* callData) {
+    auto& watched = *static_cast<base::Progress*>(clientData);
+    watched.report(*static_cast<double*>(callData), "reading");
+    if (watched.stopRequested()) static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+  });
+  observer->SetClientData(&progress);
+  algorithm->AddObserver(vtkCommand::ProgressEvent, observer);
+}
 
 VtkMessages::VtkMessages() : outer_(current) {
   installOnce();

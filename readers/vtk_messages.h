@@ -5,7 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "base/progress.h"
+
+class vtkAlgorithm;
+
 namespace isolux::readers {
+
+// Passes VTK's progress on and stops VTK when asked to.
+void watch(vtkAlgorithm* algorithm, base::Progress& progress);
 
 class VtkMessages {
  public:

@@ -4,10 +4,12 @@
 #include <array>
 #include <cstddef>
 
-#include <vtkCallbackCommand.h>
 #include <vtkDICOMReader.h>
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
 #include <vtkStringArray.h>
 
 #include "base/error.h"
@@ -42,12 +44,6 @@ class CheckedReader final : public vtkDICOMReader {
   static unsigned char mark(vtkIdType i) { return static_cast<unsigned char>(167 * i + (i >> 8) + 13); }
   std::string undecoded_;
 };
-
-void observe(vtkObject* caller, unsigned long, void* clientData, void* callData) {
-  auto& progress = *static_cast<base::Progress*>(clientData);
-  progress.report(*static_cast<double*>(callData), "reading");
-  if (progress.stopRequested()) static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
-}
 
 // What a JPEG stream says of its colours, as libjpeg reads it: JFIF and Adobe's transform, else the names of
 // its three components. False also where it says nothing: then the DICOM file's word counts.
@@ -88,9 +84,7 @@ bool hasYcc(const DicomFile& file) {
     if (at + head.size() > bytes.size()) return true;
     bytes.read(at, std::as_writable_bytes(std::span(head)));
     at += head.size();
-    if (item == 0)
-      at +=
-          head[4] | std::uint64_t{head[5]} << 8 | std::uint64_t{head[6]} << 16 | std::uint64_t{head[7]} << 24;
+    if (item == 0) at += volume::numberAt<std::uint32_t>(&head[4], false);
   }
   return saysYcc(bytes, at);
 }
@@ -101,15 +95,12 @@ std::string inSyntax(const DicomFile& file) {
 
 }  // namespace
 
-vtkSmartPointer<vtkDICOMReader> decodeFiles(const std::vector<DicomFile>& files, const std::string& name,
-                                            const VtkMessages& messages, base::Progress& progress) {
+vtkSmartPointer<vtkDataArray> decodeFiles(const std::vector<DicomFile>& files, const std::string& name,
+                                          const VtkMessages& messages, base::Progress& progress) {
   vtkNew<vtkStringArray> names;
   for (const DicomFile& file : files) names->InsertNextValue(file.path.string());
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetCallback(observe);
-  observer->SetClientData(&progress);
   vtkNew<CheckedReader> reader;
-  reader->AddObserver(vtkCommand::ProgressEvent, observer);
+  watch(reader, progress);
   reader->SetFileNames(names);
   reader->SetSorting(0);
   reader->SetAutoRescale(0);
@@ -123,7 +114,14 @@ vtkSmartPointer<vtkDICOMReader> decodeFiles(const std::vector<DicomFile>& files,
   if (const std::string& file = reader->undecoded(); !file.empty())
     throwInput(file, "pixel data",
                "cannot be decoded: damaged, or beyond what GDCM knows" + inSyntax(files[0]));
-  return reader;
+  vtkPointData* const data = reader->GetOutput()->GetPointData();
+  vtkDataArray* const array = data ? data->GetScalars() : nullptr;
+  std::size_t pixels = 0;
+  for (const DicomFile& file : files) pixels += file.decodedPixels();
+  if (!array || static_cast<std::size_t>(array->GetNumberOfTuples()) != pixels ||
+      array->GetNumberOfComponents() != files[0].samples)
+    throwInput(name, "pixel data", "could not be read whole");
+  return array;
 }
 
 }  // namespace isolux::readers

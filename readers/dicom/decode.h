@@ -9,14 +9,14 @@
 #include "base/progress.h"
 #include "readers/dicom/dicom.h"
 
-class vtkDICOMReader;
+class vtkDataArray;
 
 namespace isolux::readers {
 
-// Decodes all files, in their order; the reader's output has them. RGB of JPEG is what the file says that it
+// Returns the pixels of all files, in their order. RGB of JPEG is what the file says that it
 // is. `name`: of all of them, for messages. Throws base::Error: input for pixels that cannot be decoded, with
 // the file; interrupted.
-vtkSmartPointer<vtkDICOMReader> decodeFiles(const std::vector<DicomFile>& files, const std::string& name,
-                                            const VtkMessages& messages, base::Progress& progress);
+vtkSmartPointer<vtkDataArray> decodeFiles(const std::vector<DicomFile>& files, const std::string& name,
+                                          const VtkMessages& messages, base::Progress& progress);
 
 }  // namespace isolux::readers

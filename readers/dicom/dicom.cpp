@@ -9,10 +9,7 @@
 
 #include <glm/geometric.hpp>
 
-#include <vtkDICOMReader.h>
 #include <vtkDataArray.h>
-#include <vtkImageData.h>
-#include <vtkPointData.h>
 
 #include "base/error.h"
 #include "base/number_text.h"
@@ -77,43 +74,24 @@ std::vector<DicomFile> chooseSeries(std::vector<DicomFile> files, const std::str
 }  // namespace
 
 std::optional<VoxelType> voxelTypeOf(vtkDataArray* array) {
-  switch (array->GetDataType()) {
-    case VTK_CHAR:
-    case VTK_SIGNED_CHAR:
-      return VoxelType::int8;
-    case VTK_UNSIGNED_CHAR:
-      return VoxelType::uint8;
-    case VTK_SHORT:
-      return VoxelType::int16;
-    case VTK_UNSIGNED_SHORT:
-      return VoxelType::uint16;
-    case VTK_INT:
-      return VoxelType::int32;
-    case VTK_UNSIGNED_INT:
-      return VoxelType::uint32;
-    case VTK_FLOAT:
-      return VoxelType::float32;
-    case VTK_DOUBLE:
-      return VoxelType::float64;
-    default:
-      return std::nullopt;
-  }
+  static constexpr std::pair<int, VoxelType> types[] = {{VTK_CHAR, VoxelType::int8},
+                                                        {VTK_SIGNED_CHAR, VoxelType::int8},
+                                                        {VTK_UNSIGNED_CHAR, VoxelType::uint8},
+                                                        {VTK_SHORT, VoxelType::int16},
+                                                        {VTK_UNSIGNED_SHORT, VoxelType::uint16},
+                                                        {VTK_INT, VoxelType::int32},
+                                                        {VTK_UNSIGNED_INT, VoxelType::uint32},
+                                                        {VTK_FLOAT, VoxelType::float32},
+                                                        {VTK_DOUBLE, VoxelType::float64}};
+  for (const auto& [known, type] : types)
+    if (known == array->GetDataType()) return type;
+  return std::nullopt;
 }
 
 std::optional<VoxelType> voxelTypeOf(const DicomFile& file) {
-  switch (file.bitsAllocated) {
-    case 1:
-    case 8:
-      return file.isSigned ? VoxelType::int8 : VoxelType::uint8;
-    case 16:
-      return file.isSigned ? VoxelType::int16 : VoxelType::uint16;
-    case 32:
-      return file.isSigned ? VoxelType::int32 : VoxelType::uint32;
-    case 64:
-      return VoxelType::float64;
-    default:
-      return std::nullopt;
-  }
+  if (file.bitsAllocated == 64) return VoxelType::float64;
+  if (file.bitsAllocated != 1 && file.bitsAllocated % 8 != 0) return std::nullopt;
+  return integerType(static_cast<std::size_t>(file.bitsAllocated + 7) / 8, file.isSigned);
 }
 
 namespace {
@@ -287,13 +265,8 @@ DecodedVolume decodeDicom(const fs::path& path, const ReadOptions& options, base
 
   allowDecoding(fileBytes);
   const VtkMessages messages;
-  const auto reader = decodeFiles(files, name, messages, progress);
-  vtkImageData* image = reader->GetOutput();
-  vtkDataArray* array = image->GetPointData() ? image->GetPointData()->GetScalars() : nullptr;
+  auto array = decodeFiles(files, name, messages, progress);
   const auto sliceVoxels = static_cast<std::size_t>(first.columns) * static_cast<std::size_t>(first.rows);
-  if (!array || static_cast<std::uint64_t>(array->GetNumberOfTuples()) != pixels ||
-      array->GetNumberOfComponents() != first.samples)
-    throwInput(name, "pixel data", "could not be read whole");
   const auto decodedType = voxelTypeOf(array);
   if (!decodedType) throwInput(name, "pixel data", "has a type that is not supported");
   header.type = *decodedType;
@@ -312,7 +285,7 @@ DecodedVolume decodeDicom(const fs::path& path, const ReadOptions& options, base
                        " marks pixels outside the image; shown as the value " +
                        base::shortText(assembly.padding()->second));
   header.warnings = std::move(warnings);
-  reader->SetOutput(nullptr);  // before the voxels are handed over
+  array = nullptr;  // before the voxels are handed over
   return {std::move(header), std::move(voxels), first.description, std::move(choices), first.patient};
 }
 

@@ -52,13 +52,10 @@ struct ModalityLut {
 
 inline constexpr const char* kNoSeries = "unknown";  // of files without a SeriesInstanceUID
 
-struct DicomFile {
+struct DicomFile : volume::DicomStatements {
   std::filesystem::path path;
   std::string notAScan;  // why a DICOM object without slices is not read (dicom_object.h); "": it may be
-  volume::Patient patient;
-  std::string study, studyDescription, studyDate;
-  std::string series, description, date, number, modality, kernel, transferSyntax;
-  std::string instanceUid, frameOfReference, photometric;
+  std::string transferSyntax, instanceUid, frameOfReference, photometric;
   int columns = 0, rows = 0, samples = 1, bitsAllocated = 0;  // columns, rows: of a slice
   int tilesAcross = 1, tilesDown = 1;  // more: one image holds the frames as tiles, row by row (mosaics.h)
   std::uint64_t pixelDataAt = 0;       // where the pixel data begin, bytes

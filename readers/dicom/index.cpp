@@ -60,15 +60,8 @@ DicomSeries describeSeries(std::vector<DicomFile> files) {
                    [](const DicomFile& a, const DicomFile& b) { return a.instance < b.instance; });
   const DicomFile& first = files.front();
   DicomSeries series;
-  series.patient = first.patient;
-  series.study = first.study;
-  series.studyDescription = first.studyDescription;
-  series.studyDate = first.studyDate;
-  series.series = first.series;
-  series.date = first.date.empty() ? first.studyDate : first.date;
-  series.modality = first.modality;
-  series.kernel = first.kernel;
-  series.number = first.number;
+  static_cast<DicomStatements&>(series) = first;
+  if (series.date.empty()) series.date = first.studyDate;
   fs::path folder = first.path.parent_path();
   for (const DicomFile& file : files) {
     folder = commonFolder(folder, file.path.parent_path());

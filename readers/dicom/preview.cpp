@@ -2,11 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <vtkDICOMReader.h>
 #include <vtkDataArray.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
 
 #include "base/color.h"
 #include "base/error.h"
@@ -111,12 +107,7 @@ DecodedImage previewDicomFile(const fs::path& path, const ReadOptions& options, 
   checkBudget(values * bytesOf(*type), "its images", "", path.string(), options);
   allowDecoding(FileBytes(path).size());
   const VtkMessages messages;
-  const auto reader = decodeFiles({file}, path.string(), messages, progress);
-  vtkImageData* const image = reader->GetOutput();
-  vtkDataArray* const array = image->GetPointData() ? image->GetPointData()->GetScalars() : nullptr;
-  if (!array || array->GetNumberOfComponents() != file.samples ||
-      static_cast<std::uint64_t>(array->GetNumberOfValues()) != values)
-    throwInput(path.string(), "pixel data", "could not be read whole");
+  const auto array = decodeFiles({file}, path.string(), messages, progress);
   const DicomFrame& header = file.frames[frame];
   return shown(file, reduced(file, [&](int x, int y, int component) {
                  const double stored =

@@ -1,6 +1,5 @@
 #include <optional>
 
-#include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkDataArraySelection.h>
@@ -23,13 +22,6 @@ using namespace volume;
 using base::throwInput;
 
 namespace {
-
-// Passes VTK's progress on and stops VTK when asked to.
-void observe(vtkObject* caller, unsigned long, void* clientData, void* callData) {
-  auto& progress = *static_cast<base::Progress*>(clientData);
-  progress.report(*static_cast<double*>(callData), "reading");
-  if (progress.stopRequested()) static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
-}
 
 // Only the chosen array is read; the others stay in the file.
 void select(vtkDataArraySelection* selection, const char* name) {
@@ -55,10 +47,7 @@ DecodedVolume decodeVti(const std::filesystem::path& path, const ReadOptions& op
   allowDecoding(fileBytes);
   VtkMessages messages;
   vtkNew<vtkXMLImageDataReader> reader;
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetCallback(observe);
-  observer->SetClientData(&progress);
-  reader->AddObserver(vtkCommand::ProgressEvent, observer);
+  watch(reader, progress);
   reader->SetFileName(path.c_str());
   reader->UpdateInformation();
   if (messages.errors().empty()) {

@@ -17,15 +17,11 @@ namespace {
 
 constexpr std::size_t mostDicomFiles = 100000;
 
-struct Visit {
-  const std::function<bool(const fs::path&)>& use;  // false: enough
-  std::size_t count = 0;
-  bool goesOn = true;
-};
+using Use = std::function<bool(const fs::path&)>;  // false: enough
 
 // Folder by folder: those in the folder itself first, so that what is at the top is found without looking at
 // all that is below. A subfolder that cannot be listed is passed by.
-void visitFiles(const fs::path& folder, int depth, bool top, Visit& visit) {
+bool visitFiles(const fs::path& folder, int depth, const Use& use, std::size_t& count, bool top = true) {
   std::error_code error;
   std::vector<fs::path> files, folders;
   for (fs::directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error), end;
@@ -33,35 +29,26 @@ void visitFiles(const fs::path& folder, int depth, bool top, Visit& visit) {
     std::error_code ignored;
     if (entry->is_regular_file(ignored)) files.push_back(entry->path());
     if (entry->is_directory(ignored) && !entry->is_symlink(ignored)) folders.push_back(entry->path());
-    if (visit.count + files.size() > mostDicomFiles)
+    if (count + files.size() > mostDicomFiles)
       throwInput(folder.string(), "", "the folder has more than 100000 files");
   }
   if (error && top) throwInput(folder.string(), "", "cannot be listed: " + error.message());
-  visit.count += files.size();
+  count += files.size();
   std::sort(files.begin(), files.end());
   std::sort(folders.begin(), folders.end());
-  for (const fs::path& file : files)
-    if (!(visit.goesOn = visit.use(file))) return;
-  for (const fs::path& below : folders) {
-    if (depth > 0) visitFiles(below, depth - 1, false, visit);
-    if (!visit.goesOn) return;
-  }
-}
-
-void visitFiles(const fs::path& folder, int depth, const std::function<bool(const fs::path&)>& use) {
-  Visit visit{use};
-  visitFiles(folder, depth, true, visit);
+  return std::all_of(files.begin(), files.end(), use) &&
+         std::all_of(folders.begin(), folders.end(), [&](const fs::path& below) {
+           return depth == 0 || visitFiles(below, depth - 1, use, count, false);
+         });
 }
 
 // Old files lack the mark and begin with their first element at once: this follows a few elements from the
 // first of group 2 or 8, in ascending order: little endian with or without a VR, big endian with.
 bool beginsWithElements(std::string_view head) {
   const bool isBig = head.size() > 1 && head[0] == 0;
-  const auto number = [&](std::size_t at, std::size_t size) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < size; ++i)
-      value = value << 8 | static_cast<unsigned char>(head[isBig ? at + i : at + size - 1 - i]);
-    return value;
+  const auto number = [&](std::size_t at, std::size_t size) -> std::uint32_t {
+    if (size == 2) return numberAt<std::uint16_t>(&head[at], isBig);
+    return numberAt<std::uint32_t>(&head[at], isBig);
   };
   constexpr int enough = 3;
   std::uint32_t last = 0;
@@ -102,17 +89,16 @@ bool looksLikeDicom(std::string_view head) {
 }
 
 bool hasDicomFiles(const fs::path& folder) {
-  bool found = false;
-  visitFiles(folder, kDeepestDicomFolder, [&](const fs::path& file) { return !(found = isDicomFile(file)); });
-  return found;
+  std::size_t count = 0;
+  return !visitFiles(
+      folder, kDeepestDicomFolder, [](const fs::path& file) { return !isDicomFile(file); }, count);
 }
 
 std::vector<fs::path> filesBelow(const fs::path& folder, int depth) {
   std::vector<fs::path> files;
-  visitFiles(folder, depth, [&](const fs::path& file) {
-    files.push_back(file);
-    return true;
-  });
+  std::size_t count = 0;
+  const Use keep = [&](const fs::path& file) { return files.push_back(file), true; };
+  visitFiles(folder, depth, keep, count);
   return files;
 }
 

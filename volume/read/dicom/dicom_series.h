@@ -14,11 +14,14 @@
 
 namespace isolux::volume {
 
-struct DicomSeries {
+struct DicomStatements {
   Patient patient;
   std::string study, studyDescription, studyDate;  // `study`: its UID
   std::string series, description, date;           // `series`: its UID, for Source::series
   std::string modality, kernel, number;
+};
+
+struct DicomSeries : DicomStatements {
   std::string folder;  // absolute; all its files are in it or below: for Source::path
   std::int64_t columns = 0, rows = 0, slices = 0, timeSteps = 1;  // slices: as found, before resampling
   glm::dvec3 spacingMm{0.0};          // of columns, rows, slices; 0 where not known

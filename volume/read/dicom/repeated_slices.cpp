@@ -64,11 +64,8 @@ std::string nameOf(std::size_t tag) {
 std::string valuesText(std::size_t tag, const std::vector<std::size_t>& slices,
                        const std::vector<ImageTags>& tags) {
   constexpr std::size_t most = 6;
-  const std::set<std::string, decltype(&comesBefore)> values = [&] {
-    std::set<std::string, decltype(&comesBefore)> all(&comesBefore);
-    for (const std::size_t slice : slices) all.insert(tags[slice][tag]);
-    return all;
-  }();
+  std::set<std::string, decltype(&comesBefore)> values(&comesBefore);
+  for (const std::size_t slice : slices) values.insert(tags[slice][tag]);
   std::string text = nameOf(tag) + ": ";
   std::size_t count = 0;
   for (const std::string& value : values) {
