@@ -53,6 +53,17 @@ constexpr auto passVolume = [](auto& wire, auto& volume) {
   wire.pass(volume.name);
   wire.pass(volume.seriesChoices, mostSeries);
   passPatient(wire, volume.patient);
+  VoxelType type = typeOf(volume.voxels);
+  wire.pass(type, 0, kLastType);
+  if constexpr (std::is_same_v<decltype(wire), WireReader&>)
+    withType(type, [&](auto zero) { volume.voxels = std::vector<decltype(zero)>(); });
+};
+constexpr auto passMesh = [](auto& wire, auto& mesh) {
+  wire.pass(mesh.points, 0, mostPoints);
+  wire.pass(mesh.triangles, 0, mostTriangles);
+};
+constexpr auto passImage = [](auto& wire, auto& size) {
+  for (auto* side : {&size.width, &size.height}) wire.pass(*side, 1, kMostImagePixels);
 };
 
 constexpr auto passSeries = [](auto& wire, auto& series) {
@@ -103,55 +114,33 @@ base::Error decodeError(std::string_view body) {
 }
 
 std::string encode(const DecodedVolume& volume) {
-  WireWriter wire;
-  passVolume(wire, volume);
-  wire.put(static_cast<std::uint64_t>(typeOf(volume.voxels)));
-  return wire.bytes();
+  return messageBytes(volume, passVolume);
 }
 
 DecodedVolume decodeVolume(std::string_view body) {
-  WireReader wire(body);
-  DecodedVolume volume;
-  passVolume(wire, volume);
-  const auto type = static_cast<VoxelType>(wire.number(0, kLastType));
-  wire.end();
-  const ImageHeader& header = volume.header;
-  if (!usableAffine(header.worldFromVoxel)) throwBadAnswer("spacing or orientation is degenerate");
-  checkDims(header, "", "answer of the reader");
-  withType(type, [&](auto zero) { volume.voxels = std::vector<decltype(zero)>(); });
+  auto volume = messageOf<DecodedVolume>(body, passVolume);
+  if (!usableAffine(volume.header.worldFromVoxel)) throwBadAnswer("spacing or orientation is degenerate");
+  checkDims(volume.header, "", "answer of the reader");
   return volume;
 }
 
 std::string encode(const TriangleMesh& mesh) {
-  WireWriter wire;
-  wire.put(static_cast<std::uint64_t>(mesh.points.size()));
-  wire.put(static_cast<std::uint64_t>(mesh.triangles.size()));
-  return wire.bytes();
+  return messageBytes(MeshCounts{mesh.points.size(), mesh.triangles.size()}, passMesh);
 }
 
 MeshCounts decodeMesh(std::string_view body) {
-  WireReader wire(body);
-  MeshCounts counts;
-  counts.points = wire.number(0, mostPoints);
-  counts.triangles = wire.number(0, mostTriangles);
-  wire.end();
-  return counts;
+  return messageOf<MeshCounts>(body, passMesh);
 }
 
 std::string encode(const DecodedImage& image) {
-  WireWriter wire;
-  wire.put(static_cast<std::int64_t>(image.width));
-  wire.put(static_cast<std::int64_t>(image.height));
-  return wire.bytes();
+  return messageBytes(ImageSize{image.width, image.height}, passImage);
 }
 
 ImageSize decodeImage(std::string_view body) {
-  WireReader wire(body);
-  const std::uint64_t width = wire.number(1, kMostImagePixels), height = wire.number(1, kMostImagePixels);
-  wire.end();
-  if (width * height > static_cast<std::uint64_t>(kMostImagePixels))
+  const auto size = messageOf<ImageSize>(body, passImage);
+  if (std::int64_t{size.width} * size.height > kMostImagePixels)
     throwBadAnswer("an image is larger than one may be");
-  return {static_cast<int>(width), static_cast<int>(height)};
+  return size;
 }
 
 std::string encode(const DicomSeries& series) {
