@@ -6,6 +6,7 @@
 #include <string>
 
 #include "tests/fuzz/fuzz_support.h"
+#include "tests/support/memory_store.h"
 #include "volume/read/zarr/zarr.h"
 
 namespace {
@@ -32,7 +33,7 @@ std::map<std::string, std::string> filesIn(std::string_view text) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace isolux;
-  const auto store = std::make_shared<const volume::MemoryStore>(filesIn(fuzz::textOf(data, size)));
+  const auto store = std::make_shared<const test::MemoryStore>(filesIn(fuzz::textOf(data, size)));
   base::Progress progress;
   base::machineMemory().setLimit(16 * fuzz::budgetBytes);  // of chunks
   try {

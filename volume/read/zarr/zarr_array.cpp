@@ -16,15 +16,7 @@ using base::throwInput;
 
 namespace {
 
-constexpr std::size_t kKeptShardIndices = 64;
 constexpr std::uint64_t kMostChunksInShard = std::uint64_t{1} << 24;
-
-std::uint64_t littleOrBig64(std::span<const std::byte> bytes, std::size_t at, bool big) {
-  std::uint64_t number = 0;
-  for (std::size_t i = 0; i < 8; ++i)
-    number |= static_cast<std::uint64_t>(bytes[at + i]) << (8 * (big ? 7 - i : i));
-  return number;
-}
 
 std::string placeText(std::span<const std::uint64_t> index) {
   std::string text = "chunk ";
@@ -99,32 +91,14 @@ ZarrArray::ShardIndex ZarrArray::readShardIndex(const Bytes& shard) const {
     throwInput(shard.name(), "index", "damaged: the shard is shorter than its index");
   shard.read(shards.indexAtStart ? 0 : shard.size() - bytes.size(), bytes);
   if (shards.indexSummed) {
-    std::uint32_t sum = 0;
-    for (std::size_t i = 0; i < 4; ++i) sum |= static_cast<std::uint32_t>(bytes[16 * count + i]) << (8 * i);
+    const auto sum = numberAt<std::uint32_t>(&bytes[16 * count], false);
     if (crc32c(std::span(bytes).first(16 * count)) != sum)
       throwInput(shard.name(), "index", "damaged: the checksum of the shard's index is wrong");
   }
   ShardIndex index(count);
   for (std::size_t i = 0; i < count; ++i)
-    index[i] = {littleOrBig64(bytes, 16 * i, shards.indexBig),
-                littleOrBig64(bytes, 16 * i + 8, shards.indexBig)};
-  return index;
-}
-
-std::shared_ptr<const ZarrArray::ShardIndex> ZarrArray::shardIndex(const Bytes& shard,
-                                                                   const std::string& key) const {
-  {
-    const std::lock_guard lock(mutex_);
-    for (auto entry = indices_.begin(); entry != indices_.end(); ++entry)
-      if (entry->first == key) {
-        indices_.splice(indices_.begin(), indices_, entry);
-        return entry->second;
-      }
-  }
-  auto index = std::make_shared<const ShardIndex>(readShardIndex(shard));
-  const std::lock_guard lock(mutex_);
-  indices_.emplace_front(key, index);
-  if (indices_.size() > kKeptShardIndices) indices_.pop_back();
+    index[i] = {numberAt<std::uint64_t>(&bytes[16 * i], shards.indexBig),
+                numberAt<std::uint64_t>(&bytes[16 * i + 8], shards.indexBig)};
   return index;
 }
 
@@ -135,7 +109,8 @@ ZarrArray::Place ZarrArray::placeInShard(const Bytes& shard, const std::string& 
     const std::uint64_t count = metadata_.shards->dims[axis] / layout_.chunk[axis];
     at = at * count + index[axis] % count;
   }
-  const Place place = (*shardIndex(shard, key))[static_cast<std::size_t>(at)];
+  const auto indexOfShard = [&] { return std::make_shared<const ShardIndex>(readShardIndex(shard)); };
+  const Place place = (*indices_.get(key, indexOfShard))[static_cast<std::size_t>(at)];
   constexpr std::uint64_t none = ~std::uint64_t{0};
   if (place.offset == none && place.size == none) return place;
   if (place.offset > shard.size() || place.size > shard.size() - place.offset)

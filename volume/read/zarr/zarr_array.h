@@ -1,14 +1,13 @@
 // One Zarr array: its metadata, and its chunks out of their files.
 #pragma once
 
-#include <list>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "base/recent.h"
 #include "volume/read/chunks/chunked_array.h"
 #include "volume/read/zarr/zarr_metadata.h"
 #include "volume/read/zarr/zarr_store.h"
@@ -41,7 +40,6 @@ class ZarrArray final : public ChunkedArray {
   std::string keyOf(std::span<const std::uint64_t> index) const;
   void checkStillThere() const;
   Place placeInShard(const Bytes& shard, const std::string& key, std::span<const std::uint64_t> index) const;
-  std::shared_ptr<const ShardIndex> shardIndex(const Bytes& shard, const std::string& key) const;
   ShardIndex readShardIndex(const Bytes& shard) const;
 
   std::shared_ptr<const ZarrStore> store_;
@@ -51,8 +49,7 @@ class ZarrArray final : public ChunkedArray {
   std::vector<std::string> warnings_;
   ArrayLayout layout_;
 
-  mutable std::mutex mutex_;  // of what follows: tables of the shards read last, newest first
-  mutable std::list<std::pair<std::string, std::shared_ptr<const ShardIndex>>> indices_;
+  mutable base::Recent<std::string, std::shared_ptr<const ShardIndex>> indices_{64};  // of shards
 };
 
 }  // namespace isolux::volume

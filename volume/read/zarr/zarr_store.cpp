@@ -1,7 +1,6 @@
 #include "volume/read/zarr/zarr_store.h"
 
 #include <algorithm>
-#include <set>
 #include <system_error>
 
 #include "base/error.h"
@@ -46,23 +45,6 @@ std::vector<std::string> FolderStore::folders(const std::string& key) const {
 
 std::string FolderStore::nameOf(const std::string& key) const {
   return key.empty() ? root_.string() : (root_ / key).string();
-}
-
-std::unique_ptr<Bytes> MemoryStore::open(const std::string& key) const {
-  const auto found = files_.find(key);
-  if (found == files_.end()) return nullptr;
-  return std::make_unique<MemoryBytes>(key, std::as_bytes(std::span(found->second)));
-}
-
-std::vector<std::string> MemoryStore::folders(const std::string& key) const {
-  std::set<std::string> names;
-  const std::string prefix = key.empty() ? "" : key + "/";
-  for (const auto& [name, bytes] : files_) {
-    if (!name.starts_with(prefix)) continue;
-    const std::size_t slash = name.find('/', prefix.size());
-    if (slash != std::string::npos) names.insert(name.substr(prefix.size(), slash - prefix.size()));
-  }
-  return {names.begin(), names.end()};
 }
 
 }  // namespace isolux::volume

@@ -1,9 +1,8 @@
-// The files of a Zarr hierarchy by their keys ("0/c/1/2/3"): a folder, or memory in tests and fuzzers.
+// The files of a Zarr hierarchy by their keys ("0/c/1/2/3"): a folder, or what tests put there.
 #pragma once
 
 #include <cstddef>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -37,17 +36,6 @@ class FolderStore final : public ZarrStore {
 
  private:
   std::filesystem::path root_;
-};
-
-class MemoryStore final : public ZarrStore {
- public:
-  explicit MemoryStore(std::map<std::string, std::string> files) : files_(std::move(files)) {}
-  std::unique_ptr<Bytes> open(const std::string& key) const override;
-  std::vector<std::string> folders(const std::string& key) const override;
-  std::string nameOf(const std::string& key) const override { return key; }
-
- private:
-  std::map<std::string, std::string> files_;
 };
 
 // "a" and "b" become "a/b"; an empty one is left out.

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "tests/support/memory_store.h"
 #include "tests/support/test_data.h"
 #include "tests/volume/read/reader_support.h"
 #include "volume/read/chunks/checksums.h"
@@ -45,7 +46,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 }
 
 std::unique_ptr<ArrayVolume> opened(const Files& files) {
-  return openZarr(std::make_shared<const MemoryStore>(files), "", "test.zarr", "");
+  return openZarr(std::make_shared<const test::MemoryStore>(files), "", "test.zarr", "");
 }
 
 std::vector<std::uint16_t> readBox(const ChunkedVolume& volume, glm::ivec3 low, glm::ivec3 size) {
