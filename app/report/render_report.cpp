@@ -33,10 +33,11 @@ std::uint64_t peakBytes() {
 ordered_json partsJson(const volume::Grid& grid) {
   if (grid.isWhole()) return nullptr;
   const volume::BrickSource& source = *grid.source();
-  return {{"read", source.bricksRead()},
-          {"bytes", source.brickBytes()},
-          {"file_bytes", source.bytesRead()},
-          {"kept_bytes", source.bytesKept()},
+  const volume::BrickSource::Reads reads = source.reads();
+  return {{"read", reads.bricks},
+          {"bytes", reads.brickBytes},
+          {"file_bytes", reads.fileBytes},
+          {"kept_bytes", reads.keptBytes},
           {"budget_bytes", source.budgetBytes()}};
 }
 

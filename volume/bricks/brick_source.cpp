@@ -13,7 +13,7 @@
 
 #include <glm/common.hpp>
 
-#include "base/error.h"
+#include "base/caught_error.h"
 #include "base/memory_budget.h"
 #include "base/retire.h"
 #include "volume/voxels/stored_type.h"
@@ -56,14 +56,15 @@ struct KeyHash {
 }  // namespace
 
 struct BrickSource::State {
-  // A brick that is in memory, being read, or asked for.
-  struct Entry {
-    std::shared_ptr<const Brick> brick;  // in memory
-    bool reading = false;
-    std::optional<base::Error> error;  // of the last reading, for those who waited for it
-    std::uint64_t readings = 0;        // that have ended
-    int waiting = 0;                   // who looks at `error`
-    std::list<Key>::iterator recent;   // of bricks in memory
+  // What reading a brick has come to; who waits for it shares it.
+  struct Reading {
+    bool ended = false;
+    std::shared_ptr<const Brick> brick;
+    std::optional<base::Error> error;
+  };
+  struct Entry {  // a brick that is in memory, or being read
+    std::shared_ptr<const Reading> reading;
+    std::list<Key>::iterator recent;  // in memory
   };
   struct Wish {
     Key key;
@@ -83,8 +84,7 @@ struct BrickSource::State {
   std::multimap<int, Wish, std::greater<>> wishes;
   std::vector<std::unique_ptr<base::RetiringThread<State>>> threads;
   bool stopping = false;
-  std::size_t keptBytes = 0;
-  std::uint64_t readBytes = 0, bricks = 0, voxelBytes = 0;
+  Reads reads;
 
   glm::ivec3 indexOf(Key key) const { return Extent3{cuts[key.level].bricks()}.at(key.brick); }
   Key keyOf(std::size_t level, glm::ivec3 index) const {
@@ -92,85 +92,61 @@ struct BrickSource::State {
   }
 
   std::shared_ptr<const Brick> get(Key key);
-  void readNow(Key key, std::unique_lock<std::mutex>& lock);
-  void keep(Key key, std::shared_ptr<const Brick> brick);
+  std::shared_ptr<const Reading> readNow(Key key, std::unique_lock<std::mutex>& lock);
+  void keep(Key key, Entry& entry);
   void work();
 };
 
 // With the lock, which is let go while the file is read.
-void BrickSource::State::readNow(Key key, std::unique_lock<std::mutex>& lock) {
-  entries[key].reading = true;
+auto BrickSource::State::readNow(Key key, std::unique_lock<std::mutex>& lock)
+    -> std::shared_ptr<const Reading> {
+  const auto reading = std::make_shared<Reading>();
+  entries[key].reading = reading;
   lock.unlock();
-  auto brick = std::make_shared<Brick>();
-  std::optional<base::Error> error;
+  const auto brick = std::make_shared<Brick>();
   std::size_t bytes = 0;
-  try {
+  const auto error = base::caughtError(file->facts().name, "read a brick", [&] {
     const Cut& cut = cuts[key.level];
     brick->low = cut.low(indexOf(key));
     brick->size = cut.behindLast(indexOf(key)) - brick->low;
     brick->voxels.resize(Extent3{brick->size}.count() * bytesOf(file->facts().storedType));
     bytes = file->read(part, key.level, brick->low, brick->size, brick->voxels);
-  } catch (const base::Error& failed) {
-    error = failed;
-  } catch (const std::bad_alloc&) {
-    error = base::Error(base::ErrorKind::memory, file->facts().name, "", "not enough memory for a brick");
-  } catch (const std::exception& failed) {  // of a codec: who waits must hear of it
-    error = base::Error(base::ErrorKind::input, file->facts().name, "", failed.what());
-  } catch (...) {
-    error = base::Error(base::ErrorKind::input, file->facts().name, "", "a brick cannot be decoded");
-  }
+  });
   lock.lock();
-  Entry& entry = entries[key];
-  entry.reading = false;
-  ++entry.readings;
-  entry.error = error;
-  if (!error) {
-    readBytes += bytes;
-    voxelBytes += brick->voxels.size();
-    ++bricks;
-    keep(key, std::move(brick));
-  } else if (entry.waiting == 0) {
+  *reading = {true, brick, error};
+  if (error) {
     entries.erase(key);
+  } else {
+    reads.fileBytes += bytes;
+    reads.brickBytes += brick->voxels.size();
+    ++reads.bricks;
+    keep(key, entries[key]);
   }
   ended.notify_all();
+  return reading;
 }
 
-void BrickSource::State::keep(Key key, std::shared_ptr<const Brick> brick) {
-  Entry& entry = entries[key];
-  keptBytes += brick->voxels.size();
-  entry.brick = std::move(brick);
+void BrickSource::State::keep(Key key, Entry& entry) {
+  reads.keptBytes += entry.reading->brick->voxels.size();
   recent.push_front(key);
   entry.recent = recent.begin();
-  for (auto at = recent.end(); keptBytes > budget && recent.size() > 1;) {
-    if (--at == recent.begin()) break;
-    const auto oldest = entries.find(*at);
-    keptBytes -= oldest->second.brick->voxels.size();
-    oldest->second.brick.reset();
-    if (oldest->second.waiting == 0 && !oldest->second.reading) entries.erase(oldest);
-    at = recent.erase(at);
+  while (reads.keptBytes > budget && recent.size() > 1) {
+    const auto oldest = entries.find(recent.back());
+    reads.keptBytes -= oldest->second.reading->brick->voxels.size();
+    entries.erase(oldest);
+    recent.pop_back();
   }
 }
 
 std::shared_ptr<const BrickSource::Brick> BrickSource::State::get(Key key) {
   std::unique_lock lock(mutex);
-  for (;;) {
-    Entry& entry = entries[key];
-    if (entry.brick) {
-      recent.splice(recent.begin(), recent, entry.recent);
-      return entry.brick;
-    }
-    ++entry.waiting;  // keeps the entry where it is
-    const std::uint64_t before = entry.readings;
-    if (entry.reading)
-      ended.wait(lock, [&] { return entry.readings != before; });
-    else
-      readNow(key, lock);
-    --entry.waiting;
-    if (entry.brick) continue;
-    const std::optional<base::Error> error = entry.error;
-    if (entry.waiting == 0 && !entry.reading) entries.erase(key);
-    if (error) throw base::Error(*error);
-  }
+  const auto found = entries.find(key);
+  if (found != entries.end() && found->second.reading->ended)
+    recent.splice(recent.begin(), recent, found->second.recent);
+  const auto reading = found != entries.end() ? found->second.reading : readNow(key, lock);
+  ended.wait(lock, [&] { return reading->ended; });
+  if (reading->error) throw base::Error(*reading->error);
+  return reading->brick;
 }
 
 void BrickSource::State::work() {
@@ -181,8 +157,7 @@ void BrickSource::State::work() {
     const Wish wish = wishes.begin()->second;
     wishes.erase(wishes.begin());
     if (wish.wanted.expired()) continue;
-    const auto found = entries.find(wish.key);
-    if (found == entries.end() || (!found->second.brick && !found->second.reading)) readNow(wish.key, lock);
+    if (!entries.contains(wish.key)) readNow(wish.key, lock);
   }
 }
 
@@ -233,13 +208,14 @@ std::shared_ptr<const BrickSource::Brick> BrickSource::brick(std::size_t level, 
 bool BrickSource::has(std::size_t level, glm::ivec3 index) const {
   const std::lock_guard lock(state_->mutex);
   const auto found = state_->entries.find(state_->keyOf(level, index));
-  return found != state_->entries.end() && found->second.brick;
+  return found != state_->entries.end() && found->second.reading->ended;
 }
 
 BrickSource::Request BrickSource::request(std::size_t level, glm::ivec3 index, int priority) {
   const Key key = state_->keyOf(level, index);
   const std::lock_guard lock(state_->mutex);
-  if (const auto found = state_->entries.find(key); found != state_->entries.end() && found->second.brick)
+  if (const auto found = state_->entries.find(key);
+      found != state_->entries.end() && found->second.reading->ended)
     return {};
   const auto wanted = std::make_shared<int>(0);
   state_->wishes.emplace(priority, State::Wish{key, wanted});
@@ -349,24 +325,9 @@ double BrickSource::stored(glm::ivec3 voxel) {
   });
 }
 
-std::uint64_t BrickSource::bytesRead() const {
+BrickSource::Reads BrickSource::reads() const {
   const std::lock_guard lock(state_->mutex);
-  return state_->readBytes;
-}
-
-std::uint64_t BrickSource::bricksRead() const {
-  const std::lock_guard lock(state_->mutex);
-  return state_->bricks;
-}
-
-std::uint64_t BrickSource::brickBytes() const {
-  const std::lock_guard lock(state_->mutex);
-  return state_->voxelBytes;
-}
-
-std::size_t BrickSource::bytesKept() const {
-  const std::lock_guard lock(state_->mutex);
-  return state_->keptBytes;
+  return state_->reads;
 }
 
 std::size_t BrickSource::budgetBytes() const {

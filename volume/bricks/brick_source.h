@@ -72,10 +72,13 @@ class BrickSource {
                                                 int priority);
   double stored(glm::ivec3 voxel);  // of level 0; NaN where missing
 
-  std::uint64_t bytesRead() const;   // from the file, as it reports them
-  std::uint64_t bricksRead() const;  // those that were read again count again
-  std::uint64_t brickBytes() const;  // of the voxels of those
-  std::size_t bytesKept() const;     // in memory now
+  struct Reads {
+    std::uint64_t fileBytes = 0;   // read from the file, as it reports them
+    std::uint64_t bricks = 0;      // those that were read again count again
+    std::uint64_t brickBytes = 0;  // of the voxels of those
+    std::size_t keptBytes = 0;     // in memory now
+  };
+  Reads reads() const;
   std::size_t budgetBytes() const;
 
  private:

@@ -55,7 +55,7 @@ TEST(BrickSource, ABrickOfTheGpuIsOneReadingOfAFileOfRows) {
         source.copyBox(0, 32 * glm::ivec3(x, y, z) - 1, glm::ivec3(35),
                        std::as_writable_bytes(std::span(voxels)));
   EXPECT_EQ(file->reads, 18);
-  EXPECT_EQ(source.bricksRead(), 18u);
+  EXPECT_EQ(source.reads().bricks, 18u);
 }
 
 TEST(BrickSource, KeepsWhatWasUsedLastWithinItsBudget) {
@@ -67,7 +67,7 @@ TEST(BrickSource, KeepsWhatWasUsedLastWithinItsBudget) {
   use(0, 1);
   EXPECT_TRUE(source.has(0, {0, 0, 0}));
   EXPECT_FALSE(source.has(0, {1, 0, 0}));
-  EXPECT_LE(source.bytesKept(), source.budgetBytes());
+  EXPECT_LE(source.reads().keptBytes, source.budgetBytes());
   EXPECT_EQ(file->reads, 4);
   use(1, 0);
   EXPECT_EQ(file->reads, 5);
