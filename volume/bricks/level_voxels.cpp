@@ -95,33 +95,6 @@ class Means {
   std::vector<double> sums_, weights_;
 };
 
-// What several threads find of damage.
-class Findings {
- public:
-  Findings(const ChunkedFacts& facts, LevelVoxels& level) : facts_(facts), level_(level) {}
-  void add(std::vector<DamagedPart>&& damaged) {
-    const std::lock_guard lock(mutex_);
-    for (DamagedPart& part : damaged) noteDamage(facts_.name, std::move(part), level_.damaged);
-  }
-  void add(const std::vector<std::size_t>& unknown) {
-    if (unknown.empty()) return;
-    const std::lock_guard lock(mutex_);
-    level_.unknown.insert(level_.unknown.end(), unknown.begin(), unknown.end());
-  }
-  // Independent of which thread was first.
-  void sort() {
-    std::sort(level_.damaged.begin(), level_.damaged.end(), [](const DamagedPart& a, const DamagedPart& b) {
-      return std::tie(a.low.z, a.low.y, a.low.x) < std::tie(b.low.z, b.low.y, b.low.x);
-    });
-    std::sort(level_.unknown.begin(), level_.unknown.end());
-  }
-
- private:
-  const ChunkedFacts& facts_;
-  LevelVoxels& level_;
-  std::mutex mutex_;
-};
-
 // The voxels of a box in float32, those of `damaged` missing.
 template <class T>
 std::vector<float> withMissing(const std::vector<T>& voxels, glm::ivec3 low, glm::ivec3 size,
@@ -146,7 +119,7 @@ LevelVoxels readMeans(const ChunkedVolume& file, VolumePart part, const LevelOri
   LevelVoxels read;
   std::vector<T> voxels;
   resizeStoppably(voxels, Extent3{dims}.count(), progress);
-  Findings findings(file.facts(), read);
+  std::mutex mutex;  // of what is found of damage
   parallelSteps(steps.count(), progress, {0.0, 1.0, "reading"}, [&](std::size_t i) {
     const glm::ivec3 low = step * steps.at(i), behind = glm::min(low + step, from);
     Means means(low, behind - low, origin.factor, from);
@@ -168,14 +141,21 @@ LevelVoxels readMeans(const ChunkedVolume& file, VolumePart part, const LevelOri
             means.add(at, size, piece);
           } else {
             means.add(at, size, withMissing(piece, at, size, damaged));
-            findings.add(std::exchange(damaged, {}));
+            const std::lock_guard lock(mutex);
+            for (DamagedPart& one : std::exchange(damaged, {}))
+              noteDamage(file.facts().name, std::move(one), read.damaged);
           }
         }
     std::vector<std::size_t> unknown;
     means.write(dims, voxels, unknown);
-    findings.add(unknown);
+    const std::lock_guard lock(mutex);
+    read.unknown.insert(read.unknown.end(), unknown.begin(), unknown.end());
   });
-  findings.sort();
+  // Independent of which thread was first.
+  std::sort(read.damaged.begin(), read.damaged.end(), [](const DamagedPart& a, const DamagedPart& b) {
+    return std::tie(a.low.z, a.low.y, a.low.x) < std::tie(b.low.z, b.low.y, b.low.x);
+  });
+  std::sort(read.unknown.begin(), read.unknown.end());
   read.voxels = std::move(voxels);
   return read;
 }
