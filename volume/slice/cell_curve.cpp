@@ -16,10 +16,6 @@ constexpr double kRounding = 4e-15;    // of values, relative
 constexpr double kRootVoxels = 1e-11;  // how well a root is found along an edge
 constexpr double kThinnest = 1e-20;    // triangles of less area hold nothing, voxels^2
 
-bool comesFirst(glm::dvec2 p, glm::dvec2 q) {
-  return p.x != q.x ? p.x < q.x : p.y < q.y;
-}
-
 // Exact at both ends, so that cells on either side of a face agree on it.
 double mixed(double from, double to, double t) {
   return (1.0 - t) * from + t * to;

@@ -16,10 +16,6 @@ namespace {
 
 constexpr double kLevelPlane = 1e-12;  // c changes so little per voxel that it is rounding
 
-bool before(glm::dvec2 p, glm::dvec2 q) {
-  return p.x != q.x ? p.x < q.x : p.y < q.y;
-}
-
 }  // namespace
 
 PlaneLattice::PlaneLattice(const GridGeometry& geometry, const SlicePlane& plane) {
@@ -69,7 +65,7 @@ PlaneLattice::Cells PlaneLattice::cellsAbove(glm::ivec2 square) const {
 }
 
 glm::dvec2 PlaneLattice::crossing(glm::dvec2 p, glm::dvec2 q, double level) const {
-  if (before(q, p)) std::swap(p, q);
+  if (comesFirst(q, p)) std::swap(p, q);
   const double from = c(p), to = c(q);
   return p + (level - from) / (to - from) * (q - p);
 }

@@ -15,6 +15,11 @@
 
 namespace isolux::volume {
 
+// An order of points in which an edge has one first end from either side.
+inline bool comesFirst(glm::dvec2 p, glm::dvec2 q) {
+  return p.x != q.x ? p.x < q.x : p.y < q.y;
+}
+
 class PlaneLattice {
  public:
   PlaneLattice(const GridGeometry& geometry, const SlicePlane& plane);

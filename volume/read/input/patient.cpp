@@ -1,8 +1,8 @@
 #include "volume/read/input/patient.h"
 
+#include <map>
+#include <memory>
 #include <mutex>
-#include <utility>
-#include <vector>
 
 namespace isolux::volume {
 
@@ -10,7 +10,7 @@ namespace {
 
 struct Patients {
   std::mutex mutex;
-  std::vector<std::pair<std::weak_ptr<const Grid>, Patient>> known;
+  std::map<std::weak_ptr<const Grid>, Patient, std::owner_less<>> known;
 };
 
 Patients& patients() {
@@ -23,19 +23,15 @@ Patients& patients() {
 void rememberPatient(const std::shared_ptr<const Grid>& grid, const Patient& patient) {
   Patients& all = patients();
   const std::lock_guard lock(all.mutex);
-  std::erase_if(all.known, [&](const auto& one) {
-    const auto living = one.first.lock();
-    return !living || living == grid;
-  });
-  if (grid && patient.known()) all.known.emplace_back(grid, patient);
+  std::erase_if(all.known, [&](const auto& one) { return one.first.expired() || one.first.lock() == grid; });
+  if (grid && patient.known()) all.known.emplace(grid, patient);
 }
 
 Patient patientOf(const std::shared_ptr<const Grid>& grid) {
   Patients& all = patients();
   const std::lock_guard lock(all.mutex);
-  for (const auto& [one, patient] : all.known)
-    if (grid && one.lock() == grid) return patient;
-  return {};
+  const auto found = all.known.find(grid);
+  return found == all.known.end() ? Patient() : found->second;
 }
 
 }  // namespace isolux::volume
