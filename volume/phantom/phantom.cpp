@@ -62,28 +62,6 @@ struct Placement {
   }
 };
 
-// Evaluates field(world position, voxel index) at every voxel, on all cores, and adds noise.
-template <class Field>
-std::vector<float> fill(const GridGeometry& geometry, const PhantomRequest& request, base::Progress& progress,
-                        const Field& field) {
-  const Extent3 extent = geometry.extent();
-  std::vector<float> values;
-  resizeStoppably(values, geometry.voxelCount(), progress);
-  const glm::dvec3 origin = geometry.originMm();
-  const glm::dmat3 linear(geometry.worldFromVoxel);
-  parallelSteps(extent.rows(), progress, {0.0, 1.0, "making the phantom"}, [&](std::size_t row) {
-    const glm::dvec3 first(extent.firstOfRow(row));
-    const glm::dvec3 start = origin + linear[1] * first.y + linear[2] * first.z;
-    std::size_t i = row * extent.row();
-    for (int x = 0; x < extent.dims.x; ++x, ++i) {
-      double value = field(start + linear[0] * static_cast<double>(x), i);
-      if (request.noise > 0.0) value += request.noise * base::normalNoise(request.seed, i);
-      values[i] = static_cast<float>(value);
-    }
-  });
-  return values;
-}
-
 // Smooth random field: random numbers on a unit lattice, blended by the cubic B-spline (so twice
 // differentiable).
 double latticeNoise(glm::dvec3 p, std::uint64_t seed) {
@@ -116,74 +94,92 @@ double distanceToRings(glm::dvec3 q, double radius) {
   return nearest;
 }
 
+// A voxel that a closed form is evaluated at.
+struct FormVoxel {
+  const PhantomRequest& request;
+  const Placement& at;
+  glm::dvec3 p, q;  // mm: its position in the world, and from the centre
+  double e;         // length of the domain's shortest edge, mm
+  std::size_t index;
+};
+
+struct NamedForm {
+  std::string_view name;
+  double (*valueAt)(const FormVoxel& v);
+};
+constexpr NamedForm kForms[] = {
+    {"ball", [](const FormVoxel& v) { return 0.35 * v.e - glm::length(v.q); }},
+    {"torus",
+     [](const FormVoxel& v) {
+       return 0.12 * v.e - glm::length(glm::dvec2(glm::length(glm::dvec2(v.q)) - 0.27 * v.e, v.q.z));
+     }},
+    {"cylinder", [](const FormVoxel& v) { return 0.25 * v.e - glm::length(glm::dvec2(v.q)); }},
+    {"plane", [](const FormVoxel& v) { return -glm::dot(glm::dvec3(2, 3, 6), v.q) / 7.0; }},
+    {"saddle", [](const FormVoxel& v) { return 2.0 * (v.q.x * v.q.x - v.q.y * v.q.y) / v.e - v.q.z; }},
+    {"gyroid",
+     [](const FormVoxel& v) {
+       const glm::dvec3 q = v.q * (8.0 * kPi / v.e);
+       return std::sin(q.x) * std::cos(q.y) + std::sin(q.y) * std::cos(q.z) + std::sin(q.z) * std::cos(q.x);
+     }},
+    {"marschner_lobb",
+     [](const FormVoxel& v) {
+       const glm::dvec3 q = v.q * (2.0 / v.e);
+       const double ripple = std::cos(12.0 * kPi * std::cos(0.5 * kPi * glm::length(glm::dvec2(q))));
+       return (1.0 - std::sin(0.5 * kPi * q.z) + 0.25 * (1.0 + ripple)) / 2.5;
+     }},
+    {"two_balls",
+     [](const FormVoxel& v) {
+       const double radius = 0.2 * v.e;
+       const glm::dvec3 shift(radius, 0.0, 0.0);
+       const double a = glm::dot(v.q - shift, v.q - shift) - radius * radius;
+       const double b = glm::dot(v.q + shift, v.q + shift) - radius * radius;
+       return -a * b / (8.0 * radius * radius * radius);
+     }},
+    {"sheet",
+     [](const FormVoxel& v) {
+       return 0.5 * v.request.sheetVoxels * v.at.layerSpacing -
+              std::abs(glm::dot(v.at.layerNormal, v.p) - v.at.layerOffset);
+     }},
+    {"sheets",
+     [](const FormVoxel& v) {
+       const double period = v.e / 31.75, across = glm::dot(glm::dvec3(2, 14, -5), v.q) / 15.0;
+       const double fromSheet = std::abs(across - period * std::round(across / period));
+       return std::min({0.4 * v.e - glm::length(v.q), v.q.y, 0.25 * period - fromSheet});
+     }},
+    {"wires",
+     [](const FormVoxel& v) {
+       const double width = 0.6 * v.e / 127.0, distance = distanceToRings(v.q, 0.3 * v.e);
+       return 1000.0 * std::exp(-0.5 * distance * distance / (width * width));
+     }},
+    {"noise", [](const FormVoxel& v) {
+       const glm::dvec3 q = v.q / v.e;
+       const std::uint64_t seed = v.request.seed;
+       return 2.0 * latticeNoise(q * 8.0, seed + 1) + latticeNoise(q * 20.0, seed + 2) +
+              0.02 * base::normalNoise(seed + 3, v.index);
+     }}};
+
+// Evaluates the form at every voxel, on all cores, and adds noise.
 std::vector<float> closedForm(const PhantomRequest& request, const GridGeometry& geometry,
                               base::Progress& progress) {
+  const auto valueAt = std::ranges::find(kForms, request.name, &NamedForm::name)->valueAt;
   const Placement at(geometry);
-  const glm::dvec3 c = at.centre;
-  const double e = at.edge;
-  const std::string& name = request.name;
-  const auto make = [&](const auto& field) { return fill(geometry, request, progress, field); };
-
-  if (name == "ball") return make([=](glm::dvec3 p, std::size_t) { return 0.35 * e - glm::length(p - c); });
-  if (name == "torus")
-    return make([=](glm::dvec3 p, std::size_t) {
-      const glm::dvec3 q = p - c;
-      return 0.12 * e - glm::length(glm::dvec2(glm::length(glm::dvec2(q)) - 0.27 * e, q.z));
-    });
-  if (name == "cylinder")
-    return make([=](glm::dvec3 p, std::size_t) { return 0.25 * e - glm::length(glm::dvec2(p - c)); });
-  if (name == "plane")
-    return make([=](glm::dvec3 p, std::size_t) { return -glm::dot(glm::dvec3(2, 3, 6), p - c) / 7.0; });
-  if (name == "saddle")
-    return make([=](glm::dvec3 p, std::size_t) {
-      const glm::dvec3 q = p - c;
-      return 2.0 * (q.x * q.x - q.y * q.y) / e - q.z;
-    });
-  if (name == "gyroid")
-    return make([=](glm::dvec3 p, std::size_t) {
-      const glm::dvec3 q = (p - c) * (8.0 * kPi / e);
-      return std::sin(q.x) * std::cos(q.y) + std::sin(q.y) * std::cos(q.z) + std::sin(q.z) * std::cos(q.x);
-    });
-  if (name == "marschner_lobb")
-    return make([=](glm::dvec3 p, std::size_t) {
-      const glm::dvec3 q = (p - c) * (2.0 / e);
-      const double ripple = std::cos(12.0 * kPi * std::cos(0.5 * kPi * glm::length(glm::dvec2(q))));
-      return (1.0 - std::sin(0.5 * kPi * q.z) + 0.25 * (1.0 + ripple)) / 2.5;
-    });
-  if (name == "two_balls")
-    return make([=](glm::dvec3 p, std::size_t) {
-      const double radius = 0.2 * e;
-      const glm::dvec3 q = p - c, shift(radius, 0.0, 0.0);
-      const double a = glm::dot(q - shift, q - shift) - radius * radius;
-      const double b = glm::dot(q + shift, q + shift) - radius * radius;
-      return -a * b / (8.0 * radius * radius * radius);
-    });
-  if (name == "sheet") {
-    const double half = 0.5 * request.sheetVoxels * at.layerSpacing;
-    return make([=](glm::dvec3 p, std::size_t) {
-      return half - std::abs(glm::dot(at.layerNormal, p) - at.layerOffset);
-    });
-  }
-  if (name == "sheets")
-    return make([=](glm::dvec3 p, std::size_t) {
-      const glm::dvec3 q = p - c;
-      const double period = e / 31.75, across = glm::dot(glm::dvec3(2, 14, -5), q) / 15.0;
-      const double fromSheet = std::abs(across - period * std::round(across / period));
-      return std::min({0.4 * e - glm::length(q), q.y, 0.25 * period - fromSheet});
-    });
-  if (name == "wires") {
-    const double width = 0.6 * e / 127.0;
-    return make([=](glm::dvec3 p, std::size_t) {
-      const double distance = distanceToRings(p - c, 0.3 * e);
-      return 1000.0 * std::exp(-0.5 * distance * distance / (width * width));
-    });
-  }
-  const std::uint64_t seed = request.seed;  // "noise"
-  return make([=](glm::dvec3 p, std::size_t i) {
-    const glm::dvec3 q = (p - c) / e;
-    return 2.0 * latticeNoise(q * 8.0, seed + 1) + latticeNoise(q * 20.0, seed + 2) +
-           0.02 * base::normalNoise(seed + 3, i);
+  const Extent3 extent = geometry.extent();
+  std::vector<float> values;
+  resizeStoppably(values, geometry.voxelCount(), progress);
+  const glm::dvec3 origin = geometry.originMm();
+  const glm::dmat3 linear(geometry.worldFromVoxel);
+  parallelSteps(extent.rows(), progress, {0.0, 1.0, "making the phantom"}, [&](std::size_t row) {
+    const glm::dvec3 first(extent.firstOfRow(row));
+    const glm::dvec3 start = origin + linear[1] * first.y + linear[2] * first.z;
+    std::size_t i = row * extent.row();
+    for (int x = 0; x < extent.dims.x; ++x, ++i) {
+      const glm::dvec3 p = start + linear[0] * static_cast<double>(x);
+      double value = valueAt({request, at, p, p - at.centre, at.edge, i});
+      if (request.noise > 0.0) value += request.noise * base::normalNoise(request.seed, i);
+      values[i] = static_cast<float>(value);
+    }
   });
+  return values;
 }
 
 }  // namespace

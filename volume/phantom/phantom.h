@@ -11,10 +11,10 @@
 //   marschner_lobb  (1 - sin(pi Z/2) + (1 + cos(12 pi cos(pi r/2))) / 4) / 2.5
 //                                                  (X,Y,Z) = 2 q / e, r = |(X,Y)|
 //   two_balls       -(|q - R x|^2 - R^2) (|q + R x|^2 - R^2) / (8 R^3)        R = 0.2 e, x the unit vector
-//   sheet           h - |distance to the z layer of voxels nearest to c|      h = half of sheetVoxels z
-//   spacings sheets          min(R - |q|, qy, p / 4 - |u q - the multiple of p nearest to it|)
+//   sheet           h - |distance to the z layer of voxels nearest to c|      h: half of sheetVoxels spacings
+//   sheets          min(R - |q|, qy, p / 4 - |u q - the multiple of p nearest to it|)
 //                                                  R = 0.4 e, p = e / 31.75, u = (2, 14, -5) / 15
-//   wires           1000 exp(-d^2 / (2 w^2)), d the distance to the nearest of six rings of radius 0.3 e
+//   wires           1000 exp(-d^2 / (2 w^2)), d the distance to the nearest of six rings of radius 0.3 e,
 //   whose
 //                   axes lean by 40 degrees, a sixth of a turn apart; w = 0.6 e / 127
 // (Marschner & Lobb 1994 with f_M = 6, alpha = 1/4.) `noise` is smooth random plus white noise. `head` is

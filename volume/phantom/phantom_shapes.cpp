@@ -24,39 +24,6 @@ float smoothMinimum(float a, float b, float k) {
   return std::min(a, b) - h * h * h * k * (1.0f / 6.0f);
 }
 
-Solid& Solid::add(glm::vec3 centre, glm::vec3 radii, float blend) {
-  shapes_.push_back({centre, centre, radii, radii, blend, false, false});
-  return *this;
-}
-Solid& Solid::addLimb(glm::vec3 a, glm::vec3 b, glm::vec3 radiiA, glm::vec3 radiiB, float blend) {
-  shapes_.push_back({a, b, radiiA, radiiB, blend, false, false});
-  return *this;
-}
-Solid& Solid::remove(glm::vec3 centre, glm::vec3 radii, float blend) {
-  shapes_.push_back({centre, centre, radii, radii, blend, true, false});
-  return *this;
-}
-Solid& Solid::removeLimb(glm::vec3 a, glm::vec3 b, glm::vec3 radiiA, glm::vec3 radiiB, float blend) {
-  shapes_.push_back({a, b, radiiA, radiiB, blend, true, false});
-  return *this;
-}
-Solid& Solid::addPair(glm::vec3 centre, glm::vec3 radii, float blend) {
-  shapes_.push_back({centre, centre, radii, radii, blend, false, true});
-  return *this;
-}
-Solid& Solid::addLimbs(glm::vec3 a, glm::vec3 b, glm::vec3 radiiA, glm::vec3 radiiB, float blend) {
-  shapes_.push_back({a, b, radiiA, radiiB, blend, false, true});
-  return *this;
-}
-Solid& Solid::removePair(glm::vec3 centre, glm::vec3 radii, float blend) {
-  shapes_.push_back({centre, centre, radii, radii, blend, true, true});
-  return *this;
-}
-Solid& Solid::removeLimbs(glm::vec3 a, glm::vec3 b, glm::vec3 radiiA, glm::vec3 radiiB, float blend) {
-  shapes_.push_back({a, b, radiiA, radiiB, blend, true, true});
-  return *this;
-}
-
 void Solid::select(glm::vec3 centre, float reach, float margin, std::vector<const Shape*>& out) const {
   out.clear();
   for (const Shape& shape : shapes_) {

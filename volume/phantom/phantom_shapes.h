@@ -24,21 +24,31 @@ struct Shape {
 // Shapes in the order in which they are added and removed.
 class Solid {
  public:
-  Solid& add(glm::vec3 centre, glm::vec3 radii, float blend);
-  Solid& addLimb(glm::vec3 a, glm::vec3 b, glm::vec3 radiiA, glm::vec3 radiiB, float blend);
-  Solid& remove(glm::vec3 centre, glm::vec3 radii, float blend);
-  Solid& removeLimb(glm::vec3 a, glm::vec3 b, glm::vec3 radiiA, glm::vec3 radiiB, float blend);
+  using Vec = glm::vec3;
+  // An ellipsoid about c with radii r, or a limb from a to b with radii ra and rb.
+  Solid& add(Vec c, Vec r, float blend) { return put({c, c, r, r, blend}); }
+  Solid& addLimb(Vec a, Vec b, Vec ra, Vec rb, float blend) { return put({a, b, ra, rb, blend}); }
+  Solid& remove(Vec c, Vec r, float blend) { return put({c, c, r, r, blend, true}); }
+  Solid& removeLimb(Vec a, Vec b, Vec ra, Vec rb, float blend) { return put({a, b, ra, rb, blend, true}); }
   // The same on both sides of the plane x = 0.
-  Solid& addPair(glm::vec3 centre, glm::vec3 radii, float blend);
-  Solid& addLimbs(glm::vec3 a, glm::vec3 b, glm::vec3 radiiA, glm::vec3 radiiB, float blend);
-  Solid& removePair(glm::vec3 centre, glm::vec3 radii, float blend);
-  Solid& removeLimbs(glm::vec3 a, glm::vec3 b, glm::vec3 radiiA, glm::vec3 radiiB, float blend);
+  Solid& addPair(Vec c, Vec r, float blend) { return put({c, c, r, r, blend, false, true}); }
+  Solid& addLimbs(Vec a, Vec b, Vec ra, Vec rb, float blend) {
+    return put({a, b, ra, rb, blend, false, true});
+  }
+  Solid& removePair(Vec c, Vec r, float blend) { return put({c, c, r, r, blend, true, true}); }
+  Solid& removeLimbs(Vec a, Vec b, Vec ra, Vec rb, float blend) {
+    return put({a, b, ra, rb, blend, true, true});
+  }
 
   // Those shapes that matter within `reach` of `centre`: the distance to the result equals that to the whole
   // solid there wherever it lies in [-margin, margin].
   void select(glm::vec3 centre, float reach, float margin, std::vector<const Shape*>& out) const;
 
  private:
+  Solid& put(const Shape& shape) {
+    shapes_.push_back(shape);
+    return *this;
+  }
   std::vector<Shape> shapes_;
 };
 
