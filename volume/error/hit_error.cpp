@@ -88,11 +88,9 @@ bool nearGap(const Grid& grid, const glm::dvec3& voxel, const glm::dvec3& reach)
   if (grid.missingCount() == 0) return false;
   const glm::ivec3 low = grid.geometry().cellOf(voxel - reach),
                    high = grid.geometry().cellOf(voxel + reach) + 1;
-  for (int z = low.z; z <= high.z; ++z)
-    for (int y = low.y; y <= high.y; ++y)
-      for (int x = low.x; x <= high.x; ++x)
-        if (std::isnan(grid.stored(x, y, z))) return true;
-  return false;
+  bool gap = false;
+  forEachIn(low, high + 1, [&](glm::ivec3 at) { gap = gap || std::isnan(grid.stored(at)); });
+  return gap;
 }
 
 // Whether the answers between the two crossings are one continuous way.

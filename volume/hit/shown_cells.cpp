@@ -67,20 +67,16 @@ bool ShownCells::hides(glm::ivec3 cell) const {
   const int apron = field_ == scene::Field::trilinear ? 0 : 1;
   const glm::ivec3 low = glm::max(cell - apron, glm::ivec3(0)),
                    high = glm::min(cell + 1 + apron, grid_.dims() - 1);
-  for (int z = low.z; z <= high.z; ++z)
-    for (int y = low.y; y <= high.y; ++y)
-      for (int x = low.x; x <= high.x; ++x)
-        if (hidden_->at({x, y, z})) return true;
-  return apron > 0 && hidden_->hidesStrays() && !insideAny(cell, glm::min(cell + 1, grid_.dims() - 1)) &&
-         !insideAny(low, high);
+  bool any = false;
+  forEachIn(low, high + 1, [&](glm::ivec3 at) { any = any || hidden_->at(at); });
+  return any || (apron > 0 && hidden_->hidesStrays() &&
+                 !insideAny(cell, glm::min(cell + 1, grid_.dims() - 1)) && !insideAny(low, high));
 }
 
 bool ShownCells::insideAny(glm::ivec3 low, glm::ivec3 high) const {
-  for (int z = low.z; z <= high.z; ++z)
-    for (int y = low.y; y <= high.y; ++y)
-      for (int x = low.x; x <= high.x; ++x)
-        if (level_.depth(grid_.stored(x, y, z)) >= 0.0) return true;
-  return false;
+  bool any = false;
+  forEachIn(low, high + 1, [&](glm::ivec3 at) { any = any || level_.depth(grid_.stored(at)) >= 0.0; });
+  return any;
 }
 
 // Axis by axis: a bit for each voxel of a row that is hidden, then windows of six along it, of rows, of

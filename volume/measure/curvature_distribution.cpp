@@ -15,7 +15,7 @@
 #include "volume/derived/shape_field.h"
 #include "volume/field/curvature.h"
 #include "volume/measure/surface_patches.h"
-#include "volume/parallel/parallel_steps.h"
+#include "volume/measure/surface_sums.h"
 
 namespace isolux::volume {
 
@@ -78,29 +78,30 @@ class AreaCurver {
 std::vector<CurvedArea> curvedAreas(const AreaCurver& curver, const PreparedVolume& volume,
                                     const Pieces& pieces, base::MemoryBudget::Held& held,
                                     base::Progress& progress) {
-  const MinMaxBlocks& blocks = *volume.blocks;
-  const auto rowsY = static_cast<std::size_t>(blocks.dims().y);
-  std::vector<std::vector<CurvedArea>> rows(rowsY * static_cast<std::size_t>(blocks.dims().z));
-  std::vector<base::MemoryBudget::Held> ofRows(rows.size());
-  parallelSteps(rows.size(), progress, {0.0, 1.0, "measuring curvature"}, [&](std::size_t row) {
-    std::vector<SurfacePatch> patches;
-    PatchFinder(pieces, blocks)
-        .appendRow(static_cast<int>(row % rowsY), static_cast<int>(row / rowsY), patches);
-    std::erase_if(patches, [&](const SurfacePatch& patch) { return !curver.counts(patch); });
-    // Once for the row, once for all together.
-    ofRows[row] =
-        base::machineMemory().reserve(2 * patches.size() * sizeof(CurvedArea), "the curvature of a surface",
-                                      "a part of it (--box) needs less");
-    rows[row].reserve(patches.size());
-    for (const SurfacePatch& patch : patches) {
-      if (progress.stopRequested()) return;
-      rows[row].push_back(curver.at(patch));
-    }
-  });
+  struct Row {
+    base::MemoryBudget::Held held;
+    std::vector<CurvedArea> areas;
+  };
+  std::vector<Row> rows =
+      ofBlockRows(*volume.blocks, "measuring curvature", progress, [&](int blockY, int blockZ) {
+        std::vector<SurfacePatch> patches = patchesOfRow(pieces, *volume.blocks, blockY, blockZ);
+        std::erase_if(patches, [&](const SurfacePatch& patch) { return !curver.counts(patch); });
+        // Once for the row, once for all together.
+        Row row{
+            base::machineMemory().reserve(2 * patches.size() * sizeof(CurvedArea),
+                                          "the curvature of a surface", "a part of it (--box) needs less"),
+            {}};
+        row.areas.reserve(patches.size());
+        for (const SurfacePatch& patch : patches) {
+          if (progress.stopRequested()) break;
+          row.areas.push_back(curver.at(patch));
+        }
+        return row;
+      });
   std::vector<CurvedArea> areas;
-  for (std::size_t row = 0; row < rows.size(); ++row) {
-    areas.insert(areas.end(), rows[row].begin(), rows[row].end());
-    held.add(std::move(ofRows[row]));
+  for (Row& row : rows) {
+    areas.insert(areas.end(), row.areas.begin(), row.areas.end());
+    held.add(std::move(row.held));
   }
   return areas;
 }

@@ -34,10 +34,6 @@ struct PieceSums {
 
 using SumsOfPieces = std::unordered_map<std::uint32_t, PieceSums>;
 
-glm::ivec3 cornerOf(std::size_t i) {
-  return {static_cast<int>(i & 1), static_cast<int>(i >> 1 & 1), static_cast<int>(i >> 2)};
-}
-
 // One row of blocks along x, by one thread.
 class PieceRow {
  public:
@@ -88,7 +84,7 @@ void PieceRow::addBlock(glm::ivec3 block) {
   PieceSums& piece = found_[id];
   const glm::dvec3 cells(high - low);
   piece.sums.measure.volume += cells.x * cells.y * cells.z * adder_.metric().cellMm3;
-  for (std::size_t i = 0; i < 8; ++i) addInside(low + cornerOf(i) * (high - low), piece);
+  for (std::size_t i = 0; i < 8; ++i) addInside(low + cornerStep(i) * (high - low), piece);
 }
 
 // Voxels inside lie within the piece, and where they are the volume's last ones it goes on beyond.
@@ -102,7 +98,7 @@ void PieceRow::addInside(glm::ivec3 voxel, PieceSums& piece) {
 void PieceRow::addCorners(glm::ivec3 cell, const CellCorners& corners, bool meetsMissing) {
   for (std::size_t i = 0; i < 8; ++i) {
     if (!(corners[i] >= 0.0)) continue;
-    const glm::ivec3 voxel = cell + cornerOf(i);
+    const glm::ivec3 voxel = cell + cornerStep(i);
     const std::uint32_t id = pieces_.ofVoxel(voxel);
     if (id == Pieces::kNone) continue;
     PieceSums& piece = found_[id];
@@ -111,7 +107,7 @@ void PieceRow::addCorners(glm::ivec3 cell, const CellCorners& corners, bool meet
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::size_t other = i ^ std::size_t{1} << axis;
       if (!(corners[other] < 0.0)) continue;
-      const glm::dvec3 from(voxel), to(cell + cornerOf(other));
+      const glm::dvec3 from(voxel), to(cell + cornerStep(other));
       piece.reach(world(from + (to - from) * (corners[i] / (corners[i] - corners[other]))));
     }
   }
@@ -124,7 +120,7 @@ void PieceRow::addCell(glm::ivec3 cell, const CellCorners& corners, int inside, 
   bool several = false;
   for (std::size_t i = 0; i < 8; ++i) {
     if (!(corners[i] >= 0.0)) continue;
-    const std::uint32_t id = pieces_.ofVoxel(cell + cornerOf(i));
+    const std::uint32_t id = pieces_.ofVoxel(cell + cornerStep(i));
     several = several || (one != Pieces::kNone && id != Pieces::kNone && id != one);
     if (one == Pieces::kNone) one = id;
   }
@@ -134,7 +130,7 @@ void PieceRow::addCell(glm::ivec3 cell, const CellCorners& corners, int inside, 
   }
   PieceSums& piece = found_[one];
   if (inside == 8)
-    for (std::size_t i = 0; i < 8; i += 7) addInside(cell + cornerOf(i), piece);
+    for (std::size_t i = 0; i < 8; i += 7) addInside(cell + cornerStep(i), piece);
   points_.clear();
   piece.sums.measure += measureCell(corners, adder_.metric(), inside < 8 ? &points_ : nullptr);
   if (points_.empty()) return;
@@ -152,7 +148,7 @@ void PieceRow::addParts(glm::ivec3 cell, const CellCorners& corners) {
     std::uint32_t one = Pieces::kNone;
     bool several = false;
     for (std::size_t i = 0; i < 8; ++i) {
-      const glm::dvec3 local = low + glm::dvec3(cornerOf(i)) / static_cast<double>(kParts);
+      const glm::dvec3 local = low + glm::dvec3(cornerStep(i)) / static_cast<double>(kParts);
       if (!(trilinear(corners, local) >= 0.0)) continue;
       const std::uint32_t id = pieces_.ofPoint(glm::dvec3(cell) + local);
       several = several || (one != Pieces::kNone && id != Pieces::kNone && id != one);

@@ -1,7 +1,7 @@
 #include "volume/measure/surface_patches.h"
 
-#include <algorithm>
 #include <limits>
+#include <set>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -19,8 +19,7 @@ std::uint32_t onlyPiece(const Pieces& pieces, glm::ivec3 cell, const CellCorners
   std::uint32_t one = Pieces::kNone;
   for (std::size_t i = 0; i < 8; ++i) {
     if (!(corners[i] >= 0.0)) continue;
-    const glm::ivec3 corner(static_cast<int>(i & 1), static_cast<int>(i >> 1 & 1), static_cast<int>(i >> 2));
-    const std::uint32_t id = pieces.ofVoxel(cell + corner);
+    const std::uint32_t id = pieces.ofVoxel(cell + cornerStep(i));
     if (one != Pieces::kNone && id != one) return Pieces::kNone;
     one = id;
   }
@@ -50,39 +49,34 @@ SurfacePatch patchOf(const std::vector<CellPoint>& points, const std::vector<std
 
 }  // namespace
 
-PatchFinder::PatchFinder(const Pieces& pieces, const MinMaxBlocks& blocks)
-    : pieces_(pieces),
-      blocks_(blocks),
-      metric_(glm::dmat3(pieces.grid().geometry().worldFromVoxel)),
-      sign_(pieces.inside() == scene::Inside::above ? 1.0 : -1.0) {}
-
-void PatchFinder::appendRow(int blockY, int blockZ, std::vector<SurfacePatch>& patches) {
-  visitCrossedCells(pieces_.grid(), blocks_, pieces_.isovalue(), sign_, blockY, blockZ,
-                    [&](glm::ivec3 cell, const CellCorners& corners) { appendCell(cell, corners, patches); });
-}
-
-void PatchFinder::appendCell(glm::ivec3 cell, const CellCorners& corners,
-                             std::vector<SurfacePatch>& patches) {
-  points_.clear();
-  measureCell(corners, metric_, &points_);
-  std::erase_if(points_, [](const CellPoint& point) { return !(point.area > 0.0); });
-  if (points_.empty()) return;
-  pieceOfPoint_.assign(points_.size(), onlyPiece(pieces_, cell, corners));
-  if (pieceOfPoint_[0] == Pieces::kNone)
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      const glm::dvec3& gradient = points_[i].gradient;
-      const double length = glm::length(gradient);
-      const glm::dvec3 inward = length > 0.0 ? gradient * (kInward / length) : glm::dvec3(0.0);
-      const glm::dvec3 local = glm::clamp(points_[i].local + inward, 0.0, 1.0);
-      pieceOfPoint_[i] = pieces_.ofPoint(glm::dvec3(cell) + local);
+std::vector<SurfacePatch> patchesOfRow(const Pieces& pieces, const MinMaxBlocks& blocks, int blockY,
+                                       int blockZ) {
+  const CellMetric metric{glm::dmat3(pieces.grid().geometry().worldFromVoxel)};
+  const double sign = pieces.inside() == scene::Inside::above ? 1.0 : -1.0;
+  std::vector<SurfacePatch> patches;
+  std::vector<CellPoint> points;
+  std::vector<std::uint32_t> pieceOfPoint;
+  const auto addCell = [&](glm::ivec3 cell, const CellCorners& corners) {
+    points.clear();
+    measureCell(corners, metric, &points);
+    std::erase_if(points, [](const CellPoint& point) { return !(point.area > 0.0); });
+    if (points.empty()) return;
+    pieceOfPoint.assign(points.size(), onlyPiece(pieces, cell, corners));
+    if (pieceOfPoint[0] == Pieces::kNone)
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const glm::dvec3& gradient = points[i].gradient;
+        const double length = glm::length(gradient);
+        const glm::dvec3 inward = length > 0.0 ? gradient * (kInward / length) : glm::dvec3(0.0);
+        const glm::dvec3 local = glm::clamp(points[i].local + inward, 0.0, 1.0);
+        pieceOfPoint[i] = pieces.ofPoint(glm::dvec3(cell) + local);
+      }
+    for (const std::uint32_t piece : std::set(pieceOfPoint.begin(), pieceOfPoint.end())) {
+      patches.push_back(patchOf(points, pieceOfPoint, piece));
+      patches.back().voxel += glm::dvec3(cell);
     }
-  std::vector<std::uint32_t> found = pieceOfPoint_;
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
-  for (const std::uint32_t piece : found) {
-    patches.push_back(patchOf(points_, pieceOfPoint_, piece));
-    patches.back().voxel += glm::dvec3(cell);
-  }
+  };
+  visitCrossedCells(pieces.grid(), blocks, pieces.isovalue(), sign, blockY, blockZ, addCell);
+  return patches;
 }
 
 }  // namespace isolux::volume

@@ -6,7 +6,6 @@
 
 #include <glm/vec3.hpp>
 
-#include "volume/measure/cell_measure.h"
 #include "volume/pieces/pieces.h"
 #include "volume/skip/min_max_blocks.h"
 
@@ -18,21 +17,8 @@ struct SurfacePatch {
   std::uint32_t piece = Pieces::kNone;
 };
 
-// Of the blocks with these y and z, in the order of their cells. For one thread at a time.
-class PatchFinder {
- public:
-  PatchFinder(const Pieces& pieces, const MinMaxBlocks& blocks);
-  void appendRow(int blockY, int blockZ, std::vector<SurfacePatch>& patches);
-
- private:
-  void appendCell(glm::ivec3 cell, const CellCorners& corners, std::vector<SurfacePatch>& patches);
-
-  const Pieces& pieces_;
-  const MinMaxBlocks& blocks_;
-  CellMetric metric_;
-  double sign_;
-  std::vector<CellPoint> points_;
-  std::vector<std::uint32_t> pieceOfPoint_;
-};
+// Returns those of the blocks with these y and z, in the order of their cells.
+std::vector<SurfacePatch> patchesOfRow(const Pieces& pieces, const MinMaxBlocks& blocks, int blockY,
+                                       int blockZ);
 
 }  // namespace isolux::volume

@@ -19,16 +19,11 @@ constexpr double kRootRounding = 1e-6;  // of a voxel: float voxels, and the sea
 constexpr int kMostSteps = 20;
 constexpr float kNearVoxels = 3.0f;
 
-glm::dmat3 worldGradientOf(const GridGeometry& geometry) {
-  return glm::transpose(glm::inverse(glm::dmat3(geometry.worldFromVoxel)));
-}
-
 }  // namespace
 
 std::optional<glm::dvec3> ontoSurface(const SurfaceOf& surface, glm::dvec3 world, double reachMm) {
   const GridGeometry& geometry = surface.grid.geometry();
   const glm::dmat4 voxelFromWorld = geometry.voxelFromWorld();
-  const glm::dmat3 worldGradient = worldGradientOf(geometry);
   const double longest = geometry.leastSpacingMm(), enough = 1e-9 * geometry.mostSpacingMm();
   const glm::dvec3 last(surface.grid.dims() - 1);
   glm::dvec3 at = world;
@@ -36,7 +31,7 @@ std::optional<glm::dvec3> ontoSurface(const SurfaceOf& surface, glm::dvec3 world
     glm::dvec3 voxel(voxelFromWorld * glm::dvec4(at, 1.0));
     voxel = glm::clamp(voxel, glm::dvec3(0.0), last);
     const FieldSample field = sampleTrilinear(surface.grid, voxel);
-    const glm::dvec3 gradient = worldGradient * field.gradient;
+    const glm::dvec3 gradient = worldGradient(geometry, field.gradient);
     const double squared = glm::dot(gradient, gradient), off = field.value - surface.isovalue;
     if (!(squared > 0.0)) return std::nullopt;  // NaN too
     glm::dvec3 move = -gradient * (off / squared);
@@ -50,7 +45,7 @@ std::optional<glm::dvec3> ontoSurface(const SurfaceOf& surface, glm::dvec3 world
   const glm::dvec3 voxel(voxelFromWorld * glm::dvec4(at, 1.0));
   const FieldSample field = sampleTrilinear(surface.grid, voxel);
   const double off = std::abs(field.value - surface.isovalue);
-  if (!(off <= 1e-3 * longest * glm::length(worldGradient * field.gradient))) return std::nullopt;
+  if (!(off <= 1e-3 * longest * glm::length(worldGradient(geometry, field.gradient)))) return std::nullopt;
   return at;
 }
 

@@ -93,10 +93,11 @@ void visitCells(const Grid& grid, double isovalue, double sign, glm::ivec3 low, 
 template <class OfRow>
 auto ofBlockRows(const MinMaxBlocks& blocks, const char* stage, base::Progress& progress,
                  const OfRow& ofRow) {
-  const auto rowsY = static_cast<std::size_t>(blocks.dims().y);
-  std::vector<decltype(ofRow(0, 0))> rows(rowsY * static_cast<std::size_t>(blocks.dims().z));
+  const Extent3 extent{blocks.dims()};
+  std::vector<decltype(ofRow(0, 0))> rows(extent.rows());
   parallelSteps(rows.size(), progress, {0.0, 1.0, stage}, [&](std::size_t row) {
-    rows[row] = ofRow(static_cast<int>(row % rowsY), static_cast<int>(row / rowsY));
+    const glm::ivec3 first = extent.firstOfRow(row);
+    rows[row] = ofRow(first.y, first.z);
   });
   return rows;
 }

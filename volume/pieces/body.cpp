@@ -1,7 +1,6 @@
 #include "volume/pieces/body.h"
 
 #include <algorithm>
-#include <atomic>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -12,6 +11,7 @@
 #include "volume/grid.h"
 #include "volume/parallel/parallel_loops.h"
 #include "volume/pieces/pieces.h"
+#include "volume/pieces/running_sums.h"
 #include "volume/visible/inside_level.h"
 
 namespace isolux::volume {
@@ -50,15 +50,13 @@ struct Nodes {
 void addSeen(const Nodes& nodes, const Flags& above, Flags& seen) {
   for (int axis = 0; axis < 3; ++axis)
     nodes.alongLines(axis, [&](std::size_t first, std::size_t stride, std::size_t length) {
-      std::uint8_t met = 0;
-      for (std::size_t i = 0; i < length; ++i) {
-        seen[first + i * stride] = static_cast<std::uint8_t>(seen[first + i * stride] + met);
-        met |= above[first + i * stride];
-      }
-      met = 0;
-      for (std::size_t i = length; i-- > 0;) {
-        seen[first + i * stride] = static_cast<std::uint8_t>(seen[first + i * stride] + met);
-        met |= above[first + i * stride];
+      for (const bool back : {false, true}) {
+        std::uint8_t met = 0;
+        for (std::size_t i = 0; i < length; ++i) {
+          const std::size_t node = first + (back ? length - 1 - i : i) * stride;
+          seen[node] = static_cast<std::uint8_t>(seen[node] + met);
+          met |= above[node];
+        }
       }
     });
 }
@@ -194,16 +192,7 @@ std::vector<std::uint64_t> voxelsInBody(const Pieces& pieces, const Body& body, 
   const PieceBlocks& blocks = pieces.blocks();
   const Extent3 extent{blocks.dims()};
   parallelEach(extent.rows(), [&](std::size_t row) {
-    std::uint32_t piece = 0;  // which the voxels that are not handed on yet are of
-    std::uint64_t count = 0;
-    const auto add = [&](std::uint32_t of, std::uint64_t more) {
-      if (of != piece && count != 0) {
-        std::atomic_ref(result[piece]).fetch_add(count, std::memory_order_relaxed);
-        count = 0;
-      }
-      piece = of;
-      count += more;
-    };
+    RunningSums counts(result);
     for (glm::ivec3 at = extent.firstOfRow(row); at.x < extent.dims.x; ++at.x) {
       const PieceBlocks::View block = blocks.view(at);
       if (!block.bits) continue;
@@ -213,10 +202,10 @@ std::vector<std::uint64_t> voxelsInBody(const Pieces& pieces, const Body& body, 
           const glm::ivec3 in(bit % 8, bit / 8, z), voxel = kPieceBlock * at + in;
           if (!Extent3{blocks.voxelDims()}.contains(voxel)) continue;
           const float here = body.depth(voxel);
-          if (here > 0.0f && static_cast<double>(here) >= depth) add(pieces.ofNode(block.nodeOf(in)), 1);
+          if (here > 0.0f && static_cast<double>(here) >= depth)
+            counts.add(pieces.ofNode(block.nodeOf(in)), 1);
         }
     }
-    if (count != 0) std::atomic_ref(result[piece]).fetch_add(count, std::memory_order_relaxed);
   });
   return result;
 }

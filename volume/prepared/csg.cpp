@@ -22,6 +22,8 @@ namespace isolux::volume {
 
 namespace {
 
+constexpr const char* kSigns[] = {"", " ∪ ", " ∩ ", " − ", " → "};  // of scene::Csg
+
 double isovalueOf(const Volume& volume, base::Progress& progress) {
   if (volume.isovalue) return *volume.isovalue;
   return suggestIsovalue(*volume.grid, makeHistogram(*volume.grid, 512, progress), volume.unit);
@@ -145,22 +147,6 @@ Grid combine(const Grid& first, const Resampled& second, const Combination& comb
   return {first.geometry(), std::move(values), 1.0, 0.0, progress};
 }
 
-const char* signOf(scene::Csg op) {
-  switch (op) {
-    case scene::Csg::unite:
-      return " ∪ ";
-    case scene::Csg::intersection:
-      return " ∩ ";
-    case scene::Csg::difference:
-      return " − ";
-    case scene::Csg::blend:
-      return " → ";
-    case scene::Csg::none:
-      break;
-  }
-  return "";
-}
-
 bool reachesOut(const GridGeometry& second, const GridGeometry& first) {
   const auto [low, high] = second.worldBounds();
   const auto [low1, high1] = first.worldBounds();
@@ -197,8 +183,9 @@ CsgResult combined(const Volume& first, const Volume& second, const CsgRequest& 
   volume = first;
   volume.grid = std::make_shared<Grid>(combine(f1, sampled, combination, progress));
   rememberPatient(volume.grid, patientOf(first.grid));
-  volume.name = first.name + signOf(op) + second.name;
-  volume.format = first.format + signOf(op) + second.format;
+  const char* const sign = kSigns[static_cast<int>(op)];
+  volume.name = first.name + sign + second.name;
+  volume.format = first.format + sign + second.format;
   volume.fileType = VoxelType::float32;
   volume.isovalue = v1;
   for (const std::string& warning : second.warnings) volume.warnings.push_back("second volume: " + warning);
