@@ -159,12 +159,15 @@ void BakeQueue::give(const Unit& unit) {
 
 void BakeQueue::count(std::uint32_t block) {
   Entry& entry = entries_[block];
-  totals_.wanted -= entry.wanted;
-  totals_.done -= entry.done;
-  totals_.started -= entry.started;
-  totals_.samplesDone -= entry.samplesDone;
-  totals_.seen -= entry.seen;
-  totals_.smooth -= entry.smooth;
+  const auto changeTotals = [&](const auto& change) {
+    totals_.wanted = change(totals_.wanted, entry.wanted);
+    totals_.done = change(totals_.done, entry.done);
+    totals_.started = change(totals_.started, entry.started);
+    totals_.samplesDone = change(totals_.samplesDone, entry.samplesDone);
+    totals_.seen = change(totals_.seen, entry.seen);
+    totals_.smooth = change(totals_.smooth, entry.smooth);
+  };
+  changeTotals(std::minus<std::uint64_t>());
   entry.wanted = entry.done = entry.started = entry.smooth = 0;
   entry.samplesDone = 0;
 
@@ -189,13 +192,7 @@ void BakeQueue::count(std::uint32_t block) {
   }
   entry.wanted = static_cast<std::uint16_t>(texels.count());
   entry.seen = static_cast<std::uint16_t>(seen.count());
-
-  totals_.wanted += entry.wanted;
-  totals_.done += entry.done;
-  totals_.started += entry.started;
-  totals_.samplesDone += entry.samplesDone;
-  totals_.seen += entry.seen;
-  totals_.smooth += entry.smooth;
+  changeTotals(std::plus<std::uint64_t>());
 }
 
 // Texels never lose samples, so what was fulfilled stays so while the wishes are the same.

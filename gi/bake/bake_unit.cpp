@@ -20,7 +20,10 @@ constexpr double kFewestPaths = 16.0, kMostPaths = 65536.0;
 
 void UnitRunner::run(const BakeQueue::Unit& unit, const std::stop_token& stop, const AfterCall& leave) {
   LatticeBlock block;
-  if (!lattice_.read(unit.block, block)) block = lattice_.dark();
+  if (const auto before = lattice_.at(unit.block))
+    block = *before;
+  else
+    block = lattice_.dark();
   changed_ = false;
   try {
     findPoints(unit, block);

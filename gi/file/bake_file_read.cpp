@@ -3,9 +3,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
-#include <new>
 #include <optional>
 #include <span>
 #include <vector>
@@ -14,7 +12,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "base/error.h"
 #include "base/number_text.h"
 #include "gi/file/bake_file.h"
 #include "gi/file/bake_header.h"
@@ -34,8 +31,8 @@ namespace {
 constexpr int kMostTexelsPerVoxel = 64;  // an axis
 
 LightContent contentOf(const BakeHeader& header, const std::string& file) {
-  const auto found = header.fields.find("content");
-  const json text = found == header.fields.end() ? json() : json::parse(found->second, nullptr, false);
+  const std::string* written = header.field("content");
+  const json text = written ? json::parse(*written, nullptr, false) : json();
   const auto integer = [&](const char* name) {
     return text.contains(name) && text[name].is_number_integer() ? text[name].get<int>() : -1;
   };
@@ -53,9 +50,8 @@ LightContent contentOf(const BakeHeader& header, const std::string& file) {
 
 void checkKey(const BakeHeader& header, const std::string& file, const std::string& field,
               const std::string& wanted) {
-  const auto found = header.fields.find(field);
-  const std::string difference =
-      found == header.fields.end() ? "is missing" : keyDifference(found->second, wanted);
+  const std::string* stored = header.field(field);
+  const std::string difference = stored ? keyDifference(*stored, wanted) : "is missing";
   if (!difference.empty()) throwInput(file, "Array " + field, difference);
 }
 
@@ -109,47 +105,37 @@ void readLattice(const volume::Bytes& bytes, const BakeHeader& header, const vol
   for (int layer = 0; layer < layersOf(geometry); ++layer) {
     progress.throwIfStopped();
     progress.report(static_cast<double>(layer) / layersOf(geometry), "reading light");
-    const std::size_t texels = layerOf(geometry, layer).count;
+    const std::size_t texels = texelsOfLayer(geometry, layer);
     light.resize(texels * written);
     count.resize(texels);
     normal.resize(texels * 3);
     lights.next(light);
     samples.next(count);
     normals.next(normal);
-    LatticeBlock block;
-    bool any = false;
-    const auto begin = [&] {
-      block = lattice.dark();
-      any = false;
-    };
-    std::optional<std::uint32_t> now;
-    const auto end = [&] {
-      if (now && any) lattice.write(*now, std::move(block));
-    };
-    forEachTexelOfLayer(geometry, layer, [&](std::uint32_t b, std::size_t i, std::size_t t) {
-      if (now != b) {
-        end();
-        begin();
-        now = b;
-      }
-      if (count[t] == 0) return;
-      any = true;
-      block.samples[i] = count[t];
-      for (int a = 0; a < 3; ++a)
-        block.normals[i][a] = std::bit_cast<float>(normal[3 * t + static_cast<std::size_t>(a)]);
-      const float length2 = glm::dot(block.normals[i], block.normals[i]);
-      if (!(length2 > 0.9f && length2 < 1.1f)) normals.fail("a lit texel has no normal");
-      if (geometry.isovalue) {
-        const std::optional<glm::vec3> place = placeOf(geometry, grid, hidden, b, i);
-        if (!place) normals.fail("a lit texel has no isosurface near it");
-        block.places[i] = *place;
-      }
-      for (std::size_t c = 0; c < stored; ++c) {
-        block.means[i * stored + c] = std::bit_cast<float>(light[t * written + c]);
-        if (!std::isfinite(block.means[i * stored + c])) lights.fail("holds a number that is not finite");
-      }
-    });
-    end();
+    const std::uint32_t blocks = blocksPerLayer(geometry), begin = static_cast<std::uint32_t>(layer) * blocks;
+    for (std::uint32_t b = begin; b < begin + blocks; ++b) {
+      LatticeBlock block = lattice.dark();
+      bool any = false;
+      forEachTexelOfBlock(geometry, b, [&](std::size_t i, std::size_t t) {
+        if (count[t] == 0) return;
+        any = true;
+        block.samples[i] = count[t];
+        for (int a = 0; a < 3; ++a)
+          block.normals[i][a] = std::bit_cast<float>(normal[3 * t + static_cast<std::size_t>(a)]);
+        const float length2 = glm::dot(block.normals[i], block.normals[i]);
+        if (!(length2 > 0.9f && length2 < 1.1f)) normals.fail("a lit texel has no normal");
+        if (geometry.isovalue) {
+          const std::optional<glm::vec3> place = placeOf(geometry, grid, hidden, b, i);
+          if (!place) normals.fail("a lit texel has no isosurface near it");
+          block.places[i] = *place;
+        }
+        for (std::size_t c = 0; c < stored; ++c) {
+          block.means[i * stored + c] = std::bit_cast<float>(light[t * written + c]);
+          if (!std::isfinite(block.means[i * stored + c])) lights.fail("holds a number that is not finite");
+        }
+      });
+      if (any) lattice.write(b, std::move(block));
+    }
   }
 }
 
@@ -172,24 +158,20 @@ StoredLight read(const fs::path& path, const volume::Grid& grid,
 
   StoredLight light;
   light.facts = bakeFactsOf(header, file);
-  const bool hasSky = header.arrays.contains("samples"), hasLamps = header.arrays.contains("samples_lamps");
-  if (hasSky && !skyKey.empty()) {
-    checkKey(header, file, "key", skyKey);
-    const LightContent content = contentOf(header, file);
-    geometry.isovalue = isovalueOf(skyKey, grid);
-    checkShape(geometry, content, skyKey, file);
-    light.sky = std::make_shared<LightLattice>(geometry, content, skyKey);
-    readLattice(bytes, header, grid, hidden, *light.sky, "", progress);
-  }
-  if (hasLamps && !lampsKey.empty()) {
-    checkKey(header, file, "key_lamps", lampsKey);
-    const LightContent content{LightContent::Kind::irradiance, 3, 0};
-    geometry.isovalue = isovalueOf(lampsKey, grid);
-    checkShape(geometry, content, lampsKey, file);
-    light.lamps = std::make_shared<LightLattice>(geometry, content, lampsKey);
-    readLattice(bytes, header, grid, hidden, *light.lamps, "_lamps", progress);
-  }
-  if (!hasSky && !hasLamps) throwInput(file, "PointData", "holds no light");
+  const auto latticeOf = [&](const std::string& suffix, const std::string& key) {
+    if (key.empty() || !header.arrays.contains("samples" + suffix)) return std::shared_ptr<LightLattice>();
+    checkKey(header, file, "key" + suffix, key);
+    const LightContent content = suffix.empty() ? contentOf(header, file) : LightContent{};
+    geometry.isovalue = isovalueOf(key, grid);
+    checkShape(geometry, content, key, file);
+    auto lattice = std::make_shared<LightLattice>(geometry, content, key);
+    readLattice(bytes, header, grid, hidden, *lattice, suffix, progress);
+    return lattice;
+  };
+  light.sky = latticeOf("", skyKey);
+  light.lamps = latticeOf("_lamps", lampsKey);
+  if (!header.arrays.contains("samples") && !header.arrays.contains("samples_lamps"))
+    throwInput(file, "PointData", "holds no light");
   progress.report(1.0, "reading light");
   return light;
 }
@@ -218,8 +200,8 @@ std::string keyDifference(const std::string& stored, const std::string& wanted) 
 bool isOfOneIsovalue(const fs::path& path) {
   const BakeHeader header = readBakeHeader(volume::FileBytes(path));
   for (const char* const field : {"key", "key_lamps"})
-    if (const auto found = header.fields.find(field); found != header.fields.end()) {
-      const json key = json::parse(found->second, nullptr, false);
+    if (const std::string* stored = header.field(field)) {
+      const json key = json::parse(*stored, nullptr, false);
       return key.is_object() && key.contains("isovalue");
     }
   return false;
@@ -228,11 +210,7 @@ bool isOfOneIsovalue(const fs::path& path) {
 StoredLight readBakeFile(const fs::path& path, const volume::Grid& grid,
                          std::span<const volume::HiddenOfSurface> hidden, const std::string& skyKey,
                          const std::string& lampsKey, base::Progress& progress) {
-  try {
-    return read(path, grid, hidden, skyKey, lampsKey, progress);
-  } catch (const std::bad_alloc&) {
-    throw base::Error(base::ErrorKind::memory, path.string(), "", "out of memory while light is read");
-  }
+  return namingFile(path, "read", [&] { return read(path, grid, hidden, skyKey, lampsKey, progress); });
 }
 
 }  // namespace isolux::gi

@@ -1,19 +1,14 @@
 // Writing of bake files: the header with room for the places of the arrays, then the arrays, then the places.
 #include <algorithm>
 #include <bit>
-#include <cinttypes>
-#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <functional>
-#include <new>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
-#include "base/error.h"
 #include "base/number_text.h"
-#include "base/pending_file.h"
 #include "gi/file/bake_file.h"
 #include "gi/file/bake_header.h"
 #include "gi/file/bake_layers.h"
@@ -106,7 +101,7 @@ std::string placeText(const volume::Grid& grid, const LatticeGeometry& lattice) 
 }
 
 std::string header(const volume::Grid& grid, const StoredLight& light, const std::vector<Array>& arrays,
-                   Slab slab, std::vector<std::size_t>& places) {
+                   Slab slab) {
   const LatticeGeometry& lattice = (light.sky ? light.sky : light.lamps)->geometry();
   const std::string extent = extentText(lattice, slab);
   std::string xml =
@@ -122,12 +117,10 @@ std::string header(const volume::Grid& grid, const StoredLight& light, const std
   if (light.facts.part) xml += bakeTextField("part", partText(*light.facts.part));
   xml += "    </FieldData>\n    <Piece Extent=\"" + extent + "\">\n      <PointData Scalars=\"" +
          arrays[0].name + "\">\n";
-  for (const Array& array : arrays) {
+  for (const Array& array : arrays)
     xml += "        <DataArray type=\"" + std::string(array.type) + "\" Name=\"" + array.name +
-           "\" NumberOfComponents=\"" + std::to_string(array.components) + "\" format=\"appended\" offset=\"";
-    places.push_back(xml.size());
-    xml += "0000000000000000\"/>\n";
-  }
+           "\" NumberOfComponents=\"" + std::to_string(array.components) +
+           "\" format=\"appended\" offset=\"" + std::string(kOffsetDigits, '0') + "\"/>\n";
   return xml + "      </PointData>\n    </Piece>\n  </ImageData>\n  <AppendedData encoding=\"raw\">\n_";
 }
 
@@ -167,38 +160,34 @@ Snapshot::Snapshot(const volume::Grid& of, const StoredLight& stored)
 
 // A layer's numbers.
 std::vector<std::uint32_t> numbersOf(const Snapshot& from, const Array& array, int layer) {
-  std::vector<std::uint32_t> numbers(layerOf(from.lattice, layer).count * array.components, 0);
+  std::vector<std::uint32_t> numbers(texelsOfLayer(from.lattice, layer) * array.components, 0);
   const auto otherNormal = [&](std::uint32_t block, std::size_t i) {
     return !from.lamps.empty() && from.lamps[block] ? from.lamps[block]->normals[i] : glm::vec3(0.0f);
   };
-  forEachTexelOfLayer(from.lattice, layer, [&](std::uint32_t b, std::size_t i, std::size_t t) {
-    const LatticeBlock* const block = (*array.blocks)[b].get();
-    if (!block) return;
-    std::uint32_t* const to = numbers.data() + t * array.components;
-    if (array.fill) return array.fill(*block, i, to);
-    const glm::vec3 normal = block->normals[i] != glm::vec3(0.0f) ? block->normals[i] : otherNormal(b, i);
-    const float components[] = {normal.x, normal.y, normal.z};
-    std::memcpy(to, components, sizeof components);
-  });
+  const std::uint32_t count = blocksPerLayer(from.lattice), begin = static_cast<std::uint32_t>(layer) * count;
+  for (std::uint32_t b = begin; b < begin + count; ++b)
+    if (const LatticeBlock* const block = (*array.blocks)[b].get())
+      forEachTexelOfBlock(from.lattice, b, [&](std::size_t i, std::size_t t) {
+        std::uint32_t* const to = numbers.data() + t * array.components;
+        if (array.fill) return array.fill(*block, i, to);
+        const glm::vec3 normal = block->normals[i] != glm::vec3(0.0f) ? block->normals[i] : otherNormal(b, i);
+        const float components[] = {normal.x, normal.y, normal.z};
+        std::memcpy(to, components, sizeof components);
+      });
   return numbers;
 }
 
 void write(const fs::path& path, const Snapshot& from, Slab slab, base::Progress& progress) {
   const LatticeGeometry& lattice = from.lattice;
   base::OutputFile file(path);
-  std::vector<std::size_t> places;
-  const std::string xml = header(from.grid, from.light, from.arrays, slab, places);
+  const std::string xml = header(from.grid, from.light, from.arrays, slab);
+  const std::vector<std::size_t> places = offsetsIn(xml);
   file.write(xml);
   const std::size_t slice = volume::Extent3{lattice.dims}.slice();
   const std::uint64_t texels = std::uint64_t{slice} * static_cast<std::uint64_t>(slab.last - slab.first + 1);
   for (std::size_t a = 0; a < from.arrays.size(); ++a) {
     const Array& array = from.arrays[a];
-    char offset[20];
-    std::snprintf(offset, sizeof offset, "%016" PRIu64, file.at() - xml.size());
-    const std::uint64_t begin = file.at();
-    file.go(places[a]);
-    file.write(offset, 16);
-    file.go(begin);
+    writeOffset(file, places[a], xml.size());
     ArrayWriter out(file, texels * array.components * 4);
     for (int layer = slab.first / kBlockTexels; layer <= slab.last / kBlockTexels; ++layer) {
       progress.throwIfStopped();
@@ -265,12 +254,10 @@ void writeIndex(const fs::path& path, const Snapshot& from, const std::vector<Sl
 
 void writeBakeFile(const fs::path& path, const volume::Grid& grid, const StoredLight& light,
                    base::Progress& progress) {
-  try {
+  namingFile(path, "written", [&] {
     const Snapshot from(grid, light);
     write(path, from, {0, from.lattice.dims.z - 1}, progress);
-  } catch (const std::bad_alloc&) {
-    throw base::Error(base::ErrorKind::memory, path.string(), "", "out of memory while light is written");
-  }
+  });
 }
 
 fs::path bakePieceFile(const fs::path& index, int number, int count) {
@@ -280,16 +267,14 @@ fs::path bakePieceFile(const fs::path& index, int number, int count) {
 
 void writeBakePieces(const fs::path& index, int pieces, const volume::Grid& grid, const StoredLight& light,
                      base::Progress& progress) {
-  try {
+  namingFile(index, "written", [&] {
     const Snapshot from(grid, light);
     const std::vector<Slab> slabs = slabsOf(from.lattice, pieces);
     const int count = static_cast<int>(slabs.size());
     for (int i = 0; i < count; ++i)
       write(bakePieceFile(index, i + 1, count), from, slabs[static_cast<std::size_t>(i)], progress);
     writeIndex(index, from, slabs);
-  } catch (const std::bad_alloc&) {
-    throw base::Error(base::ErrorKind::memory, index.string(), "", "out of memory while light is written");
-  }
+  });
 }
 
 bool looksLikeBakeFile(const fs::path& path) {

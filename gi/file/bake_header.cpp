@@ -1,8 +1,10 @@
 #include "gi/file/bake_header.h"
 
+#include <cinttypes>
+#include <cstdio>
+
 #include <nlohmann/json.hpp>
 
-#include "base/error.h"
 #include "volume/read/input/text.h"
 #include "volume/read/vtk/xml_tags.h"
 
@@ -27,6 +29,11 @@ std::string textOf(std::string_view codes, const std::string& file, const std::s
 }
 
 }  // namespace
+
+const std::string* BakeHeader::field(const std::string& name) const {
+  const auto found = fields.find(name);
+  return found == fields.end() ? nullptr : &found->second;
+}
 
 std::string bakeTextField(const std::string& name, const std::string& text) {
   std::string xml =
@@ -86,11 +93,10 @@ BakeHeader readBakeHeader(const volume::Bytes& bytes) {
 
 BakeFacts bakeFactsOf(const BakeHeader& header, const std::string& file) {
   BakeFacts facts;
-  if (const auto found = header.fields.find("arithmetic"); found != header.fields.end())
-    facts.arithmetic = found->second;
-  const auto found = header.fields.find("part");
-  if (found == header.fields.end()) return facts;
-  const nlohmann::json text = nlohmann::json::parse(found->second, nullptr, false);
+  if (const std::string* arithmetic = header.field("arithmetic")) facts.arithmetic = *arithmetic;
+  const std::string* part = header.field("part");
+  if (!part) return facts;
+  const nlohmann::json text = nlohmann::json::parse(*part, nullptr, false);
   const auto integer = [&](const char* name) {
     return text.is_object() && text.contains(name) && text[name].is_number_integer()
                ? text[name].get<std::int64_t>()
@@ -106,6 +112,23 @@ BakeFacts bakeFactsOf(const BakeHeader& header, const std::string& file) {
                 text["texels"],
                 text["complete"]};
   return facts;
+}
+
+std::vector<std::size_t> offsetsIn(const std::string& head) {
+  constexpr std::string_view mark = "offset=\"";
+  std::vector<std::size_t> places;
+  for (std::size_t at = head.find(mark); at != std::string::npos; at = head.find(mark, at + 1))
+    places.push_back(at + mark.size());
+  return places;
+}
+
+void writeOffset(base::OutputFile& file, std::size_t place, std::size_t headBytes) {
+  const std::uint64_t begin = file.at();
+  char digits[kOffsetDigits + 4];
+  std::snprintf(digits, sizeof digits, "%016" PRIu64, begin - headBytes);
+  file.go(place);
+  file.write(digits, kOffsetDigits);
+  file.go(begin);
 }
 
 }  // namespace isolux::gi

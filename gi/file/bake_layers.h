@@ -13,29 +13,23 @@ inline int layersOf(const LatticeGeometry& lattice) {
   return lattice.blockDims().z;
 }
 
-// The texels [first, first + count) of the whole lattice.
-struct Layer {
-  std::uint64_t first = 0;
-  std::size_t count = 0;
-};
-inline Layer layerOf(const LatticeGeometry& lattice, int layer) {
-  const volume::Extent3 extent{lattice.dims};
-  const int z = layer * kBlockTexels, slices = std::min(kBlockTexels, lattice.dims.z - z);
-  return {extent.index(0, 0, z), extent.slice() * static_cast<std::size_t>(slices)};
+inline std::uint32_t blocksPerLayer(const LatticeGeometry& lattice) {
+  return static_cast<std::uint32_t>(volume::Extent3{lattice.blockDims()}.slice());
+}
+inline std::size_t texelsOfLayer(const LatticeGeometry& lattice, int layer) {
+  const int slices = std::min(kBlockTexels, lattice.dims.z - layer * kBlockTexels);
+  return volume::Extent3{lattice.dims}.slice() * static_cast<std::size_t>(slices);
 }
 
-// Calls visit(block, index in the block, index in the layer) for each texel of a layer, block by block.
+// Calls visit(index in the block, index in its layer) for each texel of a block.
 template <class Visit>
-void forEachTexelOfLayer(const LatticeGeometry& lattice, int layer, Visit visit) {
-  const std::uint64_t from = layerOf(lattice, layer).first;
-  const auto perLayer = static_cast<std::uint32_t>(volume::Extent3{lattice.blockDims()}.slice());
-  const auto begin = static_cast<std::uint32_t>(layer) * perLayer;
-  for (std::uint32_t block = begin; block < begin + perLayer; ++block)
-    for (int i = 0; i < kTexelsOfBlock; ++i) {
-      const glm::ivec3 texel = lattice.texelOf(block, i);
-      if (lattice.contains(texel))
-        visit(block, static_cast<std::size_t>(i), static_cast<std::size_t>(lattice.indexOf(texel) - from));
-    }
+void forEachTexelOfBlock(const LatticeGeometry& lattice, std::uint32_t block, Visit visit) {
+  const std::uint64_t from = volume::Extent3{lattice.dims}.index(0, 0, lattice.texelOf(block, 0).z);
+  for (int i = 0; i < kTexelsOfBlock; ++i) {
+    const glm::ivec3 texel = lattice.texelOf(block, i);
+    if (lattice.contains(texel))
+      visit(static_cast<std::size_t>(i), static_cast<std::size_t>(lattice.indexOf(texel) - from));
+  }
 }
 
 }  // namespace isolux::gi

@@ -1,16 +1,11 @@
 #include "gi/file/bake_merge.h"
 
 #include <algorithm>
-#include <cinttypes>
-#include <cstdio>
 #include <map>
 #include <memory>
-#include <new>
 #include <string>
 #include <vector>
 
-#include "base/error.h"
-#include "base/pending_file.h"
 #include "gi/arithmetic.h"
 #include "gi/file/bake_file.h"
 #include "gi/file/bake_header.h"
@@ -25,8 +20,6 @@ using base::throwInput;
 namespace {
 
 constexpr std::size_t kNumbersAtATime = std::size_t{1} << 18;
-constexpr const char* kOffset = "offset=\"";
-constexpr std::size_t kOffsetDigits = 16;
 
 struct PartFile {
   explicit PartFile(const fs::path& path)
@@ -51,12 +44,8 @@ void eraseField(std::string& head, const std::string& name) {
   head.erase(at, head.find(end, at) + end.size() - at);
 }
 
-// The places of the digits of all offsets.
-std::vector<std::size_t> offsetsIn(const std::string& head) {
-  std::vector<std::size_t> places;
-  for (std::size_t at = head.find(kOffset); at != std::string::npos; at = head.find(kOffset, at + 1))
-    places.push_back(at + std::string_view(kOffset).size());
-  return places;
+void eraseOffsets(std::string& head) {
+  for (const std::size_t place : offsetsIn(head)) head.replace(place, kOffsetDigits, kOffsetDigits, '0');
 }
 
 // What must be the same in all parts: the header without what tells of the part.
@@ -64,16 +53,15 @@ std::string commonHead(const PartFile& file) {
   std::string head = file.head();
   eraseField(head, "part");
   eraseField(head, "arithmetic");
-  for (const std::size_t place : offsetsIn(head)) head.replace(place, kOffsetDigits, kOffsetDigits, '0');
+  eraseOffsets(head);
   return head;
 }
 
 void checkSameBake(const PartFile& file, const PartFile& first) {
   for (const char* const field : {"volume_hash", "key", "key_lamps", "content"}) {
-    const auto a = first.header.fields.find(field), b = file.header.fields.find(field);
-    const bool here = b != file.header.fields.end(), there = a != first.header.fields.end();
-    if (here != there || (here && a->second != b->second)) {
-      const std::string difference = here && there ? keyDifference(b->second, a->second) : "";
+    const std::string *const there = first.header.field(field), *const here = file.header.field(field);
+    if (!here != !there || (here && *here != *there)) {
+      const std::string difference = here && there ? keyDifference(*here, *there) : "";
       throwInput(
           file.name(), std::string("Array ") + field,
           (difference.empty() ? "is another one" : difference) + ": not of the same bake as " + first.name());
@@ -142,7 +130,7 @@ std::string headOfAll(const PartFile& first, const std::string& arithmetic) {
     eraseField(head, "arithmetic");
     head.insert(head.find("    </FieldData>"), bakeTextField("arithmetic", arithmetic));
   }
-  for (const std::size_t place : offsetsIn(head)) head.replace(place, kOffsetDigits, kOffsetDigits, '0');
+  eraseOffsets(head);
   return head;
 }
 
@@ -205,12 +193,7 @@ void merge(std::span<const fs::path> files, const fs::path& out, bool mixArithme
   const std::uint64_t texels = volume::Extent3{parts.front()->header.dims}.count();
   for (std::size_t a = 0; a < arrays.size(); ++a) {
     progress.report(static_cast<double>(a) / static_cast<double>(arrays.size()), "merging light");
-    char offset[20];
-    std::snprintf(offset, sizeof offset, "%016" PRIu64, file.at() - head.size());
-    const std::uint64_t begin = file.at();
-    file.go(places[a]);
-    file.write(offset, kOffsetDigits);
-    file.go(begin);
+    writeOffset(file, places[a], head.size());
     mergeArray(arrays[a], parts, texels * static_cast<std::uint64_t>(arrays[a].tag.components), file,
                progress);
   }
@@ -225,11 +208,7 @@ void mergeBakeFiles(std::span<const fs::path> files, const fs::path& out, bool m
                     base::Progress& progress) {
   if (files.empty())
     throw base::Error(base::ErrorKind::usage, out.string(), "", "there are no parts to merge");
-  try {
-    merge(files, out, mixArithmetic, progress);
-  } catch (const std::bad_alloc&) {
-    throw base::Error(base::ErrorKind::memory, out.string(), "", "out of memory while light is merged");
-  }
+  namingFile(out, "merged", [&] { merge(files, out, mixArithmetic, progress); });
 }
 
 }  // namespace isolux::gi

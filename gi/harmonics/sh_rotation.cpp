@@ -63,27 +63,19 @@ void ShRotation::fillBand(int l) {
     }
 }
 
-template <class Value>
-void ShRotation::applyTo(std::span<const Value> in, std::span<Value> out) const {
+void ShRotation::apply(std::span<const glm::dvec3> in, std::span<glm::dvec3> out) const {
   assert(in.size() >= static_cast<std::size_t>(shTerms(order_)));
   assert(out.size() >= static_cast<std::size_t>(shTerms(order_)));
-  std::array<Value, 2 * maxShOrder - 1> band;
+  std::array<glm::dvec3, 2 * maxShOrder - 1> band;
   for (int l = 0; l < order_; ++l) {
     const int middle = l * (l + 1);
     for (int s = -l; s <= l; ++s) {
-      Value sum(0.0);
+      glm::dvec3 sum(0.0);
       for (int t = -l; t <= l; ++t) sum += element(l, s, t) * in[middle + t];
       band[s + l] = sum;
     }
     for (int s = -l; s <= l; ++s) out[middle + s] = band[s + l];
   }
-}
-
-void ShRotation::apply(std::span<const double> in, std::span<double> out) const {
-  applyTo(in, out);
-}
-void ShRotation::apply(std::span<const glm::dvec3> in, std::span<glm::dvec3> out) const {
-  applyTo(in, out);
 }
 
 }  // namespace isolux::gi

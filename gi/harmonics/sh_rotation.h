@@ -24,7 +24,6 @@ class ShRotation {
   int order() const { return order_; }
 
   // Rotates spans of at least order^2 values; `in` and `out` are the same or do not overlap.
-  void apply(std::span<const double> in, std::span<double> out) const;
   void apply(std::span<const glm::dvec3> in, std::span<glm::dvec3> out) const;
 
   // Returns the element in row s, column t of band l's matrix, -l <= s, t <= l.
@@ -35,8 +34,6 @@ class ShRotation {
   double& element(int l, int s, int t) { return elements_[offset(l) + (s + l) * (2 * l + 1) + t + l]; }
   double p(int i, int a, int b, int l) const;
   void fillBand(int l);
-  template <class Value>
-  void applyTo(std::span<const Value> in, std::span<Value> out) const;
 
   int order_;
   std::vector<double> elements_;

@@ -68,50 +68,11 @@ void evaluateOrder(const glm::vec<3, Real>& d, Real* out) {
 template <class Real>
 void evaluateAny(int order, const glm::vec<3, Real>& d, Real* out) {
   assert(order >= 1 && order <= maxShOrder);
-  switch (order) {
-    case 1:
-      return evaluateOrder<1>(d, out);
-    case 2:
-      return evaluateOrder<2>(d, out);
-    case 3:
-      return evaluateOrder<3>(d, out);
-    case 4:
-      return evaluateOrder<4>(d, out);
-    case 5:
-      return evaluateOrder<5>(d, out);
-    case 6:
-      return evaluateOrder<6>(d, out);
-    case 7:
-      return evaluateOrder<7>(d, out);
-    default:
-      return evaluateOrder<8>(d, out);
-  }
-}
-
-template <class Value>
-Value sumOfProducts(int order, std::span<const double> a, std::span<const Value> b) {
-  assert(a.size() >= static_cast<std::size_t>(shTerms(order)));
-  assert(b.size() >= static_cast<std::size_t>(shTerms(order)));
-  Value sum(0.0);
-  for (int i = 0; i < shTerms(order); ++i) sum += a[i] * b[i];
-  return sum;
-}
-
-template <class Value>
-void windowBands(int order, double strength, std::span<Value> coefficients) {
-  assert(coefficients.size() >= static_cast<std::size_t>(shTerms(order)));
-  for (int l = 0; l < order; ++l) {
-    const double factor = shWindow(order, strength, l);
-    for (int i = l * l; i < (l + 1) * (l + 1); ++i) coefficients[i] *= factor;
-  }
-}
-
-using Terms = std::array<double, shTerms(maxShOrder)>;
-
-Terms cosineLobe(int order, glm::dvec3 normal) {
-  Terms lobe;
-  cosineLobeSh(order, normal, lobe);
-  return lobe;
+  using Evaluate = void (*)(const glm::vec<3, Real>&, Real*);
+  constexpr std::array<Evaluate, maxShOrder> ofOrder = {evaluateOrder<1>, evaluateOrder<2>, evaluateOrder<3>,
+                                                        evaluateOrder<4>, evaluateOrder<5>, evaluateOrder<6>,
+                                                        evaluateOrder<7>, evaluateOrder<8>};
+  ofOrder[order - 1](d, out);
 }
 
 }  // namespace
@@ -163,12 +124,12 @@ double shWindow(int order, double strength, int l) {
   return t == 0.0 ? 1.0 : base::portableSin(t) / t;
 }
 
-void windowSh(int order, double strength, std::span<double> coefficients) {
-  windowBands(order, strength, coefficients);
-}
-
 void windowSh(int order, double strength, std::span<glm::dvec3> coefficients) {
-  windowBands(order, strength, coefficients);
+  assert(coefficients.size() >= static_cast<std::size_t>(shTerms(order)));
+  for (int l = 0; l < order; ++l) {
+    const double factor = shWindow(order, strength, l);
+    for (int i = l * l; i < (l + 1) * (l + 1); ++i) coefficients[i] *= factor;
+  }
 }
 
 double clampedCosine(int l) {
@@ -178,23 +139,6 @@ double clampedCosine(int l) {
   double value = 2.0 * pi * (l / 2 % 2 == 1 ? 1.0 : -1.0) / ((l + 2.0) * (l - 1.0));
   for (int k = 1; k <= l / 2; ++k) value *= (2.0 * k - 1.0) / (2.0 * k);
   return value;
-}
-
-void cosineLobeSh(int order, glm::dvec3 normal, std::span<double> out) {
-  assert(out.size() >= static_cast<std::size_t>(shTerms(order)));
-  evaluateSh(order, normal, out.data());
-  for (int l = 0; l < order; ++l) {
-    const double factor = clampedCosine(l);
-    for (int i = l * l; i < (l + 1) * (l + 1); ++i) out[i] *= factor;
-  }
-}
-
-double irradianceSh(int order, std::span<const double> radiance, glm::dvec3 normal) {
-  return sumOfProducts(order, cosineLobe(order, normal), radiance);
-}
-
-glm::dvec3 irradianceSh(int order, std::span<const glm::dvec3> radiance, glm::dvec3 normal) {
-  return sumOfProducts(order, cosineLobe(order, normal), radiance);
 }
 
 }  // namespace isolux::gi

@@ -1,5 +1,4 @@
-// Evaluates, projects and windows real spherical harmonics of order 1 to 8, and computes irradiance from
-// them.
+// Evaluates, projects and windows real spherical harmonics of order 1 to 8.
 //
 // Order n means the bands l = 0 .. n - 1 and n^2 terms; Y_l^m has index l (l + 1) + m. The functions are
 // those of Wyman et al. 2006 eq. (12): orthonormal on the sphere, z the polar axis, without the
@@ -59,20 +58,11 @@ struct GaussLegendre {
 // irradiance it is 3.2 % and 1.4 %. Light can therefore be negative, and callers that display it must clamp
 // it.
 double shWindow(int order, double strength, int l);
-void windowSh(int order, double strength, std::span<double> coefficients);
 void windowSh(int order, double strength, std::span<glm::dvec3> coefficients);
 
 // Returns the integral of max(0, cos) P_l(cos) over the sphere: the factor of band l that turns radiance into
 // irradiance. The values are pi, 2 pi / 3, pi / 4, 0, -pi / 24, 0, ... (Ramamoorthi & Hanrahan 2001, eq. 19
 // without the square root).
 double clampedCosine(int l);
-
-// Computes the coefficients of max(0, dot(normal, d)): the transfer of an unoccluded point with this normal.
-void cosineLobeSh(int order, glm::dvec3 normal, std::span<double> out);
-
-// Return the irradiance of an unoccluded surface with this normal under radiance of these coefficients: pi
-// for radiance 1 from everywhere. Not clamped.
-double irradianceSh(int order, std::span<const double> radiance, glm::dvec3 normal);
-glm::dvec3 irradianceSh(int order, std::span<const glm::dvec3> radiance, glm::dvec3 normal);
 
 }  // namespace isolux::gi

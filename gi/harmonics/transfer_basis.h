@@ -39,12 +39,6 @@ class TransferBasis {
                                                   int components, int bits,
                                                   const base::Progress* progress = nullptr,
                                                   std::size_t mostTexels = 20000);
-  static std::shared_ptr<const TransferBasis> fit(const LightLattice& lattice, int components, int bits,
-                                                  const base::Progress* progress = nullptr,
-                                                  std::size_t mostTexels = 20000) {
-    const LightLattice* const one = &lattice;
-    return fit(std::span(&one, 1), components, bits, progress, mostTexels);
-  }
 
   const std::vector<Field>& fields() const { return fields_; }  // of the components that have any bits
   std::size_t words() const { return words_; }                  // 32-bit words per texel

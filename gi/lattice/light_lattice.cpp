@@ -47,16 +47,6 @@ std::shared_ptr<const LatticeBlock> LightLattice::at(std::uint32_t block) const 
   return blocks_[block].block;
 }
 
-bool LightLattice::has(std::uint32_t block) const {
-  return at(block) != nullptr;
-}
-
-bool LightLattice::read(std::uint32_t block, LatticeBlock& out) const {
-  const std::shared_ptr<const LatticeBlock> in = at(block);
-  if (in) out = *in;
-  return in != nullptr;
-}
-
 void LightLattice::write(std::uint32_t block, LatticeBlock in) {
   assert(block < blocks_.size());
   assert(in.means.size() ==

@@ -64,11 +64,9 @@ class LightLattice {
   const LightContent& content() const { return content_; }
   const std::string& key() const { return key_; }  // JSON of all that its light depends on
 
-  LatticeBlock dark() const;  // a block in which nothing is lit
-  bool has(std::uint32_t block) const;
+  LatticeBlock dark() const;                                          // a block in which nothing is lit
   std::shared_ptr<const LatticeBlock> at(std::uint32_t block) const;  // null: nothing is lit there
-  bool read(std::uint32_t block, LatticeBlock& out) const;            // a copy; false: nothing is lit there
-  void write(std::uint32_t block, LatticeBlock in);  // replaces the block, with a new revision
+  void write(std::uint32_t block, LatticeBlock in);                   // replaces it, with a new revision
   // Stores a block of a lattice of the same geometry and content, without a copy; null removes the block.
   // Requires that no frame reads a lattice from which blocks are removed: revisions do not show it.
   void share(std::uint32_t block, std::shared_ptr<const LatticeBlock> fresh);

@@ -143,15 +143,6 @@ bool PathTracer::addIrradiance(LightPart part, std::span<const LightPoint> point
                          });
 }
 
-bool PathTracer::transfer(std::span<const LightPoint> points, SampleRange range, std::span<float> means,
-                          std::uint64_t& rays, const std::stop_token& stop) const {
-  std::vector<double> sums(means.size(), 0.0);
-  if (!addTransfer(points, range, sums, rays, stop)) return false;
-  const double perPath = range.count > 0 ? 1.0 / range.count : 0.0;
-  for (std::size_t i = 0; i < means.size(); ++i) means[i] = static_cast<float>(sums[i] * perPath);
-  return true;
-}
-
 bool PathTracer::addTransfer(std::span<const LightPoint> points, SampleRange range, std::span<double> sums,
                              std::uint64_t& rays, const std::stop_token& stop) const {
   const PathSetup& setup = *setup_;

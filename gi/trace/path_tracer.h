@@ -51,10 +51,7 @@ class PathTracer {
   // however the samples are split among calls.
   bool addIrradiance(LightPart part, std::span<const LightPoint> points, SampleRange range,
                      std::span<glm::dvec3> sums, std::uint64_t& rays, const std::stop_token& stop) const;
-  // Computes mean transfer vectors, light.choice.channels * order^2 floats per point (LightContent);
-  // addTransfer() adds to sums, as above.
-  bool transfer(std::span<const LightPoint> points, SampleRange range, std::span<float> means,
-                std::uint64_t& rays, const std::stop_token& stop) const;
+  // Adds transfer vectors, light.choice.channels * order^2 numbers per point (LightContent), in the same way.
   bool addTransfer(std::span<const LightPoint> points, SampleRange range, std::span<double> sums,
                    std::uint64_t& rays, const std::stop_token& stop) const;
 

@@ -104,7 +104,7 @@ TEST(SharedBlocks, AreTheSameInBothLatticesAndGoWhenTakenOut) {
   fill(from, 5);
   gi::LightLattice into(geometry, content, "key");
   for (std::uint32_t b = 0; b < geometry.blockCount(); ++b)
-    if (from.has(b)) into.share(b, from.at(b));
+    if (from.at(b)) into.share(b, from.at(b));
   expectSame(from, into);
   EXPECT_EQ(into.bakedTexels(), from.bakedTexels());
   for (std::uint32_t b = 0; b < geometry.blockCount(); ++b) into.share(b, nullptr);

@@ -17,6 +17,7 @@
 #include "gi/lattice/lattice_geometry.h"
 #include "gi/trace/exposure_meter.h"
 #include "scene/rules/automatic.h"
+#include "tests/support/light.h"
 #include "tests/support/memory_limit.h"
 #include "tests/support/own_waits.h"
 #include "tests/support/poll.h"
@@ -78,13 +79,13 @@ class LightControllerTest : public ::testing::Test {
 // The luminance of what is stored, averaged over the lit texels.
 double meanStored(const gi::LightLattice& lattice) {
   double sum = 0.0, count = 0.0;
-  gi::LatticeBlock block;
   for (std::uint32_t b = 0; b < lattice.geometry().blockCount(); ++b) {
-    if (!lattice.read(b, block)) continue;
+    const auto block = lattice.at(b);
+    if (!block) continue;
     const auto components = static_cast<std::size_t>(lattice.content().components());
-    for (std::size_t i = 0; i < block.samples.size(); ++i)
-      if (block.samples[i] > 0) {
-        sum += static_cast<double>(block.means[i * components]);
+    for (std::size_t i = 0; i < block->samples.size(); ++i)
+      if (block->samples[i] > 0) {
+        sum += static_cast<double>(block->means[i * components]);
         ++count;
       }
   }
@@ -350,8 +351,8 @@ TEST_F(LightControllerTest, TransferOfAFinishedPictureIsCompressedFromAllItsTexe
     ASSERT_TRUE(fresh.finish(progress, 120.0));
     const auto picture = fresh.light();
     ASSERT_TRUE(picture && picture->sky && picture->basis);
-    const auto expected = gi::TransferBasis::fit(*picture->sky, scene.gi.components,
-                                                 scene.gi.components * scene.gi.componentBits);
+    const auto expected =
+        test::basisOf(*picture->sky, scene.gi.components, scene.gi.components * scene.gi.componentBits);
     ASSERT_EQ(picture->basis->fields(), expected->fields()) << "round " << i;
   }
 }
@@ -435,13 +436,13 @@ TEST_F(LightControllerTest, TheInnerSideIsTheOuterSideOfTheOtherInside) {
   const auto outer = lit(scene::Inside::below, {surface()})->sky;
   EXPECT_EQ(inner->key(), outer->key());
   ASSERT_EQ(inner->bakedTexels(), outer->bakedTexels());
-  gi::LatticeBlock a, b;
   for (std::uint32_t block = 0; block < outer->geometry().blockCount(); ++block) {
-    if (!outer->read(block, a)) continue;
-    ASSERT_TRUE(inner->read(block, b));
-    EXPECT_EQ(a.samples, b.samples);
-    EXPECT_EQ(a.normals, b.normals);
-    EXPECT_EQ(a.means, b.means);
+    const auto a = outer->at(block), b = inner->at(block);
+    if (!a) continue;
+    ASSERT_TRUE(b);
+    EXPECT_EQ(a->samples, b->samples);
+    EXPECT_EQ(a->normals, b->normals);
+    EXPECT_EQ(a->means, b->means);
   }
 }
 

@@ -92,20 +92,20 @@ std::vector<WantedBlock> texelsWhere(const LatticeGeometry& lattice,
 std::string differenceFrom(const LightLattice& lattice, std::uint32_t samples) {
   const std::vector<std::uint32_t> rounds = roundsUpTo(samples);
   const auto components = static_cast<std::size_t>(lattice.content().components());
-  LatticeBlock block;
   for (std::uint32_t b = 0; b < lattice.geometry().blockCount(); ++b) {
-    if (!lattice.read(b, block)) continue;
+    const auto block = lattice.at(b);
+    if (!block) continue;
     for (std::size_t i = 0; i < kTexelsOfBlock; ++i) {
-      if (block.samples[i] == 0) continue;
+      if (block->samples[i] == 0) continue;
       const glm::ivec3 texel = lattice.geometry().texelOf(b, static_cast<int>(i));
       std::ostringstream place;
       place << "texel " << texel.x << " " << texel.y << " " << texel.z << ": ";
-      const auto end = std::find(rounds.begin(), rounds.end(), block.samples[i]);
-      if (end == rounds.end()) return place.str() + std::to_string(block.samples[i]) + " samples";
-      if (block.normals[i] != FormulaEstimator::normalOf(texel)) return place.str() + "normal";
+      const auto end = std::find(rounds.begin(), rounds.end(), block->samples[i]);
+      if (end == rounds.end()) return place.str() + std::to_string(block->samples[i]) + " samples";
+      if (block->normals[i] != FormulaEstimator::normalOf(texel)) return place.str() + "normal";
       const std::vector<std::uint32_t> done(rounds.begin(), end + 1);
       for (std::size_t c = 0; c < components; ++c)
-        if (block.means[i * components + c] != FormulaEstimator::bakedOf(texel, done, static_cast<int>(c)))
+        if (block->means[i * components + c] != FormulaEstimator::bakedOf(texel, done, static_cast<int>(c)))
           return place.str() + "component " + std::to_string(c);
     }
   }
@@ -113,14 +113,14 @@ std::string differenceFrom(const LightLattice& lattice, std::uint32_t samples) {
 }
 
 bool allHave(const LightLattice& lattice, const std::vector<WantedBlock>& wanted, std::uint32_t samples) {
-  LatticeBlock block;
   for (const WantedBlock& w : wanted) {
-    if (!lattice.read(w.block, block)) return false;
+    const auto block = lattice.at(w.block);
+    if (!block) return false;
     bool all = true;
     forEachTexel(w.texels, [&](std::size_t i) {
       const bool lit = FormulaEstimator::normalOf(lattice.geometry().texelOf(w.block, static_cast<int>(i))) !=
                        glm::vec3(0.0f);
-      all = all && block.samples[i] == (lit ? samples : 0u);
+      all = all && block->samples[i] == (lit ? samples : 0u);
     });
     if (!all) return false;
   }

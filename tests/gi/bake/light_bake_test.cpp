@@ -371,13 +371,13 @@ TEST(LightBake, GoesOnFromAnyNumberOfSamples) {
     ASSERT_TRUE(bake.waitFor(0, kNeverSeconds));
   }
   EXPECT_TRUE(allHave(*lattice, everything(), 400));
-  LatticeBlock block;
-  ASSERT_TRUE(lattice->read(0, block));
+  const auto block = lattice->at(0);
+  ASSERT_TRUE(block);
   for (std::size_t i = 0; i < kTexelsOfBlock; ++i) {
     const glm::ivec3 texel = kGeometry.texelOf(0, static_cast<int>(i));
-    if (block.samples[i] == 0) continue;
-    EXPECT_EQ(block.means[3 * i], FormulaEstimator::bakedOf(texel, {1, 4, 16, 64, 100, 256, 400}, 0));
-    EXPECT_NEAR(block.means[3 * i], FormulaEstimator::meanOf(texel, {0, 400}, 0), 1e-6);
+    if (block->samples[i] == 0) continue;
+    EXPECT_EQ(block->means[3 * i], FormulaEstimator::bakedOf(texel, {1, 4, 16, 64, 100, 256, 400}, 0));
+    EXPECT_NEAR(block->means[3 * i], FormulaEstimator::meanOf(texel, {0, 400}, 0), 1e-6);
   }
 }
 
@@ -389,7 +389,7 @@ TEST(LightBake, PassesOverWhatIsNotInTheLattice) {
   bake.want(Wish::visible, {{7, all}, {8, all}, {0xffffffff, all}, {7, all}, {0, {}}});
   ASSERT_TRUE(bake.waitFor(0, kNeverSeconds));
   EXPECT_EQ(bake.counters().texelsWanted, FormulaEstimator::normalOf({8, 8, 8}) == glm::vec3(0.0f) ? 0u : 1u);
-  EXPECT_FALSE(lattice->has(0));
+  EXPECT_FALSE(lattice->at(0));
 }
 
 TEST(LightBake, KeepsTheErrorOfItsEstimator) {
@@ -508,12 +508,12 @@ TEST(LightBake, IsTheSameAfterAnyHistory) {
       ASSERT_EQ(counters.samplesDone, counters.texelsWanted * least);
     }
     ASSERT_EQ(differenceFrom(*lattice, most), "") << "sequence " << sequence;
-    LatticeBlock block;
     for (const auto& wish : wishes)
       for (const WantedBlock& wanted : wish) {
-        ASSERT_TRUE(lattice->read(wanted.block, block));
+        const auto block = lattice->at(wanted.block);
+        ASSERT_TRUE(block);
         for (std::size_t i = 0; i < kTexelsOfBlock; ++i)
-          ASSERT_TRUE(!wanted.texels[i] || block.unlit[i] || block.samples[i] >= least);
+          ASSERT_TRUE(!wanted.texels[i] || block->unlit[i] || block->samples[i] >= least);
       }
     gone = lattice;
     lattice.reset();

@@ -148,7 +148,7 @@ TEST_F(BakeFile, PlacesOnAnIsosurfaceComeBack) {
   expectSameLight(*lattice, *light.sky);
   for (std::uint32_t b = 0; b < geometry.blockCount(); ++b)
     for (std::size_t i = 0; i < kTexelsOfBlock; ++i) {
-      if (!lattice->has(b) || lattice->at(b)->samples[i] == 0) continue;
+      if (!lattice->at(b) || lattice->at(b)->samples[i] == 0) continue;
       EXPECT_LT(glm::length(light.sky->at(b)->places[i] - lattice->at(b)->places[i]), 1e-4f);
     }
   EXPECT_THROW(readBakeFile(file(), grid, {}, R"({"lattice_scale":1.5,"isovalue":5.0})", "", progress_),
@@ -192,7 +192,7 @@ TEST_F(BakeFile, TexelsStandWhereTheyWereLitBesideAHiddenPiece) {
   expectSameLight(*lattice, *light.sky);
   std::size_t lit = 0;
   for (std::uint32_t b = 0; b < geometry.blockCount(); ++b) {
-    if (!lattice->has(b)) continue;
+    if (!lattice->at(b)) continue;
     EXPECT_EQ(light.sky->at(b)->places, lattice->at(b)->places);
     const auto& samples = lattice->at(b)->samples;
     lit +=

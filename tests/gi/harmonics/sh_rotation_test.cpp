@@ -44,8 +44,7 @@ void expectRotationOf(const glm::dmat3& rotation, double tolerance) {
     const auto projected = test::projectSh(order, someFunction, 60);
     const auto expected = test::projectSh(
         order, [&](glm::dvec3 d) { return someFunction(glm::transpose(rotation) * d); }, 60);
-    std::vector<double> turned(projected.size());
-    ShRotation(order, rotation).apply(projected, turned);
+    const auto turned = test::turned(ShRotation(order, rotation), projected);
     for (std::size_t i = 0; i < turned.size(); ++i)
       ASSERT_NEAR(turned[i], expected[i], tolerance) << "order " << order << " term " << i;
   }
@@ -66,8 +65,7 @@ TEST(ShRotation, EqualsItAtHalfTurnsAndQuarterTurnsAboutEveryAxis) {
 TEST(ShRotation, OfTheIdentityChangesNothing) {
   const ShRotation identity(maxShOrder, glm::dmat3(1.0));
   const auto in = someCoefficients(maxShOrder);
-  std::vector<double> out(in.size());
-  identity.apply(in, out);
+  const auto out = test::turned(identity, in);
   for (std::size_t i = 0; i < in.size(); ++i) EXPECT_NEAR(out[i], in[i], 1e-15);
 }
 
@@ -93,18 +91,18 @@ TEST(ShRotation, MatricesAreOrthogonalAndComposeAsRotationsDo) {
 // are those of the function turned as the product of quaternions says.
 TEST(ShRotation, ThousandComposedRotationsStayExact) {
   const auto start = test::projectSh(maxShOrder, someFunction, 60);
-  std::vector<double> stepped = start, once(start.size());
+  std::vector<double> stepped = start;
   glm::dmat3 product(1.0);
   glm::dquat exact(1, 0, 0, 0);
   for (std::uint32_t i = 0; i < 1000; ++i) {
     const glm::dquat step =
         glm::angleAxis(2 * pi * sampleOne(DirectionSequence::random, 8, i, 0), randomDirection(i));
     const glm::dmat3 rotation = glm::mat3_cast(step);
-    ShRotation(maxShOrder, rotation).apply(stepped, stepped);
+    stepped = test::turned(ShRotation(maxShOrder, rotation), stepped);
     product = rotation * product;
     exact = glm::normalize(step * exact);
   }
-  ShRotation(maxShOrder, product).apply(start, once);
+  const auto once = test::turned(ShRotation(maxShOrder, product), start);
   const glm::dmat3 inverse = glm::transpose(glm::mat3_cast(exact));
   const auto expected = test::projectSh(
       maxShOrder, [&](glm::dvec3 d) { return someFunction(inverse * d); }, 60);
@@ -117,10 +115,9 @@ TEST(ShRotation, ThousandComposedRotationsStayExact) {
 TEST(ShRotation, TurnsColorsAsItTurnsNumbers) {
   const ShRotation rotation(5, randomRotation(1));
   const auto in = someCoefficients(5);
-  std::vector<double> out(in.size());
+  const auto out = test::turned(rotation, in);
   std::vector<glm::dvec3> color(in.size());
   for (std::size_t i = 0; i < in.size(); ++i) color[i] = in[i] * glm::dvec3(1, -2, 0.5);
-  rotation.apply(in, out);
   rotation.apply(color, color);
   for (std::size_t i = 0; i < in.size(); ++i)
     EXPECT_NEAR(glm::distance(color[i], out[i] * glm::dvec3(1, -2, 0.5)), 0.0, 1e-14);

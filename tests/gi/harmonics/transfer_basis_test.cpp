@@ -1,4 +1,5 @@
 #include "gi/harmonics/transfer_basis.h"
+#include "tests/support/light.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,7 +72,7 @@ const LightContent kColor{LightContent::Kind::transfer, 3, 5};
 TEST(TransferBasis, IsExactToHalfAStepWhereAllComponentsAreKept) {
   const LightContent content{LightContent::Kind::transfer, 1, 3};
   const auto lattice = latticeOf(content, {9, 10, 11}, [](std::uint64_t t) { return vectorOf(t, 9); });
-  const auto basis = TransferBasis::fit(*lattice, 24, 9 * 16);
+  const auto basis = test::basisOf(*lattice, 24, 9 * 16);
   ASSERT_TRUE(basis);
   ASSERT_EQ(basis->fields().size(), 9u);
   EXPECT_EQ(basis->words(), 5u);
@@ -94,15 +95,15 @@ TEST(TransferBasis, MoreComponentsAndMoreBitsErrLess) {
   const auto lattice = latticeOf(kColor, {9, 10, 11}, [](std::uint64_t t) { return vectorOf(t, 75); });
   double before = INFINITY;
   for (const int components : {1, 2, 4, 6, 12, 75}) {
-    const double rms = rmsOf(*TransferBasis::fit(*lattice, components, components * 16), 990);
+    const double rms = rmsOf(*test::basisOf(*lattice, components, components * 16), 990);
     EXPECT_LT(rms, before) << components;
     before = rms;
   }
   // Six directions hold all but the noise, 0.02 in each of 69 others.
-  EXPECT_NEAR(rmsOf(*TransferBasis::fit(*lattice, 6, 96), 990), 0.02 * std::sqrt(69.0), 0.02);
+  EXPECT_NEAR(rmsOf(*test::basisOf(*lattice, 6, 96), 990), 0.02 * std::sqrt(69.0), 0.02);
   before = INFINITY;
   for (const int bits : {32, 64, 96, 192, 384}) {
-    const double rms = rmsOf(*TransferBasis::fit(*lattice, 75, bits), 990);
+    const double rms = rmsOf(*test::basisOf(*lattice, 75, bits), 990);
     EXPECT_LT(rms, before) << bits;
     before = rms;
   }
@@ -119,7 +120,7 @@ TEST(TransferBasis, UnequalBitsErrLessThanEqualOnes) {
   };
   const LightContent content{LightContent::Kind::transfer, 1, 3};
   const auto lattice = latticeOf(content, {20, 20, 20}, strong);
-  const auto basis = TransferBasis::fit(*lattice, 9, 32);
+  const auto basis = test::basisOf(*lattice, 9, 32);
   ASSERT_TRUE(basis);
   EXPECT_GT(basis->fields().front().bits, basis->fields().back().bits + 3);
   double sum = 0.0, equal = 0.0;
@@ -143,7 +144,7 @@ TEST(TransferBasis, LightingIsThatOfTheDecodedTransfer) {
       const LightContent content{LightContent::Kind::transfer, channels, 4};
       const int d = content.components();
       const auto lattice = latticeOf(content, {8, 8, 8}, [&](std::uint64_t t) { return vectorOf(t, d); });
-      const auto basis = TransferBasis::fit(*lattice, 7, bits);
+      const auto basis = test::basisOf(*lattice, 7, bits);
       std::vector<glm::vec3> environment(16);
       for (glm::vec3& l : environment) l = {normal(random), normal(random), normal(random)};
       const TransferBasis::Lighting lighting = basis->under(environment);
@@ -171,7 +172,7 @@ TEST(TransferBasis, TexelsThatAreAllTheSameComeBack) {
   for (const glm::ivec3& dims : {glm::ivec3(1), glm::ivec3(9, 3, 2)})
     for (const int bits : {96, 24 * 16}) {
       const auto basis =
-          TransferBasis::fit(*latticeOf(kColor, dims, [&](std::uint64_t) { return same; }), 24, bits);
+          test::basisOf(*latticeOf(kColor, dims, [&](std::uint64_t) { return same; }), 24, bits);
       ASSERT_TRUE(basis);
       const auto out = roundTrip(*basis, same);
       for (std::size_t i = 0; i < same.size(); ++i) EXPECT_NEAR(out[i], same[i], 1e-5);
@@ -181,25 +182,25 @@ TEST(TransferBasis, TexelsThatAreAllTheSameComeBack) {
 TEST(TransferBasis, BlackTexelsAreBlack) {
   const std::vector<float> black(75, 0.0f);
   const auto basis =
-      TransferBasis::fit(*latticeOf(kColor, {4, 4, 4}, [&](std::uint64_t) { return black; }), 24, 96);
+      test::basisOf(*latticeOf(kColor, {4, 4, 4}, [&](std::uint64_t) { return black; }), 24, 96);
   ASSERT_TRUE(basis);
   EXPECT_EQ(roundTrip(*basis, black), black);
 }
 
 TEST(TransferBasis, NothingBakedHasNone) {
   const LightLattice lattice(LatticeGeometry::make({9, 9, 9}, 1.0), kColor, "");
-  EXPECT_EQ(TransferBasis::fit(lattice, 24, 96), nullptr);
+  EXPECT_EQ(test::basisOf(lattice, 24, 96), nullptr);
 }
 
 TEST(TransferBasis, TexelsThatAreNoNumbersAreLeftOut) {
   const auto fitted = [](float wild) {
-    return TransferBasis::fit(*latticeOf(kColor, {8, 8, 8},
-                                         [&](std::uint64_t t) {
-                                           std::vector<float> vector = vectorOf(t, 75);
-                                           if (t == 7) vector[3] += wild;
-                                           return vector;
-                                         }),
-                              24, 192);
+    return test::basisOf(*latticeOf(kColor, {8, 8, 8},
+                                    [&](std::uint64_t t) {
+                                      std::vector<float> vector = vectorOf(t, 75);
+                                      if (t == 7) vector[3] += wild;
+                                      return vector;
+                                    }),
+                         24, 192);
   };
   const double clean = rmsOf(*fitted(0.0f), 500);
   for (const float wild : {NAN, INFINITY}) EXPECT_LT(rmsOf(*fitted(wild), 500), 1.1 * clean);
@@ -207,15 +208,15 @@ TEST(TransferBasis, TexelsThatAreNoNumbersAreLeftOut) {
 
 TEST(TransferBasis, FewTexelsStandForAll) {
   const auto lattice = latticeOf(kColor, {20, 20, 20}, [](std::uint64_t t) { return vectorOf(t, 75); });
-  const double all = rmsOf(*TransferBasis::fit(*lattice, 12, 192, nullptr, 8000), 8000);
-  const double few = rmsOf(*TransferBasis::fit(*lattice, 12, 192, nullptr, 800), 8000);
+  const double all = rmsOf(*test::basisOf(*lattice, 12, 192, 8000), 8000);
+  const double few = rmsOf(*test::basisOf(*lattice, 12, 192, 800), 8000);
   EXPECT_GE(few, all * (1.0 - 1e-6));
   EXPECT_LT(few, all * 1.1);
 }
 
 TEST(TransferBasis, WhatIsBeyondItsRangeIsClamped) {
   const auto lattice = latticeOf(kColor, {8, 8, 8}, [](std::uint64_t t) { return vectorOf(t, 75); });
-  const auto basis = TransferBasis::fit(*lattice, 24, 96);
+  const auto basis = test::basisOf(*lattice, 24, 96);
   for (const float wild : {1e30f, -1e30f, NAN})
     for (const float value : roundTrip(*basis, std::vector<float>(75, wild)))
       EXPECT_TRUE(std::isfinite(value));

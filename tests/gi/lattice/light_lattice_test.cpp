@@ -79,9 +79,7 @@ LatticeBlock blockOf(float value, int lit) {
 
 TEST(LightLattice, KeepsWhatIsWritten) {
   LightLattice lattice(LatticeGeometry::make({16, 16, 16}, 1.0), {}, "key");
-  LatticeBlock out;
-  EXPECT_FALSE(lattice.has(3));
-  EXPECT_FALSE(lattice.read(3, out));
+  EXPECT_FALSE(lattice.at(3));
   const std::size_t empty = lattice.bytes();
   lattice.write(3, blockOf(2.5f, 10));
   lattice.write(5, blockOf(1.5f, 7));
@@ -89,8 +87,8 @@ TEST(LightLattice, KeepsWhatIsWritten) {
   EXPECT_GE(lattice.bytes(), empty + 2 * kTexelsOfBlock * 3 * sizeof(float));
   const auto old = lattice.at(3);
   lattice.write(3, blockOf(3.5f, 20));
-  ASSERT_TRUE(lattice.read(3, out));
-  EXPECT_EQ(out.means[0], 3.5f);
+  ASSERT_TRUE(lattice.at(3));
+  EXPECT_EQ(lattice.at(3)->means[0], 3.5f);
   EXPECT_EQ(old->means[0], 2.5f);  // its reader's own
   EXPECT_EQ(lattice.bakedTexels(), 27u);
 }
@@ -128,12 +126,15 @@ TEST(LightLattice, ReadersSeeWholeBlocks) {
   });
   const auto look = [&] {
     std::uint64_t seen = 0;
-    LatticeBlock block;
     for (int i = 0; i < 2000; ++i) {
       const std::uint64_t revision = lattice.revision();
       for (const std::uint32_t changed : lattice.changedSince(seen)) {
-        if (!lattice.read(changed, block)) torn = true;
-        const auto [low, high] = std::minmax_element(block.means.begin(), block.means.end());
+        const auto block = lattice.at(changed);
+        if (!block) {
+          torn = true;
+          continue;
+        }
+        const auto [low, high] = std::minmax_element(block->means.begin(), block->means.end());
         if (*low != *high) torn = true;
       }
       seen = revision;
@@ -168,9 +169,8 @@ TEST(LightLatticeMemory, GrowsAsFarAsTheBudgetAndKeepsWhatIsLit) {
     }
     EXPECT_EQ(lit, 5u);
     EXPECT_EQ(lattice.bakedTexels(), 5u * kTexelsOfBlock);
-    LatticeBlock again;
-    ASSERT_TRUE(lattice.read(2, again));
-    lattice.write(2, std::move(again));  // what is there may become better
+    ASSERT_TRUE(lattice.at(2));
+    lattice.write(2, LatticeBlock(*lattice.at(2)));  // what is there may become better
     lattice.clear();
     lattice.write(7, litBlock(content));
   }

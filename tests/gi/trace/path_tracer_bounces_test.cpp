@@ -157,15 +157,15 @@ TEST(PathTracerBounces, TransferTimesEnvironmentIsIrradiance) {
     constexpr int parts = 64, samplesOfPart = 500;
     double sum = 0.0, squares = 0.0;
     for (int part = 0; part < parts; ++part) {
-      std::vector<float> transfer(3 * wanted.size());
+      std::vector<double> transfer(3 * wanted.size(), 0.0);
       std::uint64_t rays = 0;
-      ASSERT_TRUE(tracer.transfer(std::span(&point, 1),
-                                  {static_cast<std::uint32_t>(part * samplesOfPart), samplesOfPart}, transfer,
-                                  rays, {}));
+      ASSERT_TRUE(tracer.addTransfer(std::span(&point, 1),
+                                     {static_cast<std::uint32_t>(part * samplesOfPart), samplesOfPart},
+                                     transfer, rays, {}));
       double light1 = 0.0;
       for (std::size_t i = 0; i < wanted.size(); ++i) {
         EXPECT_EQ(transfer[i], transfer[i + wanted.size()]);  // grey
-        light1 += static_cast<double>(transfer[i]) * bands[i].x;
+        light1 += transfer[i] / samplesOfPart * bands[i].x;
       }
       sum += light1;
       squares += light1 * light1;
@@ -185,9 +185,9 @@ TEST(PathTracerBounces, TheColourOfTheSurfaceIsInTheTransfer) {
   light.shOrder = 1;
   const PathTracer tracer = tracerOf(light);
   const LightPoint point = pointAt(tracer, {3.2, -2.6, 5.1});
-  float transfer[3];
+  double transfer[3] = {};
   std::uint64_t rays = 0;
-  ASSERT_TRUE(tracer.transfer(std::span(&point, 1), {0, 4000}, transfer, rays, {}));
+  ASSERT_TRUE(tracer.addTransfer(std::span(&point, 1), {0, 4000}, transfer, rays, {}));
   // What comes by one bounce is in proportion to the albedo.
   EXPECT_GT(transfer[0], transfer[1]);
   EXPECT_NEAR((transfer[0] - transfer[2]) / (transfer[1] - transfer[2]), 0.9 / 0.5, 1e-4);

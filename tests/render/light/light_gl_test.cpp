@@ -14,6 +14,7 @@
 #include "scene/settings/settings.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/render/light/light_support.h"
+#include "tests/support/light.h"
 
 namespace isolux::test {
 namespace {
@@ -592,7 +593,7 @@ TEST_F(LightGlTest, TransferIsTheDotProductOfItsCodes) {
       writeAll(*lattice, [&](glm::ivec3 t) { return TexelLight{100, {0.0f, 0.0f, 1.0f}, transfer(t)}; });
       auto light = pictureLight(lattice);
       light->skyScale = glm::vec3(9.0f);  // the environment's coefficients have it already
-      light->basis = gi::TransferBasis::fit(*lattice, 7, bits);
+      light->basis = test::basisOf(*lattice, 7, bits);
       ASSERT_NE(light->basis, nullptr);
       for (int turn = 0; turn < 2; ++turn) {
         light = std::make_shared<gi::PictureLight>(*light);
