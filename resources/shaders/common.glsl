@@ -1,4 +1,4 @@
-// Shared by all passes: the ray of a pixel, and the exact trilinear field.
+// Shared by all passes: the ray of a pixel.
 
 // The camera in voxel space, per unit of world length: a point at t mm along a ray is origin + t * direction.
 uniform vec3 uEyeVoxel;      // where the ray through the middle starts

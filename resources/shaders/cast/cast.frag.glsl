@@ -81,8 +81,8 @@ float seen(float f, int k, vec3 p) {
   ivec3 cell = cellOf(p);
   vec4 low, high;
   cellCorners(cell, low, high);
-  HiddenCell hidden = hiddenCell(cell, low, high, clamp(p - vec3(cell), 0.0, 1.0), vec3(0.0));
-  return shownSide(f, k, 0.0, hidden) == uInsideHigh ? f : uInsideHigh ? -abs(f) - 1e-30 : abs(f);
+  lookUpHidden(cell, low, high, clamp(p - vec3(cell), 0.0, 1.0), vec3(0.0));
+  return shownSide(f, k, 0.0) == uInsideHigh ? f : uInsideHigh ? -abs(f) - 1e-30 : abs(f);
 }
 #else
 float seen(float f, int k, vec3 p) { return f; }

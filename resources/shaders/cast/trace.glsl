@@ -122,18 +122,26 @@ vec2 extremaOf(vec4 b) {
   return extrema;
 }
 
-// First sub-interval of [0, 1] between extrema over which the side (f >= 0) is no longer `inside`.
-bool firstChange(vec4 b, bool inside, out vec2 bracket) {
+#ifdef HIDDEN
+#include "hidden.glsl"
+#else
+bool anyHidden(int k) { return false; }
+bool shownSide(float f, int k, float s) { return f >= 0.0; }
+#endif
+
+// First sub-interval of [0, 1] between extrema over which the side that is seen of surface k is no longer `inside`:
+// every stretch on one side holds an end or an extremum.
+bool firstChange(vec4 b, int k, bool inside, out vec2 bracket) {
   bvec4 sides = greaterThanEqual(b, vec4(0.0));
   bracket = vec2(0.0);
-  if (all(equal(sides, bvec4(inside)))) return false;  // convex hull: no crossing in this cell
+  if (!anyHidden(k) && all(equal(sides, bvec4(inside)))) return false;  // convex hull: no crossing in this cell
   vec2 extrema = extremaOf(b);
   float stops[4] = float[4](0.0, extrema.x, extrema.y, 1.0);
   float before = 0.0;
   for (int i = 0; i < 4; ++i) {
     float at = stops[i];
     float f = i == 0 ? b.x : i == 3 ? b.w : cubic(b, at);
-    if ((f >= 0.0) != inside) {
+    if (shownSide(f, k, at) != inside) {
       bracket = vec2(before, at);
       return true;
     }
@@ -141,10 +149,6 @@ bool firstChange(vec4 b, bool inside, out vec2 bracket) {
   }
   return false;
 }
-
-#ifdef HIDDEN
-#include "hidden.glsl"
-#endif
 
 // The root of the cubic in [bracket.x, bracket.y], over which it is monotone: regula falsi, Illinois variant.
 float rootIn(vec4 b, vec2 bracket) {
@@ -191,6 +195,13 @@ int sidesOf(float valueMinusFirst) {
   return bits;
 }
 
+// Of what is seen at the begin of a stretch.
+int shownSidesOf(float valueMinusFirst) {
+  int bits = 0;
+  for (int k = 0; k < SURFACES; ++k) bits |= int(shownSide(valueMinusFirst - uIsovalueShifts[k], k, 0.0)) << k;
+  return bits;
+}
+
 // The cubic of a surface in its cell. The crossing the ray comes from (first) lies at this cell's entry, on one side or
 // the other by rounding.
 vec4 ofSurface(vec4 b, int k, int inside, bool first) {
@@ -200,21 +211,13 @@ vec4 ofSurface(vec4 b, int k, int inside, bool first) {
 }
 
 // The nearest crossing of the surfaces in `changed` (a bit each) in the cell between t.x and t.y.
-#ifdef HIDDEN
-void solve(vec4 b, int changed, int inside, bool first, vec2 t, HiddenCell hidden, inout Crossing crossing) {
-#else
 void solve(vec4 b, int changed, int inside, bool first, vec2 t, inout Crossing crossing) {
-#endif
   float least = 2.0;
   for (int k = 0; k < SURFACES; ++k) {
     if ((changed >> k & 1) == 0) continue;
     vec4 own = ofSurface(b, k, inside, first);
     vec2 bracket;
-#ifdef HIDDEN
-    firstShownChange(own, k, (inside >> k & 1) != 0, hidden, bracket);
-#else
-    firstChange(own, (inside >> k & 1) != 0, bracket);
-#endif
+    firstChange(own, k, (inside >> k & 1) != 0, bracket);
     float s = rootIn(own, bracket);
     if (s >= least) continue;
     least = s;
@@ -239,9 +242,6 @@ Crossing trace(vec3 origin, vec3 direction, float t, float tEnd, bool carried, i
   vec4 b;
   float tOut;
   bool alive = true;
-#ifdef HIDDEN
-  HiddenCell hidden;
-#endif
   while (alive) {
     bvec3 axis;
     int shift = emptyShift(place);
@@ -267,19 +267,13 @@ Crossing trace(vec3 origin, vec3 direction, float t, float tEnd, bool carried, i
     vec3 to = clamp(origin + tOut * direction - vec3(place.cell), 0.0, 1.0);
     b = bernstein(low - uIsovalues.x, high - uIsovalues.x, from, to);
 #ifdef HIDDEN
-    hidden = hiddenCell(place.cell, low, high, from, to);
-    if (whole && !known) inside = shownSides(b.x, hidden);
-#else
-    if (whole && !known) inside = sidesOf(b.x);
+    lookUpHidden(place.cell, low, high, from, to);
 #endif
+    if (whole && !known) inside = shownSidesOf(b.x);
     known = whole;
     for (int k = 0; k < SURFACES; ++k) {
       vec2 bracket;
-#ifdef HIDDEN
-      changed |= int(whole && firstShownChange(ofSurface(b, k, inside, first), k, (inside >> k & 1) != 0, hidden, bracket)) << k;
-#else
-      changed |= int(whole && firstChange(ofSurface(b, k, inside, first), (inside >> k & 1) != 0, bracket)) << k;
-#endif
+      changed |= int(whole && firstChange(ofSurface(b, k, inside, first), k, (inside >> k & 1) != 0, bracket)) << k;
     }
     if (changed != 0) break;
     first = false;
@@ -287,10 +281,6 @@ Crossing trace(vec3 origin, vec3 direction, float t, float tEnd, bool carried, i
     alive = tOut < tEnd && !outsideCells(place.cell) && --steps > 0;
     t = tOut;
   }
-#ifdef HIDDEN
-  if (changed != 0) solve(b, changed, inside, first, vec2(t, tOut), hidden, crossing);
-#else
   if (changed != 0) solve(b, changed, inside, first, vec2(t, tOut), crossing);
-#endif
   return crossing;
 }

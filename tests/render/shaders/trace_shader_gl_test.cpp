@@ -48,9 +48,10 @@ TEST_F(TraceShaderGlTest, ExtremaOfCubics) {
 
 // A change that only the cell's end shows has its crossing before that end.
 TEST_F(TraceShaderGlTest, BracketsLieWithinTheirCell) {
-  useFunctions(kTrace,
-               "vec2 bracket; result.x = float(firstChange(given(0), given(1).x > 0.0, bracket)); result.yz "
-               "= bracket;");
+  useFunctions(
+      kTrace,
+      "vec2 bracket; result.x = float(firstChange(given(0), 0, given(1).x > 0.0, bracket)); result.yz "
+      "= bracket;");
   // The last one changes behind two extrema, which lie on the side before.
   setInput(0, {{-3, -2, -1, 1}, {-1, 0, 1, 2}, {1, 0.5f, 0.2f, -0.1f}, {-1, -0.2f, -2.5f, 1}});
   setInput(1, {{0, 0, 0, 0}, {0, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0, 0}});  // inside
@@ -82,7 +83,7 @@ TEST_F(TraceShaderGlTest, TheEntryBehindACrossingIsOnTheRaysSide) {
   useFunctions(
       kTrace,
       "vec2 bracket; result.x = float(firstChange(ofSurface(given(0), 0, int(given(1).x), given(1).y > 0.0), "
-      "given(1).x > 0.0, bracket));");
+      "0, given(1).x > 0.0, bracket));");
   set("uIsovalueShifts", glm::vec4(0.0f));
   setInput(0, {{-1e-7f, 1, 2, 3}, {1e-7f, -1, -2, -3}, {-1e-7f, 1, 2, 3}});
   setInput(1, {{1, 1, 0, 0}, {0, 1, 0, 0}, {1, 0, 0, 0}});  // inside, first
