@@ -104,7 +104,7 @@ void traceRays(benchmark::State& state) {
     const double u = static_cast<double>(ray % side) / side - 0.5,
                  v = static_cast<double>(ray / side % side) / side - 0.5;
     const glm::dvec3 direction = glm::normalize(forward + u * right + v * up);
-    hits += volume::firstHit(*data.grid, blocks, data.isovalue, eye, direction) ? 1 : 0;
+    hits += volume::firstHit(*data.grid, blocks, data.isovalue, {eye, direction}) ? 1 : 0;
     ++ray;
   }
   state.counters["hits_percent"] = 100.0 * static_cast<double>(hits) / static_cast<double>(ray);

@@ -63,7 +63,7 @@ Tallies judge(const Subject& subject, std::uint64_t rays) {
   const volume::MinMaxBlocks& blocks = *subject.volume->blocks;
   const test::TrilinearOracle oracle(grid);
   const auto hitOf = [&](const volume::Ray& ray) {
-    return volume::firstHit(grid, blocks, subject.isovalue, ray.origin, ray.direction);
+    return volume::firstHit(grid, blocks, subject.isovalue, ray);
   };
   const auto judgeRange = [&](const tbb::blocked_range<std::uint64_t>& range, Tallies sum) {
     std::uint64_t tangents = 0;
@@ -111,7 +111,7 @@ void printSampled(const Subject& subject, double rate, bool adaptive) {
   SampledTally tally;
   for (std::uint64_t i = 0; i < rays; ++i) {
     const volume::Ray ray = test::randomRay(8 * i, grid.dims());
-    const auto exact = volume::firstHit(grid, blocks, subject.isovalue, ray.origin, ray.direction);
+    const auto exact = volume::firstHit(grid, blocks, subject.isovalue, ray);
     if (!exact) continue;
     ++tally.hits;
     const double behind = sampled[i] ? (sampled[i]->t - exact->t) * glm::length(ray.direction)

@@ -5,6 +5,7 @@
 #include <tbb/global_control.h>
 
 #include "bench/bench.h"
+#include "tests/support/unwatched.h"
 #include "volume/cast/surface_derivatives.h"
 #include "volume/phantom/phantom.h"
 

@@ -44,7 +44,7 @@ struct Yardstick {
         const glm::dvec3 origin(voxelFromWorld * glm::dvec4(ray.origin, 1.0)),
             direction(voxelFromWorld * glm::dvec4(ray.direction, 0.0));
         const auto hit = volume::firstHit(volume.grid(), *volume.blocks, scene.isosurface.value.value(),
-                                          origin, direction);
+                                          {origin, direction});
         const double along = glm::dot(ray.direction, -camera.back);
         pixels.push_back({static_cast<std::size_t>(y) * pictureSize.x + static_cast<std::size_t>(x),
                           hit ? hit->t * along : std::nan(""), glm::length(direction) / along});

@@ -112,14 +112,14 @@ void judgeSize(int size, double noise) {
         quantile(0.5), quantile(0.9));
   };
   print("trilinear", judge(wires, size, [&](const volume::Ray& ray) {
-          return volume::firstHit(*grid, blocks, isovalue, ray.origin, ray.direction, 0.0);
+          return volume::firstHit(*grid, blocks, isovalue, ray);
         }));
   print("cubic", judge(wires, size, [&](const volume::Ray& ray) {
-          return volume::firstHitCubic(*grid, cubic->blocks, isovalue, ray).hit;
+          return volume::firstHitOfField(*grid, Field::cubic, nullptr, cubic->blocks, isovalue, ray).hit;
         }));
   print("cubic_interpolating", judge(wires, size, [&](const volume::Ray& ray) {
-          return volume::firstHitCubic(*interpolating->coefficients, *grid, interpolating->blocks, isovalue,
-                                       ray)
+          return volume::firstHitOfField(*grid, Field::cubic_interpolating, interpolating->coefficients.get(),
+                                         interpolating->blocks, isovalue, ray)
               .hit;
         }));
 }

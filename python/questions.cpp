@@ -45,7 +45,7 @@ void hitOne(const Question& question, glm::dvec3 origin, glm::dvec3 given, std::
   const double isovalue = question.surface.isovalue;
   std::optional<volume::RayHit> hit;
   for (const auto& [begin, end] : question.cut.stretchesOf(isovalue, {from, along})) {
-    hit = firstHit(question.prepared.grid(), *question.prepared.blocks, isovalue, from, along, begin, end);
+    hit = firstHit(question.prepared.grid(), *question.prepared.blocks, isovalue, {from, along, begin, end});
     if (hit) break;
   }
   if (!hit) return;

@@ -66,7 +66,7 @@ ordered_json hitJson(const volume::PreparedVolume& prepared, const volume::Surfa
       along(voxelFromWorld * glm::dvec4(direction, 0.0));
   std::optional<volume::RayHit> hit;
   for (const auto& [begin, end] : cut.stretchesOf(surface.isovalue, {from, along})) {
-    hit = volume::firstHit(prepared.grid(), *prepared.blocks, surface.isovalue, from, along, begin, end);
+    hit = volume::firstHit(prepared.grid(), *prepared.blocks, surface.isovalue, {from, along, begin, end});
     if (hit) break;
   }
   if (!hit) return nullptr;

@@ -1,6 +1,6 @@
 // A view in double precision on the CPU, for any pair of fields: the yardstick of `isolux study`.
 //
-// Hits: volume::firstHit() and firstHitCubic(), every cell's first root. Shapes: gradient and Hessian of the
+// Hits: volume::firstHitOfField(), every cell's first root. Shapes: gradient and Hessian of the
 // derivatives' field, at their scales, at those hits: volume/field/reconstruct.h and curvature.h. Rays,
 // camera and pixel centres are those of the renderer. Each pair of fields is computed once, spread over the
 // threads by TBB.

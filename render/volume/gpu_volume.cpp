@@ -263,11 +263,9 @@ glm::dvec3 GpuVolume::noiseBlur() const {
 volume::CurvatureStatistics GpuVolume::curvatureStatistics(const FieldAt& of, double value, double outward,
                                                            const volume::HiddenPieces& hidden) {
   if (!hasCells()) return {};
-  if (const volume::ScaledField* const atScale = scaled(of))
-    return volume::curvatureStatistics(grid(), *volume_->blocks, value, outward, *atScale,
-                                       volume::kCurvaturePoints, hidden);
-  return volume::curvatureStatistics(grid(), *volume_->blocks, value, outward, coefficients(of.field),
-                                     volume::kCurvaturePoints, hidden);
+  const volume::ScaledField* const atScale = scaled(of);
+  return volume::curvatureStatistics(grid(), *volume_->blocks, value, outward,
+                                     atScale ? nullptr : coefficients(of.field), atScale, hidden);
 }
 
 std::vector<volume::VisiblePoint> GpuVolume::visiblePoints(double value) const {

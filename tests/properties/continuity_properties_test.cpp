@@ -78,7 +78,7 @@ std::string hitsMoveWithTheIsovalue(const PropertyCase& made) {
     const Ray ray = randomRay(64 * made.seed + i, grid.dims());
     const double more = range * std::pow(10.0, -3.0 - static_cast<double>(i % 5));
     if (more < 1e3 * rounding) continue;
-    const auto hit = volume::firstHit(grid, blocks, isovalue, ray.origin, ray.direction);
+    const auto hit = volume::firstHit(grid, blocks, isovalue, ray);
     if (!hit) continue;
     const auto at = steepnessAt(grid, ray, *hit);
     const auto move = at ? moveOf(*at, hit->t, more + rounding) : std::nullopt;
@@ -86,7 +86,7 @@ std::string hitsMoveWithTheIsovalue(const PropertyCase& made) {
     // Farther away from where the ray comes from, in values: a ray that enters at the isovalue enters more
     // than that later, and not much.
     const double farther = hit->entering ? isovalue + more : isovalue - more;
-    const auto later = volume::firstHit(grid, blocks, farther, ray.origin, ray.direction);
+    const auto later = volume::firstHit(grid, blocks, farther, ray);
     const double slack = rounding / move->least + 1e-12 * (1.0 + std::abs(hit->t));
     const auto says = [&](const char* what) {
       return std::string(what) + ", ray " + std::to_string(i) + ", isovalue and " + exactText(more);
@@ -112,7 +112,7 @@ std::string hitsMoveWithTheCamera(const PropertyCase& made) {
   const double rounding = 1e-13 * std::max({std::abs(grid.minimum()), std::abs(grid.maximum()), range});
   for (std::uint64_t i = 0; i < 64; ++i) {
     const Ray ray = randomRay(64 * made.seed + i, grid.dims());
-    const auto hit = volume::firstHit(grid, blocks, isovalue, ray.origin, ray.direction);
+    const auto hit = volume::firstHit(grid, blocks, isovalue, ray);
     if (!hit) continue;
     const double by = std::pow(10.0, -4.0 - static_cast<double>(i % 4));
     Ray moved = ray;
@@ -126,7 +126,7 @@ std::string hitsMoveWithTheCamera(const PropertyCase& made) {
     if (glm::any(glm::lessThan(inCell, glm::dvec3(reach))) ||
         glm::any(glm::greaterThan(inCell, glm::dvec3(1.0 - reach))))
       continue;
-    const auto other = volume::firstHit(grid, blocks, isovalue, moved.origin, moved.direction);
+    const auto other = volume::firstHit(grid, blocks, isovalue, moved);
     const double slack = rounding / move->least + 1e-12 * (1.0 + std::abs(hit->t));
     const auto says = [&](const char* what) { return std::string(what) + ", ray " + std::to_string(i); };
     // The ray goes through the surface here: not later. The same surface, or another that the ray of before

@@ -50,7 +50,7 @@ std::string firstHitsAgree(const PropertyCase& made) {
   const double scale = std::max({grid.maximum() - grid.minimum(), std::abs(isovalue)});
   for (const Ray& ray : raysOfCase(made, grid, 48)) {
     if (grid.missingCount() > 0 && runsBetweenCells(ray)) continue;
-    const auto hit = volume::firstHit(grid, blocks, isovalue, ray.origin, ray.direction);
+    const auto hit = volume::firstHit(grid, blocks, isovalue, ray);
     if (std::string wrong = disagreement(oracle, isovalue, ray, hit); !wrong.empty()) return wrong;
     if (!hit) continue;
     if (!(hit->valueError <= 1e-9 * scale)) return "a hit is off the surface: " + textOf(ray);

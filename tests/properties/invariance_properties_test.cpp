@@ -41,9 +41,9 @@ std::string haveSameHits(const PropertyCase& made, const Grid& grid, double isov
   for (std::uint64_t i = 0; i < 32; ++i) {
     const Ray ray = randomRay(64 * made.seed + i, grid.dims());
     if (grid.missingCount() > 0 && i % 8 > 2) continue;  // between cells either is right
-    const auto hit =
-        volume::firstHit(other.grid, blocks, other.isovalue, other.exchange.point(ray.origin, grid.dims()),
-                         other.exchange.direction(ray.direction));
+    const auto hit = volume::firstHit(
+        other.grid, blocks, other.isovalue,
+        {other.exchange.point(ray.origin, grid.dims()), other.exchange.direction(ray.direction)});
     if (const std::string wrong = disagreement(oracle, isovalue, ray, hit); !wrong.empty())
       return std::string(what) + ": " + wrong;
   }
@@ -101,8 +101,8 @@ std::string valuesMayBeScaled(const PropertyCase& drawn) {
   const volume::MinMaxBlocks blocks(grid, 8, progress), scaledBlocks(scaled, 8, progress);
   for (std::uint64_t i = 0; i < 32; ++i) {
     const Ray ray = randomRay(64 * made.seed + i, grid.dims());
-    const auto hit = volume::firstHit(grid, blocks, isovalue, ray.origin, ray.direction);
-    const auto other = volume::firstHit(scaled, scaledBlocks, factor * isovalue, ray.origin, ray.direction);
+    const auto hit = volume::firstHit(grid, blocks, isovalue, ray);
+    const auto other = volume::firstHit(scaled, scaledBlocks, factor * isovalue, ray);
     if (hit.has_value() != other.has_value() || (hit && hit->t != other->t))
       return "scaled by a power of two: ray " + std::to_string(i);
   }

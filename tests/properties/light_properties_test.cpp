@@ -51,7 +51,7 @@ LitCase litCase(const PropertyCase& made, double albedo, scene::Inside inside) {
   const volume::MinMaxBlocks blocks(grid, 8, progress);
   for (std::uint64_t i = 0; i < 12; ++i) {
     const volume::Ray ray = randomRay(64 * made.seed + 8 * i, grid.dims());
-    const auto hit = volume::firstHit(grid, blocks, isovalue, ray.origin, ray.direction);
+    const auto hit = volume::firstHit(grid, blocks, isovalue, ray);
     if (!hit) continue;
     gi::LightPoint point;
     point.voxel = glm::vec3(hit->voxel);

@@ -195,8 +195,8 @@ TEST_P(AccuracyGlTest, ExactHitsAgreeWithTheDoublePrecisionIntersector) {
         const scene::Ray r = ray({i % size.x, i / size.x}, size);
         const auto expected = volume::firstHit(
             volume->grid(), *volume->blocks, scene_.isosurface.value.value(),
-            glm::dvec3(voxelFromWorld * glm::dvec4(r.origin, 1.0)), glm::dmat3(voxelFromWorld) * r.direction,
-            projection == scene::Projection::orthographic ? -1e6 : 0.0);
+            {glm::dvec3(voxelFromWorld * glm::dvec4(r.origin, 1.0)), glm::dmat3(voxelFromWorld) * r.direction,
+             projection == scene::Projection::orthographic ? -1e6 : 0.0});
         const bool hit = result.hit.values[static_cast<std::size_t>(i)] == 1.0f;
         if (expected && !hit) ++missed;
         if (!expected && hit) ++invented;

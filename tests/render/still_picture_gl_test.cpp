@@ -209,8 +209,8 @@ TEST_F(StillPictureGlTest, AFarNarrowCameraLosesNoPrecision) {
         const scene::Ray line = ray({x, y}, size);
         const glm::dmat4 voxelFromWorld = volume->grid().geometry().voxelFromWorld();
         const auto exact = volume::firstHit(volume->grid(), *volume->blocks, *scene_.isosurface.value,
-                                            glm::dvec3(voxelFromWorld * glm::dvec4(line.origin, 1.0)),
-                                            glm::dmat3(voxelFromWorld) * line.direction);
+                                            {glm::dvec3(voxelFromWorld * glm::dvec4(line.origin, 1.0)),
+                                             glm::dmat3(voxelFromWorld) * line.direction});
         wrong += exact.has_value() != (seen.hit.values[i] == 1.0f);
         if (!exact || seen.hit.values[i] == 0.0f) continue;
         ++hits;

@@ -36,7 +36,7 @@ LineArea areaByLines(const volume::Grid& grid, double isovalue, std::size_t line
     const glm::dvec3 from(voxelFromWorld * glm::dvec4(origin, 1.0)),
         to(voxelFromWorld * glm::dvec4(direction, 0.0));
     double crossings = 0.0, t = 0.0;
-    while (const auto hit = firstHit(grid, blocks, isovalue, from, to, t)) {
+    while (const auto hit = firstHit(grid, blocks, isovalue, {from, to, t})) {
       crossings += 1.0;
       t = hit->t + 1e-9 * radius;
     }

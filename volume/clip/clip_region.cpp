@@ -21,23 +21,23 @@ glm::dmat3 axesOf(const glm::dvec4& wxyz) {
   return glm::mat3_cast(glm::dquat(q.x, q.y, q.z, q.w));
 }
 
-// Between which t the ray is in the box; empty, or of one point, where it is not.
-ClipRegion::Stretch stretchIn(const ClipRegion::Removed& box, const glm::dvec3& origin,
-                              const glm::dvec3& direction) {
-  ClipRegion::Stretch within;
+}  // namespace
+
+ClipRegion::Stretch ClipRegion::Removed::stretchOf(const glm::dvec3& origin, const glm::dvec3& direction,
+                                                   bool closed) const {
+  Stretch within;
   for (int axis = 0; axis < 3; ++axis) {
-    const double o = origin[axis], d = direction[axis], low = box.low[axis], high = box.high[axis];
+    const double o = origin[axis], d = direction[axis];
     if (d == 0.0) {
-      if (!(o >= low && o < high)) within.end = -std::numeric_limits<double>::infinity();
+      const bool inside = o >= low[axis] && (o < high[axis] || (closed && o == high[axis]));
+      if (!inside) within.end = -std::numeric_limits<double>::infinity();
       continue;
     }
-    within.begin = std::max(within.begin, ((d > 0.0 ? low : high) - o) / d);
-    within.end = std::min(within.end, ((d > 0.0 ? high : low) - o) / d);
+    within.begin = std::max(within.begin, ((d > 0.0 ? low : high)[axis] - o) / d);
+    within.end = std::min(within.end, ((d > 0.0 ? high : low)[axis] - o) / d);
   }
   return within;
 }
-
-}  // namespace
 
 bool ClipRegion::Stretches::hold(double t) const {
   return std::any_of(begin(), end(), [t](const Stretch& stretch) { return stretch.holds(t); });
@@ -106,7 +106,7 @@ ClipRegion::Stretches ClipRegion::stretchesOf(const glm::dvec3& origin, const gl
   std::size_t count = 0;
   const glm::dvec3 from = axes_ * origin, along = axes_ * direction;
   for (const Removed& box : removed()) {
-    const Stretch within = stretchIn(box, from, along);
+    const Stretch within = box.stretchOf(from, along, false);
     if (!(within.begin < within.end)) continue;
     std::size_t at = count++;
     for (; at > 0 && gone[at - 1].begin > within.begin; --at) gone[at] = gone[at - 1];

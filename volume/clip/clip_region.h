@@ -49,6 +49,9 @@ class ClipRegion {
   // A removed box. Its axes are those of the world, measured from voxel 0.
   struct Removed {
     glm::dvec3 low, high;
+    // Between which t a ray is in the box; empty, or of one point, where it is not. `closed`: one that runs
+    // along a face is in it there, too, not only along the low one.
+    Stretch stretchOf(const glm::dvec3& origin, const glm::dvec3& direction, bool closed) const;
   };
 
   ClipRegion() = default;                                   // all of space

@@ -9,25 +9,6 @@
 
 namespace isolux::volume {
 
-namespace {
-
-// Between which t the ray is in the voxel domain.
-ClipRegion::Stretch stretchOfDomain(glm::ivec3 dims, const Ray& ray) {
-  ClipRegion::Stretch within;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double o = ray.origin[axis], d = ray.direction[axis], last = dims[axis] - 1;
-    if (d == 0.0) {
-      if (!(o >= 0.0 && o <= last)) within.end = -std::numeric_limits<double>::infinity();
-      continue;
-    }
-    within.begin = std::max(within.begin, ((d > 0.0 ? 0.0 : last) - o) / d);
-    within.end = std::min(within.end, ((d > 0.0 ? last : 0.0) - o) / d);
-  }
-  return within;
-}
-
-}  // namespace
-
 double CutFaces::Field::valueAt(const Grid& grid, const glm::dvec3& voxel) const {
   if (coefficients() && std::isnan(sampleTrilinear(grid, voxel).value))
     return std::numeric_limits<double>::quiet_NaN();
@@ -65,11 +46,11 @@ bool CutFaces::isInside(const glm::dvec3& voxel) const {
 
 std::optional<CutFace> CutFaces::at(const Ray& ray) const {
   if (!cut_.cuts() || !ray.valid()) return std::nullopt;
-  const ClipRegion::Stretch domain = stretchOfDomain(grid_.dims(), ray);
+  const glm::dvec3 last(grid_.dims() - 1);
+  const auto domain = ClipRegion::Removed{glm::dvec3(0.0), last}.stretchOf(ray.origin, ray.direction, true);
   for (const auto& [t, end] : cut_.region().stretchesOf(ray.origin, ray.direction)) {
     if (!(t > ray.tMinimum) || t > ray.tMaximum || !domain.holds(t)) continue;
-    const glm::dvec3 voxel =
-        glm::clamp(ray.origin + t * ray.direction, glm::dvec3(0.0), glm::dvec3(grid_.dims() - 1));
+    const glm::dvec3 voxel = glm::clamp(ray.origin + t * ray.direction, glm::dvec3(0.0), last);
     if (cap_ == scene::ClipCap::inside && !isInside(voxel)) continue;
     const double value = values_.valueAt(grid_, voxel);
     if (!std::isnan(value)) return CutFace{t, value};

@@ -42,30 +42,27 @@ std::optional<SecondValue> SecondValues::largestBelow(const glm::dvec3& worldMm,
   const int steps = std::clamp(static_cast<int>(std::ceil(voxels / kStepVoxels)), 1, kMostStepsBelow);
   const double step = mm / steps;
   const auto valueAt = [&](double s) { return at(worldMm + s * inward); };
-  std::optional<SecondValue> before, largest;
-  double first = 0.0, largestAt = 0.0;  // value before the largest one
-  bool hasBefore = false, hasAfter = false;
-  double after = 0.0;
+  std::optional<SecondValue> last, largest, before, after;  // beside the largest one
+  double largestAt = 0.0;
   for (int i = 0; i <= steps; ++i) {
     const std::optional<SecondValue> here = valueAt(i * step);
     if (here && (!largest || here->value > largest->value)) {
       largest = here;
       largestAt = i * step;
-      hasBefore = before.has_value();
-      first = hasBefore ? before->value : 0.0;
-      hasAfter = false;
+      before = last;
+      after.reset();
     } else if (here && largest && largestAt == (i - 1) * step) {
-      hasAfter = true;
-      after = here->value;
+      after = here;
     }
-    before = here;
+    last = here;
   }
   if (!largest) return largest;
   // The top lies toward the neighbour that the value rises to.
   const double rise = glm::dot(largest->gradient, inward), toward = rise > 0.0 ? 1.0 : -1.0;
-  if (!(rise > 0.0 ? hasAfter : hasBefore)) return largest;
+  const std::optional<SecondValue>& beside = rise > 0.0 ? after : before;
+  if (!beside) return largest;
   const double slope = std::abs(rise) * step;
-  const double bend = largest->value + slope - (rise > 0.0 ? after : first);  // of value + slope t - bend t^2
+  const double bend = largest->value + slope - beside->value;  // of value + slope t - bend t^2
   if (!(bend > 0.0)) return largest;
   const std::optional<SecondValue> top =
       valueAt(largestAt + toward * step * std::min(0.5 * slope / bend, 1.0));

@@ -101,11 +101,6 @@ void findRange(Coefficients& coefficients, base::Progress& progress) {
   coefficients.most = all.high;
 }
 
-Coefficients interpolatingCoefficients(const Grid& grid) {
-  base::Progress unwatched;
-  return interpolatingCoefficients(grid, unwatched);
-}
-
 Coefficients interpolatingCoefficients(const Grid& grid, base::Progress& progress) {
   base::MemoryBudget::Held held = base::machineMemory().reserve(
       grid.geometry().voxelCount() * sizeof(float), "the field cubic_interpolating",

@@ -33,7 +33,6 @@ void findRange(Coefficients& coefficients, base::Progress& progress);
 // are filled first (fill_missing.h). Multithreaded, float result, double arithmetic, time proportional to the
 // voxels. With `progress` it reports how far it is and throws Error{interrupted}. Throws
 // Error{memory} before anything is made.
-Coefficients interpolatingCoefficients(const Grid& grid);
 Coefficients interpolatingCoefficients(const Grid& grid, base::Progress& progress);
 
 }  // namespace isolux::volume

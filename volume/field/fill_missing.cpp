@@ -8,6 +8,7 @@
 
 #include <glm/common.hpp>
 
+#include "volume/parallel/parallel_steps.h"
 #include "volume/voxels/extent.h"
 
 namespace isolux::volume {
@@ -33,28 +34,23 @@ class Gaps {
       for (std::size_t row = begin; row < end; ++row) findBesideKnown(row, known, found[begin / kRows]);
     });
     Ring ring = joined(found);
-    forEach(ring, [this](std::size_t voxel) { values_[voxel] = std::bit_cast<float>(kTakenBits); });
+    forEach(ring.size(), [&](std::size_t i) { values_[ring[i]] = std::bit_cast<float>(kTakenBits); });
     return ring;
   }
 
   void fill(const Ring& ring) {
     std::vector<float> means(ring.size());
-    parallelPieces(ring.size(), kPiece, progress_, {}, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) means[i] = meanAround(ring[i]);
-    });
-    parallelPieces(ring.size(), kPiece, progress_, {}, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) values_[ring[i]] = means[i];
-    });
+    forEach(ring.size(), [&](std::size_t i) { means[i] = meanAround(ring[i]); });
+    forEach(ring.size(), [&](std::size_t i) { values_[ring[i]] = means[i]; });
   }
 
   // The missing neighbours of a filled ring, each once; now taken.
   Ring nextRing(const Ring& ring) {
     std::vector<Ring> found((ring.size() + kPiece - 1) / kPiece);
-    parallelPieces(ring.size(), kPiece, progress_, {}, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        forNeighbours(ring[i], [&](std::size_t voxel) {
-          if (take(voxel)) found[begin / kPiece].push_back(voxel);
-        });
+    forEach(ring.size(), [&](std::size_t i) {
+      forNeighbours(ring[i], [&](std::size_t voxel) {
+        if (take(voxel)) found[i / kPiece].push_back(voxel);
+      });
     });
     return joined(found);
   }
@@ -129,9 +125,9 @@ class Gaps {
   }
 
   template <class Visit>
-  void forEach(const Ring& ring, const Visit& visit) {
-    parallelPieces(ring.size(), kPiece, progress_, {}, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) visit(ring[i]);
+  void forEach(std::size_t count, const Visit& visit) {
+    parallelPieces(count, kPiece, progress_, {}, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) visit(i);
     });
   }
 

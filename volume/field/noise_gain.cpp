@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
 
 #include "scene/noise.h"
 #include "volume/field/scale_kernel.h"
@@ -124,19 +123,6 @@ NoiseGain noiseGain(scene::Field field, const glm::dvec3& blur, const glm::dvec3
   gain.mixed = {of(1, 1, 0), of(1, 0, 1), of(0, 1, 1)};
   if (field != scene::Field::trilinear) gain.covariance = gain.mixed;  // by parts, twice
   return gain;
-}
-
-double noiseAtBorder(const glm::dvec3& voxel, const glm::ivec3& dims, const glm::dvec3& deviations) {
-  constexpr double least = 0.2821;    // a sample's own variance is 1
-  constexpr double logistic = 1.702;  // Phi(x) is 1 / (1 + exp(-1.702 x)) to 0.01
-  double variance = 1.0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double scale = std::max(deviations[axis], least);
-    const double distance = std::max(std::min(voxel[axis], dims[axis] - 1 - voxel[axis]), 0.0) / scale;
-    const double part = 2.0 / (1.0 + std::exp(logistic * std::min(distance, 20.0)));
-    variance *= 1.0 + 2.0 * std::sqrt(std::numbers::pi) * scale * part * part;
-  }
-  return std::sqrt(variance);
 }
 
 }  // namespace isolux::volume

@@ -26,11 +26,4 @@ struct NoiseGain {
 NoiseGain noiseGain(scene::Field field, const glm::dvec3& blur = glm::dvec3(0.0),
                     const glm::dvec3& deviations = glm::dvec3(0.0));
 
-// By what the noise of derivatives of a field at a scale (scaled_field.h) exceeds that within the volume,
-// near its border: samples go on by point reflection, so that of the smoothing across a border at distance d
-// the border's own sample takes the part 2 Phi(-d / s), Phi the normal distribution (here the logistic one),
-// against a variance of 1 / (2 sqrt(pi) s) within. voxel: in the volume; deviations: of the Gaussian, voxels.
-// curvature.frag.glsl has the same.
-double noiseAtBorder(const glm::dvec3& voxel, const glm::ivec3& dims, const glm::dvec3& deviations);
-
 }  // namespace isolux::volume

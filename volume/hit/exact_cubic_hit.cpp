@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "volume/field/cubic_weights.h"
-#include "volume/hit/shown_cells.h"
+#include "volume/hit/cross_cell.h"
 
 namespace isolux::volume {
 
@@ -146,7 +146,7 @@ class Changes {
 struct CellCoefficients {
   std::array<double, 64> c;
   double largest = 0.0;
-  bool anyBelow = false, anyAbove = false, missing = false;
+  CellSigns signs;
 
   template <class T>
   CellCoefficients(const std::vector<T>& stored, const Grid& grid, double isovalue, glm::ivec3 cell) {
@@ -155,9 +155,7 @@ struct CellCoefficients {
     forEachIn(cell - 1, cell + 3, [&](glm::ivec3 beyond) {
       const glm::ivec3 at = glm::clamp(beyond, glm::ivec3(0), last);
       const double value = grid.valueOfStored(static_cast<double>(stored[grid.index(at)])) - isovalue;
-      missing = missing || std::isnan(value);
-      anyBelow = anyBelow || value < 0.0;
-      anyAbove = anyAbove || value >= 0.0;
+      signs.add(value);
       largest = std::max(largest, std::abs(value));
       c[i++] = value;
     });
@@ -185,49 +183,33 @@ SideChanges changesIn(const CellCoefficients& cell, glm::dvec3 from, glm::dvec3 
   return result;
 }
 
-// `stored`: voxels or coefficients. `holdsSurface`: of a cell, beyond that none of its coefficients is
-// missing.
-template <class T, class HoldsSurface>
-CubicHit firstHitOf(const std::vector<T>& stored, const Grid& grid, const MinMaxBlocks& blocks,
-                    double isovalue, const Ray& ray, const ShownCells* shown,
-                    const HoldsSurface& holdsSurface) {
+// Calls visit(numbers, isovalue) of the spline: coefficients, or voxels where these are null. Coefficients
+// lack their offset, and so does what they are compared with.
+template <class Visit>
+auto visitSpline(const Grid& grid, const Coefficients* coefficients, double isovalue, const Visit& visit) {
+  if (coefficients) return visit(coefficients->values, isovalue - grid.slope() * coefficients->offset);
+  return std::visit([&](const auto& voxels) { return visit(voxels, isovalue); }, grid.voxels());
+}
+
+// `gaps`: cells with a missing corner hold no surface, whatever their coefficients.
+template <class T>
+CubicHit firstHitCubic(const std::vector<T>& stored, const Grid& grid, const MinMaxBlocks& blocks,
+                       double isovalue, const Ray& ray, const ShownCells* shown, bool gaps) {
   CubicHit result;
-  const auto crossCell = [&](const CellWalk& walk, Side& side) -> std::optional<RayHit> {
-    const CellCoefficients cell(stored, grid, isovalue, walk.cell());
-    if (cell.missing || !holdsSurface(walk.cell())) {
-      side = Side::unknown;
-      return std::nullopt;
-    }
-    const bool uniform = !(cell.anyBelow && cell.anyAbove);
-    const bool hides = shown && shown->hides(walk.cell());
-    const Side whole = cell.anyAbove ? Side::inside : Side::outside;
-    if (uniform && side == whole && !hides) return std::nullopt;  // most cells: the ray stays on its side
-    const auto stretch = walk.stretch();
-    if (!stretch) return std::nullopt;
-    std::optional<double> s;
-    if (hides) {
-      s = firstShownChange(*shown, walk.cell(), *stretch, side);
-    } else if (!uniform) {
+  const auto cross = [&](const CellWalk& walk, Side& side) {
+    CellCoefficients cell(stored, grid, isovalue, walk.cell());
+    if (gaps && !cell.signs.missing) cell.signs.missing = grid.cellHasMissing(walk.cell());
+    return crossCell(cell, walk, shown, side, [&](const CellWalk::Stretch& stretch) {
       Changes change(side, cell.rounding());
-      s = change.first(alongStretch(cell.c, stretch->from, stretch->to));
+      const std::optional<double> s = change.first(alongStretch(cell.c, stretch.from, stretch.to));
       if (change.uncertain && result.certain) {
         result.certain = false;
-        result.tUncertain = stretch->t(*change.uncertain);
+        result.tUncertain = stretch.t(*change.uncertain);
       }
-    } else {
-      if (side != Side::unknown) s = 0.0;
-      side = whole;
-    }
-    if (!s) return std::nullopt;
-    const glm::dvec3 local = stretch->local(*s);
-    RayHit hit;
-    hit.t = stretch->t(*s);
-    hit.voxel = glm::dvec3(walk.cell()) + local;
-    hit.valueError = std::abs(cell.valueAt(local));
-    hit.entering = side == Side::inside;
-    return hit;
+      return s;
+    });
   };
-  result.hit = firstCrossing<RayHit>(grid, blocks, isovalue, ray, shown, crossCell);
+  result.hit = firstCrossing<RayHit>(grid, blocks, isovalue, ray, shown, cross);
   // A crossing at the end of a stretch looks doubtful there, and is not where the next stretch shows it.
   constexpr double samePlaceVoxels = 1e-6;
   if (!result.certain && result.hit &&
@@ -253,52 +235,23 @@ Bernstein9 alongStretch(const std::array<double, 64>& coefficients, glm::dvec3 f
   return b;
 }
 
-CubicHit firstHitCubic(const Grid& grid, const MinMaxBlocks& blocks, double isovalue, const Ray& ray,
-                       const HiddenPieces& hidden) {
-  std::optional<ShownCells> shown;
-  if (hidden.voxels) shown.emplace(grid, hidden.voxels, isovalue, hidden.inside, scene::Field::cubic);
-  return std::visit(
-      [&](const auto& voxels) {
-        return firstHitOf(voxels, grid, blocks, isovalue, ray, shown ? &*shown : nullptr,
-                          [](glm::ivec3) { return true; });
-      },
-      grid.voxels());
-}
-
-CubicHit firstHitCubic(const Coefficients& coefficients, const Grid& grid, const MinMaxBlocks& blocks,
-                       double isovalue, const Ray& ray, const HiddenPieces& hidden) {
-  const bool gaps = grid.missingCount() > 0;
-  std::optional<ShownCells> shown;
-  if (hidden.voxels)
-    shown.emplace(grid, hidden.voxels, isovalue, hidden.inside, scene::Field::cubic_interpolating,
-                  &coefficients);
-  // Values and blocks lack the offset: so does what they are compared with.
-  return firstHitOf(coefficients.values, grid, blocks, isovalue - grid.slope() * coefficients.offset, ray,
-                    shown ? &*shown : nullptr,
-                    [&](glm::ivec3 cell) { return !gaps || !grid.cellHasMissing(cell); });
-}
-
 CubicHit firstHitOfField(const Grid& grid, scene::Field field, const Coefficients* coefficients,
                          const MinMaxBlocks& blocks, double isovalue, const Ray& ray,
                          const HiddenPieces& hidden) {
-  if (field == scene::Field::trilinear)
-    return {firstHit(grid, blocks, isovalue, ray.origin, ray.direction, ray.tMinimum, ray.tMaximum, hidden)};
-  return coefficients ? firstHitCubic(*coefficients, grid, blocks, isovalue, ray, hidden)
-                      : firstHitCubic(grid, blocks, isovalue, ray, hidden);
+  if (field == scene::Field::trilinear) return {firstHit(grid, blocks, isovalue, ray, hidden)};
+  std::optional<ShownCells> shown;
+  if (hidden.voxels) shown.emplace(grid, hidden.voxels, isovalue, hidden.inside, field, coefficients);
+  const bool gaps = coefficients && grid.missingCount() > 0;
+  return visitSpline(grid, coefficients, isovalue, [&](const auto& stored, double level) {
+    return firstHitCubic(stored, grid, blocks, level, ray, shown ? &*shown : nullptr, gaps);
+  });
 }
 
-SideChanges sideChangesOfCell(const Grid& grid, double isovalue, glm::ivec3 cell, glm::dvec3 from,
-                              glm::dvec3 to) {
-  return std::visit(
-      [&](const auto& voxels) { return changesIn(CellCoefficients(voxels, grid, isovalue, cell), from, to); },
-      grid.voxels());
-}
-
-SideChanges sideChangesOfCell(const Coefficients& coefficients, const Grid& grid, double isovalue,
+SideChanges sideChangesOfCell(const Grid& grid, const Coefficients* coefficients, double isovalue,
                               glm::ivec3 cell, glm::dvec3 from, glm::dvec3 to) {
-  return changesIn(
-      CellCoefficients(coefficients.values, grid, isovalue - grid.slope() * coefficients.offset, cell), from,
-      to);
+  return visitSpline(grid, coefficients, isovalue, [&](const auto& stored, double level) {
+    return changesIn(CellCoefficients(stored, grid, level, cell), from, to);
+  });
 }
 
 }  // namespace isolux::volume

@@ -36,16 +36,9 @@ struct CubicHit {
   double tUncertain = 0.0;  // of the first such place, where not certain
 };
 
-// As firstHit() in all that is not said here: units, sides, tMinimum, tMaximum, hidden. `blocks`:
-// MinMaxBlocks::ofCubic() of the same field.
-CubicHit firstHitCubic(const Grid& grid, const MinMaxBlocks& blocks, double isovalue, const Ray& ray,
-                       const HiddenPieces& hidden = {});
-// `coefficients`: interpolatingCoefficients(grid).
-CubicHit firstHitCubic(const Coefficients& coefficients, const Grid& grid, const MinMaxBlocks& blocks,
-                       double isovalue, const Ray& ray, const HiddenPieces& hidden = {});
-
-// The same of the field that is named, also of the trilinear one, whose hits are always certain. `blocks`: of
-// that field. `coefficients`: of cubic_interpolating, else null.
+// As firstHit() in all that is not said here: units, sides, tMinimum, tMaximum, hidden. Hits of the trilinear
+// field are always certain. `blocks`: of that field (MinMaxBlocks::ofCubic()). `coefficients`: of
+// cubic_interpolating, else null.
 CubicHit firstHitOfField(const Grid& grid, scene::Field field, const Coefficients* coefficients,
                          const MinMaxBlocks& blocks, double isovalue, const Ray& ray,
                          const HiddenPieces& hidden = {});
@@ -56,15 +49,14 @@ using Bernstein9 = std::array<double, 10>;
 Bernstein9 alongStretch(const std::array<double, 64>& coefficients, glm::dvec3 from, glm::dvec3 to);
 
 // All changes of side along a cell's stretch, s in [0, 1] ascending, and the side that it begins on (unknown
-// where rounding hides it). isovalue: data units; the cell has no missing coefficient.
+// where rounding hides it). isovalue: data units; coefficients: as above; none that the cell needs is
+// missing.
 struct SideChanges {
   Side first = Side::unknown;
   std::size_t count = 0;
   std::array<double, 9> s{};
 };
-SideChanges sideChangesOfCell(const Grid& grid, double isovalue, glm::ivec3 cell, glm::dvec3 from,
-                              glm::dvec3 to);
-SideChanges sideChangesOfCell(const Coefficients& coefficients, const Grid& grid, double isovalue,
+SideChanges sideChangesOfCell(const Grid& grid, const Coefficients* coefficients, double isovalue,
                               glm::ivec3 cell, glm::dvec3 from, glm::dvec3 to);
 
 }  // namespace isolux::volume

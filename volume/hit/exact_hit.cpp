@@ -4,16 +4,15 @@
 #include <cmath>
 
 #include "volume/hit/bernstein_cubic.h"
-#include "volume/hit/cell_walk.h"
-#include "volume/hit/shown_cells.h"
+#include "volume/hit/cross_cell.h"
 
 namespace isolux::volume {
 
 namespace {
 
-// Goes through one cell's stretch with the side the ray came from. Returns true and sets `s` and `side` (the
-// side behind the crossing) at the first change of side; else leaves the last side in `side`.
-bool firstChange(const BernsteinCubic& cubic, Side& side, double& s) {
+// Goes through one cell's stretch with the side the ray came from. Returns where it changes first, and sets
+// `side` to that behind the crossing; else leaves the last side in `side`.
+std::optional<double> firstChange(const BernsteinCubic& cubic, Side& side) {
   std::array<double, 2> critical{};
   const int count = cubic.extrema(critical);
   double low = 0.0, atLow = cubic.b[0];
@@ -23,82 +22,54 @@ bool firstChange(const BernsteinCubic& cubic, Side& side, double& s) {
     // On an open monotone piece, f >= isovalue unless a negative end says otherwise.
     const Side first = atLow < 0.0 || (atLow == 0.0 && atHigh < 0.0) ? Side::outside : Side::inside;
     if (side != Side::unknown && side != first) {
-      s = low;
       side = first;
-      return true;
+      return low;
     }
     side = first;
     if ((atLow < 0.0 && atHigh > 0.0) || (atLow > 0.0 && atHigh < 0.0)) {
-      s = bracketedRoot(cubic, low, high, atLow, atHigh, atLow < 0.0);
       side = atHigh > 0.0 ? Side::inside : Side::outside;
-      return true;
+      return bracketedRoot(cubic, low, high, atLow, atHigh, atLow < 0.0);
     }
     low = high;
     atLow = atHigh;
   }
-  return false;
+  return std::nullopt;
 }
 
-// One cell on the ray's way: the first change of side in it.
-template <class T>
-std::optional<RayHit> crossCell(const Grid& grid, const std::vector<T>& voxels, double isovalue,
-                                const CellWalk& walk, const ShownCells* shown, Side& side) {
-  const glm::ivec3 cell = walk.cell();
+// A cell's corners minus the isovalue.
+struct CornerValues {
   CellCorners corner;
-  bool anyBelow = false, anyAbove = false, missing = false;
-  for (std::size_t i = 0; i < 8; ++i) {
-    const std::size_t voxel = grid.index(cell + cornerStep(i));
-    corner[i] = grid.valueOfStored(static_cast<double>(voxels[voxel])) - isovalue;
-    missing = missing || std::isnan(corner[i]);
-    anyBelow = anyBelow || corner[i] < 0.0;
-    anyAbove = anyAbove || corner[i] >= 0.0;
+  CellSigns signs;
+
+  template <class T>
+  CornerValues(const Grid& grid, const std::vector<T>& voxels, double isovalue, glm::ivec3 cell) {
+    for (std::size_t i = 0; i < 8; ++i) {
+      const std::size_t voxel = grid.index(cell + cornerStep(i));
+      corner[i] = grid.valueOfStored(static_cast<double>(voxels[voxel])) - isovalue;
+      signs.add(corner[i]);
+    }
   }
-  if (missing) {
-    side = Side::unknown;
-    return std::nullopt;
-  }
-  const bool uniform = !(anyBelow && anyAbove);
-  const bool hides = shown && shown->hides(cell);
-  const Side whole = anyAbove ? Side::inside : Side::outside;
-  if (uniform && side == whole && !hides) return std::nullopt;  // most cells: the ray stays on its side
-  const auto stretch = walk.stretch();
-  if (!stretch) return std::nullopt;
-  double s = 0.0;
-  if (hides) {
-    const std::optional<double> change = firstShownChange(*shown, cell, *stretch, side);
-    if (!change) return std::nullopt;
-    s = *change;
-  } else if (!uniform) {
-    const BernsteinCubic cubic = BernsteinCubic::along(corner, stretch->from, stretch->to);
-    if (!firstChange(cubic, side, s)) return std::nullopt;
-  } else {
-    const bool crossed = side != Side::unknown;
-    side = whole;
-    if (!crossed) return std::nullopt;
-  }
-  const glm::dvec3 local = stretch->local(s);
-  RayHit hit;
-  hit.t = stretch->t(s);
-  hit.voxel = glm::dvec3(cell) + local;
-  hit.valueError = std::abs(trilinear(corner, local));
-  hit.entering = side == Side::inside;
-  return hit;
-}
+
+  double valueAt(const glm::dvec3& local) const { return trilinear(corner, local); }
+};
 
 }  // namespace
 
-std::optional<RayHit> firstHit(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
-                               glm::dvec3 origin, glm::dvec3 direction, double tMinimum, double tMaximum,
+std::optional<RayHit> firstHit(const Grid& grid, const MinMaxBlocks& blocks, double isovalue, const Ray& ray,
                                const HiddenPieces& hidden) {
   std::optional<ShownCells> cells;
   if (hidden.voxels) cells.emplace(grid, hidden.voxels, isovalue, hidden.inside);
   const ShownCells* const shown = cells ? &*cells : nullptr;
   return std::visit(
       [&](const auto& voxels) {
-        return firstCrossing<RayHit>(grid, blocks, isovalue, Ray{origin, direction, tMinimum, tMaximum},
-                                     shown, [&](const CellWalk& walk, Side& side) {
-                                       return crossCell(grid, voxels, isovalue, walk, shown, side);
-                                     });
+        const auto cross = [&](const CellWalk& walk, Side& side) {
+          const CornerValues cell(grid, voxels, isovalue, walk.cell());
+          return crossCell(cell, walk, shown, side, [&](const CellWalk::Stretch& stretch) {
+            const BernsteinCubic cubic = BernsteinCubic::along(cell.corner, stretch.from, stretch.to);
+            return firstChange(cubic, side);
+          });
+        };
+        return firstCrossing<RayHit>(grid, blocks, isovalue, ray, shown, cross);
       },
       grid.voxels());
 }

@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 
 #include "volume/grid.h"
+#include "volume/hit/cell_walk.h"
 #include "volume/skip/min_max_blocks.h"
 #include "volume/visible/hidden_pieces.h"
 
@@ -23,14 +24,12 @@ struct RayHit {
   bool entering = false;    // f rises through the isovalue along the ray
 };
 
-// Returns the first crossing with t in [tMinimum, tMaximum]. `origin` and `direction` are in voxel space;
-// `direction` need not be unit. A crossing is a change of (f >= isovalue); touching without crossing is no
-// hit. A ray that starts on the surface does not hit it there. A non-finite or zero ray hits nothing. If a
-// ray runs in a plane between two cells, one of them decides (this matters only with missing voxels).
-// `hidden`: of this isovalue; (f >= isovalue) is then restricted to visible components.
-std::optional<RayHit> firstHit(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
-                               glm::dvec3 origin, glm::dvec3 direction, double tMinimum = 0.0,
-                               double tMaximum = std::numeric_limits<double>::infinity(),
+// Returns the first crossing with t in [tMinimum, tMaximum]. The ray is in voxel space. A crossing is a
+// change of (f >= isovalue); touching without crossing is no hit. A ray that starts on the surface does not
+// hit it there. A non-finite or zero ray hits nothing. If a ray runs in a plane between two cells, one of
+// them decides (this matters only with missing voxels). `hidden`: of this isovalue; (f >= isovalue) is then
+// restricted to visible components.
+std::optional<RayHit> firstHit(const Grid& grid, const MinMaxBlocks& blocks, double isovalue, const Ray& ray,
                                const HiddenPieces& hidden = {});
 
 }  // namespace isolux::volume

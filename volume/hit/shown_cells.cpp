@@ -130,9 +130,7 @@ bool ShownCells::hiddenNear(glm::ivec3 cell, const glm::dvec3& local) const {
 
 // Between its changes of side a stretch is of one piece, which its middle tells.
 ShownWay ShownCells::alongCubic(glm::ivec3 cell, const glm::dvec3& from, const glm::dvec3& to) const {
-  const SideChanges changes = coefficients_
-                                  ? sideChangesOfCell(*coefficients_, grid_, isovalue_, cell, from, to)
-                                  : sideChangesOfCell(grid_, isovalue_, cell, from, to);
+  const SideChanges changes = sideChangesOfCell(grid_, coefficients_, isovalue_, cell, from, to);
   bool inside = (changes.first == Side::inside) == (inside_ == scene::Inside::above);
   ShownWay way;
   for (std::size_t i = 0; i <= changes.count; ++i, inside = !inside) {

@@ -59,7 +59,7 @@ std::optional<ThicknessByRay> thicknessByRay(const SurfaceOf& surface, const Min
   const bool above = surface.inside == scene::Inside::above;
   double from = 1e-6 * surface.grid.geometry().voxelMm();
   for (int crossing = 0; crossing < 3; ++crossing) {  // a point just outside is entered first
-    const auto hit = firstHit(surface.grid, blocks, surface.isovalue, point.voxel, direction, from);
+    const auto hit = firstHit(surface.grid, blocks, surface.isovalue, {point.voxel, direction, from});
     if (!hit) return std::nullopt;
     from = hit->t * (1.0 + 1e-12) + 1e-12;
     if (hit->entering == above) continue;

@@ -36,15 +36,14 @@ bool foldCrossings(const PreparedVolume& volume, const scene::Scene& resolved, V
       const glm::ivec3 high = glm::min(low + blocks.blockCells(), grid.dims() - 1);
       Value part = nothing;
       bool found = false;
-      const auto each = [&](glm::dvec3 point) {
+      const auto each = [&](glm::ivec3, glm::dvec3 point) {
         if (!cut.keeps(surface.isovalue, point)) return;
         fold(part, point);
         found = true;
       };
       std::visit(
           [&](const auto& stored) {
-            eachCrossing(stored, grid, surface, resolved.isosurface.inside, low, high,
-                         [&](glm::ivec3, glm::dvec3 point) { each(point); });
+            eachCrossing(stored, grid, surface, resolved.isosurface.inside, low, high, each);
           },
           grid.voxels());
       if (!found) return;

@@ -11,19 +11,27 @@ namespace isolux::volume {
 
 namespace {
 
+constexpr std::size_t kPoints = 2000;
+
 Quantiles quantilesOf(std::vector<double>& values) {
   using base::lowerQuantile;
   return {lowerQuantile(values, 0.05), lowerQuantile(values, 0.5), lowerQuantile(values, 0.95)};
 }
 
-// Of the field at a scale unless `scaled` is null.
-CurvatureStatistics statisticsOf(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
-                                 double outward, const Coefficients* coefficients, const ScaledField* scaled,
-                                 std::size_t wanted, const HiddenPieces& hidden) {
+}  // namespace
+
+Quantiles CurvatureStatistics::of(scene::LookMode look) const {
+  const auto found = measures.find(look);
+  return found == measures.end() ? Quantiles{} : found->second;
+}
+
+CurvatureStatistics curvatureStatistics(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
+                                        double outward, const Coefficients* coefficients,
+                                        const ScaledField* scaled, const HiddenPieces& hidden) {
   CurvatureStatistics result;
   std::vector<glm::dvec2> kappas;
   std::vector<double> flowlines;
-  for (const VisiblePoint& point : visiblePoints(grid, blocks, isovalue, wanted, hidden)) {
+  for (const VisiblePoint& point : visiblePoints(grid, blocks, isovalue, kPoints, hidden)) {
     const FieldSample field = sampleField(grid, scene::Field::cubic, coefficients, point.voxel, scaled);
     const PrincipalCurvature k = principalCurvature(worldGradient(grid.geometry(), field.gradient),
                                                     worldHessian(grid.geometry(), field.hessian), outward);
@@ -42,25 +50,6 @@ CurvatureStatistics statisticsOf(const Grid& grid, const MinMaxBlocks& blocks, d
   }
   result.measures[scene::LookMode::flowline_curvature] = quantilesOf(flowlines);
   return result;
-}
-
-}  // namespace
-
-Quantiles CurvatureStatistics::of(scene::LookMode look) const {
-  const auto found = measures.find(look);
-  return found == measures.end() ? Quantiles{} : found->second;
-}
-
-CurvatureStatistics curvatureStatistics(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
-                                        double outward, const Coefficients* coefficients, std::size_t wanted,
-                                        const HiddenPieces& hidden) {
-  return statisticsOf(grid, blocks, isovalue, outward, coefficients, nullptr, wanted, hidden);
-}
-
-CurvatureStatistics curvatureStatistics(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
-                                        double outward, const ScaledField& scaled, std::size_t wanted,
-                                        const HiddenPieces& hidden) {
-  return statisticsOf(grid, blocks, isovalue, outward, nullptr, &scaled, wanted, hidden);
 }
 
 }  // namespace isolux::volume

@@ -11,8 +11,6 @@
 
 namespace isolux::volume {
 
-inline constexpr std::size_t kCurvaturePoints = 2000;
-
 // Robust bounds of a quantity over the surface: the 5 %, 50 % and 95 % quantiles.
 struct Quantiles {
   double low = 0.0, median = 0.0, high = 0.0;
@@ -26,18 +24,12 @@ struct CurvatureStatistics {
   Quantiles of(scene::LookMode look) const;
 };
 
-// Over about `wanted` points that can be seen (visible_points.h) of what is not `hidden`: folds that nobody
-// looks into bend more, and would make ranges several times too wide. `blocks` are those of the samples.
-// Curvature is that of the B-spline of the samples, or of the `coefficients` where given; `outward` as in
-// volume/field/curvature.h. Some milliseconds.
+// Over many points that can be seen (visible_points.h) of what is not `hidden`: folds that nobody looks into
+// bend more, and would make ranges several times too wide. `blocks` are those of the samples. Curvature is
+// that of the B-spline of the samples, or of the `coefficients` or the field at a scale where given;
+// `outward` as in volume/field/curvature.h. Some milliseconds.
 CurvatureStatistics curvatureStatistics(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
                                         double outward = -1.0, const Coefficients* coefficients = nullptr,
-                                        std::size_t wanted = kCurvaturePoints,
-                                        const HiddenPieces& hidden = {});
-// Curvature of the field at a scale.
-CurvatureStatistics curvatureStatistics(const Grid& grid, const MinMaxBlocks& blocks, double isovalue,
-                                        double outward, const ScaledField& scaled,
-                                        std::size_t wanted = kCurvaturePoints,
-                                        const HiddenPieces& hidden = {});
+                                        const ScaledField* scaled = nullptr, const HiddenPieces& hidden = {});
 
 }  // namespace isolux::volume

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <type_traits>
 #include <utility>
 
@@ -113,8 +114,7 @@ struct BinRange {
   bool contains(std::size_t bin) const { return first <= bin && bin <= last; }
 };
 BinRange backgroundOf(const Counts& counts) {
-  std::uint64_t total = 0;
-  for (const std::uint64_t count : counts) total += count;
+  const auto total = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
   const std::vector<double> height = smoothedLog(counts);
   const auto fullest =
       static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) - counts.begin());
@@ -203,9 +203,7 @@ double upperEdge(const Histogram& histogram, std::size_t bin) {
 }
 
 double countOf(const Counts& counts) {
-  double total = 0.0;
-  for (const std::uint64_t count : counts) total += static_cast<double>(count);
-  return total;
+  return std::accumulate(counts.begin(), counts.end(), 0.0);
 }
 
 std::size_t binWith(const Histogram& histogram, double value) {
@@ -253,11 +251,6 @@ std::vector<double> classBorders(const Histogram& histogram, double first) {
 double Histogram::binCentre(std::size_t bin) const {
   const auto bins = static_cast<double>(counts.size());
   return between(minimum, maximum, (static_cast<double>(bin) + 0.5) / bins);
-}
-
-Histogram makeHistogram(const Grid& grid, int bins) {
-  base::Progress unwatched;
-  return makeHistogram(grid, bins, unwatched);
 }
 
 HistogramBinning HistogramBinning::of(VoxelType type, double low, double high, int most) {

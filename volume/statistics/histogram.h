@@ -17,7 +17,6 @@ struct Histogram {
 };
 // At most `bins` bins over [grid.minimum, grid.maximum]; missing voxels do not count. Multithreaded. With
 // `progress` it throws Error{interrupted} once a stop was requested.
-Histogram makeHistogram(const Grid& grid, int bins = 512);
 Histogram makeHistogram(const Grid& grid, int bins, base::Progress& progress);
 
 // The classes of Otsu's two thresholds (1979), the lowest first: what part of all counts each has, its mean,

@@ -278,11 +278,6 @@ void shrink(std::vector<double>& deviations, const std::vector<double>& counts) 
 
 }  // namespace
 
-scene::NoiseModel estimateNoise(const Grid& grid) {
-  base::Progress unwatched;
-  return estimateNoise(grid, unwatched);
-}
-
 scene::NoiseModel estimateNoise(const Grid& grid, base::Progress& progress) {
   scene::NoiseModel model;
   if (grid.missingCount() == grid.geometry().voxelCount()) return model;

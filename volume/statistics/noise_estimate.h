@@ -20,6 +20,5 @@ namespace isolux::volume {
 // neighbours are alike as in a smooth field; without values for a grid that has none. Throws
 // Error{interrupted}.
 scene::NoiseModel estimateNoise(const Grid& grid, base::Progress& progress);
-scene::NoiseModel estimateNoise(const Grid& grid);
 
 }  // namespace isolux::volume

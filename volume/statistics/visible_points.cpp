@@ -87,8 +87,7 @@ std::vector<VisiblePoint> visiblePoints(const Grid& grid, const MinMaxBlocks& bl
   for (std::size_t first = 0; first < mostBatches * batch && points.size() < wanted; first += batch) {
     parallelEach(batch, [&](std::size_t i) {
       const Ray ray = beams[i % kDirections].ray(spreadPoint((first + i) / kDirections));
-      hits[i] =
-          firstHit(grid, blocks, isovalue, ray.origin, ray.direction, ray.tMinimum, ray.tMaximum, hidden);
+      hits[i] = firstHit(grid, blocks, isovalue, ray, hidden);
     });
     for (std::size_t i = 0; i < batch && points.size() < wanted; ++i)
       if (hits[i]) points.push_back({hits[i]->voxel, beams[i % kDirections].direction()});

@@ -10,6 +10,7 @@
 
 #include "tests/render/gl_fixture.h"
 #include "tests/support/analytic_fields.h"
+#include "tests/support/unwatched.h"
 #include "volume/field/curvature.h"
 #include "volume/field/reconstruct.h"
 

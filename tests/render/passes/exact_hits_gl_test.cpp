@@ -10,6 +10,7 @@
 
 #include "tests/render/gl_fixture.h"
 #include "tests/support/test_data.h"
+#include "tests/support/unwatched.h"
 #include "volume/field/reconstruct.h"
 #include "volume/hit/exact_cubic_hit.h"
 #include "volume/hit/exact_hit.h"
@@ -127,8 +128,7 @@ TEST_P(ExactHitsGlTest, NoPixelIsMissedIn20Views) {
       compare(
           volume, scene,
           [&, &of = *volume](const volume::Ray& ray) {
-            return volume::CubicHit{volume::firstHit(of.grid(), *of.blocks, *scene_.isosurface.value,
-                                                     ray.origin, ray.direction, ray.tMinimum)};
+            return volume::CubicHit{volume::firstHit(of.grid(), *of.blocks, *scene_.isosurface.value, ray)};
           },
           counts);
     }
@@ -154,9 +154,8 @@ TEST_P(ExactHitsGlTest, NoPixelOfACubicFieldIsMissed) {
         compare(
             volume, scene,
             [&](const volume::Ray& ray) {
-              return interpolating
-                         ? volume::firstHitCubic(coefficients, grid, blocks, *scene_.isosurface.value, ray)
-                         : volume::firstHitCubic(grid, blocks, *scene_.isosurface.value, ray);
+              return volume::firstHitOfField(grid, field, interpolating ? &coefficients : nullptr, blocks,
+                                             *scene_.isosurface.value, ray);
             },
             counts);
       }

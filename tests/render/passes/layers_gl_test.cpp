@@ -131,7 +131,7 @@ TEST_P(LayersGlTest, CountsTheCrossingsOfNoise) {
       double t = 0.0;
       while (crossings < 64) {
         const auto hit =
-            volume::firstHit(noise->grid(), *noise->blocks, *scene_.isosurface.value, origin, direction, t);
+            volume::firstHit(noise->grid(), *noise->blocks, *scene_.isosurface.value, {origin, direction, t});
         if (!hit) break;
         ++crossings;
         t = hit->t + 1e-6;

@@ -7,6 +7,7 @@
 
 #include "tests/render/gl_fixture.h"
 #include "tests/support/analytic_fields.h"
+#include "tests/support/noise_at_border.h"
 #include "volume/field/curvature.h"
 #include "volume/field/noise_gain.h"
 #include "volume/field/reconstruct.h"
@@ -145,8 +146,7 @@ TEST_P(ScaledDerivativesGlTest, ConfidencesCountTheNoiseWithinAndAtBorders) {
     const glm::dvec3 p = at(voxel, i);
     const volume::FieldSample sample = volume::sampleScaled(*field, grid, p);
     const glm::dvec3 g = volume::worldGradient(grid.geometry(), sample.gradient);
-    const double more =
-        volume::noiseAtBorder(p, grid.dims(), volume::deviationsInVoxels(grid.geometry(), 1.0));
+    const double more = test::noiseAtBorder(p, grid.dims(), volume::deviationsInVoxels(grid.geometry(), 1.0));
     volume::CurvatureScale scale = within;
     scale.hessianNoise *= more;
     const double expected = volume::curvatureConfidence(

@@ -72,14 +72,8 @@ SurfaceCaster Prepared::caster(TracerTarget target, std::span<const float> rayEn
 
 CubicHit Prepared::wholeHit(double isovalue, const Ray& ray) const {
   const HiddenPieces hidden = hiddenOf(isovalue);
-  if (!cubic_) {
-    const auto hit = volume::firstHit(*grid_, blocks(), isovalue, ray.origin, ray.direction, ray.tMinimum,
-                                      ray.tMaximum, hidden);
-    return {hit, true, 0.0};
-  }
-  if (cubic_->coefficients)
-    return firstHitCubic(*cubic_->coefficients, *grid_, blocks(), isovalue, ray, hidden);
-  return firstHitCubic(*grid_, blocks(), isovalue, ray, hidden);
+  return firstHitOfField(*grid_, field_, cubic_ ? cubic_->coefficients.get() : nullptr, blocks(), isovalue,
+                         ray, hidden);
 }
 
 CubicHit Prepared::firstHit(double isovalue, const Ray& whole) const {

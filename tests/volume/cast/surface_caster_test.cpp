@@ -110,8 +110,9 @@ TEST(SurfaceCaster, GoesOnBehindACrossing) {
             glm::dvec2(i % static_cast<std::size_t>(kSize.x), i / static_cast<std::size_t>(kSize.x)) + 0.5);
         double least = std::numeric_limits<double>::infinity();
         for (const double isovalue : volume.isovalues)
-          if (const auto hit = firstHit(volume.grid(), volume.blocks(), isovalue, ray.origin, ray.direction,
-                                        static_cast<double>(before.points[i].w) + 0.01))
+          if (const auto hit =
+                  firstHit(volume.grid(), volume.blocks(), isovalue,
+                           {ray.origin, ray.direction, static_cast<double>(before.points[i].w) + 0.01}))
             least = std::min(least, hit->t);
         // Pairs of crossings closer than the step of the reference are not compared.
         const bool close = next.points[i].w >= 0.0f && next.points[i].w - before.points[i].w < 0.05f;

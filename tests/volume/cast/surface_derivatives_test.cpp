@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 
 #include "base/random.h"
+#include "tests/support/unwatched.h"
 #include "tests/support/volumes.h"
 #include "volume/field/reconstruct.h"
 

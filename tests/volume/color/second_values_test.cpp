@@ -11,6 +11,7 @@
 #include "base/random.h"
 #include "tests/support/analytic_fields.h"
 #include "tests/support/rays.h"
+#include "tests/support/unwatched.h"
 #include "tests/support/volumes.h"
 #include "volume/field/reconstruct.h"
 

@@ -1,5 +1,6 @@
 #include "volume/derived/cubic_fields.h"
 #include "tests/support/memory_limit.h"
+#include "tests/support/unwatched.h"
 #include "tests/support/volumes.h"
 
 #include <limits>

@@ -11,6 +11,7 @@
 
 #include "base/random.h"
 #include "tests/support/analytic_fields.h"
+#include "tests/support/unwatched.h"
 #include "tests/support/volumes.h"
 #include "volume/field/reconstruct.h"
 #include "volume/hit/exact_hit.h"
@@ -61,7 +62,7 @@ Figures measure(const std::string& name, const GridGeometry& geometry, double is
       inside = inside && truthVoxel[axis] > 3.0 && truthVoxel[axis] < last[axis] - 3.0;
     const glm::dvec3 normal = field->normal(truth);
     if (!inside || std::abs(glm::dot(normal, d)) < 0.1) continue;
-    const auto hit = firstHit(grid, blocks, isovalue, start, linear * d);
+    const auto hit = firstHit(grid, blocks, isovalue, {start, linear * d});
     if (!hit) {
       ++sum.misses;
       continue;

@@ -12,6 +12,7 @@
 #include "tests/support/analytic_fields.h"
 #include "tests/support/memory_limit.h"
 #include "tests/support/stop_latency.h"
+#include "tests/support/unwatched.h"
 #include "volume/field/reconstruct.h"
 #include "volume/hit/exact_cubic_hit.h"
 
@@ -96,8 +97,9 @@ TEST(Coefficients, AGreatOffsetOfTheValuesCostsDerivativesNothing) {
   int hits = 0;
   for (std::uint64_t i = 0; i < 300; ++i) {
     const Ray ray{{base::uniformNoise(1, i) * 23.0, base::uniformNoise(2, i) * 23.0, -1.0}, {0.1, 0.05, 1.0}};
-    const auto expected = firstHitCubic(a, plain, blocksA, 0.03, ray);
-    const auto found = firstHitCubic(b, shifted, blocksB, offset + 0.03, ray);
+    const auto expected = firstHitOfField(plain, scene::Field::cubic_interpolating, &a, blocksA, 0.03, ray);
+    const auto found =
+        firstHitOfField(shifted, scene::Field::cubic_interpolating, &b, blocksB, offset + 0.03, ray);
     ASSERT_EQ(expected.hit.has_value(), found.hit.has_value()) << i;
     if (!expected.hit) continue;
     ++hits;

@@ -104,7 +104,7 @@ Differences compare(const std::string& file, double isovalue) {
   };
   for (std::uint64_t i = 0; i < 12000; ++i) {
     const Ray ray = test::randomRay(i, grid->dims());
-    const auto hit = firstHit(*grid, blocks, isovalue, ray.origin, ray.direction);
+    const auto hit = firstHit(*grid, blocks, isovalue, ray);
     if (!hit) continue;
     const glm::dvec3 fromBorder = glm::min(hit->voxel, glm::dvec3(grid->dims() - 1) - hit->voxel);
     if (std::min({fromBorder.x, fromBorder.y, fromBorder.z}) < 2.0) continue;  // gage asks for all 64 samples

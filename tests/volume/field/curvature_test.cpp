@@ -19,6 +19,7 @@
 #include "base/random.h"
 #include "tests/support/analytic_fields.h"
 #include "tests/support/rays.h"
+#include "tests/support/unwatched.h"
 #include "volume/field/reconstruct.h"
 #include "volume/hit/exact_cubic_hit.h"
 #include "volume/statistics/noise_estimate.h"
@@ -400,7 +401,7 @@ TEST(CurvatureConfidence, TellsNoiseFromEdgesByTheVolumesOwnNoise) {
     std::vector<double> found;
     for (std::uint64_t k = 0; k < 4000; ++k) {
       const Ray ray = test::randomRay(8 * k, grid.dims());
-      const auto hit = firstHit(grid, blocks, 0.0, ray.origin, ray.direction);
+      const auto hit = firstHit(grid, blocks, 0.0, ray);
       if (!hit) continue;
       const FieldSample f = sampleCubic(grid, hit->voxel);
       const dvec3 g = worldGradient(geometry, f.gradient);
@@ -441,8 +442,9 @@ Errors curvatureErrors(const std::string& name, const GridGeometry& geometry, do
       tbb::blocked_range<std::uint64_t>(0, 6000, 500), Sum(),
       [&](const tbb::blocked_range<std::uint64_t>& range, Sum s) {
         for (std::uint64_t i = range.begin(); i != range.end(); ++i) {
-          const auto hit =
-              firstHitCubic(coefficients, grid, blocks, isovalue, test::randomRay(8 * i, geometry.dims)).hit;
+          const auto hit = firstHitOfField(grid, scene::Field::cubic_interpolating, &coefficients, blocks,
+                                           isovalue, test::randomRay(8 * i, geometry.dims))
+                               .hit;
           if (!hit) continue;
           const dvec3 fromBorder = glm::min(hit->voxel, dvec3(geometry.dims - 1) - hit->voxel);
           if (std::min({fromBorder.x, fromBorder.y, fromBorder.z}) < borderVoxels) continue;

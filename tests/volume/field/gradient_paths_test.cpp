@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "tests/support/unwatched.h"
 #include "tests/support/volumes.h"
 #include "volume/cast/surface_derivatives.h"
 #include "volume/field/reconstruct.h"

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "base/random.h"
+#include "tests/support/noise_at_border.h"
 #include "volume/field/reconstruct.h"
 
 namespace isolux::volume {
@@ -36,11 +37,11 @@ TEST(NoiseGain, NearTheBorderIsThatOfReflectedSamples) {
     const ScaledField field = scaledField(grid, scene::Field::cubic_interpolating, scale, progress);
     const double within = rmsAlongBorder(grid, field, 20.0);
     for (const double voxels : {0.0, 0.4 * scale, 0.8 * scale, 1.6 * scale, 3.0 * scale}) {
-      const double expected = noiseAtBorder({voxels, 40.0, 40.0}, grid.dims(), glm::dvec3(scale));
+      const double expected = test::noiseAtBorder({voxels, 40.0, 40.0}, grid.dims(), glm::dvec3(scale));
       EXPECT_NEAR(rmsAlongBorder(grid, field, voxels) / within, expected, 0.15 * expected)
           << scale << ' ' << voxels;
     }
-    EXPECT_NEAR(noiseAtBorder({20.0, 40.0, 40.0}, grid.dims(), glm::dvec3(scale)), 1.0, 1e-3);
+    EXPECT_NEAR(test::noiseAtBorder({20.0, 40.0, 40.0}, grid.dims(), glm::dvec3(scale)), 1.0, 1e-3);
   }
 }
 

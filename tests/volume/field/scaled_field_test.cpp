@@ -16,6 +16,7 @@
 #include "tests/support/memory_limit.h"
 #include "tests/support/rays.h"
 #include "tests/support/stop_latency.h"
+#include "tests/support/unwatched.h"
 #include "tests/support/volumes.h"
 #include "volume/field/reconstruct.h"
 #include "volume/field/sheared_filter.h"

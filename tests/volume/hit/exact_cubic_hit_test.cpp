@@ -17,6 +17,7 @@
 #include "tests/support/analytic_fields.h"
 #include "tests/support/rays.h"
 #include "tests/support/test_data.h"
+#include "tests/support/unwatched.h"
 #include "volume/field/cubic_weights.h"
 #include "volume/field/reconstruct.h"
 #include "volume/parallel/parallel_loops.h"
@@ -38,8 +39,9 @@ struct SplineCase {
                              : MinMaxBlocks::ofCubic(grid, 8, progress)) {}
 
   CubicHit firstHit(double isovalue, const Ray& ray) const {
-    return coefficients.empty() ? firstHitCubic(grid, blocks, isovalue, ray)
-                                : firstHitCubic(coefficients, grid, blocks, isovalue, ray);
+    return coefficients.empty() ? firstHitOfField(grid, scene::Field::cubic, nullptr, blocks, isovalue, ray)
+                                : firstHitOfField(grid, scene::Field::cubic_interpolating, &coefficients,
+                                                  blocks, isovalue, ray);
   }
   FieldSample sample(glm::dvec3 voxel) const {
     return coefficients.empty() ? sampleCubic(grid, voxel) : sampleCubic(coefficients, grid, voxel);
@@ -365,7 +367,8 @@ TEST(FirstHitCubic, AStretchThatIsZeroThroughoutLiesInside) {
   EXPECT_EQ(found.hit->voxel.y, 6.0);
   EXPECT_TRUE(found.hit->entering);
   EXPECT_TRUE(found.certain);
-  const SideChanges within = sideChangesOfCell(field.grid, 0.0, {4, 7, 1}, {0.0, 0.0, 0.5}, {0.0, 1.0, 0.5});
+  const SideChanges within =
+      sideChangesOfCell(field.grid, nullptr, 0.0, {4, 7, 1}, {0.0, 0.0, 0.5}, {0.0, 1.0, 0.5});
   EXPECT_EQ(within.first, Side::inside);
   EXPECT_EQ(within.count, 0u);
 }
@@ -376,7 +379,7 @@ TEST(FirstHitCubic, TheSideIsKnownBeyondRounding) {
   const SplineCase field(test::gridOfVoxels(test::unitGeometry({9, 9, 4}), [](glm::dvec3 p) { return p.x; }),
                          false);
   const auto sideAt = [&](double depth) {  // along y, x = 4.5
-    return sideChangesOfCell(field.grid, 4.5 - depth, {4, 4, 1}, {0.5, 0.0, 0.5}, {0.5, 1.0, 0.5});
+    return sideChangesOfCell(field.grid, nullptr, 4.5 - depth, {4, 4, 1}, {0.5, 0.0, 0.5}, {0.5, 1.0, 0.5});
   };
   for (const double sign : {1.0, -1.0}) {
     const SideChanges clear = sideAt(9.0 * sign * 0x1p-50);
@@ -519,7 +522,7 @@ OffSurface offSurface(const std::string& name, const GridGeometry& geometry) {
   for (std::uint64_t i = 0; i < 4000; ++i) {
     const Ray ray = test::randomRay(8 * i, geometry.dims);
     const auto cubic = field.firstHit(0.0, ray).hit;
-    const auto trilinear = firstHit(field.grid, blocks, 0.0, ray.origin, ray.direction);
+    const auto trilinear = firstHit(field.grid, blocks, 0.0, ray);
     if (!cubic || !trilinear) continue;
     const auto off = [&](glm::dvec3 voxel) {
       const double d = truth->at(glm::dvec3(geometry.worldFromVoxel * glm::dvec4(voxel, 1.0))).value;

@@ -33,7 +33,7 @@ using test::HitTally;
 void compare(const test::TrilinearOracle& oracle, const MinMaxBlocks& blocks, double iso, const Ray& ray,
              HitTally& tally) {
   const Grid& grid = oracle.grid();
-  const auto hit = firstHit(grid, blocks, iso, ray.origin, ray.direction);
+  const auto hit = firstHit(grid, blocks, iso, ray);
   test::compareHit(oracle, iso, ray, hit, tally);
   if (!hit) return;
   const double scale = std::max({grid.maximum() - grid.minimum(), std::abs(iso)});
@@ -151,21 +151,21 @@ TEST(FirstHit, RampIsExactFromBothSides) {
   const Grid grid(GridGeometry::make({10, 2, 2}, glm::dvec3(1)), voxels);
   base::Progress progress;
   const MinMaxBlocks blocks(grid, 8, progress);
-  const auto forward = firstHit(grid, blocks, 7.0, {-4, 0.3, 0.7}, {2, 0, 0});
+  const auto forward = firstHit(grid, blocks, 7.0, {{-4, 0.3, 0.7}, {2, 0, 0}});
   ASSERT_TRUE(forward);
   EXPECT_EQ(forward->voxel, glm::dvec3(3.5, 0.3, 0.7));
   EXPECT_EQ(forward->t, 3.75);
   EXPECT_TRUE(forward->entering);
-  const auto backward = firstHit(grid, blocks, 7.0, {9, 0.5, 0.5}, {-1, 0, 0});
+  const auto backward = firstHit(grid, blocks, 7.0, {{9, 0.5, 0.5}, {-1, 0, 0}});
   ASSERT_TRUE(backward);
   EXPECT_EQ(backward->t, 5.5);
   EXPECT_FALSE(backward->entering);
   // The range of t.
-  EXPECT_FALSE(firstHit(grid, blocks, 7.0, {-4, 0.3, 0.7}, {2, 0, 0}, 0.0, 3.7));
-  EXPECT_TRUE(firstHit(grid, blocks, 7.0, {-4, 0.3, 0.7}, {2, 0, 0}, 3.7, 3.8));
-  EXPECT_FALSE(firstHit(grid, blocks, 7.0, {-4, 0.3, 0.7}, {2, 0, 0}, 3.8));
+  EXPECT_FALSE(firstHit(grid, blocks, 7.0, {{-4, 0.3, 0.7}, {2, 0, 0}, 0.0, 3.7}));
+  EXPECT_TRUE(firstHit(grid, blocks, 7.0, {{-4, 0.3, 0.7}, {2, 0, 0}, 3.7, 3.8}));
+  EXPECT_FALSE(firstHit(grid, blocks, 7.0, {{-4, 0.3, 0.7}, {2, 0, 0}, 3.8}));
   // At a voxel's value the surface lies on the plane of voxels.
-  const auto onPlane = firstHit(grid, blocks, 8.0, {-4, 1.0, 0.0}, {1, 0, 0});
+  const auto onPlane = firstHit(grid, blocks, 8.0, {{-4, 1.0, 0.0}, {1, 0, 0}});
   ASSERT_TRUE(onPlane);
   EXPECT_EQ(onPlane->voxel.x, 4.0);
   EXPECT_EQ(onPlane->valueError, 0.0);
@@ -180,7 +180,7 @@ TEST(FirstHit, LeavingTheSurfaceIsNoHit) {
   const MinMaxBlocks blocks(grid, 8, progress);
   for (const double iso : {3.0, 4.5})
     for (const double direction : {-1.0, 1.0})
-      EXPECT_FALSE(firstHit(grid, blocks, iso, {iso, 0.5, 0.5}, {direction, 0, 0}))
+      EXPECT_FALSE(firstHit(grid, blocks, iso, {{iso, 0.5, 0.5}, {direction, 0, 0}}))
           << iso << ' ' << direction;
 }
 
@@ -189,10 +189,10 @@ TEST(FirstHit, ConstantVolumesAndThoseWithoutCellsHaveNoSurface) {
   const Grid constant(GridGeometry::make({9, 9, 9}, glm::dvec3(1)), std::vector<std::uint8_t>(729, 7));
   const MinMaxBlocks blocks(constant, 4, progress);
   for (const double iso : {6.5, 7.0, 7.5, -kBeyond, kBeyond, std::nan("")})
-    EXPECT_FALSE(firstHit(constant, blocks, iso, {-3, 4, 4.5}, {1, 0.1, 0}));
+    EXPECT_FALSE(firstHit(constant, blocks, iso, {{-3, 4, 4.5}, {1, 0.1, 0}}));
   const Grid flat(GridGeometry::make({9, 1, 9}, glm::dvec3(1)), std::vector<float>(81, 1.0f));
   const MinMaxBlocks none(flat, 8, progress);
-  EXPECT_FALSE(firstHit(flat, none, 1.0, {-3, 0, 4.5}, {1, 0, 0}));
+  EXPECT_FALSE(firstHit(flat, none, 1.0, {{-3, 0, 4.5}, {1, 0, 0}}));
 }
 
 TEST(FirstHit, APlateauAtTheIsovalueIsEnteredAndATouchedPeakIsNot) {
@@ -205,17 +205,17 @@ TEST(FirstHit, APlateauAtTheIsovalueIsEnteredAndATouchedPeakIsNot) {
   };
   base::Progress progress;
   const Grid plateau = slab({0, 0, 5, 5, 5, 0}), peak = slab({0, 0, 5, 0, 0, 0});
-  const auto hit = firstHit(plateau, MinMaxBlocks(plateau, 4, progress), 5.0, {-2, 0.4, 0.6}, {1, 0, 0});
+  const auto hit = firstHit(plateau, MinMaxBlocks(plateau, 4, progress), 5.0, {{-2, 0.4, 0.6}, {1, 0, 0}});
   ASSERT_TRUE(hit);
   EXPECT_EQ(hit->voxel.x, 2.0);
   EXPECT_TRUE(hit->entering);
-  const auto back = firstHit(plateau, MinMaxBlocks(plateau, 4, progress), 5.0, {9, 0.4, 0.6}, {-1, 0, 0});
+  const auto back = firstHit(plateau, MinMaxBlocks(plateau, 4, progress), 5.0, {{9, 0.4, 0.6}, {-1, 0, 0}});
   ASSERT_TRUE(back);
   EXPECT_EQ(back->voxel.x, 4.0);
-  EXPECT_FALSE(firstHit(peak, MinMaxBlocks(peak, 4, progress), 5.0, {-2, 0.4, 0.6}, {1, 0, 0}));
+  EXPECT_FALSE(firstHit(peak, MinMaxBlocks(peak, 4, progress), 5.0, {{-2, 0.4, 0.6}, {1, 0, 0}}));
   // Out of a plateau that fills whole blocks.
   const Grid wide = slab({5, 5, 5, 5, 5, 5, 5, 5, 5, 0, 0});
-  const auto out = firstHit(wide, MinMaxBlocks(wide, 4, progress), 5.0, {-2, 0.4, 0.6}, {1, 0, 0});
+  const auto out = firstHit(wide, MinMaxBlocks(wide, 4, progress), 5.0, {{-2, 0.4, 0.6}, {1, 0, 0}});
   ASSERT_TRUE(out);
   EXPECT_EQ(out->voxel.x, 8.0);
   EXPECT_FALSE(out->entering);
@@ -226,7 +226,7 @@ TEST(FirstHit, AnIsovalueThatIsNoNumberIsRefusedBeforeItIsCompared) {
   base::Progress progress;
   const MinMaxBlocks blocks(grid, 8, progress);
   const test::InvalidOperations invalid;
-  EXPECT_FALSE(firstHit(grid, blocks, std::nan(""), {8, 8, -20}, {0, 0, 1}));
+  EXPECT_FALSE(firstHit(grid, blocks, std::nan(""), {{8, 8, -20}, {0, 0, 1}}));
   EXPECT_FALSE(invalid.met());
 }
 
@@ -235,17 +235,17 @@ TEST(FirstHit, OddRaysEndWithoutAHit) {
   base::Progress progress;
   const MinMaxBlocks blocks(grid, 8, progress);
   const double nan = std::nan("");
-  EXPECT_FALSE(firstHit(grid, blocks, 0.0, {8, 8, -20}, {0, 0, 0}));
-  EXPECT_FALSE(firstHit(grid, blocks, 0.0, {8, 8, -20}, {0, 0, nan}));
-  EXPECT_FALSE(firstHit(grid, blocks, 0.0, {nan, 8, -20}, {0, 0, 1}));
+  EXPECT_FALSE(firstHit(grid, blocks, 0.0, {{8, 8, -20}, {0, 0, 0}}));
+  EXPECT_FALSE(firstHit(grid, blocks, 0.0, {{8, 8, -20}, {0, 0, nan}}));
+  EXPECT_FALSE(firstHit(grid, blocks, 0.0, {{nan, 8, -20}, {0, 0, 1}}));
   for (double at = 0.5; at < 15.0; at += 0.7)  // within the volume, in cells of all kinds
     for (const glm::dvec3& direction : {glm::dvec3(0.0), glm::dvec3(0.0, 0.0, kBeyond), glm::dvec3(nan)})
-      EXPECT_FALSE(firstHit(grid, blocks, 0.0, glm::dvec3(at), direction)) << at << " " << direction.z;
-  EXPECT_FALSE(firstHit(grid, blocks, 0.0, {8, 8, -20}, {0, 0, kBeyond}));
-  EXPECT_FALSE(firstHit(grid, blocks, 0.0, {8, 8, -20}, {0, 0, -1}));
-  EXPECT_FALSE(firstHit(grid, blocks, 0.0, {8, 8, -20}, {1e-320, 0, 1}, 5.0, 1.0));
-  EXPECT_FALSE(firstHit(grid, blocks, 0.0, {100, 8, 8}, {0, 0, 1}));
-  const auto far = firstHit(grid, blocks, 0.0, {7.5, 7.5, -1e9}, {0, 0, 1});
+      EXPECT_FALSE(firstHit(grid, blocks, 0.0, {glm::dvec3(at), direction})) << at << " " << direction.z;
+  EXPECT_FALSE(firstHit(grid, blocks, 0.0, {{8, 8, -20}, {0, 0, kBeyond}}));
+  EXPECT_FALSE(firstHit(grid, blocks, 0.0, {{8, 8, -20}, {0, 0, -1}}));
+  EXPECT_FALSE(firstHit(grid, blocks, 0.0, {{8, 8, -20}, {1e-320, 0, 1}, 5.0, 1.0}));
+  EXPECT_FALSE(firstHit(grid, blocks, 0.0, {{100, 8, 8}, {0, 0, 1}}));
+  const auto far = firstHit(grid, blocks, 0.0, {{7.5, 7.5, -1e9}, {0, 0, 1}});
   ASSERT_TRUE(far);
   EXPECT_NEAR(far->voxel.z, 7.5 - 0.35 * 15, 0.1);
 }
@@ -285,13 +285,12 @@ TEST(FirstHit, MissesNothingInHundredsOfThousandsOfRays) {
         [&](const tbb::blocked_range<std::uint64_t>& range, HitTally sum) {
           for (std::uint64_t i = range.begin(); i != range.end(); ++i) {
             const Ray ray = test::randomRay(i, c.grid.dims());
-            const auto hit = firstHit(c.grid, blocks, c.isovalue, ray.origin, ray.direction);
+            const auto hit = firstHit(c.grid, blocks, c.isovalue, ray);
             test::compareHit(oracle, c.isovalue, ray, hit, sum);
             const glm::dvec3 g = hit ? sampleTrilinear(c.grid, hit->voxel).gradient : glm::dvec3(0.0);
             if (i % 4 != 0 || !(glm::length(g) > 0.0)) continue;
             const Ray tangent = test::grazingRay(i, hit->voxel, glm::normalize(g));
-            test::compareHit(oracle, c.isovalue, tangent,
-                             firstHit(c.grid, blocks, c.isovalue, tangent.origin, tangent.direction), sum);
+            test::compareHit(oracle, c.isovalue, tangent, firstHit(c.grid, blocks, c.isovalue, tangent), sum);
           }
           return sum;
         },

@@ -34,7 +34,7 @@ SampledTally compare(const Subject& subject, const SampledOptions& options, std:
   int matched = 0;
   for (std::uint64_t i = 0; i < rays; ++i) {
     const Ray ray = test::randomRay(i, subject.grid.dims());
-    const auto exact = firstHit(subject.grid, subject.blocks, 0.0, ray.origin, ray.direction);
+    const auto exact = firstHit(subject.grid, subject.blocks, 0.0, ray);
     const auto sampled = firstHitSampled(subject.grid, subject.blocks, 0.0, ray, options);
     tally.hits += exact ? 1 : 0;
     if (!sampled) {

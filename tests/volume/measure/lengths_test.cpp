@@ -105,9 +105,9 @@ TEST(PointMeasures, DistancesOfHitsAreWithinWhatIsStated) {
     Honesty honesty;
     const auto hitFrom = [&](glm::dvec3 towards) {
       const glm::dvec3 origin = at.centre + 3.0 * radius * towards;
-      const auto hit =
-          firstHit(ball.grid, ball.blocks, 0.0, glm::dvec3(voxelFromWorld * glm::dvec4(origin, 1.0)),
-                   glm::dvec3(voxelFromWorld * glm::dvec4(-towards, 0.0)));
+      const auto hit = firstHit(ball.grid, ball.blocks, 0.0,
+                                {glm::dvec3(voxelFromWorld * glm::dvec4(origin, 1.0)),
+                                 glm::dvec3(voxelFromWorld * glm::dvec4(-towards, 0.0))});
       EXPECT_TRUE(hit);
       const auto point = surfacePoint(ball.surface(), origin - towards * (hit ? hit->t : 0.0));
       EXPECT_TRUE(point);

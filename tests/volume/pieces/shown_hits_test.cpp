@@ -18,20 +18,19 @@ constexpr std::uint64_t kRays = 40000;
 // A field of a grid with all it needs to be hit.
 class Hits {
  public:
-  Hits(const Grid& grid, scene::Field field) : grid_(std::make_shared<Grid>(grid)) {
+  Hits(const Grid& grid, scene::Field field) : field_(field), grid_(std::make_shared<Grid>(grid)) {
     base::Progress progress;
     cubic_ = CubicFields(grid_).make(field, progress);
     blocks_ = std::make_unique<MinMaxBlocks>(*grid_, 8, progress);
   }
   std::optional<RayHit> operator()(const Ray& ray, const HiddenPieces& hidden = {}) const {
-    if (!cubic_)
-      return firstHit(*grid_, *blocks_, 0.0, ray.origin, ray.direction, ray.tMinimum, ray.tMaximum, hidden);
-    if (cubic_->coefficients)
-      return firstHitCubic(*cubic_->coefficients, *grid_, cubic_->blocks, 0.0, ray, hidden).hit;
-    return firstHitCubic(*grid_, cubic_->blocks, 0.0, ray, hidden).hit;
+    return firstHitOfField(*grid_, field_, cubic_ ? cubic_->coefficients.get() : nullptr,
+                           cubic_ ? cubic_->blocks : *blocks_, 0.0, ray, hidden)
+        .hit;
   }
 
  private:
+  scene::Field field_;
   std::shared_ptr<const Grid> grid_;
   std::shared_ptr<const CubicField> cubic_;
   std::unique_ptr<const MinMaxBlocks> blocks_;

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/random.h"
+#include "tests/support/unwatched.h"
 #include "volume/field/reconstruct.h"
 
 namespace isolux::volume {

@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "tests/support/analytic_fields.h"
 #include "tests/support/hidden_balls.h"
+#include "tests/support/unwatched.h"
 #include "tests/support/volumes.h"
 #include "volume/field/reconstruct.h"
 #include "volume/slice/slice_contours.h"

@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "tests/support/analytic_fields.h"
+#include "tests/support/unwatched.h"
 #include "tests/support/volumes.h"
 #include "volume/slice/slice_values.h"
 

@@ -12,6 +12,7 @@
 #include "base/quantiles.h"
 #include "tests/support/analytic_fields.h"
 #include "tests/support/rays.h"
+#include "tests/support/unwatched.h"
 #include "volume/field/reconstruct.h"
 
 namespace isolux::volume {
@@ -62,7 +63,8 @@ TEST(CurvatureStatistics, AtAScaleSeeThroughNoise) {
   const ScaledField scaled = scaledField(noisy, scene::Field::cubic, 3.0 * geometry.spacingMm().x, progress);
   const double k = 1.0 / (0.35 * 63.0 * geometry.spacingMm().x);
   const Quantiles plain = curvatureStatistics(noisy, blocks, 0.0).of(LookMode::mean_curvature),
-                  found = curvatureStatistics(noisy, blocks, 0.0, -1.0, scaled).of(LookMode::mean_curvature);
+                  found = curvatureStatistics(noisy, blocks, 0.0, -1.0, nullptr, &scaled)
+                              .of(LookMode::mean_curvature);
   EXPECT_NEAR(found.median, k, 0.05 * k);
   EXPECT_NEAR(found.low, k, 0.5 * k);
   EXPECT_NEAR(found.high, k, 0.5 * k);

@@ -9,6 +9,7 @@
 
 #include "base/random.h"
 #include "tests/support/test_data.h"
+#include "tests/support/unwatched.h"
 #include "volume/phantom/phantom.h"
 #include "volume/read/reader.h"
 

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "base/random.h"
+#include "tests/support/unwatched.h"
 
 namespace isolux::volume {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "base/progress.h"
 #include "base/random.h"
+#include "tests/support/unwatched.h"
 #include "volume/field/reconstruct.h"
 #include "volume/hit/exact_hit.h"
 #include "volume/phantom/phantom.h"
@@ -34,7 +35,7 @@ std::vector<glm::dvec3> hits(const Grid& grid, double isovalue) {
   for (int j = -reach; j <= reach; ++j)
     for (int i = -reach; i <= reach; ++i) {
       const glm::dvec3 start = middle + static_cast<double>(i) * right + static_cast<double>(j) * up;
-      const auto hit = firstHit(grid, blocks, isovalue, start - 2.0 * reach * along, along, 0.0);
+      const auto hit = firstHit(grid, blocks, isovalue, {start - 2.0 * reach * along, along, 0.0});
       if (hit) points.push_back(hit->voxel);
     }
   return points;

@@ -97,11 +97,10 @@ TEST(HiddenTracer, InCellsOfTwoPiecesEntriesAreOfTheShownOne) {
     for (std::size_t i = 0; i < rays.size(); ++i) {
       if (i % 8 >= 3) continue;  // crossings that rounding decides
       const glm::dvec3 origin(rays[i].origin), direction(rays[i].direction);
-      auto hit = firstHit(grid, blocks, 0.0, origin, direction, 0.0, std::numeric_limits<double>::infinity(),
-                          {hidden.get(), scene::Inside::above});
+      auto hit = firstHit(grid, blocks, 0.0, {origin, direction, 0.0}, {hidden.get(), scene::Inside::above});
       while (hit && !hit->entering)
-        hit = firstHit(grid, blocks, 0.0, origin, direction, hit->t + 1e-9 / glm::length(direction),
-                       std::numeric_limits<double>::infinity(), {hidden.get(), scene::Inside::above});
+        hit = firstHit(grid, blocks, 0.0, {origin, direction, hit->t + 1e-9 / glm::length(direction)},
+                       {hidden.get(), scene::Inside::above});
       ++compared;
       const double length = glm::length(direction);
       wrong += hit.has_value() != std::isfinite(t[i]) ||
