@@ -148,7 +148,7 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|amd64|AMD64)$")
 elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64)$")
   set(isolux_simd_sets NEON)
   set(isolux_simd_usual NEON)
-else()  # the scalar kernels serve
+else()
   set(isolux_simd_sets)
   set(isolux_simd_usual)
 endif()
@@ -161,21 +161,19 @@ list(TRANSFORM isolux_simd_sets PREPEND " | HWY_" OUTPUT_VARIABLE SIMD_TARGETS)
 list(JOIN SIMD_TARGETS "" SIMD_TARGETS)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/simd_sets.h.in ${PROJECT_BINARY_DIR}/generated/volume/simd_sets.h @ONLY)
 
-# isolux_simd_sources(TARGET KERNELS ...): an object of TARGET for each instruction set from each header of kernels, so
-# that they are compiled side by side.
-function(isolux_simd_sources target)
-  foreach(kernels IN LISTS ARGN)
-    cmake_path(ABSOLUTE_PATH kernels OUTPUT_VARIABLE SIMD_KERNELS)
-    cmake_path(RELATIVE_PATH SIMD_KERNELS BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
-    string(REPLACE "-inl.h" "" stem ${SIMD_KERNELS})
-    foreach(SIMD_SET IN LISTS isolux_simd_sets)
-      string(TOLOWER ${SIMD_SET} suffix)
-      set(source ${PROJECT_BINARY_DIR}/generated/${stem}_${suffix}.cpp)
-      configure_file(${PROJECT_SOURCE_DIR}/cmake/simd_kernels.cpp.in ${source} @ONLY)
-      # GCC compiles functions of kernels twice for arguments that it knows: twice the time for nothing that is measured.
-      set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON
-        COMPILE_OPTIONS $<$<CXX_COMPILER_ID:GNU>:-fno-ipa-cp-clone>)
-      target_sources(${target} PRIVATE ${source})
-    endforeach()
+# isolux_simd_sources(TARGET KERNELS [SCALAR]): an object of TARGET for each instruction set from a header of kernels, so
+# that they are compiled side by side. SCALAR: for processors without any of them, too.
+function(isolux_simd_sources target kernels)
+  cmake_path(ABSOLUTE_PATH kernels OUTPUT_VARIABLE SIMD_KERNELS)
+  cmake_path(RELATIVE_PATH SIMD_KERNELS BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
+  string(REPLACE "-inl.h" "" stem ${SIMD_KERNELS})
+  foreach(SIMD_SET IN LISTS isolux_simd_sets ARGN)
+    string(TOLOWER ${SIMD_SET} suffix)
+    set(source ${PROJECT_BINARY_DIR}/generated/${stem}_${suffix}.cpp)
+    configure_file(${PROJECT_SOURCE_DIR}/cmake/simd_kernels.cpp.in ${source} @ONLY)
+    # GCC compiles functions of kernels twice for arguments that it knows: twice the time for nothing that is measured.
+    set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON
+      COMPILE_OPTIONS $<$<CXX_COMPILER_ID:GNU>:-fno-ipa-cp-clone>)
+    target_sources(${target} PRIVATE ${source})
   endforeach()
 endfunction()

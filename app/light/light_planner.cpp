@@ -105,11 +105,6 @@ const LightPlan& LightPlanner::plan(const scene::Scene& given, const VolumePoint
   if (environment_->badPixels() > 0)
     plan_.warnings.push_back(std::to_string(environment_->badPixels()) +
                              " pixels of the environment map are negative or not numbers; replaced");
-  if (tracer_ && tracer_->beyondSimd())
-    plan_.warnings.emplace_back(
-        "light is traced at about a third of the speed: the volume has more voxels than the SIMD tracer "
-        "reaches "
-        "(about 1600 x 1600 x 1600)");
   if (choice.wanted && !choice.onShown && !tracer_->hidden().empty())
     plan_.warnings.emplace_back(
         "baked light includes hidden connected components; only light of one isosurface (gi.texels=shown) "

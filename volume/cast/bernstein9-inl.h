@@ -1,5 +1,5 @@
-// A polynomial of degree 9 in each lane, and where it first leaves the side that a ray is on, with a bound
-// that makes a miss impossible: as firstRoot9() of resources/shaders/cast/trace_cubic.glsl. Included once per
+// Finds where a polynomial of degree 9 in each lane first leaves the side that a ray is on, with a bound that
+// makes a miss impossible: as firstRoot9() of resources/shaders/cast/trace_cubic.glsl. Included once per
 // instruction set by simd_cast-inl.h.
 //
 // It lies in the hull of its Bernstein coefficients. Those that do not change sign have no root, those that
@@ -85,7 +85,7 @@ HWY_INLINE SignChanges signChangesOf(const Bernstein9& c) {
 
 // The part of [0, 1] with the only first root; of width 0 where the side is left already.
 struct Change9 {
-  MF found, doubted;  // doubted: a touch was not decided even in the smallest interval, and passed over
+  MF found, undecided;  // undecided: a touch was not resolved even in the smallest interval, and passed over
   VF at, width;
 };
 
@@ -103,8 +103,8 @@ HWY_INLINE void goOn(MF lanes, VF& at, VF& perUnit) {
   }
 }
 
-// Of lanes `open`. own: Bernstein9::onSide().
-inline Change9 firstChange(const Bernstein9& own, MF open) {
+// onSide: positive where its lane is on its side.
+inline Change9 firstChange(const Bernstein9& onSide, MF unresolved) {
   const F f;
   constexpr float finest = 4096.0f;
   const VF zero = hn::Zero(f), one = hn::Set(f, 1.0f);
@@ -112,23 +112,23 @@ inline Change9 firstChange(const Bernstein9& own, MF open) {
   VF at = zero, perUnit = one;
   for (int step = 0; step < 128; ++step) {
     const VF width = hn::Div(one, perUnit);
-    const Bernstein9 c = step == 0 ? own : partOf(own, at, width);
-    const MF entry = hn::And(open, hn::Lt(c.b[0], zero));
+    const Bernstein9 c = step == 0 ? onSide : partOf(onSide, at, width);
+    const MF entry = hn::And(unresolved, hn::Lt(c.b[0], zero));
     const SignChanges changes = signChangesOf(c);
-    const MF ends = hn::Or(entry, hn::And(open, hn::AndNot(changes.many, changes.any)));
+    const MF ends = hn::Or(entry, hn::And(unresolved, hn::AndNot(changes.many, changes.any)));
     change.found = hn::Or(change.found, ends);
     change.at = hn::IfThenElse(ends, at, change.at);
     change.width = hn::IfThenElse(hn::AndNot(entry, ends), width, change.width);
-    open = hn::AndNot(ends, open);
-    const MF unclear = hn::And(open, changes.many);
+    unresolved = hn::AndNot(ends, unresolved);
+    const MF unclear = hn::And(unresolved, changes.many);
     const MF halved = hn::And(unclear, hn::Lt(perUnit, hn::Set(f, finest)));
-    change.doubted = hn::Or(change.doubted, hn::AndNot(halved, unclear));
+    change.undecided = hn::Or(change.undecided, hn::AndNot(halved, unclear));
     perUnit = hn::IfThenElse(halved, hn::Add(perUnit, perUnit), perUnit);
-    goOn(hn::AndNot(halved, open), at, perUnit);
-    open = hn::And(open, hn::Lt(at, one));
-    if (hn::AllFalse(f, open)) return change;
+    goOn(hn::AndNot(halved, unresolved), at, perUnit);
+    unresolved = hn::And(unresolved, hn::Lt(at, one));
+    if (hn::AllFalse(f, unresolved)) return change;
   }
-  change.doubted = hn::Or(change.doubted, open);
+  change.undecided = hn::Or(change.undecided, unresolved);
   return change;
 }
 
@@ -144,8 +144,8 @@ HWY_INLINE VF valueOfScaled(const Bernstein9& scaled, VF s) {
 }
 
 // The only root of polynomials that fall through 0: regula falsi, Illinois variant; from the seventh step on
-// with bisections between, because it creeps where the polynomial is nearly 0 at an end of the stretch, too.
-inline VF onlyRoot(const Bernstein9& c, MF open) {
+// with bisections between, because it creeps where the polynomial is nearly 0 at an end of the segment, too.
+inline VF onlyRoot(const Bernstein9& c, MF unresolved) {
   const F f;
   constexpr float choose[10] = {1, 9, 36, 84, 126, 126, 84, 36, 9, 1};
   Bernstein9 scaled;
@@ -153,13 +153,13 @@ inline VF onlyRoot(const Bernstein9& c, MF open) {
   const VF zero = hn::Zero(f), half = hn::Set(f, 0.5f), close = hn::Set(f, 1e-6f);
   VF s0 = zero, s1 = hn::Set(f, 1.0f), f0 = c.b[0], f1 = c.b[9], s = zero;
   MF lastFront = noLane(), lastBack = noLane();  // which end was replaced before
-  for (int i = 0; i < 46 && !hn::AllFalse(f, open); ++i) {
+  for (int i = 0; i < 46 && !hn::AllFalse(f, unresolved); ++i) {
     const VF step = hn::Div(hn::Mul(f1, hn::Sub(s1, s0)), hn::Sub(f1, f0));
     const VF next =
         i > 5 && i % 2 == 1 ? hn::Mul(half, hn::Add(s0, s1)) : hn::Min(hn::Max(hn::Sub(s1, step), s0), s1);
-    s = hn::IfThenElse(open, next, s);
+    s = hn::IfThenElse(unresolved, next, s);
     const VF value = valueOfScaled(scaled, s);
-    open = hn::AndNot(hn::Or(hn::Eq(value, zero), hn::Lt(hn::Sub(s1, s0), close)), open);
+    unresolved = hn::AndNot(hn::Or(hn::Eq(value, zero), hn::Lt(hn::Sub(s1, s0), close)), unresolved);
     const MF front = hn::Ge(value, zero);
     const VF kept0 = hn::IfThenElse(lastBack, hn::Mul(half, f0), f0);
     const VF kept1 = hn::IfThenElse(lastFront, hn::Mul(half, f1), f1);
@@ -173,25 +173,25 @@ inline VF onlyRoot(const Bernstein9& c, MF open) {
   return s;
 }
 
-// Of lanes `here`, those whose curve leaves its side.
-HWY_INLINE MF leavesSide(const Bernstein9& b, MF inside, MF here, MF& doubted) {
+// Returns the lanes of `here` whose curve leaves its side.
+HWY_INLINE MF leavesSide(const Bernstein9& b, MF inside, MF here, MF& undecided) {
   const F f;
-  const Bernstein9 own = b.onSide(inside);
-  VF least = own.b[0];
-  for (int i = 1; i < 10; ++i) least = hn::Min(least, own.b[i]);
-  const MF open = hn::And(here, hn::Lt(least, hn::Zero(f)));
-  if (hn::AllFalse(f, open)) return open;
-  const Change9 change = firstChange(own, open);
-  doubted = hn::Or(doubted, change.doubted);
+  const Bernstein9 onSide = b.onSide(inside);
+  VF least = onSide.b[0];
+  for (int i = 1; i < 10; ++i) least = hn::Min(least, onSide.b[i]);
+  const MF unresolved = hn::And(here, hn::Lt(least, hn::Zero(f)));
+  if (hn::AllFalse(f, unresolved)) return unresolved;
+  const Change9 change = firstChange(onSide, unresolved);
+  undecided = hn::Or(undecided, change.undecided);
   return change.found;
 }
 
-// Where those curves leave it first.
+// Returns where those curves leave it first.
 HWY_INLINE VF firstRoot(const Bernstein9& b, MF inside, MF wanted) {
-  const Bernstein9 own = b.onSide(inside);
-  const Change9 change = firstChange(own, wanted);
+  const Bernstein9 onSide = b.onSide(inside);
+  const Change9 change = firstChange(onSide, wanted);
   const MF within = hn::And(wanted, hn::Gt(change.width, hn::Zero(F())));
-  const VF s = onlyRoot(partOf(own, change.at, change.width), within);
+  const VF s = onlyRoot(partOf(onSide, change.at, change.width), within);
   return hn::MulAdd(change.width, s, change.at);
 }
 

@@ -1,4 +1,4 @@
-// What the kernels of the caster share: the volume as they see it, and what they are asked for. Internal to
+// Declares what the kernels of the caster share: their view of the volume, and what they compute. Internal to
 // this folder.
 #pragma once
 
@@ -16,7 +16,7 @@
 #include "volume/clip/clip_region.h"
 #include "volume/edge/edge_walk.h"
 #include "volume/hit/shown_cells.h"
-#include "volume/tracer/simd_set.h"
+#include "volume/simd/simd_set.h"
 
 namespace isolux::volume::casting {
 
@@ -54,16 +54,16 @@ struct CastView {
   const float* rayEnds = nullptr;
 };
 
-// The nearest crossing that is seen on a ray's way through a cell: a bit of the surface (0: none) and s.
-// inside: the sides at the beginning.
-struct SeenCrossing {
+// The nearest visible crossing within a cell: surface bit (0 = none) and parameter s. inside: the state at
+// the beginning of the segment.
+struct VisibleCrossing {
   int inside = 0, changed = 0;
   double s = 2.0;
 };
-// fresh: the sides at the beginning are not known yet. first: the ray has just crossed surfaces there, so
-// that which side it begins on is a matter of rounding.
-SeenCrossing seenCrossing(const CastView& view, glm::ivec3 cell, const glm::dvec3& from, const glm::dvec3& to,
-                          int inside, bool fresh, bool first);
+// entered: the state at the beginning is not known yet. first: the ray has just crossed surfaces there, so
+// that the side it begins on is a matter of rounding.
+VisibleCrossing visibleCrossing(const CastView& view, glm::ivec3 cell, const glm::dvec3& from,
+                                const glm::dvec3& to, int inside, bool entered, bool first);
 
 // A part of a picture, pixels [begin, end); images whose rows are `stride` pixels apart. lit: 255, or 0 in
 // shadow, where the surface faces away, and where there is none.
@@ -84,12 +84,6 @@ struct DerivativesView {
   const float* scaled = nullptr;   // coefficients of the field at a scale: derived instead of either
   glm::mat3 worldFromVoxel{1.0f};  // of gradients: A^-T
   float dataUnits = 1.0f;          // per stored unit
-};
-
-// Stored units per voxel (and per voxel squared).
-struct PointDerivatives {
-  glm::vec3 gradient, diagonal, mixed;  // diagonal: xx, yy, zz; mixed: xy, xz, yz
-  bool known, within;                   // all samples are there; are the volume's own
 };
 
 // Images of what derivatives.frag.glsl writes; diagonal and mixed may be null.
@@ -113,7 +107,7 @@ struct EdgeTarget {
   float none;
 };
 
-// Derivatives at a point as the kernels of one instruction set compute them.
+// Computes derivatives at a point with the kernels of one instruction set.
 struct EdgeSampler {
   const void* derivatives;
   EdgeSample<float> (*at)(const void* derivatives, const glm::vec3& voxel);
@@ -134,8 +128,8 @@ struct CastKernels {
   void (*edges)(const EdgeView& view, const EdgeTarget& target);
 };
 
-// Those of `target`; automatic: the widest of this machine. Null where they are not compiled or the machine
-// lacks it.
+// Returns those of `target` (automatic: the widest), or null where they are not compiled or the machine lacks
+// it.
 const CastKernels* castKernels(TracerTarget target);
 
 }  // namespace isolux::volume::casting

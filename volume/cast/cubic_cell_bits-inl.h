@@ -1,5 +1,5 @@
-// Which cells of a block a tri-cubic B-spline can cross an isovalue in, by its Bezier points: much closer to
-// its values than the samples are. Included once per instruction set by simd_cast-inl.h.
+// Finds the cells of a block in which a tri-cubic B-spline can cross an isovalue, by its Bezier points: much
+// closer to its values than the samples are. Included once per instruction set by simd_cast-inl.h.
 //
 // Axis by axis, the least of a cell's four Bezier points is taken of what is least along the axes before, and
 // the most of what is most: weights are positive, so that these are bounds; where the field is linear, its
@@ -143,9 +143,8 @@ inline casting::CellBitsOnDemand::Words CubicBlock::crossed(const CastView& view
         for (int k = 0; k < view.surfaces; ++k)
           crossed = hn::Or(crossed, hn::And(hn::Le(least, hn::Set(f, view.shifts[k] + slack)),
                                             hn::Ge(most, hn::Set(f, view.shifts[k] - slack))));
-        std::uint8_t bytes[8] = {};
-        hn::StoreMaskBits(f, crossed, bytes);
-        words[static_cast<std::size_t>(z)] |= std::uint64_t{bytes[0]} << (x + 8 * y);
+        const std::uint64_t bits = bitsOf(hn::RebindMask(I(), crossed)) & 255;
+        words[static_cast<std::size_t>(z)] |= bits << (x + 8 * y);
       }
   return words;
 }

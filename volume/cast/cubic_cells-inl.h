@@ -1,8 +1,8 @@
-// What a cell of a tri-cubic B-spline holds of each lane's ray: the polynomial of degree 9 along it; as
+// Forms the polynomial of degree 9 of a tri-cubic B-spline's cell along each lane's ray; as
 // resources/shaders/cast/trace_cubic.glsl. Included once per instruction set by simd_cast-inl.h.
 //
 // Its Bernstein coefficients follow from the 64 samples by convex combinations only: blossoms at the
-// stretch's ends along each axis give the Bezier points of the box between them; their means over i + j + k =
+// segment's ends along each axis give the Bezier points of the box between them; their means over i + j + k =
 // m are the coefficients (volume/hit/exact_cubic_hit.h).
 #if defined(ISOLUX_VOLUME_CAST_CUBIC_CELLS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOLUX_VOLUME_CAST_CUBIC_CELLS_INL_H
@@ -12,14 +12,12 @@
 #endif
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <type_traits>
 
 #include "volume/cast/bernstein9-inl.h"
 #include "volume/cast/cubic_cell_bits-inl.h"
-#include "volume/tracer/corners-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isolux::volume::tracing {
@@ -96,11 +94,11 @@ class CubicCells {
         row_(static_cast<std::size_t>(view.dims.x)),
         slice_(row_ * static_cast<std::size_t>(view.dims.y)) {}
 
-  // Of lanes in boxes that can hold a crossing: those whose cell can.
+  // Of lanes in boxes that can hold a crossing, returns those whose cell can.
   HWY_INLINE MI mayCross(const CellLanes& cell, MI wanted) const;
 
-  // The field less the first isovalue, scaled, along each ray in [tIn, tOut] of its cell. Returns lanes whose
-  // cell has a missing sample, or a missing corner: coefficients are known in gaps too.
+  // Forms the field less the first isovalue, scaled, along each ray in [tIn, tOut] of its cell. Returns lanes
+  // whose cell has a missing sample, or a missing corner: coefficients are known in gaps too.
   MF along(const RayLanes& ray, const CellLanes& cell, VF tIn, VF tOut, MI wanted, Samples& samples,
            Bernstein9& b) const;
 
@@ -108,15 +106,11 @@ class CubicCells {
   VF valueAt(const VF (&p)[3], MF wanted) const;
 
  private:
-  struct Cell {
-    std::size_t lane;
-    glm::ivec3 low;
-  };
-  // Calls visit(Cell) for each lane wanted.
+  // Calls visit(lane, cell) for each lane wanted.
   template <class Visit>
-  HWY_INLINE void forLanes(const CellLanes& cell, MI wanted, const Visit& visit) const;
-  const casting::CellBitsOnDemand::Words& bitsOf(glm::ivec3 block) const;
-  void load(const Cell& cell, Samples& samples) const;
+  HWY_INLINE void forCells(const CellLanes& cell, MI wanted, const Visit& visit) const;
+  const casting::CellBitsOnDemand::Words& wordsOf(glm::ivec3 block) const;
+  void load(std::size_t lane, glm::ivec3 cell, Samples& samples) const;
   HWY_INLINE bool hasMissingCorner(glm::ivec3 low) const;
   HWY_INLINE RowLanes lessIsovalue(const T* row) const;
 
@@ -127,24 +121,15 @@ class CubicCells {
 
 template <class T>
 template <class Visit>
-HWY_INLINE void CubicCells<T>::forLanes(const CellLanes& cell, MI wanted, const Visit& visit) const {
-  const I i;
-  alignas(64) std::int32_t x[kLanes], y[kLanes], z[kLanes];
-  hn::Store(cell.x, i, x);
-  hn::Store(cell.y, i, y);
-  hn::Store(cell.z, i, z);
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(i, wanted, bytes);
-  std::uint64_t bits;
-  std::memcpy(&bits, bytes, 8);
-  for (; bits != 0; bits &= bits - 1) {
-    const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
-    visit(Cell{lane, {x[lane], y[lane], z[lane]}});
-  }
+HWY_INLINE void CubicCells<T>::forCells(const CellLanes& cell, MI wanted, const Visit& visit) const {
+  alignas(64) std::int32_t low[3][kLanes];
+  for (int axis = 0; axis < 3; ++axis) hn::Store(cell[axis], I(), low[axis]);
+  forLanes(bitsOf(wanted),
+           [&](std::size_t lane) { visit(lane, glm::ivec3(low[0][lane], low[1][lane], low[2][lane])); });
 }
 
 template <class T>
-const casting::CellBitsOnDemand::Words& CubicCells<T>::bitsOf(glm::ivec3 block) const {
+const casting::CellBitsOnDemand::Words& CubicCells<T>::wordsOf(glm::ivec3 block) const {
   const std::size_t at = Extent3{view_.blockDims}.index(block);
   if (const auto* const known = view_.cells->find(at)) return *known;
   CubicBlock samples;
@@ -162,18 +147,18 @@ template <class T>
 HWY_INLINE MI CubicCells<T>::mayCross(const CellLanes& cell, MI wanted) const {
   const I i;
   alignas(64) std::int32_t may[kLanes] = {};
-  forLanes(cell, wanted, [&](const Cell& one) {
-    const auto& words = bitsOf(one.low >> 3);
-    may[one.lane] = static_cast<std::int32_t>(
-        words[static_cast<std::size_t>(one.low.z & 7)] >> ((one.low.x & 7) + 8 * (one.low.y & 7)) & 1);
+  forCells(cell, wanted, [&](std::size_t lane, glm::ivec3 low) {
+    const auto& words = wordsOf(low >> 3);
+    may[lane] = static_cast<std::int32_t>(
+        words[static_cast<std::size_t>(low.z & 7)] >> ((low.x & 7) + 8 * (low.y & 7)) & 1);
   });
   return hn::Ne(hn::Load(i, may), hn::Zero(i));
 }
 
 // Beyond the border samples repeat.
 template <class T>
-void CubicCells<T>::load(const Cell& cell, Samples& samples) const {
-  const glm::ivec3 first = cell.low - 1, last = view_.dims - 1;
+void CubicCells<T>::load(std::size_t lane, glm::ivec3 cell, Samples& samples) const {
+  const glm::ivec3 first = cell - 1, last = view_.dims - 1;
   const bool within = first.x >= 0 && first.y >= 0 && first.z >= 0 && first.x + 3 <= last.x &&
                       first.y + 3 <= last.y && first.z + 3 <= last.z;
   const auto lineAt = [&](int y, int z) {
@@ -181,7 +166,7 @@ void CubicCells<T>::load(const Cell& cell, Samples& samples) const {
   };
   for (int k = 0; k < 4; ++k)
     for (int j = 0; j < 4; ++j) {
-      T* const row = &samples.rows[4 * k + j][4 * cell.lane];
+      T* const row = &samples.rows[4 * k + j][4 * lane];
       if (within) {
         std::memcpy(row, lineAt(first.y + j, first.z + k) + first.x, 4 * sizeof(T));
         continue;
@@ -219,13 +204,13 @@ MF CubicCells<T>::along(const RayLanes& ray, const CellLanes& cell, VF tIn, VF t
   const F f;
   const I i32;
   alignas(64) std::int32_t beside[kLanes] = {};
-  forLanes(cell, wanted, [&](const Cell& one) {
-    load(one, samples);
-    if (view_.gapsOf && hasMissingCorner(one.low)) beside[one.lane] = 1;
+  forCells(cell, wanted, [&](std::size_t lane, glm::ivec3 low) {
+    load(lane, low, samples);
+    if (view_.gapsOf && hasMissingCorner(low)) beside[lane] = 1;
   });
-  const Blossoms x(inCell(ray, 0, cell.x, tIn), inCell(ray, 0, cell.x, tOut), view_.scale / 27.0f);
-  const Blossoms y(inCell(ray, 1, cell.y, tIn), inCell(ray, 1, cell.y, tOut), 1.0f);
-  const Blossoms z(inCell(ray, 2, cell.z, tIn), inCell(ray, 2, cell.z, tOut), 1.0f);
+  const Blossoms x(inCell(ray, 0, cell, tIn), inCell(ray, 0, cell, tOut), view_.scale / 27.0f);
+  const Blossoms y(inCell(ray, 1, cell, tIn), inCell(ray, 1, cell, tOut), 1.0f);
+  const Blossoms z(inCell(ray, 2, cell, tIn), inCell(ray, 2, cell, tOut), 1.0f);
   b = Bernstein9::zero();
   for (int k = 0; k < 4; ++k) {
     VF plane[7];  // i + j
@@ -253,12 +238,12 @@ VF CubicCells<T>::valueAt(const VF (&p)[3], MF wanted) const {
   const F f;
   const CellLanes cell = cellsAt(view_, p);
   Samples samples;
-  forLanes(cell, hn::RebindMask(I(), wanted), [&](const Cell& one) { load(one, samples); });
+  forCells(cell, hn::RebindMask(I(), wanted),
+           [&](std::size_t lane, glm::ivec3 low) { load(lane, low, samples); });
   const RayLanes at{{p[0], p[1], p[2]}, {hn::Zero(f), hn::Zero(f), hn::Zero(f)}, {}};
   VF weights[3][4];
-  const VI low[3] = {cell.x, cell.y, cell.z};
   for (int axis = 0; axis < 3; ++axis) {
-    const VF in = inCell(at, axis, low[axis], hn::Zero(f));
+    const VF in = inCell(at, axis, cell, hn::Zero(f));
     blossom(in, in, weights[axis]);
   }
   for (VF& weight : weights[0]) weight = hn::Mul(weight, hn::Set(f, view_.scale / 27.0f));

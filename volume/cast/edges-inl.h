@@ -1,5 +1,5 @@
-// How far the edge of the object lies from points: the walk of volume/edge/edge_walk.h in floats, over the
-// field's derivatives at one point at a time. Included once per instruction set by simd_cast-inl.h.
+// Finds how far the edge of the object lies from points: the walk of volume/edge/edge_walk.h in floats, over
+// the field's derivatives at one point at a time. Included once per instruction set by simd_cast-inl.h.
 #if defined(ISOLUX_VOLUME_CAST_EDGES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOLUX_VOLUME_CAST_EDGES_INL_H
 #undef ISOLUX_VOLUME_CAST_EDGES_INL_H
@@ -7,7 +7,6 @@
 #define ISOLUX_VOLUME_CAST_EDGES_INL_H
 #endif
 
-#include "volume/cast/derivatives_at-inl.h"
 #include "volume/cast/scaled_derivatives-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -20,9 +19,9 @@ template <class Derive, class Known>
 void storeEdges(const casting::EdgeView& view, const casting::EdgeTarget& target, const Derive& derive,
                 const Known& known) {
   const auto sample = [&](const glm::vec3& voxel) -> EdgeSample<float> {
-    const glm::vec4 point(voxel, 0.0f);
-    const PointDerivatives at = derive(point);
-    if (!at.known || !known(point)) return {};
+    const Located p = locate(view.field.dims, voxel);
+    const PointDerivatives at = derive(p);
+    if (!at.known || !known(p)) return {};
     const float unit = view.search.unit;
     const glm::vec3 d = at.diagonal * unit, m = at.mixed * unit;
     return {at.gradient * unit, glm::mat3(d.x, m.x, m.y, m.x, d.y, m.z, m.y, m.z, d.z), true};
@@ -41,19 +40,20 @@ void storeEdges(const casting::EdgeView& view, const casting::EdgeTarget& target
 
 template <class Sample>
 void edgesOf(const casting::EdgeView& view, const Sample* samples, const casting::EdgeTarget& target) {
-  const DerivativesAt<Sample> cells(view.field, samples);
-  const auto known = [&](glm::vec4 point) { return !view.gaps || cells.trilinear(point).known; };
+  const DerivativesAt cells(samples, view.field.dims);
+  const auto known = [&](const Located& p) { return !view.gaps || cells.trilinear(p).known; };
+  const auto ofSpline = [&](const auto& splines) {
+    storeEdges(
+        view, target, [&](const Located& p) { return splines.template spline<true>(p); }, known);
+  };
   if (view.field.scaled) {
     const ScaledDerivativesAt scaled(view.field);
     storeEdges(
-        view, target, [&](glm::vec4 point) { return scaled.template operator()<true>(point); }, known);
+        view, target, [&](const Located& p) { return scaled.template operator()<true>(p); }, known);
   } else if (const auto* const coefficients = std::get_if<const float*>(&view.field.spline)) {
-    const DerivativesAt<float> splines(view.field, *coefficients);
-    storeEdges(
-        view, target, [&](glm::vec4 point) { return splines.template spline<true>(point); }, known);
+    ofSpline(DerivativesAt(*coefficients, view.field.dims));
   } else {
-    storeEdges(
-        view, target, [&](glm::vec4 point) { return cells.template spline<true>(point); }, known);
+    ofSpline(cells);
   }
 }
 

@@ -1,5 +1,5 @@
-// The first crossings that cuts leave: those of surfaces that are cut count only where rays are in the kept
-// region (volume/clip). What resources/shaders/cast/clip.glsl does. Included once per instruction set by
+// Finds the first crossings in clipped volumes: those of clipped surfaces count only where rays are in the
+// kept region (volume/clip). As resources/shaders/cast/clip.glsl. Included once per instruction set by
 // simd_cast-inl.h.
 #if defined(ISOLUX_VOLUME_CAST_KEPT_CROSSINGS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOLUX_VOLUME_CAST_KEPT_CROSSINGS_INL_H
@@ -15,14 +15,14 @@ namespace isolux::volume::tracing {
 namespace HWY_NAMESPACE {
 #if HWY_TARGET == ISOLUX_SIMD_TARGET
 
-struct StretchLanes {
+struct IntervalLanes {
   VF begin, end;
 };
 
 // The intervals in which rays are in the kept region: between the faces, and in no removed box.
 struct KeptLanes {
-  StretchLanes between;
-  StretchLanes gone[ClipRegion::kMostRemoved];  // begin >= end where a ray is not in the box
+  IntervalLanes between;
+  IntervalLanes gone[ClipRegion::kMostRemoved];  // begin >= end where a ray is not in the box
   std::size_t boxes = 0;
 
   MF holds(VF t) const {
@@ -30,34 +30,34 @@ struct KeptLanes {
     for (std::size_t i = 0; i < boxes; ++i) held = hn::AndNot(isIn(gone[i], t), held);
     return held;
   }
-  // What is left of the first stretch that ends behind t; begin > end where there is none.
-  StretchLanes behind(VF t) const {
+  // Returns the rest of the first interval that ends behind t; begin > end where there is none.
+  IntervalLanes behind(VF t) const {
     const F f;
-    StretchLanes stretch{hn::Max(t, between.begin), between.end};
+    IntervalLanes interval{hn::Max(t, between.begin), between.end};
     MF moved = hn::Eq(t, t);
     for (std::size_t pass = 0; pass < boxes && !hn::AllFalse(f, moved); ++pass) {
       moved = hn::Lt(t, t);
       for (std::size_t i = 0; i < boxes; ++i) {
-        const MF within = isIn(gone[i], stretch.begin);
-        stretch.begin = hn::IfThenElse(within, gone[i].end, stretch.begin);
+        const MF within = isIn(gone[i], interval.begin);
+        interval.begin = hn::IfThenElse(within, gone[i].end, interval.begin);
         moved = hn::Or(moved, within);
       }
     }
     for (std::size_t i = 0; i < boxes; ++i) {
-      const MF later = hn::And(hn::Gt(gone[i].begin, stretch.begin), hn::Lt(gone[i].begin, gone[i].end));
-      stretch.end = hn::IfThenElse(later, hn::Min(stretch.end, gone[i].begin), stretch.end);
+      const MF later = hn::And(hn::Gt(gone[i].begin, interval.begin), hn::Lt(gone[i].begin, gone[i].end));
+      interval.end = hn::IfThenElse(later, hn::Min(interval.end, gone[i].begin), interval.end);
     }
-    return stretch;
+    return interval;
   }
 
  private:
-  static MF isIn(const StretchLanes& box, VF t) { return hn::And(hn::Ge(t, box.begin), hn::Lt(t, box.end)); }
+  static MF isIn(const IntervalLanes& box, VF t) { return hn::And(hn::Ge(t, box.begin), hn::Lt(t, box.end)); }
 };
 
-inline StretchLanes betweenFaces(const CastView& view, const RayLanes& ray) {
+inline IntervalLanes betweenFaces(const CastView& view, const RayLanes& ray) {
   const F f;
   const VF zero = hn::Zero(f), never = hn::Set(f, kInfinity);
-  StretchLanes kept{hn::Neg(never), never};
+  IntervalLanes kept{hn::Neg(never), never};
   for (std::size_t i = 0; i < view.faceCount; ++i) {
     VF at = hn::Set(f, view.faces[i].w), per = zero;
     for (int axis = 0; axis < 3; ++axis) {
@@ -76,10 +76,10 @@ inline StretchLanes betweenFaces(const CastView& view, const RayLanes& ray) {
 }
 
 // `at`, `per`: origin and direction along the box's axes.
-inline StretchLanes stretchIn(const CastView::Removed& box, const VF (&at)[3], const VF (&per)[3]) {
+inline IntervalLanes intervalIn(const CastView::Removed& box, const VF (&at)[3], const VF (&per)[3]) {
   const F f;
   const VF zero = hn::Zero(f), never = hn::Set(f, kInfinity);
-  StretchLanes within{hn::Neg(never), never};
+  IntervalLanes within{hn::Neg(never), never};
   for (int axis = 0; axis < 3; ++axis) {
     const VF low = hn::Set(f, box.low[axis]), high = hn::Set(f, box.high[axis]);
     const VF toLow = hn::Div(hn::Sub(low, at[axis]), per[axis]),
@@ -107,11 +107,11 @@ inline KeptLanes keptOf(const CastView& view, const RayLanes& ray) {
       per[axis] = hn::MulAdd(part, ray.direction[i], per[axis]);
     }
   }
-  for (std::size_t i = 0; i < kept.boxes; ++i) kept.gone[i] = stretchIn(view.removed[i], at, per);
+  for (std::size_t i = 0; i < kept.boxes; ++i) kept.gone[i] = intervalIn(view.removed[i], at, per);
   return kept;
 }
 
-// Lanes whose surface is one of the bits of `surfaces`.
+// Returns the lanes whose surface is one of the bits of `surfaces`.
 inline MF isOneOf(const CastView& view, int surfaces, VI surface) {
   MI any = hn::Ne(surface, surface);
   for (int k = 0; k < view.surfaces; ++k)
@@ -119,58 +119,59 @@ inline MF isOneOf(const CastView& view, int surfaces, VI surface) {
   return hn::RebindMask(F(), any);
 }
 
-// Puts the crossings of lanes `seen` into `all`.
-inline void take(MF seen, const Crossings& crossing, Crossings& all) {
-  const MI seenInts = hn::RebindMask(I(), seen);
-  all.found = hn::Or(all.found, seen);
-  all.t = hn::IfThenElse(seen, crossing.t, all.t);
-  all.surface = hn::IfThenElse(seenInts, crossing.surface, all.surface);
-  all.inside = hn::IfThenElse(seenInts, crossing.inside, all.inside);
+// Puts the crossings of lanes in `visible` into `all`.
+inline void take(MF visible, const Crossings& crossing, Crossings& all) {
+  const MI ints = hn::RebindMask(I(), visible);
+  all.found = hn::Or(all.found, visible);
+  all.t = hn::IfThenElse(visible, crossing.t, all.t);
+  all.surface = hn::IfThenElse(ints, crossing.surface, all.surface);
+  all.inside = hn::IfThenElse(ints, crossing.inside, all.inside);
 }
 
-// Where all surfaces are cut alike, rays begin and end with each stretch of the kept region.
+// Where all surfaces are clipped alike, rays begin and end with each interval of the kept region.
 template <class Cells>
-Crossings findAllCut(const CastView& view, const CrossingFinder<Cells>& finder, const RayLanes& ray, VF t,
-                     VF tEnd, MF alive, MF carried, VI inside) {
+Crossings findAllCut(const CastView& view, const CrossingFinder<Cells>& finder, RaySegments rays) {
   const F f;
-  const KeptLanes kept = keptOf(view, ray);
-  Crossings all{hn::Lt(t, t), t, hn::Zero(I()), inside};
+  const KeptLanes kept = keptOf(view, rays.ray);
+  const VF tEnd = rays.tEnd;
+  Crossings all{noLane(), rays.t, hn::Zero(I()), rays.inside};
   for (;;) {
-    const StretchLanes stretch = kept.behind(t);
-    const MF later = hn::Gt(stretch.begin, t);
-    t = stretch.begin;
-    alive = hn::And(alive, hn::And(hn::Le(t, stretch.end), hn::Le(t, tEnd)));
-    carried = hn::And(alive, hn::AndNot(later, carried));
-    if (hn::AllFalse(f, alive)) return all;
-    Crossings crossing = finder.find(ray, t, hn::Min(tEnd, stretch.end), alive, carried, inside);
-    crossing.found =
-        hn::And(crossing.found, hn::Le(crossing.t, stretch.end));  // cells are looked through to their ends
+    const IntervalLanes interval = kept.behind(rays.t);
+    const MF later = hn::Gt(interval.begin, rays.t);
+    rays.t = interval.begin;
+    rays.tEnd = hn::Min(tEnd, interval.end);
+    rays.active = hn::And(rays.active, hn::And(hn::Le(rays.t, interval.end), hn::Le(rays.t, tEnd)));
+    rays.continued = hn::And(rays.active, hn::AndNot(later, rays.continued));
+    if (hn::AllFalse(f, rays.active)) return all;
+    Crossings crossing = finder.find(rays);
+    // Cells are searched to their ends.
+    crossing.found = hn::And(crossing.found, hn::Le(crossing.t, interval.end));
     if (kept.boxes == 0) return crossing;
     take(crossing.found, crossing, all);
-    alive = hn::And(hn::AndNot(crossing.found, alive), hn::Lt(stretch.end, kept.between.end));
-    t = stretch.end;
-    carried = hn::Lt(t, t);
+    rays.active = hn::And(hn::AndNot(crossing.found, rays.active), hn::Lt(interval.end, kept.between.end));
+    rays.t = interval.end;
+    rays.continued = noLane();
   }
 }
 
-// Where some are not, crossings of cut surfaces outside the region are passed over, and sides carried on.
+// Where some are not, crossings of clipped surfaces outside the region are passed over, and their state is
+// propagated.
 template <class Cells>
-Crossings findSomeCut(const CastView& view, const CrossingFinder<Cells>& finder, const RayLanes& ray, VF t,
-                      VF tEnd, MF alive, MF carried, VI inside) {
+Crossings findSomeCut(const CastView& view, const CrossingFinder<Cells>& finder, RaySegments rays) {
   const F f;
   const I i;
-  const KeptLanes kept = keptOf(view, ray);
-  Crossings all{hn::Lt(t, t), t, hn::Zero(i), inside};
+  const KeptLanes kept = keptOf(view, rays.ray);
+  Crossings all{noLane(), rays.t, hn::Zero(i), rays.inside};
   constexpr int most = 4096;  // crossings passed over
-  for (int passed = 0; passed < most && !hn::AllFalse(f, alive); ++passed) {
-    const Crossings crossing = finder.find(ray, t, tEnd, alive, carried, inside);
-    const MF seen = hn::And(crossing.found, hn::Or(hn::Not(isOneOf(view, view.clipped, crossing.surface)),
-                                                   kept.holds(crossing.t)));
-    take(seen, crossing, all);
-    alive = hn::AndNot(seen, crossing.found);
-    t = hn::IfThenElse(alive, crossing.t, t);
-    inside = hn::IfThenElse(hn::RebindMask(i, alive), hn::And(crossing.inside, hn::Set(i, 15)), inside);
-    carried = alive;
+  for (int passed = 0; passed < most && !hn::AllFalse(f, rays.active); ++passed) {
+    const Crossings crossing = finder.find(rays);
+    const MF visible = hn::And(crossing.found, hn::Or(hn::Not(isOneOf(view, view.clipped, crossing.surface)),
+                                                      kept.holds(crossing.t)));
+    take(visible, crossing, all);
+    rays.active = rays.continued = hn::AndNot(visible, crossing.found);
+    rays.t = hn::IfThenElse(rays.active, crossing.t, rays.t);
+    rays.inside =
+        hn::IfThenElse(hn::RebindMask(i, rays.active), hn::And(crossing.inside, hn::Set(i, 15)), rays.inside);
   }
   return all;
 }
@@ -178,12 +179,10 @@ Crossings findSomeCut(const CastView& view, const CrossingFinder<Cells>& finder,
 // As CrossingFinder::find().
 template <class Cells>
 HWY_NOINLINE Crossings findKept(const CastView& view, const CrossingFinder<Cells>& finder,
-                                const RayLanes& ray, VF t, VF tEnd, MF alive, MF carried, VI inside) {
-  if (view.faceCount + view.removedCount == 0 || view.clipped == 0)
-    return finder.find(ray, t, tEnd, alive, carried, inside);
+                                const RaySegments& rays) {
+  if (view.faceCount + view.removedCount == 0 || view.clipped == 0) return finder.find(rays);
   const int all = (1 << view.surfaces) - 1;
-  if ((view.clipped & all) == all) return findAllCut(view, finder, ray, t, tEnd, alive, carried, inside);
-  return findSomeCut(view, finder, ray, t, tEnd, alive, carried, inside);
+  return (view.clipped & all) == all ? findAllCut(view, finder, rays) : findSomeCut(view, finder, rays);
 }
 
 #endif

@@ -1,5 +1,5 @@
-// Rays in voxel space and the cells that they are in, one per SIMD lane. Included once per instruction set by
-// simd_cast-inl.h.
+// Holds rays in voxel space and the cells that they are in, one per SIMD lane. Included once per instruction
+// set by simd_cast-inl.h.
 #if defined(ISOLUX_VOLUME_CAST_RAY_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOLUX_VOLUME_CAST_RAY_LANES_INL_H
 #undef ISOLUX_VOLUME_CAST_RAY_LANES_INL_H
@@ -8,7 +8,7 @@
 #endif
 
 #include "volume/cast/cast_kernels.h"
-#include "volume/tracer/lanes-inl.h"
+#include "volume/simd/cells-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isolux::volume::tracing {
@@ -17,9 +17,18 @@ namespace HWY_NAMESPACE {
 
 using casting::CastView;
 
-// Axes a ray does not move along it creeps along, so that no plane is at 0 / 0.
+// Zero direction components are replaced by 1e-30 so that plane distances are never 0/0.
 struct RayLanes {
   VF origin[3], direction[3], inverse[3];
+};
+
+// The segments [t, tEnd] of the rays of active lanes. For lanes in `continued`, t is itself a crossing and
+// `inside` is the state behind it, a bit for each surface; for others it is evaluated from the field.
+struct RaySegments {
+  RayLanes ray;
+  VF t, tEnd;
+  MF active, continued;
+  VI inside;
 };
 
 HWY_INLINE RayLanes rayLanes(const CastView& view, const VF (&origin)[3], const VF (&direction)[3]) {
@@ -36,33 +45,26 @@ HWY_INLINE RayLanes rayLanes(const CastView& view, const VF (&origin)[3], const 
   return ray;
 }
 
-struct CellLanes {
-  VI x, y, z;
-};
-
-// Of points in the volume.
+// Returns the cells of points in the volume.
 HWY_INLINE CellLanes cellsAt(const CastView& view, const VF (&p)[3]) {
-  const auto along = [&](VF v, int axis) {
+  CellLanes cell;
+  for (int axis = 0; axis < 3; ++axis) {
     const VF last = hn::Set(F(), static_cast<float>(view.dims[axis] - 2));
-    return hn::ConvertTo(I(), hn::Min(hn::Max(v, hn::Zero(F())), last));
-  };
-  return {along(p[0], 0), along(p[1], 1), along(p[2], 2)};
+    cell[axis] = hn::ConvertTo(I(), hn::Min(hn::Max(p[axis], hn::Zero(F())), last));
+  }
+  return cell;
 }
 
-// Where rays are in their cells at t, along an axis: [0, 1].
-HWY_INLINE VF inCell(const RayLanes& ray, int axis, VI cell, VF t) {
+// Returns where rays are in their cells at t, along an axis: [0, 1].
+HWY_INLINE VF inCell(const RayLanes& ray, int axis, const CellLanes& cell, VF t) {
   const F f;
-  const VF p = hn::Sub(hn::MulAdd(t, ray.direction[axis], ray.origin[axis]), hn::ConvertTo(f, cell));
+  const VF p = hn::Sub(hn::MulAdd(t, ray.direction[axis], ray.origin[axis]), hn::ConvertTo(f, cell[axis]));
   return hn::Min(hn::Max(p, hn::Zero(f)), hn::Set(f, 1.0f));
 }
 
-// Lanes on the other side of f = 0 than `inside` says; f = 0 is inside.
+// Returns the lanes on the other side of f = 0 than `inside`; f = 0 is inside.
 HWY_INLINE MF changesSide(VF f, MF inside) {
   return hn::Xor(hn::Lt(f, hn::Zero(F())), hn::Not(inside));
-}
-
-HWY_INLINE MF noLane() {
-  return hn::Lt(hn::Zero(F()), hn::Zero(F()));
 }
 
 #endif

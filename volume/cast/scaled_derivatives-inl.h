@@ -1,5 +1,5 @@
-// Gradient and Hessian of the field at a scale at points: one point at a time, the six coefficients of a row
-// in eight lanes. Included once per instruction set by simd_cast-inl.h.
+// Computes gradient and Hessian of the field at a scale at points: one point at a time, the six coefficients
+// of a row in eight lanes. Included once per instruction set by simd_cast-inl.h.
 #if defined(ISOLUX_VOLUME_CAST_SCALED_DERIVATIVES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOLUX_VOLUME_CAST_SCALED_DERIVATIVES_INL_H
 #undef ISOLUX_VOLUME_CAST_SCALED_DERIVATIVES_INL_H
@@ -11,13 +11,16 @@
 
 #include <hwy/highway.h>
 
-#include "volume/cast/derivatives_at-inl.h"
+#include "volume/cast/cast_kernels.h"
 #include "volume/field/quintic_weights.h"
+#include "volume/simd/derivatives_at-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isolux::volume::tracing {
 namespace HWY_NAMESPACE {
 #if HWY_TARGET == ISOLUX_SIMD_TARGET
+
+using casting::DerivativesView;
 
 // Eight lanes: one vector, or two where vectors have four.
 struct Lanes8 {
@@ -96,7 +99,7 @@ class ScaledDerivativesAt {
         slice_(row_ * static_cast<std::size_t>(view.dims.y)) {}
 
   template <bool hessian>
-  HWY_INLINE PointDerivatives operator()(glm::vec4 point) const;
+  HWY_INLINE PointDerivatives operator()(const Located& p) const;
 
  private:
   // Six rows of one axis, of which the last may be none, and what they weigh.
@@ -203,8 +206,7 @@ HWY_NOINLINE PointDerivatives ScaledDerivativesAt::nearBorder(const Located& p) 
 }
 
 template <bool hessian>
-HWY_INLINE PointDerivatives ScaledDerivativesAt::operator()(glm::vec4 point) const {
-  const Located p = locate(dims_, point);
+HWY_INLINE PointDerivatives ScaledDerivativesAt::operator()(const Located& p) const {
   const glm::ivec3 low = p.cell - 2, high = p.cell + 3 - (dims_ - 1);
   const bool within = low.x >= 0 && low.y >= 0 && low.z >= 0 && high.x <= 0 && high.y <= 0 && high.z <= 0;
   PointDerivatives out;

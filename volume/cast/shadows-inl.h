@@ -1,6 +1,5 @@
-// Whether a light infinitely far away reaches surface points: what
-// resources/shaders/light/shadow.frag.glsl does for exact hits, with its definitions. Included once per
-// instruction set by simd_cast-inl.h.
+// Tests whether a distant light reaches surface points, as resources/shaders/light/shadow.frag.glsl does for
+// exact hits. Included once per instruction set by simd_cast-inl.h.
 #if defined(ISOLUX_VOLUME_CAST_SHADOWS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOLUX_VOLUME_CAST_SHADOWS_INL_H
 #undef ISOLUX_VOLUME_CAST_SHADOWS_INL_H
@@ -78,24 +77,25 @@ struct ShadowPacket {
   }
 };
 
-// Lanes that meet an opaque surface before tEnd, and where; `inside` becomes the sides behind the transparent
-// ones that were passed.
+// Returns the lanes that meet an opaque surface from 0 to tEnd. t becomes that of the last crossing, and
+// `inside` the state behind the transparent surfaces that were passed.
 template <class Cells>
-HWY_INLINE MF meets(const CastView& view, const CrossingFinder<Cells>& finder, const RayLanes& ray, VF tEnd,
-                    MF alive, int opaque, VI& inside, VF& t) {
+HWY_INLINE MF meets(const CastView& view, const CrossingFinder<Cells>& finder, int opaque,
+                    RaySegments& rays) {
   const F f;
   constexpr int most = 32;  // transparent surfaces passed through
-  MF met = hn::Lt(hn::Zero(f), hn::Zero(f));
-  t = hn::Zero(f);
-  for (int i = 0; i < most && !hn::AllFalse(f, alive); ++i) {
-    const Crossings crossing = findKept(view, finder, ray, t, tEnd, alive, alive, inside);
-    t = hn::IfThenElse(crossing.found, crossing.t, t);
+  MF met = noLane();
+  rays.t = hn::Zero(f);
+  for (int i = 0; i < most && !hn::AllFalse(f, rays.active); ++i) {
+    rays.continued = rays.active;
+    const Crossings crossing = findKept(view, finder, rays);
+    rays.t = hn::IfThenElse(crossing.found, crossing.t, rays.t);
     const MF stops = hn::And(crossing.found, isOneOf(view, opaque, crossing.surface));
     met = hn::Or(met, stops);
-    alive = hn::AndNot(stops, crossing.found);
-    inside = hn::IfThenElse(hn::RebindMask(I(), alive), crossing.inside, inside);
+    rays.active = hn::AndNot(stops, crossing.found);
+    rays.inside = hn::IfThenElse(hn::RebindMask(I(), rays.active), crossing.inside, rays.inside);
   }
-  return hn::Or(met, alive);
+  return hn::Or(met, rays.active);
 }
 
 template <class Cells>
@@ -104,7 +104,7 @@ HWY_INLINE void tracePacket(const CastView& view, const CrossingFinder<Cells>& f
   if (packet.count == 0) return;
   const F f;
   const I i;
-  const MF alive =
+  const MF active =
       hn::RebindMask(f, hn::Lt(hn::Iota(i, 0), hn::Set(i, static_cast<std::int32_t>(packet.count))));
   VF origin[3], normal[3], toLight[3];
   const glm::vec3 light = shadow.voxelFromWorld * shadow.light;
@@ -113,15 +113,17 @@ HWY_INLINE void tracePacket(const CastView& view, const CrossingFinder<Cells>& f
     normal[axis] = hn::Load(f, packet.normal[axis]);
     toLight[axis] = hn::Set(f, light[axis]);
   }
-  VI inside = hn::Load(i, packet.inside);
-  VF offset = hn::Load(f, packet.offset), t;
+  VF offset = hn::Load(f, packet.offset);
   // Halfway to what the normal meets, so that no light leaks through a narrow gap.
-  const MF narrow =
-      meets(view, finder, rayLanes(view, origin, normal), offset, alive, shadow.opaque, inside, t);
-  offset = hn::IfThenElse(narrow, hn::Mul(hn::Set(f, 0.5f), t), offset);
+  RaySegments rays{rayLanes(view, origin, normal), hn::Zero(f), offset, active, active,
+                   hn::Load(i, packet.inside)};
+  const MF narrow = meets(view, finder, shadow.opaque, rays);
+  offset = hn::IfThenElse(narrow, hn::Mul(hn::Set(f, 0.5f), rays.t), offset);
   for (int axis = 0; axis < 3; ++axis) origin[axis] = hn::MulAdd(offset, normal[axis], origin[axis]);
-  const MF blocked = meets(view, finder, rayLanes(view, origin, toLight), hn::Set(f, kInfinity), alive,
-                           shadow.opaque, inside, t);
+  rays.ray = rayLanes(view, origin, toLight);
+  rays.tEnd = hn::Set(f, kInfinity);
+  rays.active = active;
+  const MF blocked = meets(view, finder, shadow.opaque, rays);
   alignas(64) std::int32_t dark[kLanes];
   hn::Store(hn::VecFromMask(i, hn::RebindMask(i, blocked)), i, dark);
   for (std::size_t lane = 0; lane < packet.count; ++lane) lit[packet.pixel[lane]] = dark[lane] != 0 ? 0 : 255;

@@ -8,10 +8,9 @@
 #include <hwy/highway.h>
 
 #include "volume/cast/crossing_finders-inl.h"
-#include "volume/cast/derivatives_at-inl.h"
+#include "volume/cast/derivatives-inl.h"
 #include "volume/cast/edges-inl.h"
 #include "volume/cast/kept_crossings-inl.h"
-#include "volume/cast/scaled_derivatives-inl.h"
 #include "volume/cast/shadows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -113,20 +112,20 @@ inline VF endsAt(const CastView& view, const CastTarget& target, glm::ivec2 pixe
   return hn::Load(F(), ends);
 }
 
-// Behind `begin` on the packet's rays, as far as cuts and the rays' own ends let them.
+// Finds the first crossings of a packet, as far as clipping and the rays' own ends leave them.
 template <class Cells>
 HWY_INLINE Crossings firstOfPacket(const CastView& view, const CrossingFinder<Cells>& finder,
-                                   const RayLanes& ray, VF begin, VF end, MF alive, MF carried, VI inside,
-                                   const CastTarget& target, glm::ivec2 pixel) {
-  if (!view.rayEnds) return findKept(view, finder, ray, begin, end, alive, carried, inside);
+                                   RaySegments rays, const CastTarget& target, glm::ivec2 pixel) {
+  if (!view.rayEnds) return findKept(view, finder, rays);
   const VF ends = endsAt(view, target, pixel);
-  // Surfaces that are all cut lie behind the faces that rays end at, where rays enter the region once.
+  // Surfaces that are all clipped lie behind the faces that rays end at, where rays enter the region once.
   const int all = (1 << view.surfaces) - 1;
   if ((view.clipped & all) == all && view.removedCount == 0)
-    alive = hn::And(alive, hn::Ge(ends, hn::Set(F(), kInfinity)));
-  alive = hn::And(alive, hn::Lt(begin, ends));
-  Crossings crossing =
-      findKept(view, finder, ray, begin, hn::Min(end, ends), alive, hn::And(carried, alive), inside);
+    rays.active = hn::And(rays.active, hn::Ge(ends, hn::Set(F(), kInfinity)));
+  rays.active = hn::And(rays.active, hn::Lt(rays.t, ends));
+  rays.continued = hn::And(rays.continued, rays.active);
+  rays.tEnd = hn::Min(rays.tEnd, ends);
+  Crossings crossing = findKept(view, finder, rays);
   crossing.found = hn::And(crossing.found, hn::Lt(crossing.t, ends));
   return crossing;
 }
@@ -140,12 +139,13 @@ HWY_INLINE void castPacket(const CastView& view, const CrossingFinder<Cells>& fi
   const VF slack = hn::Mul(hn::Set(f, 0.05f), packet.voxel);  // rounding of the depths
   const VF begin = hn::Max(hn::Sub(hn::Mul(hn::Set(f, depths.first), packet.slant), slack), zero);
   const VF end = hn::MulAdd(hn::Set(f, depths.last), packet.slant, slack);
-  const MF none = hn::Lt(zero, zero);
-  const RayLanes ray = rayLanes(view, packet.origin, packet.direction);
-  storeCrossings(
-      finder, packet,
-      firstOfPacket(view, finder, ray, begin, end, hn::Not(none), none, hn::Zero(I()), target, pixel), target,
-      pixel);
+  const RaySegments segments{rayLanes(view, packet.origin, packet.direction),
+                             begin,
+                             end,
+                             hn::Not(noLane()),
+                             noLane(),
+                             hn::Zero(I())};
+  storeCrossings(finder, packet, firstOfPacket(view, finder, segments, target, pixel), target, pixel);
 }
 
 // The crossings before of a packet; t is negative where there is none, or where the pixel is covered.
@@ -176,17 +176,19 @@ HWY_INLINE void castPacketBehind(const CastView& view, const CrossingFinder<Cell
                                  const CastTarget& target, glm::ivec2 pixel) {
   const F f;
   const Before from = beforeAt(before, target, pixel);
-  const MF alive = hn::Ge(from.t, hn::Zero(f));
-  if (hn::AllFalse(f, alive)) {
+  const MF active = hn::Ge(from.t, hn::Zero(f));
+  if (hn::AllFalse(f, active)) {
     storeNothing(target, pixel);
     return;
   }
   const Packet packet = packetAt(rays, pixel);
-  const RayLanes ray = rayLanes(view, packet.origin, packet.direction);
-  const VF begin = hn::MulAdd(hn::Set(f, 1e-4f), packet.voxel, from.t), end = hn::Set(f, kInfinity);
-  storeCrossings(finder, packet,
-                 firstOfPacket(view, finder, ray, begin, end, alive, alive, from.inside, target, pixel),
-                 target, pixel);
+  const RaySegments segments{rayLanes(view, packet.origin, packet.direction),
+                             hn::MulAdd(hn::Set(f, 1e-4f), packet.voxel, from.t),
+                             hn::Set(f, kInfinity),
+                             active,
+                             active,
+                             from.inside};
+  storeCrossings(finder, packet, firstOfPacket(view, finder, segments, target, pixel), target, pixel);
 }
 
 // Calls cast(finder, pixel) for each packet of the target.
@@ -215,42 +217,6 @@ void castBehind(const CastView& view, const PictureRays& rays, const CrossingsBe
   forPackets(view, target, [&](const auto& finder, glm::ivec2 pixel) {
     castPacketBehind(view, finder, rays, before, target, pixel);
   });
-}
-
-template <class Sample, class Spline>
-void derivativesOfAll(const DerivativesView& view, const Sample* samples, const Spline* spline,
-                      const casting::DerivativesTarget& target) {
-  if (target.diagonal)
-    derivativesOf<true>(view, samples, spline, target);
-  else
-    derivativesOf<false>(view, samples, spline, target);
-}
-
-template <bool hessian>
-void derivativesAtScale(const DerivativesView& view, const casting::DerivativesTarget& target) {
-  const ScaledDerivativesAt scaled(view);
-  storeDerivatives<hessian>(view, target,
-                            [&](glm::vec4 point) { return scaled.template operator()<hessian>(point); });
-}
-
-// Coefficients are floats; otherwise the spline is that of the samples.
-void derivatives(const DerivativesView& view, const casting::DerivativesTarget& target) {
-  if (view.scaled) {
-    if (target.diagonal)
-      derivativesAtScale<true>(view, target);
-    else
-      derivativesAtScale<false>(view, target);
-    return;
-  }
-  std::visit(
-      [&](const auto* samples) {
-        const auto* const coefficients = std::get_if<const float*>(&view.spline);
-        if (coefficients)
-          derivativesOfAll(view, samples, *coefficients, target);
-        else
-          derivativesOfAll(view, samples, samples, target);
-      },
-      view.samples);
 }
 
 void edges(const casting::EdgeView& view, const casting::EdgeTarget& target) {

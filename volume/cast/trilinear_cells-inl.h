@@ -1,4 +1,4 @@
-// What a trilinear cell holds of each lane's ray: the cubic along it, whether that crosses the isovalue, and
+// Forms the cubic of a trilinear cell along each lane's ray, tests whether it crosses the isovalue, and finds
 // where; as resources/shaders/cast/trace.glsl. Included once per instruction set by simd_cast-inl.h.
 #if defined(ISOLUX_VOLUME_CAST_TRILINEAR_CELLS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOLUX_VOLUME_CAST_TRILINEAR_CELLS_INL_H
@@ -12,7 +12,6 @@
 #include <type_traits>
 
 #include "volume/cast/ray_lanes-inl.h"
-#include "volume/tracer/corners-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isolux::volume::tracing {
@@ -20,9 +19,7 @@ namespace HWY_NAMESPACE {
 #if HWY_TARGET == ISOLUX_SIMD_TARGET
 
 // The cubic in Bernstein form on [0, 1].
-struct Bernstein {
-  VF b0, b1, b2, b3;
-
+struct Bernstein : BernsteinCoefficients {
   // De Casteljau: no cancellation, and inside the hull of the coefficients.
   HWY_INLINE VF operator()(VF s) const {
     const Between between(s);
@@ -32,20 +29,20 @@ struct Bernstein {
   HWY_INLINE VF start() const { return b0; }
   HWY_INLINE Bernstein minus(float shift) const {
     const VF v = hn::Set(F(), shift);
-    return {hn::Sub(b0, v), hn::Sub(b1, v), hn::Sub(b2, v), hn::Sub(b3, v)};
+    return {{hn::Sub(b0, v), hn::Sub(b1, v), hn::Sub(b2, v), hn::Sub(b3, v)}};
   }
-  HWY_INLINE Bernstein startingAt(VF value) const { return {value, b1, b2, b3}; }
+  HWY_INLINE Bernstein startingAt(VF value) const { return {{value, b1, b2, b3}}; }
   static HWY_INLINE Bernstein zero() {
     const VF none = hn::Zero(F());
-    return {none, none, none, none};
+    return {{none, none, none, none}};
   }
   static HWY_INLINE Bernstein select(MF first, const Bernstein& a, const Bernstein& b) {
-    return {hn::IfThenElse(first, a.b0, b.b0), hn::IfThenElse(first, a.b1, b.b1),
-            hn::IfThenElse(first, a.b2, b.b2), hn::IfThenElse(first, a.b3, b.b3)};
+    return {{hn::IfThenElse(first, a.b0, b.b0), hn::IfThenElse(first, a.b1, b.b1),
+             hn::IfThenElse(first, a.b2, b.b2), hn::IfThenElse(first, a.b3, b.b3)}};
   }
 };
 
-// Where between 0, its extrema and 1 a cubic first lies on the other side, and the stop before.
+// Of 0, the extrema and 1, the first where a cubic lies on the other side, and the one before.
 struct Change {
   MF found;
   VF before, at;
@@ -84,7 +81,7 @@ HWY_INLINE VF rootIn(const Bernstein& b, const Change& change, MF wanted) {
   const VF half = hn::Set(f, 0.5f), zero = hn::Zero(f), close = hn::Set(f, 1e-6f);
   VF s0 = change.before, s1 = change.at, f0 = b(s0), f1 = b(s1);
   const MF noChange = hn::Not(hn::Xor(hn::Lt(f0, zero), hn::Lt(f1, zero)));
-  // A crossing at the stretch's very entry.
+  // A crossing at the segment's very entry.
   const VF nearer = hn::IfThenElse(hn::Le(hn::Abs(f0), hn::Abs(f1)), s0, s1);
   MF open = hn::AndNot(noChange, wanted);
   VF s = hn::IfThenElse(noChange, nearer, s0);
@@ -107,18 +104,19 @@ HWY_INLINE VF rootIn(const Bernstein& b, const Change& change, MF wanted) {
   return s;
 }
 
-// Of lanes `here`, those whose curve leaves its side. The cubic's extrema leave no doubt.
+// Returns the lanes of `here` whose curve leaves its side. The cubic's extrema leave none undecided.
 HWY_INLINE MF leavesSide(const Bernstein& b, MF inside, MF here, MF&) {
   const F f;
   const MF atEnds = hn::Or(changesSide(b.b0, inside), changesSide(b.b3, inside));
   const MF between = hn::Or(changesSide(b.b1, inside), changesSide(b.b2, inside));
   const MF leaves = hn::And(here, atEnds);
-  const MF open = hn::And(here, hn::AndNot(atEnds, between));  // convex hull: no other lane has a crossing
-  if (hn::AllFalse(f, open)) return leaves;
-  return hn::Or(leaves, hn::And(open, firstChange(b, inside).found));
+  const MF unresolved =
+      hn::And(here, hn::AndNot(atEnds, between));  // convex hull: no other lane has a crossing
+  if (hn::AllFalse(f, unresolved)) return leaves;
+  return hn::Or(leaves, hn::And(unresolved, firstChange(b, inside).found));
 }
 
-// Where those curves leave it first.
+// Returns where those curves leave it first.
 HWY_INLINE VF firstRoot(const Bernstein& b, MF inside, MF wanted) {
   return rootIn(b, firstChange(b, inside), wanted);
 }
@@ -131,90 +129,60 @@ class TrilinearCells {
 
   TrilinearCells(const CastView& view, const T* voxels)
       : view_(view),
-        voxels_(voxels),
-        row_(static_cast<std::size_t>(view.dims.x)),
-        slice_(row_ * static_cast<std::size_t>(view.dims.y)),
-        wide_(slice_ * static_cast<std::size_t>(view.dims.z) > std::numeric_limits<std::uint32_t>::max()) {}
+        voxels_(voxels, view.dims),
+        wideVoxels_(voxels, view.dims),
+        wide_(Extent3{view.dims}.count() > std::numeric_limits<std::uint32_t>::max()) {}
 
-  // Of lanes in boxes that can hold a crossing: those whose cell can.
+  // Of lanes in boxes that can hold a crossing, returns those whose cell can.
   HWY_INLINE MI mayCross(const CellLanes&, MI wanted) const { return wanted; }
 
-  // The field less the first isovalue, scaled, along each ray in [tIn, tOut] of its cell. Returns lanes whose
-  // cell has a missing corner.
+  // Forms the field less the first isovalue, scaled, along each ray in [tIn, tOut] of its cell. Returns lanes
+  // whose cell has a missing corner.
   HWY_INLINE MF along(const RayLanes& ray, const CellLanes& cell, VF tIn, VF tOut, MI wanted, Samples&,
                       Bernstein& b) const {
     const Corners corners = cornersOf(cell, wanted);
-    const MF gaps = missing(corners);
     b = fieldAlong(ray, cell, corners, tIn, tOut);
-    return gaps;
+    if constexpr (std::is_same_v<T, float>) return missing(corners);
+    return noLane();
   }
 
   // The same at points; NaN beside missing voxels.
   HWY_INLINE VF valueAt(const VF (&p)[3], MF wanted) const {
-    const F f;
+    const VF zero = hn::Zero(F());
     const CellLanes cell = cellsAt(view_, p);
-    const RayLanes at{{p[0], p[1], p[2]}, {hn::Zero(f), hn::Zero(f), hn::Zero(f)}, {}};
-    return fieldAlong(at, cell, cornersOf(cell, hn::RebindMask(I(), wanted)), hn::Zero(f), hn::Zero(f)).b0;
+    const RayLanes at{{p[0], p[1], p[2]}, {zero, zero, zero}, {}};
+    return fieldAlong(at, cell, cornersOf(cell, hn::RebindMask(I(), wanted)), zero, zero).b0;
   }
 
  private:
-  HWY_INLINE Corners cornersOf(const CellLanes& cell, MI wanted) const;
-  HWY_INLINE MF missing(const Corners& c) const;
+  HWY_INLINE Corners cornersOf(const CellLanes& cell, MI wanted) const {
+    return wide_ ? wideVoxels_.corners(cell, wanted) : voxels_.corners(cell, wanted);
+  }
   HWY_INLINE Bernstein fieldAlong(const RayLanes& ray, const CellLanes& cell, const Corners& c, VF tIn,
                                   VF tOut) const;
 
   const CastView& view_;
-  const T* voxels_;
-  std::size_t row_, slice_;
-  bool wide_;  // voxels have no 32-bit numbers
+  const VoxelLanes<T, false> voxels_;
+  const VoxelLanes<T, true> wideVoxels_;
+  bool wide_;
 };
-
-// Other lanes read one place that is always the same.
-template <class T>
-HWY_INLINE Corners TrilinearCells<T>::cornersOf(const CellLanes& cell, MI wanted) const {
-  const I i;
-  if (!wide_) {
-    const VI at =
-        hn::Add(hn::Mul(hn::Add(hn::Mul(cell.z, hn::Set(i, view_.dims.y)), cell.y), hn::Set(i, view_.dims.x)),
-                cell.x);
-    return loadCorners(voxels_, hn::IfThenElseZero(wanted, at), row_, slice_);
-  }
-  alignas(64) std::int32_t x[kLanes], y[kLanes], z[kLanes];
-  hn::Store(hn::IfThenElseZero(wanted, cell.x), i, x);
-  hn::Store(hn::IfThenElseZero(wanted, cell.y), i, y);
-  hn::Store(hn::IfThenElseZero(wanted, cell.z), i, z);
-  std::size_t at[kLanes];
-  for (std::size_t lane = 0; lane < kLanes; ++lane)
-    at[lane] = static_cast<std::size_t>(z[lane]) * slice_ + static_cast<std::size_t>(y[lane]) * row_ +
-               static_cast<std::size_t>(x[lane]);
-  return loadCorners(voxels_, at, row_, slice_);
-}
-
-template <class T>
-HWY_INLINE MF TrilinearCells<T>::missing(const Corners& c) const {
-  if constexpr (std::is_same_v<T, float>) {
-    const auto either = [](const Edge& a, const Edge& b) {
-      return hn::Or(hn::Or(hn::IsNaN(a.low), hn::IsNaN(a.high)), hn::Or(hn::IsNaN(b.low), hn::IsNaN(b.high)));
-    };
-    return hn::Or(either(c.e00, c.e10), either(c.e01, c.e11));
-  }
-  return noLane();
-}
 
 // Offset and isovalue are subtracted first: differences of like numbers are exact.
 template <class T>
 HWY_INLINE Bernstein TrilinearCells<T>::fieldAlong(const RayLanes& ray, const CellLanes& cell,
                                                    const Corners& c, VF tIn, VF tOut) const {
   const F f;
-  const VF p[3] = {inCell(ray, 0, cell.x, tIn), inCell(ray, 1, cell.y, tIn), inCell(ray, 2, cell.z, tIn)};
-  const VF q[3] = {inCell(ray, 0, cell.x, tOut), inCell(ray, 1, cell.y, tOut), inCell(ray, 2, cell.z, tOut)};
+  VF p[3], q[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    p[axis] = inCell(ray, axis, cell, tIn);
+    q[axis] = inCell(ray, axis, cell, tOut);
+  }
   const VF offset = hn::Set(f, view_.offset), isovalue = hn::Set(f, view_.isovalue),
            scale = hn::Set(f, view_.scale);
-  const BernsteinCoefficients b = bernsteinOf(c, p, q, [&](VF v) {
+  return {bernsteinOf(c, p, q, [&](VF v) {
     if constexpr (std::is_same_v<T, float>) v = hn::Sub(v, offset);
     return hn::Mul(scale, hn::Sub(v, isovalue));
-  });
-  return {b.b0, b.b1, b.b2, b.b3};
+  })};
 }
 
 #endif

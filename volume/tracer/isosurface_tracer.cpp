@@ -12,7 +12,22 @@ namespace isolux::volume {
 
 namespace tracing {
 
-bool enterVolume(const View& view, const TraceRay& ray, glm::vec3& origin, float& tBegin) {
+namespace {
+
+// Comparisons with NaN are false.
+bool isRay(const TraceRay& ray) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (!std::isfinite(ray.origin[axis]) || !std::isfinite(ray.direction[axis])) return false;
+  return std::isfinite(ray.isovalue) && ray.direction != glm::vec3(0.0f) && ray.tMaximum > 0.0f;
+}
+
+bool isWithin(const View& view, glm::vec3 origin) {
+  return glm::all(glm::greaterThanEqual(origin, glm::vec3(0.0f))) &&
+         glm::all(glm::lessThanEqual(origin, glm::vec3(view.dims - 1)));
+}
+
+// False: the ray passes the volume by.
+bool moveToFace(const View& view, TraceRay& ray, float& tBegin) {
   double begin = 0.0, end = static_cast<double>(ray.tMaximum);
   int entryAxis = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -34,19 +49,11 @@ bool enterVolume(const View& view, const TraceRay& ray, glm::vec3& origin, float
     const double last = view.dims[axis] - 1;
     const double at =
         static_cast<double>(ray.origin[axis]) + begin * static_cast<double>(ray.direction[axis]);
-    origin[axis] = static_cast<float>(std::clamp(at, 0.0, last));
-    if (axis == entryAxis) origin[axis] = ray.direction[axis] > 0.0f ? 0.0f : static_cast<float>(last);
+    ray.origin[axis] = static_cast<float>(std::clamp(at, 0.0, last));
+    if (axis == entryAxis) ray.origin[axis] = ray.direction[axis] > 0.0f ? 0.0f : static_cast<float>(last);
   }
   tBegin = static_cast<float>(begin);
   return true;
-}
-
-namespace {
-
-const Kernels* kernelsOf(TracerTarget target) {
-  if (target == TracerTarget::scalar) return &scalarKernels();
-  const Kernels* const kernels = simdKernels(target);
-  return kernels || target != TracerTarget::automatic ? kernels : &scalarKernels();
 }
 
 View otherSideOf(View view) {
@@ -57,6 +64,13 @@ View otherSideOf(View view) {
 
 }  // namespace
 
+float enterVolume(const View& view, TraceRay& ray) {
+  float begin = 0.0f;
+  if (!isRay(ray) || (!isWithin(view, ray.origin) && !moveToFace(view, ray, begin)))
+    ray = {glm::vec3(0.0f), glm::vec3(0.0f), 0.0f, 0.0f};
+  return begin;
+}
+
 }  // namespace tracing
 
 struct IsosurfaceTracer::HidingView {
@@ -65,26 +79,23 @@ struct IsosurfaceTracer::HidingView {
 };
 
 IsosurfaceTracer::IsosurfaceTracer(std::shared_ptr<const Grid> grid, scene::Inside inside,
-                                   base::Progress& progress, TracerTarget target, TracerReach reach)
+                                   base::Progress& progress, TracerTarget target, bool wide)
     : grid_(std::move(grid)),
       inside_(inside),
       target_(target),
-      reach_(reach),
       tables_(tracing::TraceTables::of(grid_, progress)),
       view_(std::make_unique<tracing::View>()),
       kernels_(tracing::kernelsOf(target)) {
   assert(kernels_);
-  const tracing::Kernels* const wanted = kernels_;
   const CellRanges& ranges = tables_->ranges();
-  if (grid_->geometry().voxelCount() > reach.voxels || ranges.bytes() > reach.tableBytes)
-    kernels_ = &tracing::scalarKernels();
-  beyondSimd_ = kernels_ != wanted;
   view_->dims = grid_->dims();
   view_->blockDims = ranges.blockDims();
   view_->scale = (inside == scene::Inside::above) == (grid_->slope() > 0.0) ? 1.0f : -1.0f;
   view_->ranges = &ranges;
   if (ranges.bytes() > 0) view_->table = ranges.table();
   view_->cellBytes = ranges.cellBytes();
+  view_->wide =
+      wide || grid_->geometry().voxelCount() > std::size_t{1} << 32 || ranges.bytes() > std::size_t{1} << 33;
   std::visit(
       [&](const auto& voxels) {
         using T = typename std::decay_t<decltype(voxels)>::value_type;
@@ -134,7 +145,7 @@ std::vector<HiddenOfSurface> IsosurfaceTracer::hidden() const {
 
 std::shared_ptr<const IsosurfaceTracer> IsosurfaceTracer::otherSide(base::Progress& progress) const {
   auto other =
-      std::make_shared<IsosurfaceTracer>(grid_, scene::otherSide(inside_), progress, target_, reach_);
+      std::make_shared<IsosurfaceTracer>(grid_, scene::otherSide(inside_), progress, target_, view_->wide);
   std::vector<std::shared_ptr<const tracing::HiddenTable>> tables;
   for (const HidingView& hiding : hiding_) tables.push_back(hiding.table);
   other->takeHidden(std::move(tables));
@@ -144,7 +155,7 @@ std::shared_ptr<const IsosurfaceTracer> IsosurfaceTracer::otherSide(base::Progre
 
 std::shared_ptr<const IsosurfaceTracer> IsosurfaceTracer::withAllPieces() const {
   base::Progress progress;  // the tables are there
-  auto whole = std::make_shared<IsosurfaceTracer>(grid_, inside_, progress, target_, reach_);
+  auto whole = std::make_shared<IsosurfaceTracer>(grid_, inside_, progress, target_, view_->wide);
   whole->cut(cut_);
   return whole;
 }
@@ -186,10 +197,9 @@ void IsosurfaceTracer::forViews(std::span<const TraceRay> rays, std::span<Result
 }
 
 std::vector<TracerTarget> IsosurfaceTracer::availableTargets() {
-  std::vector<TracerTarget> list{TracerTarget::scalar};
-  for (const TracerTarget target :
-       {TracerTarget::sse4, TracerTarget::avx2, TracerTarget::avx512, TracerTarget::neon})
-    if (tracing::simdKernels(target)) list.push_back(target);
+  std::vector<TracerTarget> list{TracerTarget::scalar, TracerTarget::sse4, TracerTarget::avx2,
+                                 TracerTarget::avx512, TracerTarget::neon};
+  std::erase_if(list, [](TracerTarget target) { return !tracing::kernelsOf(target); });
   return list;
 }
 
@@ -227,48 +237,36 @@ void IsosurfaceTracer::forKept(std::span<const TraceRay> rays, const Trace& trac
   }
 }
 
-void IsosurfaceTracer::entriesOf(std::span<const TraceRay> rays, Entered entered, std::span<float> t) const {
-  forViews(rays, t, [&](const tracing::View& view, std::span<const TraceRay> of, std::span<float> result) {
-    kernels_->firstEntries(entered == Entered::inside ? view : tracing::otherSideOf(view), of.data(),
-                           of.size(), result.data());
+// Calls take(i, begin, result) with what is found of each part of ray i that is kept, where that begins.
+template <class Result, class Trace, class Take>
+void IsosurfaceTracer::trace(std::span<const TraceRay> rays, std::span<Result> results, Result none,
+                             const Trace& kernel, const Take& take) const {
+  assert(rays.size() == results.size());
+  const auto traceOf = [&](Entered entered) {
+    return [&, entered](const tracing::View& view, std::span<const TraceRay> of, std::span<Result> result) {
+      kernel(entered == Entered::inside ? view : tracing::otherSideOf(view), of.data(), of.size(),
+             result.data());
+    };
+  };
+  if (view_->traceable() && !cut_.cuts()) return forViews(rays, results, traceOf(Entered::inside));
+  std::fill(results.begin(), results.end(), none);
+  if (!view_->traceable()) return;
+  std::vector<Result> found;
+  forKept(rays, [&](const KeptRays& kept, Entered entered) {
+    found.resize(kept.rays.size());
+    forViews(std::span<const TraceRay>(kept.rays), std::span<Result>(found), traceOf(entered));
+    for (std::size_t i = 0; i < found.size(); ++i) take(kept.of[i], kept.begins[i], found[i]);
   });
-}
-
-void IsosurfaceTracer::anyOf(std::span<const TraceRay> rays, Entered entered,
-                             std::span<std::uint8_t> hit) const {
-  forViews(rays, hit,
-           [&](const tracing::View& view, std::span<const TraceRay> of, std::span<std::uint8_t> result) {
-             kernels_->anyEntries(entered == Entered::inside ? view : tracing::otherSideOf(view), of.data(),
-                                  of.size(), result.data());
-           });
 }
 
 void IsosurfaceTracer::firstEntries(std::span<const TraceRay> rays, std::span<float> t) const {
-  assert(rays.size() == t.size());
-  if (view_->traceable() && !cut_.cuts()) return entriesOf(rays, Entered::inside, t);
-  std::fill(t.begin(), t.end(), std::numeric_limits<float>::infinity());
-  if (!view_->traceable()) return;
-  std::vector<float> found;
-  forKept(rays, [&](const KeptRays& kept, Entered entered) {
-    found.resize(kept.rays.size());
-    entriesOf(kept.rays, entered, found);
-    for (std::size_t i = 0; i < found.size(); ++i)
-      t[kept.of[i]] = std::min(t[kept.of[i]], kept.begins[i] + found[i]);
-  });
+  trace(rays, t, std::numeric_limits<float>::infinity(), kernels_->firstEntries,
+        [t](std::size_t i, float begin, float found) { t[i] = std::min(t[i], begin + found); });
 }
 
 void IsosurfaceTracer::anyEntries(std::span<const TraceRay> rays, std::span<std::uint8_t> hit) const {
-  assert(rays.size() == hit.size());
-  if (view_->traceable() && !cut_.cuts()) return anyOf(rays, Entered::inside, hit);
-  std::fill(hit.begin(), hit.end(), std::uint8_t{0});
-  if (!view_->traceable()) return;
-  std::vector<std::uint8_t> found;
-  forKept(rays, [&](const KeptRays& kept, Entered entered) {
-    found.resize(kept.rays.size());
-    anyOf(kept.rays, entered, found);
-    for (std::size_t i = 0; i < found.size(); ++i)
-      if (found[i] != 0) hit[kept.of[i]] = 1;
-  });
+  trace(rays, hit, std::uint8_t{0}, kernels_->anyEntries,
+        [hit](std::size_t i, float, std::uint8_t found) { hit[i] |= found; });
 }
 
 void IsosurfaceTracer::gradients(std::span<const glm::vec3> voxels, std::span<glm::vec3> gradients) const {

@@ -20,6 +20,7 @@
 #include "scene/choices.h"
 #include "volume/clip/surface_cut.h"
 #include "volume/grid.h"
+#include "volume/simd/simd_set.h"
 #include "volume/visible/hidden_pieces.h"
 
 namespace isolux::volume {
@@ -38,23 +39,14 @@ struct TraceRay {
   float tMaximum = std::numeric_limits<float>::infinity();
 };
 
-// Instruction sets the tracer is compiled for.
-enum class TracerTarget { automatic, scalar, sse4, avx2, avx512, neon };
-
-// The largest volumes whose places have the 32 bits of a SIMD lane: about 1600^3 voxels. Larger ones are
-// traced by the scalar kernels, at a third of the speed. Smaller numbers are for tests.
-struct TracerReach {
-  std::size_t voxels = std::size_t{1} << 32;
-  std::size_t tableBytes = std::size_t{1} << 33;  // of CellRanges
-};
-
 class IsosurfaceTracer {
  public:
   // Builds what rays skip by, on all threads, or shares it with another tracer of the grid. Throws Error:
   // interrupted; memory, before anything is made.
   // `target`: automatic is the widest of this machine; one of availableTargets() for tests and benchmarks.
+  // `wide`: with the 64-bit indices of volumes of more than 2^32 voxels, for tests.
   IsosurfaceTracer(std::shared_ptr<const Grid> grid, scene::Inside inside, base::Progress& progress,
-                   TracerTarget target = TracerTarget::automatic, TracerReach reach = {});
+                   TracerTarget target = TracerTarget::automatic, bool wide = false);
   ~IsosurfaceTracer();
   IsosurfaceTracer(const IsosurfaceTracer&) = delete;
   IsosurfaceTracer& operator=(const IsosurfaceTracer&) = delete;
@@ -85,14 +77,13 @@ class IsosurfaceTracer {
   void gradients(std::span<const glm::vec3> voxels, std::span<glm::vec3> gradients) const;
 
   const Grid& grid() const { return *grid_; }
-  std::size_t bytes() const;                       // beside the grid; of all its tracers together
-  const char* target() const;                      // "AVX-512", "AVX2", "SSE4", "NEON" or "scalar"
-  bool beyondSimd() const { return beyondSimd_; }  // scalar only because of TracerReach
+  std::size_t bytes() const;   // beside the grid; of all its tracers together
+  const char* target() const;  // "AVX-512", "AVX2", "SSE4", "NEON" or "scalar"
 
  private:
   // Of rays of one isovalue, or of all others.
   struct HidingView;
-  // What is kept of rays, each stretch a ray of its own: which of the rays it is of, and where on it it
+  // The kept segments of rays, each a ray of its own: the index of the ray it is of, and where on it it
   // begins.
   struct KeptRays {
     std::vector<TraceRay> rays;
@@ -103,26 +94,25 @@ class IsosurfaceTracer {
 
   void takeHidden(std::vector<std::shared_ptr<const tracing::HiddenTable>> tables);
   const tracing::View& viewOf(float isovalue) const;
-  // Calls trace(kept, side) with the rays within what is kept of their isosurfaces; then with those stretches
-  // that lie behind removed boxes, of the other side.
+  // Calls trace(kept, side) with the segments within the clipped volumes; then with those segments that lie
+  // behind removed boxes, of the other side.
   template <class Trace>
   void forKept(std::span<const TraceRay> rays, const Trace& trace) const;
   enum class Entered { inside, outside };
-  void entriesOf(std::span<const TraceRay> rays, Entered entered, std::span<float> t) const;
-  void anyOf(std::span<const TraceRay> rays, Entered entered, std::span<std::uint8_t> hit) const;
+  template <class Result, class Trace, class Take>
+  void trace(std::span<const TraceRay> rays, std::span<Result> results, Result none, const Trace& kernel,
+             const Take& take) const;
   template <class Result, class Trace>
   void forViews(std::span<const TraceRay> rays, std::span<Result> results, const Trace& trace) const;
 
   std::shared_ptr<const Grid> grid_;
   scene::Inside inside_;
   TracerTarget target_;
-  TracerReach reach_;
   std::shared_ptr<const tracing::TraceTables> tables_;
   std::unique_ptr<tracing::View> view_;
   std::vector<HidingView> hiding_;
   SurfaceCut cut_;
   const tracing::Kernels* kernels_;
-  bool beyondSimd_ = false;
 };
 
 }  // namespace isolux::volume

@@ -1,6 +1,6 @@
 // The isosurface tracer with one ray per SIMD lane, for one instruction set. Included by a source that CMake
-// makes for each set (isolux_simd_sources() in cmake/IsoluxTargets.cmake); simdKernels() chooses among them
-// at run time. Indices of voxels, and offsets of pairs of bytes in the table, have 32 bits (TracerReach).
+// makes for each set (isolux_simd_sources() in cmake/IsoluxTargets.cmake); kernelsOf() chooses among them at
+// run time.
 //
 // Groups of rays take turns (steps-inl.h), cells are tested by cells-inl.h.
 #include "volume/tracer/kernels.h"
@@ -10,7 +10,13 @@
 #include <hwy/foreach_target.h>  // before highway.h
 #include <hwy/highway.h>
 
-#include "volume/tracer/gradients-inl.h"
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#if HWY_TARGET != HWY_SCALAR  // whose vectors have one lane
+#include "volume/simd/derivatives_at-inl.h"
+#endif
 #include "volume/tracer/steps-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -21,14 +27,16 @@ namespace HWY_NAMESPACE {
 // write(ray, t)
 template <bool any, class Write>
 HWY_INLINE void traceAll(const View& view, const TraceRay* rays, std::size_t count, const Write& write) {
-  if (view.signed16)
-    Tracer<std::int16_t, any>(view, view.signed16, rays, count).run(write);
-  else if (view.unsigned16)
-    Tracer<std::uint16_t, any>(view, view.unsigned16, rays, count).run(write);
-  else
-    Tracer<float, any>(view, view.float32, rays, count).run(write);
+  view.withVoxels([&](const auto* voxels) {
+    using T = std::decay_t<decltype(*voxels)>;
+    if (view.wide)
+      Tracer<T, any, true>(view, voxels, rays, count).run(write);
+    else
+      Tracer<T, any, false>(view, voxels, rays, count).run(write);
+  });
 }
 
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr std::size_t kMostRays = std::size_t{1} << 30;  // at once: lanes know their ray by 32 bits
 
 void firstEntries(const View& view, const TraceRay* rays, std::size_t count, float* t) {
@@ -45,12 +53,19 @@ void anyEntries(const View& view, const TraceRay* rays, std::size_t count, std::
 }
 
 void gradients(const View& view, const glm::vec3* points, std::size_t count, glm::vec3* result) {
-  if (view.signed16)
-    gradientsOf(view, view.signed16, points, count, result);
-  else if (view.unsigned16)
-    gradientsOf(view, view.unsigned16, points, count, result);
-  else
-    gradientsOf(view, view.float32, points, count, result);
+#if HWY_TARGET == HWY_SCALAR
+  std::transform(points, points + count, result, [&](glm::vec3 p) { return borderGradient(view, p); });
+#else
+  view.withVoxels([&](const auto* voxels) {
+    const DerivativesAt samples(voxels, view.dims);
+    for (std::size_t n = 0; n < count; ++n) {
+      const Located at = locate(view.dims, points[n]);
+      const glm::vec3 g =
+          samples.isWithin(at.cell) ? samples.template spline<false>(at).gradient : glm::vec3(kNaN);
+      result[n] = std::isnan(g.x + g.y + g.z) ? borderGradient(view, points[n]) : g;
+    }
+  });
+#endif
 }
 
 extern const Kernels kKernels;

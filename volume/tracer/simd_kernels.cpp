@@ -1,4 +1,4 @@
-// The choice among the kernels that are compiled.
+// Chooses among the kernels that are compiled.
 #include <hwy/targets.h>
 
 #include "volume/simd_sets.h"
@@ -6,20 +6,22 @@
 
 namespace isolux::volume::tracing {
 
+#define ISOLUX_TRACER_SETS(X) ISOLUX_SIMD_SETS(X) X(SCALAR)
+
 #define ISOLUX_DECLARE(set)        \
   namespace N_##set {              \
     extern const Kernels kKernels; \
   }
-ISOLUX_SIMD_SETS(ISOLUX_DECLARE)
+ISOLUX_TRACER_SETS(ISOLUX_DECLARE)
 #undef ISOLUX_DECLARE
 
-const Kernels* simdKernels(TracerTarget target) {
-  const std::int64_t supported = hwy::SupportedTargets();
+const Kernels* kernelsOf(TracerTarget target) {
+  const std::int64_t supported = hwy::SupportedTargets() | HWY_SCALAR;
 #define ISOLUX_CHOOSE(one)                                                                           \
   if (const SimdSet& set = N_##one::kKernels.set;                                                    \
       (supported & set.highway) != 0 && (target == set.target || target == TracerTarget::automatic)) \
     return &N_##one::kKernels;
-  ISOLUX_SIMD_SETS(ISOLUX_CHOOSE)
+  ISOLUX_TRACER_SETS(ISOLUX_CHOOSE)
 #undef ISOLUX_CHOOSE
   return nullptr;
 }

@@ -1,6 +1,5 @@
-// Rays made ready, as many at once as there are lanes: prepare() of kernels.h in vectors, in the same
-// arithmetic, so that every ray is the same bit for bit. Included once per instruction set by
-// simd_kernels-inl.h.
+// Prepares rays, as many at once as there are lanes, and gives them to groups. Included once per instruction
+// set by simd_kernels-inl.h.
 #if defined(ISOLUX_VOLUME_TRACER_STOCK_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISOLUX_VOLUME_TRACER_STOCK_INL_H
 #undef ISOLUX_VOLUME_TRACER_STOCK_INL_H
@@ -8,19 +7,19 @@
 #define ISOLUX_VOLUME_TRACER_STOCK_INL_H
 #endif
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
 
-#include "volume/tracer/kernels.h"
-#include "volume/tracer/lanes-inl.h"
+#include "volume/tracer/group-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isolux::volume::tracing {
 namespace HWY_NAMESPACE {
 #if HWY_TARGET == ISOLUX_SIMD_TARGET
 
-// How many of the lower bits are set, in byte i of bit i, for all bytes.
+// For all bytes, in byte i: how many of the bits below bit i are set.
 constexpr std::array<std::uint64_t, 256> kRanks = [] {
   std::array<std::uint64_t, 256> ranks{};
   for (std::size_t bits = 0; bits < 256; ++bits) {
@@ -33,7 +32,7 @@ constexpr std::array<std::uint64_t, 256> kRanks = [] {
   return ranks;
 }();
 
-// Of every lane: how many lanes before it are set.
+// Returns for every lane how many lanes before it are set.
 HWY_INLINE VI ranksOf(std::uint32_t bits) {
   alignas(16) std::uint64_t ranks[2] = {kRanks[bits & 255], 0};
   const auto before = static_cast<std::uint64_t>(std::popcount(bits & 255));
@@ -43,7 +42,7 @@ HWY_INLINE VI ranksOf(std::uint32_t bits) {
   return hn::PromoteTo(I(), hn::Load(hn::Rebind<std::uint8_t, I>(), bytes));
 }
 
-// The bins of isovalues: the expression of ValueBins, in double precision.
+// Returns the bins of isovalues.
 HWY_INLINE VI binsOf(const ValueBins& bins, VF isovalues) {
   alignas(64) float values[kLanes];
   alignas(64) std::int32_t found[kLanes];
@@ -59,20 +58,30 @@ class Stock {
 
   bool exhausted() const { return begin_ == end_ && next_ == count_; }
 
-  // Gives the lanes of `idle` rays as far as there are any; those that have got one. missed(ray): of rays
-  // that meet nothing.
+  // Gives the lanes in `idle` rays as far as there are any, and returns those that got one. Calls missed(ray)
+  // for rays that meet nothing.
   template <class Missed>
   HWY_INLINE MI give(Group& g, std::uint32_t idle, const Missed& missed);
 
  private:
   static constexpr std::size_t kRays = 64;
 
+  // TraceRay of each lane.
+  struct Fields {
+    VF origin[3], direction[3], isovalue, tMaximum;
+    HWY_INLINE VF greatest() const {
+      return hn::Max(hn::Max(hn::Abs(direction[0]), hn::Abs(direction[1])), hn::Abs(direction[2]));
+    }
+  };
+  static HWY_INLINE Fields fieldsOf(const TraceRay* rays);
+  HWY_INLINE bool allBeginWithin(const Fields& rays) const;
+  HWY_INLINE VF last(int axis) const { return hn::Set(F(), static_cast<float>(view_.dims[axis] - 1)); }
   template <class Missed>
-  HWY_INLINE void fill(const Missed& missed);
+  HWY_INLINE void prepare(const Missed& missed);
   template <class Missed>
-  HWY_INLINE void prepareVector(const Missed& missed);
+  HWY_NOINLINE void prepareOneByOne(const Missed& missed);
   template <class Missed>
-  void prepareScalar(std::size_t count, const Missed& missed);
+  HWY_INLINE void scale(const Fields& rays, VF tBegin, std::size_t count, const Missed& missed);
   // Calls each(of the stock, of the group) for all arrays.
   template <class Each>
   HWY_INLINE void forEachArray(Group& g, const Each& each);
@@ -81,11 +90,7 @@ class Stock {
   const TraceRay* rays_;
   std::size_t count_, next_ = 0;
   std::size_t begin_ = 0, end_ = 0;  // of what is ready
-  struct Ready {
-    alignas(64) float origin[3][kRays], direction[3][kRays], inverse[3][kRays];
-    alignas(64) float tEnd[kRays], isovalue[kRays], scale[kRays], tBegin[kRays];
-    alignas(64) std::int32_t bin[kRays], start[3][kRays], ray[kRays];
-  } ready_;
+  PreparedRays<kRays> ready_;
 };
 
 template <class Each>
@@ -115,7 +120,7 @@ HWY_INLINE MI Stock::give(Group& g, std::uint32_t idle, const Missed& missed) {
     });
     end_ -= begin_;
     begin_ = 0;
-    while (next_ < count_ && end_ + kLanes <= kRays - kLanes) prepareVector(missed);
+    while (next_ < count_ && end_ + kLanes <= kRays - kLanes) prepare(missed);
   }
   const std::size_t given = std::min(wanted, end_ - begin_);
   const VI rank = ranksOf(idle);
@@ -124,128 +129,115 @@ HWY_INLINE MI Stock::give(Group& g, std::uint32_t idle, const Missed& missed) {
   const MI taking = hn::And(hn::Gt(hn::Load(i, lanes), hn::Zero(i)),
                             hn::Gt(hn::Set(i, static_cast<std::int32_t>(given)), rank));
   if constexpr (kLanes < 8) {  // one ray at a time is quicker
-    std::uint32_t lanesLeft = idle;
-    for (std::size_t k = begin_; k < begin_ + given; ++k, lanesLeft &= lanesLeft - 1) {
-      const int lane = std::countr_zero(lanesLeft);
-      forEachArray(g, [&](const auto& array, auto& lanesOfGroup) { lanesOfGroup[lane] = array[k]; });
-    }
+    std::size_t next = begin_;
+    forLanes(bitsOf(taking), [&](std::size_t lane) {
+      forEachArray(g, [&](const auto& array, auto& lanesOfGroup) { lanesOfGroup[lane] = array[next]; });
+      ++next;
+    });
   } else {
     const VI within = hn::And(rank, hn::Set(i, static_cast<std::int32_t>(kLanes - 1)));
-    const auto places = hn::IndicesFromVec(i, within);
-    const auto placesOfFloats = hn::IndicesFromVec(F(), within);
     forEachArray(g, [&](const auto& array, auto& lanesOfGroup) {
-      if constexpr (std::is_same_v<std::decay_t<decltype(array[0])>, float>)
-        hn::BlendedStore(hn::TableLookupLanes(hn::LoadU(F(), array + begin_), placesOfFloats),
-                         hn::RebindMask(F(), taking), F(), lanesOfGroup);
-      else
-        hn::BlendedStore(hn::TableLookupLanes(hn::LoadU(i, array + begin_), places), taking, i, lanesOfGroup);
+      const hn::ScalableTag<std::decay_t<decltype(array[0])>> d;
+      hn::BlendedStore(hn::TableLookupLanes(hn::LoadU(d, array + begin_), hn::IndicesFromVec(d, within)),
+                       hn::RebindMask(d, taking), d, lanesOfGroup);
     });
   }
   begin_ += given;
   return taking;
 }
 
-template <class Missed>
-void Stock::prepareScalar(std::size_t count, const Missed& missed) {
-  for (std::size_t k = 0; k < count; ++k, ++next_) {
-    PreparedRay ray;
-    if (!prepare(view_, rays_[next_], ray)) {
-      missed(next_);
-      continue;
-    }
-    for (int axis = 0; axis < 3; ++axis) {
-      ready_.origin[axis][end_] = ray.origin[axis];
-      ready_.direction[axis][end_] = ray.direction[axis];
-      ready_.inverse[axis][end_] = ray.inverse[axis];
-      ready_.start[axis][end_] = ray.cell[axis];
-    }
-    ready_.tEnd[end_] = ray.tEnd;
-    ready_.isovalue[end_] = ray.isovalue;
-    ready_.scale[end_] = ray.scale;
-    ready_.tBegin[end_] = ray.tBegin;
-    ready_.bin[end_] = ray.bin;
-    ready_.ray[end_] = static_cast<std::int32_t>(next_);
-    ++end_;
+HWY_INLINE Stock::Fields Stock::fieldsOf(const TraceRay* rays) {
+  static_assert(sizeof(TraceRay) == 8 * sizeof(float));
+  const VI stride = hn::ShiftLeft<3>(hn::Iota(I(), 0));
+  const auto field = [&](int at) {
+    return hn::GatherIndex(F(), &rays->origin.x, hn::Add(stride, hn::Set(I(), at)));
+  };
+  return {{field(0), field(1), field(2)}, {field(3), field(4), field(5)}, field(6), field(7)};
+}
+
+HWY_INLINE bool Stock::allBeginWithin(const Fields& rays) const {
+  const F f;
+  const VF zero = hn::Zero(f);
+  // x - x is 0 for finite numbers.
+  VF sum = hn::Sub(rays.isovalue, rays.isovalue);
+  MF within = hn::And(hn::Gt(rays.greatest(), zero), hn::Gt(rays.tMaximum, zero));
+  for (int axis = 0; axis < 3; ++axis) {
+    const VF origin = rays.origin[axis], d = rays.direction[axis];
+    sum = hn::Add(sum, hn::Add(hn::Sub(d, d), hn::Sub(origin, origin)));
+    within = hn::And(within, hn::And(hn::Ge(origin, zero), hn::Le(origin, last(axis))));
   }
+  return hn::AllTrue(f, hn::And(within, hn::Eq(sum, zero)));
 }
 
 template <class Missed>
-HWY_INLINE void Stock::prepareVector(const Missed& missed) {
-  static_assert(sizeof(TraceRay) == 8 * sizeof(float));
+HWY_INLINE void Stock::prepare(const Missed& missed) {
+  if (count_ - next_ >= kLanes) {
+    const Fields rays = fieldsOf(rays_ + next_);
+    if (allBeginWithin(rays)) {
+      scale(rays, hn::Zero(F()), kLanes, missed);
+      return;
+    }
+  }
+  prepareOneByOne(missed);
+}
+
+template <class Missed>
+HWY_NOINLINE void Stock::prepareOneByOne(const Missed& missed) {
+  const std::size_t count = std::min(kLanes, count_ - next_);
+  TraceRay moved[kLanes];
+  alignas(64) float begins[kLanes];
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    moved[lane] = lane < count ? rays_[next_ + lane] : TraceRay{};
+    begins[lane] = enterVolume(view_, moved[lane]);
+  }
+  scale(fieldsOf(moved), hn::Load(F(), begins), count, missed);
+}
+
+template <class Missed>
+HWY_INLINE void Stock::scale(const Fields& rays, VF tBegin, std::size_t count, const Missed& missed) {
   const F f;
   const I i;
-  const std::size_t count = std::min(kLanes, count_ - next_);
-  if (count < kLanes) {
-    prepareScalar(count, missed);
-    return;
-  }
-  const float* const base = &rays_[next_].origin.x;
-  const VI stride = hn::ShiftLeft<3>(hn::Iota(i, 0));
-  const auto field = [&](int at) { return hn::GatherIndex(f, base, hn::Add(stride, hn::Set(i, at))); };
   const VF zero = hn::Zero(f);
-  const VF origin[3] = {field(0), field(1), field(2)}, d[3] = {field(3), field(4), field(5)};
-  const VF isovalue = field(6), tMaximum = field(7);
-  VF last[3];
-  for (int axis = 0; axis < 3; ++axis) last[axis] = hn::Set(f, static_cast<float>(view_.dims[axis] - 1));
-  const VF greatest = hn::Max(hn::Max(hn::Abs(d[0]), hn::Abs(d[1])), hn::Abs(d[2]));
-  VF sum = hn::Sub(isovalue, isovalue);
-  MF within = hn::Eq(zero, zero);
-  for (int axis = 0; axis < 3; ++axis) {
-    sum = hn::Add(sum, hn::Add(hn::Sub(d[axis], d[axis]), hn::Sub(origin[axis], origin[axis])));
-    within = hn::And(within, hn::And(hn::Ge(origin[axis], zero), hn::Le(origin[axis], last[axis])));
-  }
-  // Those that begin outside want double precision; those that are no rays are sorted out there, too.
-  const MF good =
-      hn::And(hn::And(within, hn::Eq(sum, zero)), hn::And(hn::Gt(greatest, zero), hn::Gt(tMaximum, zero)));
-  if (!hn::AllTrue(f, good)) {
-    prepareScalar(kLanes, missed);
-    return;
-  }
-  const VI exponent = hn::BitCast(i, hn::ShiftRight<23>(hn::BitCast(U(), greatest)));
+  // 2^-e, exact but for directions so long or short that float has no such power.
+  const VI exponent = hn::BitCast(i, hn::ShiftRight<23>(hn::BitCast(U(), rays.greatest())));
   const VI inverseExponent =
       hn::IfThenElse(hn::Gt(exponent, hn::Set(i, 252)), hn::Set(i, 1), hn::Sub(hn::Set(i, 254), exponent));
   const VF shrink = hn::BitCast(f, hn::ShiftLeft<23>(inverseExponent));
-  const VF one = hn::Set(f, 1.0f), creep = hn::Set(f, kCreep);
-  VF tEnd = hn::Div(tMaximum, shrink);
+  const VF one = hn::Set(f, 1.0f), creep = hn::Set(f, 1e-30f);
+  VF tEnd = hn::Div(hn::Sub(rays.tMaximum, tBegin), shrink);
   VF along[3], inverse[3];
   for (int axis = 0; axis < 3; ++axis) {
-    const VF scaled = hn::Mul(d[axis], shrink);
-    const VF creeping = hn::IfThenElse(hn::Ge(origin[axis], last[axis]), hn::Neg(creep), creep);
+    const VF origin = rays.origin[axis], scaled = hn::Mul(rays.direction[axis], shrink);
+    const VF creeping = hn::IfThenElse(hn::Ge(origin, last(axis)), hn::Neg(creep), creep);
     along[axis] = hn::IfThenElse(hn::Lt(hn::Abs(scaled), creep), creeping, scaled);
     inverse[axis] = hn::Div(one, along[axis]);
-    const VF border = hn::IfThenElseZero(hn::Gt(along[axis], zero), last[axis]);
-    const VF leaves = hn::Mul(hn::Sub(border, origin[axis]), inverse[axis]);
+    const VF border = hn::IfThenElseZero(hn::Gt(along[axis], zero), last(axis));
+    const VF leaves = hn::Mul(hn::Sub(border, origin), inverse[axis]);
     tEnd = hn::IfThenElse(hn::Lt(leaves, tEnd), leaves, tEnd);
   }
   const MF meets = hn::Gt(tEnd, zero);
-  const MI meetsToo = hn::RebindMask(i, meets);
   const bool all = hn::AllTrue(f, meets);
-  const auto keep = [&](VF values, float* array) {
-    all ? hn::StoreU(values, f, array + end_)
-        : static_cast<void>(hn::CompressBlendedStore(values, meets, f, array + end_));
-  };
-  const auto keepWhole = [&](VI values, std::int32_t* array) {
-    all ? hn::StoreU(values, i, array + end_)
-        : static_cast<void>(hn::CompressBlendedStore(values, meetsToo, i, array + end_));
+  const auto keep = [&](auto values, auto* array) {
+    const hn::ScalableTag<std::decay_t<decltype(*array)>> d;
+    all ? hn::StoreU(values, d, array + end_)
+        : static_cast<void>(hn::CompressBlendedStore(values, hn::RebindMask(d, meets), d, array + end_));
   };
   for (int axis = 0; axis < 3; ++axis) {
-    keep(origin[axis], ready_.origin[axis]);
+    keep(rays.origin[axis], ready_.origin[axis]);
     keep(along[axis], ready_.direction[axis]);
     keep(inverse[axis], ready_.inverse[axis]);
-    keepWhole(hn::Min(hn::ConvertTo(i, origin[axis]), hn::Set(i, view_.dims[axis] - 2)), ready_.start[axis]);
+    keep(hn::Min(hn::ConvertTo(i, rays.origin[axis]), hn::Set(i, view_.dims[axis] - 2)), ready_.start[axis]);
   }
   keep(tEnd, ready_.tEnd);
-  keep(isovalue, ready_.isovalue);
+  keep(rays.isovalue, ready_.isovalue);
   keep(shrink, ready_.scale);
-  keep(zero, ready_.tBegin);
-  keepWhole(binsOf(view_.ranges->bins(), isovalue), ready_.bin);
-  keepWhole(hn::Add(hn::Iota(i, 0), hn::Set(i, static_cast<std::int32_t>(next_))), ready_.ray);
-  if (!all)
-    for (std::uint32_t missing = ~bitsOf(meetsToo) & ((1u << kLanes) - 1); missing != 0;
-         missing &= missing - 1)
-      missed(next_ + static_cast<std::size_t>(std::countr_zero(missing)));
+  keep(tBegin, ready_.tBegin);
+  keep(binsOf(view_.ranges->bins(), rays.isovalue), ready_.bin);
+  keep(hn::Add(hn::Iota(i, 0), hn::Set(i, static_cast<std::int32_t>(next_))), ready_.ray);
+  const std::uint32_t missing = ~bitsOf(hn::RebindMask(i, meets)) & ((1u << count) - 1);
+  forLanes(missing, [&](std::size_t lane) { missed(next_ + lane); });
   end_ += all ? kLanes : hn::CountTrue(f, meets);
-  next_ += kLanes;
+  next_ += count;
 }
 
 #endif

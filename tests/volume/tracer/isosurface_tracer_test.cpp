@@ -738,35 +738,24 @@ TEST(IsosurfaceTracerMemory, TracersOfAGridShareTheirTables) {
   EXPECT_EQ(base::machineMemory().held(), before);
 }
 
-TEST(IsosurfaceTracerReach, BeyondItTheScalarKernelsAnswerAndTheTracerSaysSo) {
-  const GridPointer grid = phantom("gyroid", glm::ivec3(24));
-  base::Progress progress;
-  const IsosurfaceTracer within(grid, Inside::above, progress);
-  EXPECT_FALSE(within.beyondSimd());
-  const IsosurfaceTracer scalar(grid, Inside::above, progress, TracerTarget::scalar);
-  EXPECT_FALSE(scalar.beyondSimd()) << "it was asked for";
-  const std::size_t voxels = grid->geometry().voxelCount(), table = CellRanges::bytesOf(grid->dims());
-  const auto made = [&](TracerReach reach) {
-    return std::make_unique<IsosurfaceTracer>(grid, Inside::above, progress, TracerTarget::automatic, reach);
-  };
-  EXPECT_FALSE(made({voxels, table})->beyondSimd());
-  if (IsosurfaceTracer::availableTargets().size() == 1) GTEST_SKIP() << "there is no SIMD here";
-  EXPECT_TRUE(made({voxels - 1, table})->beyondSimd());
-  const auto beyond = made({voxels, table - 1});
-  EXPECT_TRUE(beyond->beyondSimd());
-  EXPECT_STREQ(beyond->target(), "scalar");
-
-  std::vector<TraceRay> rays;
-  for (int i = 0; i < 500; ++i) {
-    const auto u = [i](int n) {
-      return static_cast<float>(base::uniformNoise(1, static_cast<std::uint64_t>(9 * i + n)));
-    };
-    rays.push_back({glm::vec3(u(0), u(1), u(2)) * 23.0f, glm::vec3(u(3), u(4), u(5)) - 0.5f, u(6) - 0.5f});
+// The 64-bit indices of volumes of more than 2^32 voxels give the same, bit by bit.
+TEST_P(IsosurfaceTracerOn, WideIndicesGiveTheSameEntries) {
+  const GridPointer gyroid = phantom("gyroid", glm::ivec3(24, 31, 17));
+  for (const GridPointer& grid :
+       {gyroid, quantised<std::uint8_t>(*gyroid, 0, 255), quantised<std::uint16_t>(*gyroid, 0, 65535)}) {
+    base::Progress progress;
+    const IsosurfaceTracer narrow(grid, Inside::above, progress, GetParam());
+    const IsosurfaceTracer wide(grid, Inside::above, progress, GetParam(), true);
+    const auto isovalue = static_cast<float>(grid->storedOfValue(0.5 * (grid->minimum() + grid->maximum())));
+    const std::vector<TraceRay> rays = allKindsOfRays(*grid, 2000, {isovalue, 0.9f * isovalue});
+    const std::vector<float> t = firstOf(narrow, rays);
+    EXPECT_EQ(t, firstOf(wide, rays));
+    EXPECT_GT(std::count_if(t.begin(), t.end(), [](float at) { return at < kNoEntry; }), 200);
+    std::vector<std::uint8_t> hit(rays.size()), hitWide(rays.size());
+    narrow.anyEntries(rays, hit);
+    wide.anyEntries(rays, hitWide);
+    EXPECT_EQ(hit, hitWide);
   }
-  std::vector<float> a(rays.size()), b(rays.size());
-  beyond->firstEntries(rays, a);
-  scalar.firstEntries(rays, b);
-  EXPECT_EQ(a, b);
 }
 
 TEST(IsosurfaceTracerMemory, AsksBeforeItMakesItsTables) {
