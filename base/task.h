@@ -1,7 +1,7 @@
 // Runs a function on a background thread and keeps what it returns, or the Error that ended it.
 //
 // The owner never waits: it polls finished(), or is notified. Destroying a task requests its work to stop;
-// the thread and its data end in the background (base/retire.h).
+// the thread and its data end in the background (base/destroy_in_background.h).
 #pragma once
 
 #include <atomic>
@@ -15,9 +15,9 @@
 #include <variant>
 
 #include "base/caught_error.h"
+#include "base/destroy_in_background.h"
 #include "base/error.h"
 #include "base/progress.h"
-#include "base/retire.h"
 
 namespace isolux::base {
 
@@ -98,7 +98,7 @@ class Task {
     }
   };
 
-  RetiringThread<Shared> shared_;
+  BackgroundThread<Shared> shared_;
 };
 
 }  // namespace isolux::base

@@ -62,13 +62,13 @@ std::shared_ptr<gi::LightScene> lightOf(const VolumePointer& volume, const std::
       resolved, volume, std::move(tracer), gi::loadEnvironment(resolved.light.environment)));
 }
 
-std::vector<gi::WantedBlock> randomBlocks(const gi::LatticeGeometry& geometry) {
+std::vector<gi::BlockRequest> randomBlocks(const gi::LatticeGeometry& geometry) {
   std::set<std::uint32_t> chosen;
   for (std::uint64_t i = 0; chosen.size() < kBlocks; ++i)
     chosen.insert(static_cast<std::uint32_t>(base::uniformNoise(7, i) * geometry.blockCount()));
-  std::vector<gi::WantedBlock> blocks;
+  std::vector<gi::BlockRequest> blocks;
   for (const std::uint32_t block : chosen) {
-    gi::WantedBlock wanted;
+    gi::BlockRequest wanted;
     wanted.block = block;
     for (int i = 0; i < gi::kTexelsOfBlock; ++i)
       if (geometry.contains(geometry.texelOf(block, i))) wanted.texels.set(static_cast<std::size_t>(i));
@@ -83,7 +83,7 @@ std::uint64_t bake(const std::shared_ptr<const gi::LightScene>& light, int threa
   const auto estimator = std::make_shared<const gi::LatticeEstimator>(light, geometry, gi::LightPart::sky);
   const auto lattice = std::make_shared<gi::LightLattice>(geometry, estimator->content(), "");
   gi::LightBake bake(lattice, estimator, {.samples = kPaths, .threads = threads});
-  bake.want(gi::Wish::visible, randomBlocks(geometry));
+  bake.want(gi::Priority::visible, randomBlocks(geometry));
   if (!bake.waitFor(0, 600.0)) std::printf("  the bake did not end\n");
   return bake.counters().rays;
 }

@@ -31,7 +31,7 @@ void compare(const render::OffscreenContext& context, const Subject& subject) {
     scene::Scene scene;
     scene.isosurface.value = subject.isovalue;
     frames.emplace_back(context.gl(), subject.volume, scene, 1,
-                        scene::Machine{.memory = {.layout = layout}, .executor = scene::Executor::gpu});
+                        scene::HostSettings{.memory = {.layout = layout}, .executor = scene::Executor::gpu});
   }
   const std::vector<PassTimes> times = passTimes(frames, rounds);
   const render::FrameReport& report = frames[1].changed();

@@ -34,7 +34,7 @@ struct Shape {
   std::string name;
   volume::Grid clean;
   double isovalue = 0.0, contrast = 0.0;
-  std::function<test::Curvature(glm::dvec3 world)> truth;
+  std::function<test::Curvature(glm::dvec3 world)> reference;
 };
 
 // A distance seen through a point spread of one voxel: contrast 100 from one side to the other.
@@ -45,19 +45,19 @@ double edgeOf(double voxels) {
 Shape closedForm(const std::string& name) {
   const volume::GridGeometry geometry = test::unitGeometry(glm::ivec3(kSize));
   const std::shared_ptr<const test::AnalyticField> field = test::analyticField(name, geometry);
-  const auto truth = [field](glm::dvec3 world) { return field->curvature(world); };
-  if (name == "gyroid") return {name, test::phantomGrid(name, geometry), 0.0, 3.0, truth};
+  const auto reference = [field](glm::dvec3 world) { return field->curvature(world); };
+  if (name == "gyroid") return {name, test::phantomGrid(name, geometry), 0.0, 3.0, reference};
   const auto edge = [&](glm::dvec3 world) {
     const test::Derivatives d = field->at(world);
     return edgeOf(d.value / glm::length(d.gradient));
   };
-  return {name, test::gridOfWorld(geometry, edge), 50.0, 100.0, truth};
+  return {name, test::gridOfWorld(geometry, edge), 50.0, 100.0, reference};
 }
 
 // What the noise-free head has at scale 0: the formulas of its organs have no curvature of their own.
 Shape headShape(const char* name, double isovalue) {
   const auto head = std::make_shared<const volume::Grid>(test::phantomGrid("head", kHeadSize));
-  const auto truth = [head](glm::dvec3 world) {
+  const auto reference = [head](glm::dvec3 world) {
     const volume::GridGeometry& geometry = head->geometry();
     const volume::FieldSample s =
         volume::sampleCubic(*head, glm::dvec3(geometry.voxelFromWorld() * glm::dvec4(world, 1.0)));
@@ -65,7 +65,7 @@ Shape headShape(const char* name, double isovalue) {
         volume::worldGradient(geometry, s.gradient), volume::worldHessian(geometry, s.hessian));
     return test::Curvature{k.kappa1, k.kappa2};
   };
-  return {name, *head, isovalue, 1000.0, truth};
+  return {name, *head, isovalue, 1000.0, reference};
 }
 
 struct Noise {
@@ -120,25 +120,25 @@ double trimmedMean(std::vector<double> squares) {
   return std::accumulate(squares.begin(), squares.end(), 0.0) / static_cast<double>(squares.size());
 }
 
-double meanSquareError(const std::vector<AtPoint>& found, const std::vector<test::Curvature>& truth) {
+double meanSquareError(const std::vector<AtPoint>& found, const std::vector<test::Curvature>& reference) {
   std::vector<double> squares;
   for (std::size_t i = 0; i < found.size(); ++i)
-    squares.push_back(0.5 * (std::pow(found[i].curvature.kappa1 - truth[i].kappa1, 2) +
-                             std::pow(found[i].curvature.kappa2 - truth[i].kappa2, 2)));
+    squares.push_back(0.5 * (std::pow(found[i].curvature.kappa1 - reference[i].kappa1, 2) +
+                             std::pow(found[i].curvature.kappa2 - reference[i].kappa2, 2)));
   return trimmedMean(std::move(squares));
 }
 
 // Of points with much confidence: those whose curvatures are right within a fifth, or 0.1 / diagonal.
 struct Belief {
   long points = 0, confident = 0, right = 0;
-  void add(const AtPoint& at, const test::Curvature& truth, const volume::CurvatureScale& scale) {
+  void add(const AtPoint& at, const test::Curvature& reference, const volume::CurvatureScale& scale) {
     ++points;
     if (volume::curvatureConfidence(at.curvature, at.gradient, scale) < 0.9) return;
     ++confident;
-    const double size = std::max(std::abs(truth.kappa1), std::abs(truth.kappa2));
+    const double size = std::max(std::abs(reference.kappa1), std::abs(reference.kappa2));
     const double allowed = std::max(0.2 * size, scale.flatCurvature);
-    right += std::abs(at.curvature.kappa1 - truth.kappa1) <= allowed &&
-                     std::abs(at.curvature.kappa2 - truth.kappa2) <= allowed
+    right += std::abs(at.curvature.kappa1 - reference.kappa1) <= allowed &&
+                     std::abs(at.curvature.kappa2 - reference.kappa2) <= allowed
                  ? 1
                  : 0;
   }
@@ -167,11 +167,11 @@ void addVolume(const Shape& shape, const volume::Grid& grid, Row& row) {
   const Volume volume = test::prepared(volume::Grid(grid));
   const double spacing = grid.geometry().spacingMm().x;
   const std::vector<glm::dvec3> points = surfacePoints(*volume, shape.isovalue);
-  std::vector<test::Curvature> truth;
+  std::vector<test::Curvature> reference;
   for (const glm::dvec3& point : points)
-    truth.push_back(shape.truth(glm::dvec3(grid.geometry().worldFromVoxel * glm::dvec4(point, 1.0))));
+    reference.push_back(shape.reference(glm::dvec3(grid.geometry().worldFromVoxel * glm::dvec4(point, 1.0))));
   for (std::size_t i = 0; i < ladder().size(); ++i)
-    row.fixed[i] += meanSquareError(curvaturesAt(*volume, points, spacing * ladder()[i]), truth) / kSeeds;
+    row.fixed[i] += meanSquareError(curvaturesAt(*volume, points, spacing * ladder()[i]), reference) / kSeeds;
   base::Progress progress;
   volume->derivativeChoices->noise(progress);
   const auto begin = std::chrono::steady_clock::now();
@@ -180,9 +180,9 @@ void addVolume(const Shape& shape, const volume::Grid& grid, Row& row) {
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count() / kSeeds;
   row.scale += choice.scaleMm / spacing / kSeeds;
   const std::vector<AtPoint> found = curvaturesAt(*volume, points, choice.scaleMm);
-  row.automatic += meanSquareError(found, truth) / kSeeds;
+  row.automatic += meanSquareError(found, reference) / kSeeds;
   const volume::CurvatureScale scale = confidenceScale(*volume, choice);
-  for (std::size_t i = 0; i < found.size(); ++i) row.belief.add(found[i], truth[i], scale);
+  for (std::size_t i = 0; i < found.size(); ++i) row.belief.add(found[i], reference[i], scale);
 }
 
 volume::Grid withNoiseOf(const Shape& shape, double deviation, const std::vector<float>& noise) {

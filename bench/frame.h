@@ -12,10 +12,10 @@ inline constexpr glm::ivec2 pictureSize{512, 512};  // pixels, of every section
 
 struct Frame {
   Frame(const std::shared_ptr<const render::Gl>& gl, const VolumePointer& volume, scene::Scene wanted,
-        int supersampling = 1, const scene::Machine& machine = {})
+        int supersampling = 1, const scene::HostSettings& host = {})
       : renderer(std::make_shared<render::Renderer>(gl)),
         scene(scene::resolve(std::move(wanted), volume->facts)) {
-    renderer->setMachine(machine);
+    renderer->setHostSettings(host);
     renderer->setVolume(volume);
     request.size = pictureSize;
     request.supersampling = supersampling;

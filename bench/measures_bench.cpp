@@ -45,7 +45,7 @@ void compareSolids(int size) {
     const volume::MinMaxBlocks blocks(grid, 8, progress);
     const auto ours = volume::measureSurface(grid, blocks, {.isovalue = 0.0}, progress);
     const MeshSize mesh = massOf(grid, 0.0);
-    const auto percent = [](double value, double truth) { return 100.0 * (value / truth - 1.0); };
+    const auto percent = [](double value, double reference) { return 100.0 * (value / reference - 1.0); };
     std::printf(
         " %s %d: area %+.4f %% (states %.4f), VTK %+.4f %%; volume %+.4f %% (states %.4f), VTK %+.4f %%\n",
         solid.phantom, size, percent(ours.areaMm2.value, solid.areaMm2),

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/study/light_truth.h"
+#include "app/study/light_reference.h"
 #include "bench/bench.h"
 #include "bench/mesh_path_tracer.h"
 #include "bench/subjects.h"
@@ -43,16 +43,16 @@ void compare(const Subject& subject, const std::string& probe) {
   const std::vector<std::size_t> pixels = app::chosenPixels(outer, kPoints);
   std::vector<glm::vec3> points;
   for (const std::size_t pixel : pixels) points.push_back(voxels[pixel]);
-  const app::LightTruth ours =
-      app::lightTruthAt(light, glm::dvec3(1.0), grid->storedIsovalue(subject.isovalue), points, pixels,
-                        {.relativeNoise = 0.002}, progress);
+  const app::LightReference ours =
+      app::lightReferenceAt(light, glm::dvec3(1.0), grid->storedIsovalue(subject.isovalue), points, pixels,
+                            {.relativeNoise = 0.002}, progress);
 
   const MeshPathTracer mesh(light, trianglesOf(*grid, subject.isovalue), subject.isovalue);
   std::vector<MeshPathTracer::Estimate> theirs(points.size());
   volume::parallelEach(points.size(),
                        [&](std::size_t i) { theirs[i] = mesh.irradiance(points[i], i, kPaths); });
 
-  // lightTruthAt leaves out points without a normal.
+  // lightReferenceAt leaves out points without a normal.
   double mean = 0.0, difference = 0.0, noise = 0.0, square = 0.0, count = 0.0;
   for (std::size_t i = 0, j = 0; i < ours.pixels.size(); ++i) {
     while (pixels[j] != ours.pixels[i]) ++j;

@@ -16,7 +16,7 @@ namespace isolux::bench {
 namespace {
 
 constexpr int rounds = 5;
-const scene::Machine shaders{.executor = scene::Executor::gpu};
+const scene::HostSettings shaders{.executor = scene::Executor::gpu};
 
 scene::Scene paperScene(std::optional<double> isovalue, scene::LookMode look) {
   scene::Scene scene;
@@ -172,8 +172,9 @@ void printRates(const render::OffscreenContext& context, const VolumePointer& vo
       scene::Scene scene = paperScene({}, scene::LookMode::kappa1);
       scene.hit.rate = row.adaptive ? rate / 8.0 : rate;
       scene.hit.nearFactor = row.adaptive ? 8.0 : 1.0;
-      frames.emplace_back(context.gl(), volume, scene, 1,
-                          scene::Machine{.memory = {.layout = row.layout}, .executor = scene::Executor::gpu});
+      frames.emplace_back(
+          context.gl(), volume, scene, 1,
+          scene::HostSettings{.memory = {.layout = row.layout}, .executor = scene::Executor::gpu});
     }
   const std::vector<PassTimes> times = passTimes(frames, rounds);
   std::size_t next = 0;

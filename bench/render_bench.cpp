@@ -34,7 +34,7 @@ void run() {
     scene::Scene cubicShadowed = cubic, interpolated = interpolating;
     cubicShadowed.look.shadow = 1.0;
     interpolated.hit.field = scene::Field::cubic_interpolating;
-    const scene::Machine shaders{.executor = scene::Executor::gpu},
+    const scene::HostSettings shaders{.executor = scene::Executor::gpu},
         processor{.executor = scene::Executor::cpu};
     const auto frame = [&](const VolumePointer& volume, const scene::Scene& scene, int supersampling = 1) {
       return Frame(context->gl(), volume, scene, supersampling, shaders);

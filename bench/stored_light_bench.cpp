@@ -33,8 +33,8 @@ std::vector<Lit> litSubjects() {
 }
 
 // Where texels are lit; light of one bake is drawn for each value.
-app::Knob texelsKnob() {
-  app::Knob knob = app::parseKnobs("texels").front();
+app::QualitySetting texelsKnob() {
+  app::QualitySetting knob = app::parseQualitySettings("texels").front();
   knob.cost = app::Cost::lookupMilliseconds;
   return knob;
 }
@@ -48,9 +48,9 @@ class Row {
   }
 
   void print() {
-    const app::KnobStudy graphics = study(scene::Executor::gpu, scene_.gi.samples, kSize);
-    const app::KnobStudy processor = study(scene::Executor::cpu, scene_.gi.samples, kSize);
-    const app::KnobStudy quiet = study(scene::Executor::cpu, kNearlyNoNoise, kSizeOfSplit);
+    const app::QualityStudy graphics = study(scene::Executor::gpu, scene_.gi.samples, kSize);
+    const app::QualityStudy processor = study(scene::Executor::cpu, scene_.gi.samples, kSize);
+    const app::QualityStudy quiet = study(scene::Executor::cpu, kNearlyNoNoise, kSizeOfSplit);
     const app::StudySetting &own = of(processor, "own"), &shown = of(processor, "auto");
     const app::LightErrors &e = shown.errors.light, &gl = of(graphics, "auto").errors.light;
     std::printf(
@@ -66,14 +66,14 @@ class Row {
   }
 
  private:
-  app::KnobStudy study(scene::Executor executor, int samples, glm::ivec2 size) {
+  app::QualityStudy study(scene::Executor executor, int samples, glm::ivec2 size) {
     scene::Scene scene = scene_;
     scene.gi.samples = samples;
     base::Progress progress;
-    return app::Studio(context_->gl(), {volume_, scene, {.executor = executor}, size, 5})
+    return app::StudyRunner(context_->gl(), {volume_, scene, {.executor = executor}, size, 5})
         .study(texelsKnob(), progress, 0.0, 1.0);
   }
-  static const app::StudySetting& of(const app::KnobStudy& study, std::string_view value) {
+  static const app::StudySetting& of(const app::QualityStudy& study, std::string_view value) {
     for (const app::StudySetting& setting : study.settings)
       if (setting.value == value) return setting;
     throw std::logic_error("no such value of gi.texels");

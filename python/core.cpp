@@ -11,13 +11,13 @@
 
 #include <pybind11/pybind11.h>
 
-#include "app/annotation/annotation.h"
 #include "app/documents/picture_scene.h"
 #include "app/documents/session.h"
 #include "app/files/files.h"
 #include "app/light/light_picture.h"
 #include "app/light/light_report.h"
 #include "app/light/light_resume.h"
+#include "app/overlay_text/annotation.h"
 #include "app/picture/finished_picture.h"
 #include "app/report/render_report.h"
 #include "app/study/study.h"
@@ -44,7 +44,7 @@ struct Core::Graphics {
 
   render::ContextChoice choice;
   render::OffscreenRenderer renderer;
-  scene::Machine machine;
+  scene::HostSettings host;
   struct Light {
     std::unique_ptr<app::LightController> controller;
     bool around = false;
@@ -57,14 +57,14 @@ struct Core::Graphics {
   };
   Light pictures, images;
 
-  Light& light(bool ofImages, const PictureWish& wish) {
+  Light& light(bool ofImages, const PictureRequest& asked) {
     Light& one = ofImages ? images : pictures;
-    if (!one.controller || one.around != wish.lightAround || one.threads != machine.threads) {
+    if (!one.controller || one.around != asked.lightAround || one.threads != host.threads) {
       one = {};
-      one.around = wish.lightAround;
-      one.threads = machine.threads;
+      one.around = asked.lightAround;
+      one.threads = host.threads;
       one.controller = std::make_unique<app::LightController>(
-          app::LightController::Options{.threads = machine.threads, .around = wish.lightAround});
+          app::LightController::Options{.threads = host.threads, .around = asked.lightAround});
     }
     return one;
   }
@@ -219,16 +219,16 @@ Core::Graphics& Core::graphics(render::ContextChoice choice) {
 }
 
 // As `isolux render` does it (app/commands/render.cpp), colours first, then deferred images.
-std::shared_ptr<Picture> Core::draw(const PictureWish& wish, base::Progress& progress) {
+std::shared_ptr<Picture> Core::draw(const PictureRequest& asked, base::Progress& progress) {
   auto picture = std::make_shared<Picture>();
   const app::WantedImages wanted =
-      wish.images.empty() ? app::WantedImages{} : app::parseImageList(wish.images);
-  scene::Scene scene = sceneOf(wish.scene);
-  Graphics& own = graphics(wish.context);
-  const scene::Machine machine = app::machineOf(wish.scene);
-  if (machine != own.machine) own.renderer->setMachine(own.machine = machine);
-  picture->size = wish.size ? *wish.size : app::pictureSize(std::nullopt, path_, wish.scene);
-  scene.camera = app::wishedCamera(wish.scene.camera, scene, *prepared_, picture->size, progress);
+      asked.images.empty() ? app::WantedImages{} : app::parseImageList(asked.images);
+  scene::Scene scene = sceneOf(asked.scene);
+  Graphics& own = graphics(asked.context);
+  const scene::HostSettings host = app::hostSettingsOf(asked.scene);
+  if (host != own.host) own.renderer->setHostSettings(own.host = host);
+  picture->size = asked.size ? *asked.size : app::pictureSize(std::nullopt, path_, asked.scene);
+  scene.camera = app::requestedCamera(asked.scene.camera, scene, *prepared_, picture->size, progress);
   const scene::Scene given = scene;
   scene = scene::resolve(std::move(scene), prepared_->facts);
 
@@ -236,14 +236,14 @@ std::shared_ptr<Picture> Core::draw(const PictureWish& wish, base::Progress& pro
   const auto drawOne = [&](render::FrameRequest request, bool ofImages) {
     request.size = picture->size;
     request.pixelRatio = scene.picture.pixelRatio;
-    Graphics::Light& light = own.light(ofImages, wish);
+    Graphics::Light& light = own.light(ofImages, asked);
     progress.report(0.0, "drawing");
-    if (wish.light.empty())
+    if (asked.light.empty())
       light.file.clear();
     else
-      Graphics::load(light, wish.light, app::litScene(scene, request), prepared_, progress);
-    light.controller->meterView(!app::startsFromSession(path_, wish.scene));
-    const bool errors = request.color ? wish.accuracy : !wanted.errors.empty();
+      Graphics::load(light, asked.light, app::litScene(scene, request), prepared_, progress);
+    light.controller->meterView(!app::startsFromSession(path_, asked.scene));
+    const bool errors = request.color ? asked.accuracy : !wanted.errors.empty();
     app::FinishedPicture drawn = app::drawPicture(
         *own.renderer, *light.controller,
         {.volume = prepared_, .scene = scene, .request = request, .errors = errors}, progress);
@@ -257,8 +257,8 @@ std::shared_ptr<Picture> Core::draw(const PictureWish& wish, base::Progress& pro
       }
     }
     const app::DerivativeFacts facts =
-        wish.explain ? app::derivativeFacts(*own.renderer, given.derivatives, drawn)
-                     : app::DerivativeFacts{given.derivatives, scene, {}, drawn.still.report.curvature, {}};
+        asked.explain ? app::derivativeFacts(*own.renderer, given.derivatives, drawn)
+                      : app::DerivativeFacts{given.derivatives, scene, {}, drawn.still.report.curvature, {}};
     if (errors)
       picture->accuracy = drawn.accuracy;
     else
@@ -271,19 +271,19 @@ std::shared_ptr<Picture> Core::draw(const PictureWish& wish, base::Progress& pro
   };
 
   // Images come first, so that what is said last is said of the picture.
-  if (!wish.images.empty()) {
+  if (!asked.images.empty()) {
     render::FrameRequest request;
     request.color = false;
     request.aovs = app::drawnFor(wanted);
     picture->images = drawOne(request, true).aovs;
   }
-  if (wish.color || wish.linear) {
+  if (asked.color || asked.linear) {
     render::FrameRequest request;
     request.supersampling = scene.picture.supersampling;
-    request.linear = wish.linear;
+    request.linear = asked.linear;
     render::StillPicture drawn = drawOne(request, false);
-    if (wish.linear) picture->linear = std::move(drawn.linear);
-    if (wish.color) {
+    if (asked.linear) picture->linear = std::move(drawn.linear);
+    if (asked.color) {
       app::annotate(scene, *prepared_, drawn.report, drawn.color);
       picture->color = std::move(drawn.color);
     }
@@ -293,9 +293,9 @@ std::shared_ptr<Picture> Core::draw(const PictureWish& wish, base::Progress& pro
   return picture;
 }
 
-std::shared_ptr<const Picture> Core::render(const PictureWish& wish, const py::object& told) {
+std::shared_ptr<const Picture> Core::render(const PictureRequest& asked, const py::object& told) {
   return desk_.answer(
-      [self = shared_from_this(), wish](base::Progress& progress) { return self->draw(wish, progress); },
+      [self = shared_from_this(), asked](base::Progress& progress) { return self->draw(asked, progress); },
       told);
 }
 
@@ -344,7 +344,8 @@ Baked Core::bake(const app::SceneOptions& options, const std::string& file, bool
         const bool holdsLight = gi::looksLikeBakeFile(out);
         if (!holdsLight && !overwrite && fs::exists(out, missing))
           base::throwInput(out.string(), "", "is not baked light; overwrite=True replaces it");
-        app::LightController controller({.threads = app::machineOf(options).threads, .innerSides = false});
+        app::LightController controller(
+            {.threads = app::hostSettingsOf(options).threads, .innerSides = false});
         controller.setScene(scene, prepared_);
         std::string replaced;
         if (holdsLight) replaced = app::resumeBake(controller, out, std::nullopt, mixArithmetic, progress);
@@ -360,16 +361,16 @@ Baked Core::bake(const app::SceneOptions& options, const std::string& file, bool
 std::string Core::study(const app::SceneOptions& options, const std::string& knobs, glm::ivec2 size,
                         int repeat, const py::object& told) {
   return desk_.answer(
-      [self = shared_from_this(), this, options, chosen = app::parseKnobs(knobs), size,
+      [self = shared_from_this(), this, options, chosen = app::parseQualitySettings(knobs), size,
        repeat](base::Progress& progress) {
         const scene::Scene scene = sceneOf(options);
         app::refuseCuts(scene, "study");
         const render::OffscreenContext& context =
             graphics(render::ContextChoice::automatic).renderer.context();
-        const app::StudySubject subject{prepared_, scene, app::machineOf(options), size, repeat};
-        app::Studio studio(context.gl(), subject);
-        std::vector<app::KnobStudy> studies;
-        studio.study(chosen, progress, [&](app::KnobStudy study) { studies.push_back(std::move(study)); });
+        const app::StudySubject subject{prepared_, scene, app::hostSettingsOf(options), size, repeat};
+        app::StudyRunner studio(context.gl(), subject);
+        std::vector<app::QualityStudy> studies;
+        studio.study(chosen, progress, [&](app::QualityStudy study) { studies.push_back(std::move(study)); });
         return app::studyJson(subject, context.description(), studies, true);
       },
       told);

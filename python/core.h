@@ -14,14 +14,14 @@
 #include "app/accuracy/error_images.h"
 #include "app/light/light_controller.h"
 #include "app/options/scene_options.h"
-#include "python/desk.h"
+#include "python/volume_thread.h"
 #include "render/offscreen_renderer.h"
 #include "render/still_picture.h"
 #include "volume/prepared/prepared_volume.h"
 
 namespace isolux::python {
 
-struct PictureWish {
+struct PictureRequest {
   app::SceneOptions scene;
   std::optional<glm::ivec2> size;
   std::string images;  // of --aov; empty: none
@@ -62,7 +62,7 @@ class Core : public std::enable_shared_from_this<Core> {
                                        const std::string& unit, bool anatomical,
                                        const pybind11::object& told);
 
-  std::shared_ptr<const Picture> render(const PictureWish& wish, const pybind11::object& told);
+  std::shared_ptr<const Picture> render(const PictureRequest& request, const pybind11::object& told);
   // Runs question(scene, progress) on the desk, with the complete scene, and returns what that returns.
   template <class Question>
   auto ask(const app::SceneOptions& options, Question question, const pybind11::object& told) {
@@ -89,13 +89,13 @@ class Core : public std::enable_shared_from_this<Core> {
   scene::Scene sceneOf(const app::SceneOptions& options) const;
   scene::Scene completeScene(const app::SceneOptions& options, base::Progress& progress) const;
   Graphics& graphics(render::ContextChoice choice);
-  std::shared_ptr<Picture> draw(const PictureWish& wish, base::Progress& progress);
+  std::shared_ptr<Picture> draw(const PictureRequest& request, base::Progress& progress);
 
   std::string path_;
   scene::Source source_;  // as it was read
   std::shared_ptr<const volume::PreparedVolume> prepared_;
   std::shared_ptr<std::unique_ptr<Graphics>> graphics_;
-  Desk desk_;
+  VolumeThread desk_;
 };
 
 }  // namespace isolux::python

@@ -11,9 +11,9 @@
 #include "app/documents/session.h"
 #include "app/documents/session_accuracy.h"
 #include "app/files/image_io.h"
-#include "app/process/program_store.h"
 #include "app/report/machine_report.h"
 #include "app/report/settings_report.h"
+#include "app/runtime/program_store.h"
 #include "app/version.h"
 #include "base/error.h"
 #include "base/number_text.h"
@@ -182,25 +182,25 @@ void defineWishes(py::module_& module) {
         if (fit == "surface") scene.camera.fit = app::Framing::surface;
         if (fit == "volume") scene.camera.fit = app::Framing::volume;
       });
-  py::class_<PictureWish>(module, "Wish")
+  py::class_<PictureRequest>(module, "Wish")
       .def(py::init<>())
-      .def_readwrite("scene", &PictureWish::scene)
+      .def_readwrite("scene", &PictureRequest::scene)
       .def_property(
-          "size", [](const PictureWish&) { return py::none(); },
-          [](PictureWish& wish, const std::array<int, 2>& size) {
-            wish.size = app::parseSize(std::to_string(size[0]) + "x" + std::to_string(size[1]));
+          "size", [](const PictureRequest&) { return py::none(); },
+          [](PictureRequest& request, const std::array<int, 2>& size) {
+            request.size = app::parseSize(std::to_string(size[0]) + "x" + std::to_string(size[1]));
           })
-      .def_readwrite("images", &PictureWish::images)
-      .def_readwrite("color", &PictureWish::color)
-      .def_readwrite("linear", &PictureWish::linear)
-      .def_readwrite("explain", &PictureWish::explain)
-      .def_readwrite("accuracy", &PictureWish::accuracy)
-      .def_readwrite("light_around", &PictureWish::lightAround)
-      .def_readwrite("light", &PictureWish::light)
+      .def_readwrite("images", &PictureRequest::images)
+      .def_readwrite("color", &PictureRequest::color)
+      .def_readwrite("linear", &PictureRequest::linear)
+      .def_readwrite("explain", &PictureRequest::explain)
+      .def_readwrite("accuracy", &PictureRequest::accuracy)
+      .def_readwrite("light_around", &PictureRequest::lightAround)
+      .def_readwrite("light", &PictureRequest::light)
       .def_property(
-          "context", [](const PictureWish&) { return py::none(); },
-          [](PictureWish& wish, const std::string& name) {
-            wish.context = render::contextChoiceNamed(name);
+          "context", [](const PictureRequest&) { return py::none(); },
+          [](PictureRequest& request, const std::string& name) {
+            request.context = render::contextChoiceNamed(name);
           });
 }
 
@@ -279,8 +279,8 @@ void defineVolume(py::module_& module) {
           })
       .def("facts", factsOf)
       .def("render",
-           [](Core& core, const PictureWish& wish, const py::object& told) {
-             return std::const_pointer_cast<Picture>(core.render(wish, told));
+           [](Core& core, const PictureRequest& request, const py::object& told) {
+             return std::const_pointer_cast<Picture>(core.render(request, told));
            })
       .def("hits", hitsOf)
       .def("probe", probedOf)
@@ -301,7 +301,7 @@ void defineVolume(py::module_& module) {
 
 std::string doctor(const py::object& told) {
   const auto text = std::make_shared<std::ostringstream>();
-  Desk desk([] {});
+  VolumeThread desk([] {});
   desk.run([text](base::Progress& progress) { app::printDoctor(*text, "", progress); }, told);
   return text->str();
 }
@@ -327,7 +327,7 @@ PYBIND11_MODULE(_isolux, module) {
   // Before Python goes: what volumes leave behind may still be ending.
   module.def("await_ends", [](double seconds) {
     const py::gil_scoped_release released;
-    return isolux::base::awaitRetired(seconds);
+    return isolux::base::awaitDestroyed(seconds);
   });
   module.def("end", endPython);
 }

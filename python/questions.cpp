@@ -15,7 +15,7 @@
 #include "volume/measure/surface_point.h"
 #include "volume/measure/voxel_noise.h"
 #include "volume/parallel/parallel_steps.h"
-#include "volume/read/input/length_doubt.h"
+#include "volume/read/input/spacing_reliability.h"
 
 namespace isolux::python {
 
@@ -44,7 +44,7 @@ void hitOne(const Question& question, glm::dvec3 origin, glm::dvec3 given, std::
       along(question.voxelFromWorld * glm::dvec4(direction, 0.0));
   const double isovalue = question.surface.isovalue;
   std::optional<volume::RayHit> hit;
-  for (const auto& [begin, end] : question.cut.stretchesOf(isovalue, {from, along})) {
+  for (const auto& [begin, end] : question.cut.segmentsOf(isovalue, {from, along})) {
     hit = firstHit(question.prepared.grid(), *question.prepared.blocks, isovalue, {from, along, begin, end});
     if (hit) break;
   }
@@ -130,7 +130,7 @@ Probed probe(Core& core, const app::SceneOptions& options, std::vector<glm::dvec
 }
 
 std::string measure(Core& core, const app::SceneOptions& options, bool anyway, const py::object& told) {
-  const auto doubt = volume::lengthDoubt(core.prepared()->volume.warnings);
+  const auto doubt = volume::spacingDoubt(core.prepared()->volume.warnings);
   if (doubt && !anyway)
     base::throwInput(core.path(), "",
                      "lengths are doubtful: " + *doubt + "; anyway=True measures all the same");

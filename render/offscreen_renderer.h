@@ -11,9 +11,9 @@ namespace isolux::render {
 class OffscreenRenderer {
  public:
   // Throws as OffscreenContext::create().
-  explicit OffscreenRenderer(ContextChoice choice, const scene::Machine& machine = {})
+  explicit OffscreenRenderer(ContextChoice choice, const scene::HostSettings& host = {})
       : context_(OffscreenContext::create(choice)), renderer_(context_->gl()) {
-    renderer_.setMachine(machine);
+    renderer_.setHostSettings(host);
   }
   Renderer& operator*() { return renderer_; }
   Renderer* operator->() { return &renderer_; }

@@ -47,7 +47,7 @@ bool passRan(const FrameReport& report, const std::string& name) {
 Renderer::Renderer(const std::shared_ptr<const Gl>& gl) : parts_(std::make_unique<Parts>(gl)) {}
 Renderer::~Renderer() = default;
 
-void Renderer::setMachine(const scene::Machine& machine) {
+void Renderer::setHostSettings(const scene::HostSettings& machine) {
   parts_->memory = machine.memory;
   parts_->memory.gpuBudgetMb = parts_->frame.gl->budgetMb(machine.memory.gpuBudgetMb);
   parts_->executor = machine.executor;
@@ -405,7 +405,7 @@ AovImage Renderer::readAov(Aov aov) {
   return render::readAov(parts_->frame, parts_->drawn, aov);
 }
 
-gi::SeenPoints Renderer::hitVoxels() {
+gi::VisiblePointSet Renderer::hitVoxels() {
   return render::hitVoxels(parts_->frame, parts_->drawn);
 }
 

@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "gi/picture_light.h"
-#include "gi/seen_points.h"
+#include "gi/visible_point_set.h"
 #include "render/graph/frame.h"
 #include "scene/scene.h"
-#include "scene/settings/machine.h"
+#include "scene/settings/host_settings.h"
 #include "volume/prepared/prepared_volume.h"
 
 namespace isolux::render {
@@ -33,7 +33,7 @@ class Renderer {
 
   // Sets the GPU memory for volumes and light, the layout of volumes there, and the device that computes hits
   // and derivatives. Takes effect at the next render().
-  void setMachine(const scene::Machine& machine);
+  void setHostSettings(const scene::HostSettings& host);
 
   // Sets the volume, which the next render() uploads. Null: only the background is drawn.
   void setVolume(std::shared_ptr<const volume::PreparedVolume> volume);
@@ -66,7 +66,7 @@ class Renderer {
   // Returns the visible surface points of the last frame whose light is baked, in voxel coordinates, as many
   // as its request says. They include those behind transparent surfaces if the look reads baked lighting and
   // the frame is shaded. Pixels without a surface are omitted.
-  gi::SeenPoints hitVoxels();
+  gi::VisiblePointSet hitVoxels();
   // Returns a hash of the images of each pass that the last frame needed, computed or cached, for tests.
   // Passes without images are omitted.
   std::map<std::string, std::uint64_t> imageHashes();

@@ -20,7 +20,7 @@ enum class HitMethod { sampled, exact };  // Hadwiger et al. 2005 sec. 3.2, or t
 // interpolating B-spline.
 enum class Field { trilinear, cubic, cubic_interpolating };
 // The field of trilinear hits in idle images. automatic: the interpolating B-spline where the surface visibly
-// differs from it (volume/statistics/spline_gap.h).
+// differs from it (volume/statistics/spline_residual.h).
 enum class StillField { automatic, same, cubic_interpolating };
 enum class Fetch { fast, exact };  // the texture unit's linear filter, or single texels weighted in float
 enum class LookMode {

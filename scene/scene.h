@@ -333,7 +333,7 @@ struct Picture {
   std::optional<double> exposure;               // stops, of images lit by global illumination
   Metering metering = Metering::surface;        // of an automatic exposure: gi/trace/exposure_meter.h
   ToneCurve curve = ToneCurve::automatic;       // from linear radiance to the image
-  // Annotations on a finished image (app/annotation): orientation labels, a scale bar, the shown isovalues.
+  // Annotations on a finished image (app/overlay_text): orientation labels, a scale bar, the shown isovalues.
   // The legend is look.legend.
   bool letters = false, scaleBar = false, isovalue = false;
   bool caveats = true;       // note what the image omits and what was not measured

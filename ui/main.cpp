@@ -3,9 +3,9 @@
 #include <cstdlib>
 
 #include "app/commands/command_line.h"
-#include "app/process/last_resort.h"
-#include "app/process/program_store.h"
-#include "base/retire.h"
+#include "app/runtime/last_resort.h"
+#include "app/runtime/program_store.h"
+#include "base/destroy_in_background.h"
 #include "ui/window/application.h"
 
 #ifdef __linux__
@@ -19,7 +19,7 @@ int main(int argc, char** argv) {
   isolux::app::storePrograms();
   const int exitCode =
       isolux::app::runCommandLine(argc, argv, isolux::ui::openWindow, isolux::ui::describeWindow);
-  if (isolux::base::awaitRetired(secondsToEnd)) return exitCode;
+  if (isolux::base::awaitDestroyed(secondsToEnd)) return exitCode;
   // A thread is stuck, perhaps in a read from a dead disk: it must not see the program's statics go.
   std::fflush(nullptr);
   std::_Exit(exitCode);

@@ -36,7 +36,7 @@ struct Limit {
 };
 
 // An error as it was measured, and between what it lies in the picture itself, nearly always: the margins of
-// choices (app/target/choice.h). NaN where it was not measured.
+// choices (app/error_budget/choice.h). NaN where it was not measured.
 struct ErrorBound {
   double value = std::numeric_limits<double>::quiet_NaN();
   double least = std::numeric_limits<double>::quiet_NaN();

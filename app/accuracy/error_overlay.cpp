@@ -89,15 +89,15 @@ std::optional<glm::dvec2> rangeOf(const std::vector<double>& bounds) {
   return range;
 }
 
-std::vector<std::string> hatchedLines(const OverlayWish& wish, const PictureErrors& errors,
+std::vector<std::string> hatchedLines(const OverlayRequest& request, const PictureErrors& errors,
                                       const std::vector<std::uint8_t>& hatched) {
   std::vector<std::string> lines;
   if (std::find(hatched.begin(), hatched.end(), 1) == hatched.end()) return lines;
-  for (const Limit& limit : wish.limits) {
+  for (const Limit& limit : request.limits) {
     const Limited limited = limitedBy(limit, errors, 1.0);
-    if (!limited.bounds || limited.bounds->empty() || (wish.colors && limited.image != *wish.colors))
+    if (!limited.bounds || limited.bounds->empty() || (request.colors && limited.image != *request.colors))
       continue;
-    lines.push_back((wish.colors ? "above " : std::string(nameOf(limit.quantity)) + " above ") +
+    lines.push_back((request.colors ? "above " : std::string(nameOf(limit.quantity)) + " above ") +
                     errorText(limit.quantity, limit.most));
   }
   if (std::find(errors.certain.begin(), errors.certain.end(), 0) != errors.certain.end())
@@ -113,72 +113,72 @@ std::string overlayNames() {
   return names + kLimits;
 }
 
-OverlayWish parseOverlay(const std::string& text, std::vector<Limit> limits) {
-  OverlayWish wish{!text.empty(), {}, std::move(limits)};
-  if (text.empty()) return wish;
+OverlayRequest parseOverlay(const std::string& text, std::vector<Limit> limits) {
+  OverlayRequest request{!text.empty(), {}, std::move(limits)};
+  if (text.empty()) return request;
   const auto refuse = [](const std::string& why) {
     throw base::Error(base::ErrorKind::usage, "", "--error-overlay", why);
   };
   if (text == kLimits) {
-    if (std::none_of(wish.limits.begin(), wish.limits.end(),
+    if (std::none_of(request.limits.begin(), request.limits.end(),
                      [](const Limit& limit) { return limit.quantity != Quantity::missed; }))
       refuse("limits are those of --error, which names none of depth, normal, curvature or light");
-    return wish;
+    return request;
   }
   const auto found = std::find_if(overlays().begin(), overlays().end(),
                                   [&](const Overlaid& overlay) { return text == overlay.name; });
   if (found == overlays().end()) refuse("unknown error '" + text + "'; known: " + overlayNames());
-  wish.colors = found->image;
-  return wish;
+  request.colors = found->image;
+  return request;
 }
 
-std::vector<std::uint8_t> hatchedPixels(const PictureErrors& errors, const OverlayWish& wish,
+std::vector<std::uint8_t> hatchedPixels(const PictureErrors& errors, const OverlayRequest& request,
                                         double shortestEdgeMm) {
   std::vector<std::uint8_t> hatched(errors.certain.size());
   for (std::size_t i = 0; i < hatched.size(); ++i) hatched[i] = errors.certain[i] ? 0 : 1;
-  for (const Limit& limit : wish.limits) {
+  for (const Limit& limit : request.limits) {
     const Limited limited = limitedBy(limit, errors, shortestEdgeMm);
-    if (!limited.bounds || (wish.colors && limited.image != *wish.colors)) continue;
+    if (!limited.bounds || (request.colors && limited.image != *request.colors)) continue;
     for (std::size_t i = 0; i < limited.bounds->size(); ++i)  // none of light that is not stored
       if (limited.factor * static_cast<double>((*limited.bounds)[i]) > limit.most) hatched[i] = 1;
   }
   return hatched;
 }
 
-glm::ivec2 overlayReserve(const OverlayWish& wish, glm::ivec2 picture) {
-  if (!wish.asked) return glm::ivec2(0);
+glm::ivec2 overlayReserve(const OverlayRequest& request, glm::ivec2 picture) {
+  if (!request.asked) return glm::ivec2(0);
   render::Legend legend;
   legend.quantity = "Errors";
-  if (wish.colors) {  // over three decades: numbers are no wider over others
-    legend.quantity = overlaidOf(*wish.colors).title;
-    legend.unit = overlaidOf(*wish.colors).unit;
+  if (request.colors) {  // over three decades: numbers are no wider over others
+    legend.quantity = overlaidOf(*request.colors).title;
+    legend.unit = overlaidOf(*request.colors).unit;
     legend.logarithmic = true;
     legend.low = 0.002;
     legend.high = 2.0;
     legend.colors = {glm::vec3(0.0F), glm::vec3(1.0F)};
   }
-  for (const Limit& limit : wish.limits)
-    legend.hatched.push_back((wish.colors ? "above " : std::string(nameOf(limit.quantity)) + " above ") +
+  for (const Limit& limit : request.limits)
+    legend.hatched.push_back((request.colors ? "above " : std::string(nameOf(limit.quantity)) + " above ") +
                              errorText(limit.quantity, limit.most));
   legend.hatched.emplace_back("or not certain");
   return render::legendSizeFor(legend, picture);
 }
 
-std::optional<render::Tile> paintErrors(const PictureErrors& errors, const OverlayWish& wish,
+std::optional<render::Tile> paintErrors(const PictureErrors& errors, const OverlayRequest& request,
                                         double shortestEdgeMm, scene::LegendCorner corner,
                                         const std::optional<render::Tile>& taken, render::ColorImage& image) {
-  if (wish.colors == ErrorImage::light && errors.light.empty())
+  if (request.colors == ErrorImage::light && errors.light.empty())
     throw base::Error(
         base::ErrorKind::usage, "", "--error-overlay",
         "light: this image has no baked light, or a surface is transparent; --look gi bakes light");
   OverlayPainter painter(image);
   render::Legend legend;
   legend.quantity = "Errors";
-  if (wish.colors) {
-    const std::vector<double> bounds = shownBounds(errors, *wish.colors);
+  if (request.colors) {
+    const std::vector<double> bounds = shownBounds(errors, *request.colors);
     const std::optional<glm::dvec2> range = rangeOf(bounds);
     painter.color(bounds, range.value_or(glm::dvec2(0.1, 1.0)));
-    const Overlaid& overlaid = overlaidOf(*wish.colors);
+    const Overlaid& overlaid = overlaidOf(*request.colors);
     legend.quantity = overlaid.title;
     legend.unit = overlaid.unit;
     legend.logarithmic = true;
@@ -188,9 +188,9 @@ std::optional<render::Tile> paintErrors(const PictureErrors& errors, const Overl
       legend.colors = scene::colorMapSamples(scene::ColorMap::cividis, kOverlayColors);
     }
   }
-  const std::vector<std::uint8_t> hatched = hatchedPixels(errors, wish, shortestEdgeMm);
+  const std::vector<std::uint8_t> hatched = hatchedPixels(errors, request, shortestEdgeMm);
   painter.hatch(hatched);
-  legend.hatched = hatchedLines(wish, errors, hatched);
+  legend.hatched = hatchedLines(request, errors, hatched);
   if (legend.colors.empty() && legend.hatched.empty()) return std::nullopt;
   std::vector<std::uint8_t> seen(errors.depthMm.size());
   for (std::size_t i = 0; i < seen.size(); ++i) seen[i] = std::isnan(errors.depthMm[i]) ? 0 : 1;
@@ -201,7 +201,7 @@ std::unique_ptr<OverlayTask> overlayTask(OverlaySubject asked) {
   const auto work = [subject = std::move(asked)](base::Progress&) {
     giveWay();
     MarkedPicture marked{subject.picture(), {}};
-    marked.legend = paintErrors(*subject.errors, subject.wish, subject.shortestEdgeMm, subject.corner,
+    marked.legend = paintErrors(*subject.errors, subject.request, subject.shortestEdgeMm, subject.corner,
                                 subject.taken, marked.image);
     return marked;
   };

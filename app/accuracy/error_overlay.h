@@ -17,7 +17,7 @@
 
 namespace isolux::app {
 
-struct OverlayWish {
+struct OverlayRequest {
   bool asked = false;
   std::optional<ErrorImage> colors;  // none: the picture keeps its own
   std::vector<Limit> limits;         // of --error
@@ -25,22 +25,22 @@ struct OverlayWish {
 // "noise", "normal_noise", "kappa_noise", "depth", "normal", "kappa", "light" or "limits"; "": nothing is
 // asked for. Throws Error{usage} naming those that are known, and where limits are asked for and there are
 // none that pixels can exceed.
-OverlayWish parseOverlay(const std::string& text, std::vector<Limit> limits);
+OverlayRequest parseOverlay(const std::string& text, std::vector<Limit> limits);
 std::string overlayNames();
 
 // Which pixels are hatched: 1 where a bound exceeds its limit, and where nothing is certain. `colors`: its
 // limits alone count. A depth in voxels counts along the shortest edge of a voxel.
-std::vector<std::uint8_t> hatchedPixels(const PictureErrors& errors, const OverlayWish& wish,
+std::vector<std::uint8_t> hatchedPixels(const PictureErrors& errors, const OverlayRequest& request,
                                         double shortestEdgeMm);
 
 // How large the legend may become in a picture of this size, in pixels; 0: there is none.
-glm::ivec2 overlayReserve(const OverlayWish& wish, glm::ivec2 picture);
+glm::ivec2 overlayReserve(const OverlayRequest& request, glm::ivec2 picture);
 
 // Colours of the logarithm of a bound (cividis), as bright as the picture is there; hatching; and a legend in
 // the corner that look.legend_corner says. Says where the legend stands, as render::FrameReport has it; none
 // where there is no room for one, and on a picture that shows no bound. Throws Error{usage} of light where
 // none is stored.
-std::optional<render::Tile> paintErrors(const PictureErrors& errors, const OverlayWish& wish,
+std::optional<render::Tile> paintErrors(const PictureErrors& errors, const OverlayRequest& request,
                                         double shortestEdgeMm, scene::LegendCorner corner,
                                         const std::optional<render::Tile>& taken, render::ColorImage& image);
 
@@ -48,7 +48,7 @@ std::optional<render::Tile> paintErrors(const PictureErrors& errors, const Overl
 struct OverlaySubject {
   std::function<render::ColorImage()> picture;  // copied out on the thread
   std::shared_ptr<const PictureErrors> errors;  // of that picture, in its size
-  OverlayWish wish;
+  OverlayRequest request;
   double shortestEdgeMm = 1.0;
   scene::LegendCorner corner = scene::LegendCorner::automatic;
   std::optional<render::Tile> taken;  // by the picture's own legend

@@ -7,11 +7,11 @@
 #include <glm/matrix.hpp>
 
 #include "app/accuracy/overlay_painter.h"
-#include "app/interaction/surface_pick.h"
 #include "app/ready/give_way.h"
 #include "app/ready/quiet_renderer.h"
 #include "app/ready/ready_fields.h"
 #include "app/ready/rest_scene.h"
+#include "app/view_math/surface_pick.h"
 #include "base/number_text.h"
 #include "render/passes/view_uniforms.h"
 #include "render/still_picture.h"
@@ -37,7 +37,7 @@ double HiddenStructure::share() const {
 }
 
 HiddenStructure hiddenStructure(render::Renderer& renderer, const ShownPicture& drawn,
-                                const volume::IndexedVolume& whole, const volume::LevelGaps& gaps,
+                                const volume::IndexedVolume& whole, const volume::LostStructure& gaps,
                                 base::Progress& progress) {
   const glm::ivec2 size = drawn.size;
   const std::size_t count = volume::Extent2{size}.count();
@@ -79,7 +79,7 @@ HiddenStructure hiddenStructure(render::Renderer& renderer, const ShownPicture& 
             ray.tMaximum =
                 glm::dot(glm::dvec3(wholeFromLevel * glm::dvec4(hit, 1.0)) - ray.origin, ray.direction) /
                 glm::dot(ray.direction, ray.direction);
-          for (const auto& [begin, end] : cut.stretchesOf(leastCut, ray)) {
+          for (const auto& [begin, end] : cut.segmentsOf(leastCut, ray)) {
             ray.tMinimum = begin;
             ray.tMaximum = end;
             if (begin < end && gaps.on(ray)) out.hides[i] = 1;
@@ -123,8 +123,8 @@ FoundStructure lookFor(const StructureSubject& subject, base::Progress& progress
   shown.scene = atRest(std::move(shown.scene), *shown.volume, progress);
   std::vector<double> isovalues = scene::seenIsovalues(shown.scene);
   if (!known.gaps || known.isovalues != isovalues) {
-    known.gaps =
-        std::make_shared<const volume::LevelGaps>(*known.whole, shown.volume->grid(), isovalues, progress);
+    known.gaps = std::make_shared<const volume::LostStructure>(*known.whole, shown.volume->grid(), isovalues,
+                                                               progress);
     known.isovalues = std::move(isovalues);
   }
   QuietRenderer quiet(shown.volume, nullptr);

@@ -1,4 +1,5 @@
-// Finds what a coarser level of a volume may hide of a picture, pixel by pixel (volume/large/level_gaps.h).
+// Finds what a coarser level of a volume may hide of a picture, pixel by pixel
+// (volume/large/lost_structure.h).
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,7 @@
 #include "app/accuracy/picture_errors.h"
 #include "render/graph/frame.h"
 #include "render/renderer.h"
-#include "volume/large/level_gaps.h"
+#include "volume/large/lost_structure.h"
 
 namespace isolux::app {
 
@@ -36,7 +37,7 @@ struct HiddenStructure {
 // `drawn`: as measureErrors() takes it, of a volume that is a level of `whole`. gaps: of
 // scene::seenIsovalues(drawn.scene). Throws as render::drawStill().
 HiddenStructure hiddenStructure(render::Renderer& renderer, const ShownPicture& drawn,
-                                const volume::IndexedVolume& whole, const volume::LevelGaps& gaps,
+                                const volume::IndexedVolume& whole, const volume::LostStructure& gaps,
                                 base::Progress& progress);
 
 std::string structureLine(const HiddenStructure& structure);
@@ -50,7 +51,7 @@ std::optional<render::Tile> paintStructure(const HiddenStructure& structure, sce
 // yet.
 struct KnownStructure {
   std::shared_ptr<const volume::IndexedVolume> whole;
-  std::shared_ptr<const volume::LevelGaps> gaps;  // of `isovalues`
+  std::shared_ptr<const volume::LostStructure> gaps;  // of `isovalues`
   std::vector<double> isovalues;
 };
 

@@ -11,7 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/light/light_picture.h"
-#include "app/study/light_truth.h"
+#include "app/study/light_reference.h"
 #include "base/quantiles.h"
 #include "gi/lattice/half_lattice.h"
 #include "gi/reference/reference.h"

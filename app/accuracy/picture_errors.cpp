@@ -11,7 +11,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/interaction/surface_pick.h"
+#include "app/view_math/surface_pick.h"
 #include "base/quantiles.h"
 #include "render/passes/view_uniforms.h"
 #include "scene/rules/ghosts.h"
@@ -60,10 +60,10 @@ struct ShapeFields {
 };
 
 // What is the same for all pixels of a picture, and what is said of one.
-class PictureJudge {
+class PictureEvaluator {
  public:
-  PictureJudge(const volume::PreparedVolume& volume, const scene::Scene& scene, const DrawnHits& drawn,
-               base::Progress& progress)
+  PictureEvaluator(const volume::PreparedVolume& volume, const scene::Scene& scene, const DrawnHits& drawn,
+                   base::Progress& progress)
       : volume_(volume),
         drawn_(drawn),
         frame_(scene::frameOf(scene.camera)),
@@ -98,7 +98,7 @@ class PictureJudge {
     whole.tMinimum = -std::numeric_limits<double>::infinity();
     whole.tMaximum = std::numeric_limits<double>::infinity();
     for (const double isovalue : isovalues_)
-      for (const auto& [begin, end] : cut_.stretchesOf(isovalue, whole))
+      for (const auto& [begin, end] : cut_.segmentsOf(isovalue, whole))
         surfaces[count++] = {isovalue, volume::hiddenAt(hidden_, isovalue), begin, end};
     return volume::encloseHit(source_, {surfaces.data(), count}, rays_, {at.x, drawn_.size.y - at.y}, ray,
                               view_.rayStartMm, fieldErrorElsewhere);
@@ -218,7 +218,7 @@ PictureErrors pictureErrors(const volume::PreparedVolume& volume, const scene::S
     image->assign(count, kNone);
   if (volume.grid().dims().x < 2 || volume.grid().dims().y < 2 || volume.grid().dims().z < 2) return out;
 
-  const PictureJudge judge(volume, scene, drawn, progress);
+  const PictureEvaluator judge(volume, scene, drawn, progress);
   std::vector<double> fieldErrors(count, -1.0);  // -1: nothing is hit
   progress.report(0.0, "bounding errors");
   forPixels(count, progress, [&](std::size_t i) {
@@ -234,7 +234,7 @@ PictureErrors pictureErrors(const volume::PreparedVolume& volume, const scene::S
   const double usual = known.empty() ? 0.0 : base::quantile(known, kUsualError);
   forPixels(count, progress, [&](std::size_t i) {
     if (fieldErrors[i] >= 0.0) return;
-    if (!std::isnan(drawn.depthMm[i]) || !judge.enclose(i, usual).certain) PictureJudge::refuse(i, out);
+    if (!std::isnan(drawn.depthMm[i]) || !judge.enclose(i, usual).certain) PictureEvaluator::refuse(i, out);
   });
   return out;
 }

@@ -16,7 +16,7 @@ struct ClusterScene {
   scene::Scene scene;  // resolved
   VolumePointer volume;
   std::shared_ptr<const gi::Environment> probe;  // of the scene's file; null: it names none
-  gi::SeenPoints seen{};
+  gi::VisiblePointSet seen{};
   std::optional<scene::GiTexels> texels{};  // of the file that is gone on from
 };
 
@@ -27,7 +27,7 @@ class ClusterLight {
 
   const LightPlan& plan() const { return planner_.current(); }
   TileBaker& baker() { return *baker_; }
-  const TileWishes& wishes() const { return wishes_; }
+  const TileRequests& requests() const { return requests_; }
   // What the baker bakes into.
   const gi::StoredLight& working() const { return working_; }
   // Dark, for what is finished.
@@ -36,14 +36,14 @@ class ClusterLight {
  private:
   LightPlanner planner_{false, false};
   gi::StoredLight working_;
-  TileWishes wishes_;
+  TileRequests requests_;
   std::unique_ptr<TileBaker> baker_;
 };
 
 // Light of tiles between lattices and messages.
-TileMessage tileMessage(std::uint32_t tile, const TileWish& wish, const gi::StoredLight& light);
-void takeTile(const TileMessage& message, const TileWish& wish, const gi::StoredLight& into);
+TileMessage tileMessage(std::uint32_t tile, const TileRequest& request, const gi::StoredLight& light);
+void takeTile(const TileMessage& message, const TileRequest& request, const gi::StoredLight& into);
 // Without a copy.
-void shareTile(const TileWish& wish, const gi::StoredLight& from, const gi::StoredLight& into);
+void shareTile(const TileRequest& request, const gi::StoredLight& from, const gi::StoredLight& into);
 
 }  // namespace isolux::app

@@ -37,7 +37,7 @@ ClusterMaster::ClusterMaster(Ranks& ranks, ClusterLight& light, ClusterHello own
       light_(light),
       finished_(std::move(finished)),
       options_(options),
-      queue_(light.wishes().tiles(), ranks.size()),
+      queue_(light.requests().tiles(), ranks.size()),
       peers_(static_cast<std::size_t>(ranks.size())) {
   peers_[0].hello = std::move(own);
   peers_[0].ready = peers_[0].left = true;
@@ -112,13 +112,13 @@ void ClusterMaster::welcome(int rank, const ClusterHello& hello) {
 
 void ClusterMaster::takeLight(int rank, const TileMessage& tile) {
   peers_[static_cast<std::size_t>(rank)].work = tile.work;
-  if (tile.tile >= light_.wishes().of.size() || light_.wishes().of[tile.tile].empty())
+  if (tile.tile >= light_.requests().of.size() || light_.requests().of[tile.tile].empty())
     volume::throwBadAnswer("light of an unknown tile");
   if (queue_.finisher(tile.tile)) {
     queue_.drop(tile.tile, rank);
     return compare(rank, tile);
   }
-  takeTile(tile, light_.wishes().of[tile.tile], finished_);
+  takeTile(tile, light_.requests().of[tile.tile], finished_);
   queue_.finish(tile.tile, rank);
   dropElsewhere(tile.tile);
 }
@@ -127,7 +127,7 @@ void ClusterMaster::compare(int rank, const TileMessage& tile) const {
   const int first = *queue_.finisher(tile.tile);
   const auto arithmeticOf = [&](int of) { return peers_[static_cast<std::size_t>(of)].hello.arithmetic; };
   if (arithmeticOf(first) != arithmeticOf(rank)) return;  // last bits may differ, as the user knows
-  const TileMessage before = tileMessage(tile.tile, light_.wishes().of[tile.tile], finished_);
+  const TileMessage before = tileMessage(tile.tile, light_.requests().of[tile.tile], finished_);
   if (before.sky == tile.sky && before.lamps == tile.lamps) return;
   throw Error(ErrorKind::input, nameOf(rank), "",
               "has baked tile " + std::to_string(tile.tile) + " to other light than " + nameOf(first) +
@@ -135,12 +135,12 @@ void ClusterMaster::compare(int rank, const TileMessage& tile) const {
 }
 
 void ClusterMaster::finishOwn(std::uint32_t tile) {
-  const TileWish& wish = light_.wishes().of[tile];
+  const TileRequest& request = light_.requests().of[tile];
   if (queue_.finisher(tile)) {
     queue_.drop(tile, 0);
-    compare(0, tileMessage(tile, wish, light_.working()));
+    compare(0, tileMessage(tile, request, light_.working()));
   } else {
-    shareTile(wish, light_.working(), finished_);
+    shareTile(request, light_.working(), finished_);
     queue_.finish(tile, 0);
     dropElsewhere(tile);
   }
@@ -181,13 +181,13 @@ bool ClusterMaster::handOut() {
 }
 
 void ClusterMaster::give(int rank, std::uint32_t tile) {
-  const TileWish& wish = light_.wishes().of[tile];
+  const TileRequest& request = light_.requests().of[tile];
   if (rank == 0) {
-    shareTile(wish, finished_, light_.working());
+    shareTile(request, finished_, light_.working());
     light_.baker().begin(tile);
     return;
   }
-  ranks_.send(rank, static_cast<int>(ClusterMessage::work), bytesOf(tileMessage(tile, wish, finished_)));
+  ranks_.send(rank, static_cast<int>(ClusterMessage::work), bytesOf(tileMessage(tile, request, finished_)));
 }
 
 double ClusterMaster::seconds() const {

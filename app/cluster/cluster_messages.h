@@ -12,7 +12,7 @@
 
 #include "app/cluster/tile_baker.h"
 #include "base/error.h"
-#include "gi/seen_points.h"
+#include "gi/visible_point_set.h"
 
 namespace isolux::app {
 
@@ -33,7 +33,7 @@ struct ClusterSetup {
   std::string version;  // of the program
   std::string path;     // the volume's name on rank 0's command line
   std::string scene;    // resolved, JSON of scene::toJson()
-  gi::SeenPoints seen{};
+  gi::VisiblePointSet seen{};
   bool ofOneIsovalue = false, resumes = false;  // texels are as those of the file that is gone on from
   bool sendsVolume = false;
   int probeWidth = 0, probeHeight = 0;  // of the light probe that follows; 0: none

@@ -60,7 +60,7 @@ class Worker {
         happened = true;
       }
       for (const std::uint32_t tile : light_.baker().takeFinished()) {
-        TileMessage message = tileMessage(tile, light_.baker().wishOf(tile), light_.working());
+        TileMessage message = tileMessage(tile, light_.baker().requestOf(tile), light_.working());
         message.work = light_.baker().work();
         tell(ranks_, ClusterMessage::light, bytesOf(message));
         light_.baker().forget(tile);
@@ -78,7 +78,7 @@ class Worker {
     if (kind != ClusterMessage::work && kind != ClusterMessage::drop) return;
     const TileMessage tile = messageFrom<TileMessage>(message.bytes);
     if (kind == ClusterMessage::drop) return light_.baker().drop(tile.tile);
-    takeTile(tile, light_.baker().wishOf(tile.tile), light_.working());
+    takeTile(tile, light_.baker().requestOf(tile.tile), light_.working());
     light_.baker().begin(tile.tile);
   }
 

@@ -11,7 +11,7 @@ namespace isolux::app {
 
 namespace {
 
-bool isFinished(const gi::LightLattice& lattice, const gi::WantedBlock& wanted, std::uint32_t samples) {
+bool isFinished(const gi::LightLattice& lattice, const gi::BlockRequest& wanted, std::uint32_t samples) {
   const auto block = lattice.at(wanted.block);
   if (!block) return false;
   const auto texels = wanted.texels & ~block->unlit;
@@ -23,11 +23,11 @@ bool isFinished(const gi::LightLattice& lattice, const gi::WantedBlock& wanted, 
 }  // namespace
 
 TileBaker::TileBaker(std::shared_ptr<gi::LightBake> sky, std::shared_ptr<gi::LightBake> lamps,
-                     TileWishes wishes, std::uint32_t samples)
-    : sky_(std::move(sky)), lamps_(std::move(lamps)), wishes_(std::move(wishes)), samples_(samples) {}
+                     TileRequests requests, std::uint32_t samples)
+    : sky_(std::move(sky)), lamps_(std::move(lamps)), requests_(std::move(requests)), samples_(samples) {}
 
 void TileBaker::begin(std::uint32_t tile) {
-  hand_.push_back({tile, paths(tile), wishOf(tile)});
+  hand_.push_back({tile, paths(tile), requestOf(tile)});
   noteHand();
   want();
 }
@@ -43,26 +43,26 @@ void TileBaker::want() {
   for (const bool ofSky : {true, false}) {
     const std::shared_ptr<gi::LightBake>& bake = ofSky ? sky_ : lamps_;
     if (!bake) continue;
-    std::array<std::vector<gi::WantedBlock>, 4> wishes;
+    std::array<std::vector<gi::BlockRequest>, 4> requests;
     for (std::size_t i = 0; i < hand_.size(); ++i) {
-      const TileWish& tile = wishOf(hand_[i].number);
-      const std::vector<gi::WantedBlock>& blocks = ofSky ? tile.sky : tile.lamps;
-      std::vector<gi::WantedBlock>& to = wishes[std::min<std::size_t>(i, wishes.size() - 1)];
+      const TileRequest& tile = requestOf(hand_[i].number);
+      const std::vector<gi::BlockRequest>& blocks = ofSky ? tile.sky : tile.lamps;
+      std::vector<gi::BlockRequest>& to = requests[std::min<std::size_t>(i, requests.size() - 1)];
       to.insert(to.end(), blocks.begin(), blocks.end());
     }
-    for (std::size_t w = 0; w < wishes.size(); ++w)
-      bake->want(static_cast<gi::Wish>(w), std::move(wishes[w]));
+    for (std::size_t w = 0; w < requests.size(); ++w)
+      bake->want(static_cast<gi::Priority>(w), std::move(requests[w]));
     bake->waitFor(0, 0.0);  // it has taken them: what is not among them may be forgotten
   }
 }
 
 std::uint64_t TileBaker::paths(std::uint32_t tile) const {
-  const TileWish& wish = wishOf(tile);
-  return (sky_ ? pathsOf(*sky_->lattice(), wish.sky) : 0) +
-         (lamps_ ? pathsOf(*lamps_->lattice(), wish.lamps) : 0);
+  const TileRequest& request = requestOf(tile);
+  return (sky_ ? pathsOf(*sky_->lattice(), request.sky) : 0) +
+         (lamps_ ? pathsOf(*lamps_->lattice(), request.lamps) : 0);
 }
 
-bool TileBaker::finishes(std::vector<gi::WantedBlock>& left, const gi::LightBake* bake) const {
+bool TileBaker::finishes(std::vector<gi::BlockRequest>& left, const gi::LightBake* bake) const {
   if (!bake) return true;
   while (!left.empty() && isFinished(*bake->lattice(), left.back(), samples_)) left.pop_back();
   return left.empty();
@@ -88,10 +88,10 @@ std::vector<std::uint32_t> TileBaker::takeFinished() {
 }
 
 void TileBaker::forget(std::uint32_t tile) {
-  const TileWish& wish = wishOf(tile);
-  for (const gi::WantedBlock& wanted : wish.sky)
+  const TileRequest& request = requestOf(tile);
+  for (const gi::BlockRequest& wanted : request.sky)
     if (sky_) sky_->lattice()->share(wanted.block, nullptr);
-  for (const gi::WantedBlock& wanted : wish.lamps)
+  for (const gi::BlockRequest& wanted : request.lamps)
     if (lamps_) lamps_->lattice()->share(wanted.block, nullptr);
 }
 

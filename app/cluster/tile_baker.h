@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "app/cluster/tile_wishes.h"
+#include "app/cluster/tile_requests.h"
 #include "gi/bake/light_bake.h"
 
 namespace isolux::app {
@@ -23,7 +23,7 @@ class TileBaker {
  public:
   // Bakes that nobody else asks for anything; either may be null. A tile is finished when each texel that is
   // wanted has `samples`, or has no normal.
-  TileBaker(std::shared_ptr<gi::LightBake> sky, std::shared_ptr<gi::LightBake> lamps, TileWishes wishes,
+  TileBaker(std::shared_ptr<gi::LightBake> sky, std::shared_ptr<gi::LightBake> lamps, TileRequests requests,
             std::uint32_t samples);
 
   // What the lattices hold of the tile is gone on from.
@@ -34,7 +34,7 @@ class TileBaker {
   // Takes a finished or dropped tile out of the lattices.
   void forget(std::uint32_t tile);
 
-  const TileWish& wishOf(std::uint32_t tile) const { return wishes_.of.at(tile); }
+  const TileRequest& requestOf(std::uint32_t tile) const { return requests_.of.at(tile); }
   std::size_t inHand() const { return hand_.size(); }
   RankWork work() const;
 
@@ -43,15 +43,15 @@ class TileBaker {
   struct Tile {
     std::uint32_t number = 0;
     std::uint64_t pathsBefore = 0;
-    TileWish left;  // blocks that are not finished
+    TileRequest left;  // blocks that are not finished
   };
   void want();
   std::uint64_t paths(std::uint32_t tile) const;
-  bool finishes(std::vector<gi::WantedBlock>& left, const gi::LightBake* bake) const;
+  bool finishes(std::vector<gi::BlockRequest>& left, const gi::LightBake* bake) const;
   void noteHand();
 
   std::shared_ptr<gi::LightBake> sky_, lamps_;
-  TileWishes wishes_;
+  TileRequests requests_;
   std::uint32_t samples_;
   std::deque<Tile> hand_;
   RankWork work_;

@@ -51,10 +51,10 @@ class RawReader {
 
 }  // namespace
 
-std::string tileBytes(const gi::LightLattice& lattice, std::span<const gi::WantedBlock> blocks) {
+std::string tileBytes(const gi::LightLattice& lattice, std::span<const gi::BlockRequest> blocks) {
   const auto components = static_cast<std::size_t>(lattice.content().components());
   std::string bytes;
-  for (const gi::WantedBlock& wanted : blocks) {
+  for (const gi::BlockRequest& wanted : blocks) {
     const auto block = lattice.at(wanted.block);
     if (!block) continue;
     const Texels texels = texelsOf(*block);
@@ -71,7 +71,7 @@ std::string tileBytes(const gi::LightLattice& lattice, std::span<const gi::Wante
   return bytes;
 }
 
-void takeTileBytes(std::string_view bytes, std::span<const gi::WantedBlock> blocks, gi::LightLattice& into) {
+void takeTileBytes(std::string_view bytes, std::span<const gi::BlockRequest> blocks, gi::LightLattice& into) {
   const auto components = static_cast<std::size_t>(into.content().components());
   std::vector<std::pair<std::uint32_t, gi::LatticeBlock>> read;
   for (RawReader in(bytes); !in.done();) {
@@ -92,9 +92,9 @@ void takeTileBytes(std::string_view bytes, std::span<const gi::WantedBlock> bloc
   for (auto& [number, block] : read) into.write(number, std::move(block));
 }
 
-std::uint64_t pathsOf(const gi::LightLattice& lattice, std::span<const gi::WantedBlock> blocks) {
+std::uint64_t pathsOf(const gi::LightLattice& lattice, std::span<const gi::BlockRequest> blocks) {
   std::uint64_t paths = 0;
-  for (const gi::WantedBlock& wanted : blocks)
+  for (const gi::BlockRequest& wanted : blocks)
     if (const auto block = lattice.at(wanted.block))
       gi::forEachTexel(wanted.texels, [&](std::size_t i) { paths += block->samples[i]; });
   return paths;

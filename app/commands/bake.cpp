@@ -13,7 +13,7 @@
 #include "app/files/files.h"
 #include "app/light/light_report.h"
 #include "app/light/light_resume.h"
-#include "app/process/progress_bar.h"
+#include "app/runtime/progress_bar.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "gi/arithmetic.h"
@@ -89,11 +89,11 @@ scene::Scene bakeScene(const BakeOptions& options, scene::Scene scene) {
   return scene;
 }
 
-gi::SeenPoints seenPoints(const BakeOptions& options, const scene::Scene& scene,
-                          const std::shared_ptr<const volume::PreparedVolume>& prepared,
-                          base::Progress& progress) {
+gi::VisiblePointSet seenPoints(const BakeOptions& options, const scene::Scene& scene,
+                               const std::shared_ptr<const volume::PreparedVolume>& prepared,
+                               base::Progress& progress) {
   prepared->cubicFields->makeFor(scene, progress);
-  render::OffscreenRenderer renderer(*options.context, machineOf(*options.scene));
+  render::OffscreenRenderer renderer(*options.context, hostSettingsOf(*options.scene));
   renderer->setVolume(prepared);
   render::FrameRequest request;
   request.size = parseSize(options.size);
@@ -179,7 +179,7 @@ void bakeHere(const BakeOptions& options, base::Progress& progress) {
   const PreparedBake bake = prepareBake(options, out, progress);
   const scene::Scene& scene = bake.scene;
   LightController controller(
-      {.threads = machineOf(*options.scene).threads, .innerSides = false, .part = part});
+      {.threads = hostSettingsOf(*options.scene).threads, .innerSides = false, .part = part});
   std::string replaced;
   controller.setScene(scene, bake.volume);
   {
@@ -204,8 +204,8 @@ ClusterOptions clusterOptions(const BakeOptions& options) {
           .checkpointSeconds = options.checkpointSeconds,
           .mixArithmetic = options.mixArithmetic,
           .sendVolume = options.sendVolume,
-          .threads = machineOf(*options.scene).threads,
-          .threadsAsked = options.threads->count() > 0 || machineOf(*options.scene).threads};
+          .threads = hostSettingsOf(*options.scene).threads,
+          .threadsAsked = options.threads->count() > 0 || hostSettingsOf(*options.scene).threads};
 }
 
 void bakeAsFirst(const BakeOptions& options, ClusterBake& cluster, base::Progress& progress) {

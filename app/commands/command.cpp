@@ -12,7 +12,7 @@
 
 #include "app/files/files.h"
 #include "app/files/number_rows.h"
-#include "app/process/progress_bar.h"
+#include "app/runtime/progress_bar.h"
 #include "base/decimal_text.h"
 #include "base/error.h"
 #include "base/memory_budget.h"
@@ -138,8 +138,8 @@ namespace {
 
 void addCameraOptions(CLI::App& parser, const std::shared_ptr<SceneOptions>& options) {
   constexpr const char* group = "Camera";
-  CameraWish& wish = options->camera;
-  addOption(parser, "--view", wish.view, "SIDE",
+  CameraRequest& request = options->camera;
+  addOption(parser, "--view", request.view, "SIDE",
             "View from left, right, anterior, posterior, superior or inferior, or from the end of an axis, "
             "as +x or -y")
       ->check([](const std::string& name) -> std::string {
@@ -154,10 +154,11 @@ void addCameraOptions(CLI::App& parser, const std::shared_ptr<SceneOptions>& opt
   const auto angle = [&](const char* name, double& degrees, const char* help) {
     addOption(parser, name, degrees, "DEG", help)->check(within(-36000.0, 36000.0))->group(group);
   };
-  angle("--azimuth", wish.azimuth,
+  angle("--azimuth", request.azimuth,
         "Then orbit the target: move the eye to its right, about the up direction");
-  angle("--elevation", wish.elevation, "Then orbit upwards: move the eye up, over the top and down behind");
-  angle("--roll", wish.roll, "Then roll about the line of sight: turn the image clockwise");
+  angle("--elevation", request.elevation,
+        "Then orbit upwards: move the eye up, over the top and down behind");
+  angle("--roll", request.roll, "Then roll about the line of sight: turn the image clockwise");
   parser
       .add_option_function<std::string>(
           "--fit",
@@ -168,7 +169,7 @@ void addCameraOptions(CLI::App& parser, const std::shared_ptr<SceneOptions>& opt
       ->type_name("surface|volume")
       ->check(oneOf({"surface", "volume"}))
       ->group(group);
-  addOption(parser, "--zoom", wish.zoom, "F", "Then move closer: 2 shows everything twice as large")
+  addOption(parser, "--zoom", request.zoom, "F", "Then move closer: 2 shows everything twice as large")
       ->check(within(1e-3, 1e3))
       ->group(group);
 }
@@ -269,10 +270,10 @@ std::shared_ptr<const volume::PreparedVolume> loadWithProgressBar(const scene::S
 }
 
 std::shared_ptr<const volume::PreparedVolume> loadWithProgressBar(const scene::Source& source,
-                                                                  const scene::Machine& machine,
+                                                                  const scene::HostSettings& host,
                                                                   base::Progress& progress) {
   const ProgressBar bar(progress);
-  return volume::loadVolume(source, machine, progress);
+  return volume::loadVolume(source, host, progress);
 }
 
 std::pair<int, int> parsePart(const std::string& text, int most) {

@@ -27,7 +27,7 @@
 #include "base/progress.h"
 #include "render/gl/gl_context.h"
 #include "scene/scene.h"
-#include "scene/settings/machine.h"
+#include "scene/settings/host_settings.h"
 #include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
@@ -92,7 +92,7 @@ std::shared_ptr<const volume::PreparedVolume> loadWithProgressBar(const scene::S
                                                                   base::Progress& progress);
 // As above for a command that only draws: voxels may stay in their file (memory.voxels).
 std::shared_ptr<const volume::PreparedVolume> loadWithProgressBar(const scene::Source& source,
-                                                                  const scene::Machine& machine,
+                                                                  const scene::HostSettings& host,
                                                                   base::Progress& progress);
 // Parses "i/n" of --part, 1 <= i <= n <= most. Throws Error{usage}.
 std::pair<int, int> parsePart(const std::string& text, int most);

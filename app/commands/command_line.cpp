@@ -14,8 +14,8 @@
 #include "app/commands/made_pages.h"
 #include "app/documents/recording.h"
 #include "app/documents/session.h"
-#include "app/process/interrupt.h"
-#include "app/process/thread_limit.h"
+#include "app/runtime/interrupt.h"
+#include "app/runtime/thread_limit.h"
 #include "app/version.h"
 #include "base/error.h"
 #include "base/printable.h"
@@ -171,10 +171,10 @@ int openWindowOn(const WindowOptions& options, const Program& program, const Ope
       base::Progress progress;
       return windowScene(path, scene, volume, progress);
     };
-  machineOf(*options.scene);  // throws here, not in the window
+  hostSettingsOf(*options.scene);  // throws here, not in the window
   const auto& assignments = options.scene->assignments;
-  std::copy_if(assignments.begin(), assignments.end(), std::back_inserter(request.machine),
-               scene::isOfMachine);
+  std::copy_if(assignments.begin(), assignments.end(), std::back_inserter(request.host),
+               scene::isHostSetting);
   OutputGuard guard = outputGuard(options.path, *options.scene, request.scene);
   checkOutput(guard, options.record, "--record");
   if (!options.record.empty()) checkMayRecordInto(options.record);

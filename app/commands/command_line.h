@@ -17,8 +17,8 @@ struct WindowRequest {
   scene::Scene scene;  // of PATH, the session and --set; what they leave automatic is still so
   std::string
       sessionFile;  // absolute; where the scene came from, so that Save goes there; "": from no session
-  std::string recordFile;            // --record FILE
-  std::vector<std::string> machine;  // --set of scene::Machine, for this run
+  std::string recordFile;         // --record FILE
+  std::vector<std::string> host;  // --set of scene::HostSettings, for this run
   // The scene once the volume is there, where --preset or a camera by name waits for it; its source does not
   // count. May throw base::Error.
   std::function<scene::Scene(const volume::PreparedVolume&)> completed = {};

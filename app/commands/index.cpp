@@ -4,7 +4,7 @@
 #include <tuple>
 
 #include "app/commands/command.h"
-#include "app/process/progress_bar.h"
+#include "app/runtime/progress_bar.h"
 #include "base/error.h"
 #include "volume/large/index_file.h"
 #include "volume/read/volume_file.h"

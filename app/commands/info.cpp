@@ -6,10 +6,10 @@
 
 #include "app/commands/command.h"
 #include "app/commands/series_report.h"
-#include "app/process/progress_bar.h"
 #include "app/ready/ready_fields.h"
 #include "app/report/derivative_report.h"
 #include "app/report/piece_report.h"
+#include "app/runtime/progress_bar.h"
 #include "base/number_text.h"
 #include "base/words.h"
 #include "scene/rules/automatic.h"

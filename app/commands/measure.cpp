@@ -13,10 +13,10 @@
 #include "app/files/number_rows.h"
 #include "app/marks/mark_evaluator.h"
 #include "app/marks/markups_file.h"
-#include "app/process/progress_bar.h"
 #include "app/report/curvature_report.h"
 #include "app/report/measure_points.h"
 #include "app/report/measure_report.h"
+#include "app/runtime/progress_bar.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "base/printable.h"
@@ -24,7 +24,7 @@
 #include "volume/measure/surface_measure.h"
 #include "volume/measure/voxel_noise.h"
 #include "volume/pieces/shown_pieces.h"
-#include "volume/read/input/length_doubt.h"
+#include "volume/read/input/spacing_reliability.h"
 
 namespace isolux::app {
 
@@ -99,7 +99,7 @@ ordered_json curvatureOf(const MeasureOptions& options, scene::Scene scene, cons
 ordered_json measure(const MeasureOptions& options, const scene::Scene& scene, const PreparedVolume& prepared,
                      base::Progress& progress) {
   const double isovalue = scene.isosurface.value.value_or(prepared.facts.suggestedIsovalue);
-  const auto doubt = volume::lengthDoubt(prepared.volume.warnings);
+  const auto doubt = volume::spacingDoubt(prepared.volume.warnings);
   if (doubt && !options.anyway)
     base::throwInput(scene.source.path, "",
                      "lengths are doubtful: " + *doubt + "; --anyway measures all the same");

@@ -1,7 +1,7 @@
 // isolux merge PART... --out FILE.vti: parts of a bake as the bake.
 #include "app/commands/command.h"
 #include "app/files/files.h"
-#include "app/process/progress_bar.h"
+#include "app/runtime/progress_bar.h"
 #include "base/error.h"
 #include "gi/file/bake_file.h"
 #include "gi/file/bake_merge.h"

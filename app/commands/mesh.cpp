@@ -6,7 +6,7 @@
 #include "app/commands/command.h"
 #include "app/files/files.h"
 #include "app/mesh/mesh_export.h"
-#include "app/process/progress_bar.h"
+#include "app/runtime/progress_bar.h"
 #include "base/error.h"
 #include "scene/rules/automatic.h"
 #include "volume/write/mesh_writer.h"

@@ -5,7 +5,7 @@
 
 #include "app/commands/command.h"
 #include "app/files/files.h"
-#include "app/process/progress_bar.h"
+#include "app/runtime/progress_bar.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "base/words.h"

@@ -65,7 +65,7 @@ ordered_json hitJson(const volume::PreparedVolume& prepared, const volume::Surfa
   const glm::dvec3 from(voxelFromWorld * glm::dvec4(origin, 1.0)),
       along(voxelFromWorld * glm::dvec4(direction, 0.0));
   std::optional<volume::RayHit> hit;
-  for (const auto& [begin, end] : cut.stretchesOf(surface.isovalue, {from, along})) {
+  for (const auto& [begin, end] : cut.segmentsOf(surface.isovalue, {from, along})) {
     hit = volume::firstHit(prepared.grid(), *prepared.blocks, surface.isovalue, {from, along, begin, end});
     if (hit) break;
   }

@@ -10,7 +10,7 @@
 #include "app/files/files.h"
 #include "app/files/image_io.h"
 #include "app/files/reference_image.h"
-#include "app/process/progress_bar.h"
+#include "app/runtime/progress_bar.h"
 #include "app/version.h"
 #include "base/color.h"
 #include "base/error.h"
@@ -85,7 +85,7 @@ void runReference(const ReferenceOptions& options, base::Progress& progress) {
   requireSource(options.path, *options.scene);
   scene::Scene scene = sceneOf(options.path, *options.scene);
   gi::Reference::Options reference{pictureSize(options.size, options.path, *options.scene),
-                                   machineOf(*options.scene).threads.value_or(threadsInForce())};
+                                   hostSettingsOf(*options.scene).threads.value_or(threadsInForce())};
   reference.meterView = !startsFromSession(options.path, *options.scene);  // as `isolux render` does
   OutputGuard guard = outputGuard(options.path, *options.scene, scene);    // before anything slow starts
   checkOutput(guard, options.out, "--out");

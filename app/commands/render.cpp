@@ -12,23 +12,23 @@
 #include "app/accuracy/error_images.h"
 #include "app/accuracy/error_overlay.h"
 #include "app/accuracy/hidden_structure.h"
-#include "app/annotation/annotation.h"
 #include "app/commands/command.h"
 #include "app/commands/render_plan.h"
 #include "app/commands/render_target.h"
 #include "app/documents/picture_scene.h"
 #include "app/documents/session.h"
 #include "app/documents/session_accuracy.h"
+#include "app/error_budget/target_report.h"
 #include "app/files/files.h"
 #include "app/files/image_io.h"
 #include "app/light/light_picture.h"
 #include "app/light/light_report.h"
+#include "app/overlay_text/annotation.h"
 #include "app/picture/finished_picture.h"
-#include "app/process/progress_bar.h"
 #include "app/report/derivative_report.h"
 #include "app/report/render_report.h"
+#include "app/runtime/progress_bar.h"
 #include "app/series/movie.h"
-#include "app/target/target_report.h"
 #include "base/error.h"
 #include "render/offscreen_renderer.h"
 #include "render/passes/processor.h"
@@ -62,7 +62,7 @@ bool marksStructure(const RenderOptions& options) {
   return options.overlay == kStructureOverlay;
 }
 
-OverlayWish overlayOf(const RenderOptions& options) {
+OverlayRequest overlayOf(const RenderOptions& options) {
   if (marksStructure(options)) return {};
   const std::string& error = options.target.error;
   return parseOverlay(options.overlay, error.empty() ? std::vector<Limit>{} : parseErrorTarget(error));
@@ -161,9 +161,9 @@ class RenderRun {
       : options_(options),
         plan_(plan),
         progress_(progress),
-        machine_(machineOf(*options.scene)),
+        host_(hostSettingsOf(*options.scene)),
         overlay_(overlayOf(options)),
-        light_({.threads = machine_.threads, .around = options.lightAround}) {}
+        light_({.threads = host_.threads, .around = options.lightAround}) {}
 
   // After all pictures, which are written: some have holes.
   void throwIfDamaged() const {
@@ -206,9 +206,9 @@ class RenderRun {
  private:
   void load(const scene::Source& source, const VolumePictures& pictures) {
     if (prepared_ && source == source_) return;
-    prepared_ = loadWithProgressBar(source, machine_, progress_);
+    prepared_ = loadWithProgressBar(source, host_, progress_);
     source_ = source;
-    if (!renderer_) renderer_.emplace(*options_.context, machine_);
+    if (!renderer_) renderer_.emplace(*options_.context, host_);
     (*renderer_)->setVolume(prepared_);
     findIndex(source, pictures);
   }
@@ -217,16 +217,16 @@ class RenderRun {
   scene::Scene startingScene(const std::string& path) {
     scene::Scene scene = sceneOf(path, *options_.scene, *prepared_);
     if (plan_.sweep) plan_.sweep->apply(scene, 0);
-    const CameraWish& wish = options_.scene->camera;
+    const CameraRequest& wanted = options_.scene->camera;
     const bool automatic = !scene.camera.eye;
     scene::Scene framed = scene;
     if (overlay_.colors) framed.look.legend = false;  // the overlay has its own
     if (options_.turntable > 0)
-      scene.camera = turntableStart(wish, automatic, scene::resolve(framed, prepared_->facts), *prepared_,
+      scene.camera = turntableStart(wanted, automatic, scene::resolve(framed, prepared_->facts), *prepared_,
                                     request_.size, progress_);
     else
-      scene.camera = wishedCamera(wish, framed, *prepared_, request_.size, progress_,
-                                  overlayReserve(overlay_, request_.size));
+      scene.camera = requestedCamera(wanted, framed, *prepared_, request_.size, progress_,
+                                     overlayReserve(overlay_, request_.size));
     if (plan_.sweep && plan_.sweep->path == "source.time_step") {
       const scene::Scene resolved = scene::resolve(scene, prepared_->facts);
       scene.isosurface.value = resolved.isosurface.value;
@@ -268,8 +268,8 @@ class RenderRun {
       render::StillPicture& still = drawn.still;
       if (overlay_.asked) paintOverlay(*drawn.errors, shown, still);
       if (whole_) {
-        const volume::LevelGaps gaps(*whole_, prepared_->grid(), scene::seenIsovalues(drawn.shown),
-                                     progress_);
+        const volume::LostStructure gaps(*whole_, prepared_->grid(), scene::seenIsovalues(drawn.shown),
+                                         progress_);
         structure = hiddenStructure(**renderer_, {prepared_, drawn.shown, nullptr, drawn.inputs.request.size},
                                     *whole_, gaps, progress_);
       }
@@ -340,12 +340,9 @@ class RenderRun {
   }
 
   TargetQuestion targetQuestion(const scene::Scene& given) const {
-    TargetQuestion question{prepared_,
-                            given,
-                            request_,
-                            machine_,
-                            render::takesProcessor(machine_.executor, *renderer_->context().gl()),
-                            {}};
+    TargetQuestion question{
+        prepared_, given, request_, host_, render::takesProcessor(host_.executor, *renderer_->context().gl()),
+        {}};
     for (const std::string& assignment : options_.scene->assignments)
       question.fixed.push_back(std::string(scene::pathOf(assignment)));
     if (plan_.sweep) question.fixed.push_back(plan_.sweep->path);
@@ -399,8 +396,8 @@ class RenderRun {
   const RenderOptions& options_;
   const RenderPlan& plan_;
   base::Progress& progress_;
-  const scene::Machine machine_;
-  const OverlayWish overlay_;
+  const scene::HostSettings host_;
+  const OverlayRequest overlay_;
   std::optional<render::OffscreenRenderer> renderer_;
   LightController light_;
   std::shared_ptr<const volume::PreparedVolume> prepared_;

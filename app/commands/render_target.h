@@ -6,8 +6,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/error_budget/target_search.h"
 #include "app/light/light_controller.h"
-#include "app/target/target_search.h"
 
 namespace isolux::app {
 

@@ -4,15 +4,15 @@
 #include <cstdio>
 #include <optional>
 
-#include "app/annotation/annotation.h"
 #include "app/commands/command.h"
 #include "app/documents/picture_scene.h"
 #include "app/documents/recording.h"
 #include "app/documents/session.h"
 #include "app/files/files.h"
 #include "app/files/image_io.h"
+#include "app/overlay_text/annotation.h"
 #include "app/picture/finished_picture.h"
-#include "app/process/progress_bar.h"
+#include "app/runtime/progress_bar.h"
 #include "app/series/movie.h"
 #include "base/error.h"
 #include "base/number_text.h"

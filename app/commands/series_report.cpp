@@ -9,7 +9,7 @@
 #include "app/browser/series_text.h"
 #include "app/commands/command.h"
 #include "app/documents/anonymous.h"
-#include "app/process/progress_bar.h"
+#include "app/runtime/progress_bar.h"
 #include "base/printable.h"
 
 namespace isolux::app {

@@ -10,7 +10,7 @@
 #include "app/files/files.h"
 #include "app/files/image_io.h"
 #include "app/files/number_rows.h"
-#include "app/process/progress_bar.h"
+#include "app/runtime/progress_bar.h"
 #include "app/slices/slice_labels.h"
 #include "app/slices/slice_picture.h"
 #include "app/version.h"

@@ -3,8 +3,8 @@
 #include "app/study/study.h"
 #include "app/commands/command.h"
 #include "app/files/files.h"
-#include "app/process/external_program.h"
-#include "app/process/progress_bar.h"
+#include "app/runtime/external_program.h"
+#include "app/runtime/progress_bar.h"
 #include "app/study_report/study_plot.h"
 #include "app/study_report/study_report.h"
 #include "base/error.h"
@@ -24,9 +24,9 @@ struct StudyOptions {
 };
 
 // Nothing that the study writes may be what it reads, say a session beside older results.
-void checkOutputs(const fs::path& folder, const std::vector<Knob>& chosen, OutputGuard guard) {
+void checkOutputs(const fs::path& folder, const std::vector<QualitySetting>& chosen, OutputGuard guard) {
   for (const char* name : {"study.json", "study.md"}) guard.writes(folder / name, "--out");
-  for (const Knob& knob : chosen) guard.writes(folder / (std::string(knob.name) + ".svg"), "--out");
+  for (const QualitySetting& knob : chosen) guard.writes(folder / (std::string(knob.name) + ".svg"), "--out");
 }
 
 // Writes what is finished after every knob, so that a stop leaves it.
@@ -40,7 +40,7 @@ class StudyFolder {
     if (gnuplot_.empty()) note_ = "no plots: they need gnuplot, which was not found (Debian: gnuplot-nox)";
   }
 
-  void add(KnobStudy study, std::size_t of, base::Progress& progress) {
+  void add(QualityStudy study, std::size_t of, base::Progress& progress) {
     if (!gnuplot_.empty() && study.skipped.empty()) {
       const std::string name = std::string(study.knob.name) + ".svg";
       std::string reason;
@@ -64,14 +64,14 @@ class StudyFolder {
   StudySubject subject_;
   render::ContextDescription context_;
   fs::path gnuplot_;
-  std::vector<KnobStudy> studies_;
+  std::vector<QualityStudy> studies_;
   std::string note_;                  // about plots that are not there
   std::vector<std::string> skipped_;  // knobs
 };
 
 void runStudy(const StudyOptions& options, base::Progress& progress) {
   requireSource(options.path, *options.scene);
-  const std::vector<Knob> chosen = parseKnobs(options.knobs);
+  const std::vector<QualitySetting> chosen = parseQualitySettings(options.knobs);
   const glm::ivec2 size = parseSize(options.size);
   const scene::Scene asked = sceneOf(options.path, *options.scene);
   checkOutputs(options.out, chosen, outputGuard(options.path, *options.scene, asked));
@@ -82,14 +82,14 @@ void runStudy(const StudyOptions& options, base::Progress& progress) {
     scene.camera = resolvedSceneOf(options.path, *options.scene, *prepared, size, progress).camera;
   const auto context = render::OffscreenContext::create(*options.context);
   const MadeFolder folder(options.out);
-  const StudySubject subject{prepared, scene, machineOf(*options.scene), size, options.repeat};
+  const StudySubject subject{prepared, scene, hostSettingsOf(*options.scene), size, options.repeat};
   StudyFolder output(folder.path(), subject, context->description());
-  Studio studio(context->gl(), subject);
+  StudyRunner studio(context->gl(), subject);
   {
     progress.report(0.0, "preparing");
     const ProgressBar bar(progress);
     studio.study(chosen, progress,
-                 [&](KnobStudy study) { output.add(std::move(study), chosen.size(), progress); });
+                 [&](QualityStudy study) { output.add(std::move(study), chosen.size(), progress); });
   }
   if (!output.note().empty()) printNote(output.note());
   if (!output.skipped().empty()) printNote("not studied (reasons in study.md): " + output.skipped());
@@ -107,7 +107,7 @@ Command makeStudy(CLI::App& program) {
             "Folder for study.md, study.json and a plot per quality setting; created if missing")
       ->required();
   addOption(*parser, "--knobs,--settings", options->knobs, "LIST",
-            "Study only these of " + base::joined(knobs(), ",", &Knob::name));
+            "Study only these of " + base::joined(knobs(), ",", &QualitySetting::name));
   addOption(*parser, "--size", options->size, "WxH", "Pixels of the image; default 256x256");
   addOption(*parser, "--repeat", options->repeat, "N", "Frames measured per value, in turns; default 7")
       ->check(within(1, 1000));

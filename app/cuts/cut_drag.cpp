@@ -62,13 +62,13 @@ glm::dvec3 snapped(const glm::dvec3& direction) {
   glm::dvec3 best = direction;
   double most = -1.0;
   for (int i = 0; i < 27; ++i) {
-    const glm::dvec3 wish(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
-    const double length = glm::length(wish);
+    const glm::dvec3 request(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+    const double length = glm::length(request);
     if (length == 0.0 || length > 1.5) continue;
-    const double cosine = glm::dot(wish, direction) / length;
+    const double cosine = glm::dot(request, direction) / length;
     if (cosine <= most) continue;
     most = cosine;
-    best = wish;
+    best = request;
   }
   return best;
 }
@@ -164,7 +164,7 @@ scene::Clip draggedCut(const scene::Clip& clip, const CutGrip& grip, const CutSt
   if (grip.plane > 0) {
     scene::ClipPlane& plane = dragged.planes[static_cast<std::size_t>(grip.plane - 1)];
     const glm::dvec3 normal = glm::normalize(plane.normal),
-                     knob = knobOf(clip, static_cast<std::size_t>(grip.plane - 1), stage);
+                     knob = qualitySettingOf(clip, static_cast<std::size_t>(grip.plane - 1), stage);
     plane = grip.part == CutPart::turn ? turnedBy(plane, knob, stage, to - from, constrained)
                                        : movedBy(plane, stage, draggedAlong(stage, knob, normal, from, to));
     return dragged;

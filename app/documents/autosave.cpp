@@ -204,18 +204,18 @@ AutosaveFile::~AutosaveFile() {
 }
 
 void AutosaveFile::write(OpenDocument document) {
-  wish(std::move(document));
+  request(std::move(document));
 }
 
 void AutosaveFile::remove() {
-  if (worker_.joinable()) wish(std::nullopt);
+  if (worker_.joinable()) request(std::nullopt);
 }
 
-void AutosaveFile::wish(std::optional<OpenDocument> document) {
+void AutosaveFile::request(std::optional<OpenDocument> document) {
   {
     const std::lock_guard lock(mutex_);
     wanted_ = std::move(document);
-    wished_ = true;
+    requested_ = true;
   }
   changed_.notify_all();
   if (worker_.joinable()) return;
@@ -224,14 +224,14 @@ void AutosaveFile::wish(std::optional<OpenDocument> document) {
   } catch (
       const std::system_error& error) {  // the system grants no thread: nothing is kept, and that is said
     const std::lock_guard lock(mutex_);
-    wished_ = false;
+    requested_ = false;
     problem_.emplace(base::ErrorKind::memory, file_.string(), "", error.code().message());
   }
 }
 
 void AutosaveFile::finish() {
   std::unique_lock lock(mutex_);
-  changed_.wait(lock, [this] { return !wished_ && !working_; });
+  changed_.wait(lock, [this] { return !requested_ && !working_; });
 }
 
 std::optional<base::Error> AutosaveFile::problem() {
@@ -242,10 +242,10 @@ std::optional<base::Error> AutosaveFile::problem() {
 void AutosaveFile::work() {
   std::unique_lock lock(mutex_);
   for (;;) {
-    changed_.wait(lock, [this] { return wished_ || ends_; });
-    if (!wished_) return;
+    changed_.wait(lock, [this] { return requested_ || ends_; });
+    if (!requested_) return;
     const std::optional<OpenDocument> wanted = std::exchange(wanted_, std::nullopt);
-    wished_ = false;
+    requested_ = false;
     working_ = true;
     lock.unlock();
     std::optional<base::Error> problem =

@@ -59,13 +59,13 @@ class AutosaveFile {
 
   void write(OpenDocument document);  // soon; of several that wait, only the newest is written
   void remove();                      // nothing needs to be kept (any more)
-  void finish();                      // waits until the last wish is fulfilled
+  void finish();                      // waits until the last request is fulfilled
   // Why the last writing failed; nothing when it succeeded.
   std::optional<base::Error> problem();
   const std::filesystem::path& path() const { return file_; }
 
  private:
-  void wish(std::optional<OpenDocument> document);
+  void request(std::optional<OpenDocument> document);
   void work();
   void fulfil(const std::optional<OpenDocument>& document);
 
@@ -73,7 +73,7 @@ class AutosaveFile {
   FileLock lock_;  // the worker's
   std::mutex mutex_;
   std::condition_variable changed_;
-  bool wished_ = false, working_ = false, ends_ = false;
+  bool requested_ = false, working_ = false, ends_ = false;
   std::optional<OpenDocument> wanted_;  // what the file should hold; nothing: no file
   std::optional<base::Error> problem_;
   std::thread worker_;

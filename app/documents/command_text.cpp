@@ -42,7 +42,7 @@ std::string assignmentText(const std::string& path, const nlohmann::json& value)
   return path + "=" + wordOfValue(value);
 }
 
-std::string renderCommand(const scene::Scene& scene, const scene::Machine& machine, glm::ivec2 size,
+std::string renderCommand(const scene::Scene& scene, const scene::HostSettings& host, glm::ivec2 size,
                           const std::string& out) {
   const std::string& source = scene.source.path;
   const bool isFile = !source.starts_with("phantom:");
@@ -54,9 +54,9 @@ std::string renderCommand(const scene::Scene& scene, const scene::Machine& machi
   };
   for (const scene::SceneChange& change : scene::difference(scene::Scene{}, scene, "").changes)
     if (change.path != "source.path") add(change.path, change.value);
-  const scene::MachineSetting* const executor = scene::machineSetting("picture.executor");
-  if (executor != nullptr && machine.executor != scene::Machine{}.executor)
-    add(executor->path, executor->get(machine));
+  const scene::HostSetting* const executor = scene::hostSetting("picture.executor");
+  if (executor != nullptr && host.executor != scene::HostSettings{}.executor)
+    add(executor->path, executor->get(host));
   if (scene::usesGi(scene)) line += " --light-around";  // as in the window
   return line + " --size " + std::to_string(size.x) + "x" + std::to_string(size.y) + " --out " +
          shellWord(out);

@@ -7,7 +7,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "scene/scene.h"
-#include "scene/settings/machine.h"
+#include "scene/settings/host_settings.h"
 
 namespace isolux::app {
 
@@ -20,7 +20,7 @@ std::string assignmentText(const std::string& path, const nlohmann::json& value)
 // `isolux render PATH --set ... --size WxH --out FILE`: every setting that is not at its default, and of the
 // machine what computes pictures. `out`: the name of the picture, ending in .png or .exr. The volume's path
 // is made absolute.
-std::string renderCommand(const scene::Scene& scene, const scene::Machine& machine, glm::ivec2 size,
+std::string renderCommand(const scene::Scene& scene, const scene::HostSettings& host, glm::ivec2 size,
                           const std::string& out);
 
 }  // namespace isolux::app

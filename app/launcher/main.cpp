@@ -2,7 +2,7 @@
 // over it, so that an interrupt is answered within 100 ms from the first instruction on, whatever the command
 // is doing: loading libraries, compiling shaders in a driver, giving gigabytes back to the system.
 //
-// SIGINT, SIGTERM and SIGHUP are passed on; a command that listens ends by itself (app/process/interrupt.h).
+// SIGINT, SIGTERM and SIGHUP are passed on; a command that listens ends by itself (app/runtime/interrupt.h).
 // One that has not after kGraceMilliseconds is killed with all that it has started, its unfinished files are
 // removed (base/supervision_board.h), and the exit code is 130. Unfinished files of a command that crashes go
 // too.
@@ -32,7 +32,7 @@ using isolux::base::SupervisionBoard;
 using Slot = SupervisionBoard::Slot;
 
 constexpr int kInterrupted = 130;
-constexpr long kGraceMilliseconds = 45;  // five more than app/process/interrupt.cpp gives a job
+constexpr long kGraceMilliseconds = 45;  // five more than app/runtime/interrupt.cpp gives a job
 constexpr long kBurialMilliseconds = 15;
 constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
 

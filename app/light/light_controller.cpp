@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "app/light/light_planner.h"
-#include "base/retire.h"
+#include "base/destroy_in_background.h"
 #include "gi/arithmetic.h"
 #include "gi/file/bake_file.h"
 #include "scene/settings/choice_names.h"
@@ -92,7 +92,7 @@ struct LightController::Parts {
   bool metersView = false;
   std::optional<int> threads;
   std::optional<scene::GiTexels> texelsOfFile;  // for the next plan
-  gi::SeenPoints hits;
+  gi::VisiblePointSet hits;
   struct Told {
     bool scene = false, hits = false, cancel = false, compress = false;
     bool operator==(const Told&) const = default;
@@ -115,7 +115,8 @@ struct LightController::Parts {
   std::jthread thread;                           // last: it ends before the rest goes
 
   void run(const std::stop_token& stop);
-  void work(const Told& now, const scene::Scene& given, const VolumePointer& of, const gi::SeenPoints& seen);
+  void work(const Told& now, const scene::Scene& given, const VolumePointer& of,
+            const gi::VisiblePointSet& seen);
   void tell(bool Told::*what) {
     told.*what = true;
     changed.notify_all();
@@ -143,7 +144,7 @@ void LightController::Parts::run(const std::stop_token& stop) {
     planner.setThreads(threads);
     if (const auto texels = std::exchange(texelsOfFile, std::nullopt)) planner.setTexelsOfFile(*texels, of);
     // Looking whether to compress needs no points.
-    const gi::SeenPoints seen = now.scene || now.hits ? hits : gi::SeenPoints();
+    const gi::VisiblePointSet seen = now.scene || now.hits ? hits : gi::VisiblePointSet();
     planning = true;
     lock.unlock();
     work(now, given, of, seen);
@@ -154,11 +155,11 @@ void LightController::Parts::run(const std::stop_token& stop) {
 }
 
 void LightController::Parts::work(const Told& now, const scene::Scene& given, const VolumePointer& of,
-                                  const gi::SeenPoints& seen) {
+                                  const gi::VisiblePointSet& seen) {
   std::exception_ptr failed;
   try {
     if (now.scene) planner.plan(given, of, progress);
-    const bool otherLight = (now.scene || now.hits) && planner.wish(seen, progress);
+    const bool otherLight = (now.scene || now.hits) && planner.request(seen, progress);
     if (now.cancel) planner.wishNothing();
     const bool compressed = planner.compress(progress);
     const bool rests = std::chrono::steady_clock::now() - toldAt >= restsAfter;
@@ -202,7 +203,7 @@ LightController::~LightController() {
     const std::lock_guard guard(parts_->mutex);
     for (const auto& bake : parts_->plan.bakes()) bake->requestStop();
   }
-  base::retire(std::move(parts_));
+  base::destroyInBackground(std::move(parts_));
 }
 
 void LightController::setScene(const scene::Scene& resolved,
@@ -241,7 +242,7 @@ void LightController::setThreads(std::optional<int> threads) {
   parts_->tell(&Parts::Told::scene);  // the plan is made with them
 }
 
-void LightController::setVisible(gi::SeenPoints hitVoxels) {
+void LightController::setVisible(gi::VisiblePointSet hitVoxels) {
   const std::lock_guard guard(parts_->mutex);
   parts_->hits = std::move(hitVoxels);
   parts_->tell(&Parts::Told::hits);

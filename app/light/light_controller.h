@@ -20,7 +20,7 @@
 #include "gi/bake/light_bake.h"
 #include "gi/file/bake_file.h"
 #include "gi/picture_light.h"
-#include "gi/seen_points.h"
+#include "gi/visible_point_set.h"
 #include "scene/rules/gi_choice.h"
 #include "scene/scene.h"
 #include "volume/prepared/prepared_volume.h"
@@ -47,13 +47,13 @@ class LightController {
  public:
   struct Options {
     bool background = false;                    // low priority: gi::LightBake::Options
-    std::optional<int> threads = std::nullopt;  // scene::Machine::threads
+    std::optional<int> threads = std::nullopt;  // scene::HostSettings::threads
     bool innerSides = true;                     // bake visible back faces; else their light is unshadowed
     std::optional<gi::LatticePart> part = std::nullopt;  // light of only these texels
     bool around = false;  // also around visible texels, as always in the background: less noise at rims
   };
   explicit LightController(Options options);
-  ~LightController();  // stops all work without waiting for its end: base/retire.h
+  ~LightController();  // stops all work without waiting for its end: base/destroy_in_background.h
 
   // Sets the scene. Requires `resolved` from scene::resolve; `volume` may be null.
   void setScene(const scene::Scene& resolved, std::shared_ptr<const volume::PreparedVolume> volume);
@@ -65,7 +65,7 @@ class LightController {
   // again.
   std::optional<double> viewExposure() const;
   // Sets the visible surface points of the image: Renderer::hitVoxels().
-  void setVisible(gi::SeenPoints hitVoxels);
+  void setVisible(gi::VisiblePointSet hitVoxels);
   void setThreads(std::optional<int> threads);  // takes effect at once
   void setPaused(bool paused);
   bool paused() const;

@@ -8,8 +8,8 @@
 
 #include <tbb/global_control.h>
 
+#include "base/destroy_in_background.h"
 #include "base/memory_budget.h"
-#include "base/retire.h"
 #include "gi/arithmetic.h"
 #include "gi/light_key.h"
 #include "gi/trace/lattice_estimator.h"
@@ -274,7 +274,7 @@ std::shared_ptr<gi::LightBake> LightPlanner::makeBake(const Part& part,
   // Whoever drops the last reference does not wait for its threads.
   return {bake.release(), [](gi::LightBake* dead) {
             dead->requestStop();
-            base::retire(std::unique_ptr<gi::LightBake>(dead));
+            base::destroyInBackground(std::unique_ptr<gi::LightBake>(dead));
           }};
 }
 

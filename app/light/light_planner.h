@@ -1,9 +1,9 @@
 // The slow part of LightController, on its planner thread: from a scene, a volume and what is seen to bakes
 // and what they are asked for.
 //
-// Owned by one, called by one thread at a time. Bakes that it gives up end elsewhere (base/retire.h). Keeps
-// what the next scene is likely to need again: the light probe, the tracer, and the bakes, as long as their
-// keys hold.
+// Owned by one, called by one thread at a time. Bakes that it gives up end elsewhere
+// (base/destroy_in_background.h). Keeps what the next scene is likely to need again: the light probe, the
+// tracer, and the bakes, as long as their keys hold.
 #pragma once
 
 #include <array>
@@ -25,8 +25,8 @@
 #include "gi/lattice/lattice_part.h"
 #include "gi/light_scene.h"
 #include "gi/picture_light.h"
-#include "gi/seen_points.h"
 #include "gi/trace/exposure_meter.h"
+#include "gi/visible_point_set.h"
 #include "scene/rules/gi_choice.h"
 #include "scene/scene.h"
 #include "volume/prepared/prepared_volume.h"
@@ -58,7 +58,7 @@ class LightPlanner {
   void setThreads(std::optional<int> threads) { threads_ = threads; }  // of the next plan
   // Wishes are for texels of this part of the lattice only. Before the first plan.
   void setPart(std::optional<gi::LatticePart> part) { part_ = part; }
-  // Bakes are asked for nothing: wishes() tells what for. Before the first plan.
+  // Bakes are asked for nothing: requests() tells what for. Before the first plan.
   void setOnlyPlans() { onlyPlans_ = true; }
   // A light probe that was read elsewhere, whatever file a scene names.
   void setEnvironment(std::shared_ptr<const gi::Environment> environment) { given_ = std::move(environment); }
@@ -76,7 +76,7 @@ class LightPlanner {
   const LightPlan& plan(const scene::Scene& given, const VolumePointer& volume, base::Progress& progress);
   // Asks the bakes for what the scene and these surface points need. True if the plan's light changed: light
   // of inner sides is planned when the first is seen. Throws Error{interrupted}, Error{memory}.
-  bool wish(const gi::SeenPoints& seen, base::Progress& progress);
+  bool request(const gi::VisiblePointSet& seen, base::Progress& progress);
   void wishNothing();
   // Compresses stored transfer anew where much was added since: true if the plan's light changed. Throws
   // Error{interrupted} when stopped.
@@ -91,7 +91,7 @@ class LightPlanner {
   const LightPlan& current() const { return plan_; }
   // What the bake of the sky's or the lamps' light would be asked for: each block once, in their order. Of a
   // planner that only plans.
-  std::vector<gi::WantedBlock> wishes(gi::LightPart part) const;
+  std::vector<gi::BlockRequest> requests(gi::LightPart part) const;
 
  private:
   // What a bake was asked for besides what is seen.
@@ -108,8 +108,8 @@ class LightPlanner {
     std::shared_ptr<const gi::TexelEstimator> estimator;
     std::shared_ptr<gi::LightBake> bake;
     std::optional<Asked> asked;
-    std::array<std::vector<gi::WantedBlock>, 4> wished;  // where it only plans: by gi::Wish
-    std::shared_ptr<const gi::LightLattice> before;      // of another isovalue: PictureLight::skyBefore
+    std::array<std::vector<gi::BlockRequest>, 4> requested;  // where it only plans: by gi::Priority
+    std::shared_ptr<const gi::LightLattice> before;          // of another isovalue: PictureLight::skyBefore
   };
   struct Side {
     Part sky, lamps;
@@ -124,8 +124,9 @@ class LightPlanner {
                bool wanted);
   void requireInner(base::Progress& progress);
   std::array<Part*, 4> parts() { return {&outer_.sky, &outer_.lamps, &inner_.sky, &inner_.lamps}; }
-  void wish(Side& side, const std::vector<glm::vec3>& hits, scene::GiExtent extent, base::Progress& progress);
-  void wish(Part& part, const Asked& asked, base::Progress& progress);
+  void request(Side& side, const std::vector<glm::vec3>& hits, scene::GiExtent extent,
+               base::Progress& progress);
+  void request(Part& part, const Asked& asked, base::Progress& progress);
   void demand(const Part& part);  // as many paths, on as many threads as there are to be
   void keep(Part part);
   std::optional<Part> kept(const std::string& key);  // taken out
@@ -136,7 +137,7 @@ class LightPlanner {
   int threads() const;
   void stop();
   static void stop(Side& side);
-  void want(Part& part, gi::Wish wish, std::vector<gi::WantedBlock> blocks) const;
+  void want(Part& part, gi::Priority request, std::vector<gi::BlockRequest> blocks) const;
   void publish();
   int reach() const;
 
@@ -173,7 +174,7 @@ class LightPlanner {
   bool groundPending_ = false;                      // ground_ is of a scene before
   Side outer_, inner_;
   std::deque<Part> kept_;   // of settings before these, which may come back; the last first
-  bool innerSeen_ = false;  // by the last wish
+  bool innerSeen_ = false;  // by the last request
   std::shared_ptr<const gi::TransferBasis> basis_;
   int basisComponents_ = 0, basisBits_ = 0;
   std::uint64_t basisTexels_ = 0, basisRevision_ = 0;

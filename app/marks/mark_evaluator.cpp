@@ -9,7 +9,7 @@
 #include "base/number_text.h"
 #include "volume/measure/points.h"
 #include "volume/measure/voxel_noise.h"
-#include "volume/read/input/length_doubt.h"
+#include "volume/read/input/spacing_reliability.h"
 
 namespace isolux::app {
 
@@ -65,7 +65,7 @@ MarkEvaluator::MarkEvaluator(std::shared_ptr<const volume::PreparedVolume> volum
                              const scene::Scene& resolved, bool anyway)
     : volume_(std::move(volume)),
       scene_(measuredPart(resolved)),
-      doubt_(volume::lengthDoubt(volume_->volume.warnings)),
+      doubt_(volume::spacingDoubt(volume_->volume.warnings)),
       anyway_(anyway) {
   const scene::Inside inside = scene_.isosurface.inside;
   const auto add = [&](int number, const std::optional<double>& value) {

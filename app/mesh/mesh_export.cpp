@@ -14,7 +14,7 @@ namespace isolux::app {
 
 namespace {
 
-volume::SurfaceMesh extracted(const MeshWish& wish, const scene::Scene& scene,
+volume::SurfaceMesh extracted(const MeshRequest& asked, const scene::Scene& scene,
                               const volume::PreparedVolume& prepared, base::Progress& progress) {
   volume::SurfaceMeshRequest request;
   request.isovalue = scene.isosurface.value.value();
@@ -24,16 +24,16 @@ volume::SurfaceMesh extracted(const MeshWish& wish, const scene::Scene& scene,
   if (cubic) request.coefficients = cubic->coefficients.get();
   const auto hidden = volume::hiddenOf(scene, *prepared.pieces, progress);
   request.hidden = volume::hiddenAt(hidden, request.isovalue).voxels;
-  request.closed = wish.closed;
-  request.toleranceMm = wish.toleranceMm;
+  request.closed = asked.closed;
+  request.toleranceMm = asked.toleranceMm;
   request.budgetBytes = base::allowedMemory() / 4;
   return volume::surfaceMesh(prepared.grid(), request, progress);
 }
 
-std::vector<volume::PointArray> arraysOf(const MeshWish& wish, scene::Scene& scene,
+std::vector<volume::PointArray> arraysOf(const MeshRequest& asked, scene::Scene& scene,
                                          const volume::PreparedVolume& prepared,
                                          const volume::SurfaceMesh& found, base::Progress& progress) {
-  const std::string ending = wish.file.extension().string();
+  const std::string ending = asked.file.extension().string();
   const bool curvature = ending == ".vtp";
   if (!curvature && ending != ".ply") return {};
   prepared.derivativeChoices->complete(scene, progress);
@@ -46,13 +46,14 @@ std::vector<volume::PointArray> arraysOf(const MeshWish& wish, scene::Scene& sce
 
 // What .stl, which has single precision, makes of the mesh is told as its distance from the surface; far from
 // the origin triangles would collapse.
-void addRounding(const MeshWish& wish, const volume::PreparedVolume& prepared, volume::SurfaceMesh& found) {
+void addRounding(const MeshRequest& asked, const volume::PreparedVolume& prepared,
+                 volume::SurfaceMesh& found) {
   constexpr double mostVoxels = 1e-3;
-  if (wish.file.extension() != ".stl") return;
+  if (asked.file.extension() != ".stl") return;
   const glm::dvec3 edges = prepared.grid().geometry().spacingMm();
   const double shift = volume::singlePrecisionShift(found.mesh);
   if (!(shift <= mostVoxels * std::min({edges.x, edges.y, edges.z})))
-    throw base::Error(base::ErrorKind::input, wish.file.string(), "",
+    throw base::Error(base::ErrorKind::input, asked.file.string(), "",
                       "so far from the origin the single precision of .stl moves points by " +
                           base::shortText(shift, 2) +
                           " mm, over a thousandth of a voxel: write .ply, .obj or .vtp");
@@ -61,21 +62,21 @@ void addRounding(const MeshWish& wish, const volume::PreparedVolume& prepared, v
 
 }  // namespace
 
-volume::SurfaceMesh exportMesh(const MeshWish& wish, scene::Scene resolved,
+volume::SurfaceMesh exportMesh(const MeshRequest& asked, scene::Scene resolved,
                                const volume::PreparedVolume& volume, base::Progress& progress) {
-  if (!volume::isMeshName(wish.file))
-    throw base::Error(base::ErrorKind::usage, wish.file.string(), "",
+  if (!volume::isMeshName(asked.file))
+    throw base::Error(base::ErrorKind::usage, asked.file.string(), "",
                       "the name of a mesh must end in .stl, .ply, .obj or .vtp");
   progress.report(0.0, "making a mesh");
-  volume::SurfaceMesh found = extracted(wish, resolved, volume, progress);
+  volume::SurfaceMesh found = extracted(asked, resolved, volume, progress);
   if (found.mesh.triangles.empty())
     throw base::Error(
         base::ErrorKind::input, resolved.source.path, "isosurface.value",
         "no surface at " + base::shortText(resolved.isosurface.value.value()) + "; no file is written");
-  addRounding(wish, volume, found);
-  const std::vector<volume::PointArray> arrays = arraysOf(wish, resolved, volume, found, progress);
+  addRounding(asked, volume, found);
+  const std::vector<volume::PointArray> arrays = arraysOf(asked, resolved, volume, found, progress);
   progress.throwIfStopped();
-  volume::writeMesh(found.mesh, arrays, wish.file);
+  volume::writeMesh(found.mesh, arrays, asked.file);
   return found;
 }
 

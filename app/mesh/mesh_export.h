@@ -13,7 +13,7 @@
 
 namespace isolux::app {
 
-struct MeshWish {
+struct MeshRequest {
   std::filesystem::path file;  // a new one
   double toleranceMm = 0.0;    // triangles are split until they come so near to the surface; 0: none is
   bool closed = false;         // where the surface leaves the volume, too
@@ -22,7 +22,7 @@ struct MeshWish {
 // `resolved` by scene::resolve of that volume. Writes the file and returns what is in it. Throws base::Error:
 // usage (another ending), input (no surface there, a file that
 // cannot be written), memory, interrupted.
-volume::SurfaceMesh exportMesh(const MeshWish& wish, scene::Scene resolved,
+volume::SurfaceMesh exportMesh(const MeshRequest& request, scene::Scene resolved,
                                const volume::PreparedVolume& volume, base::Progress& progress);
 
 // "12345 triangles, 6789 points; no farther from the surface than 0.02 mm, closed".

@@ -59,7 +59,7 @@ scene::Scene startingScene(const std::string& path, const SceneOptions& options)
 
 void applyAssignments(scene::Scene& scene, const SceneOptions& options) {
   for (const std::string& assignment : options.assignments)
-    if (!scene::isOfMachine(assignment)) scene::applyAssignment(scene, assignment);
+    if (!scene::isHostSetting(assignment)) scene::applyAssignment(scene, assignment);
 }
 
 bool assigns(const SceneOptions& options, std::string_view path) {
@@ -100,15 +100,15 @@ scene::Scene resolvedSceneOf(const std::string& path, const SceneOptions& option
                              const volume::PreparedVolume& volume, glm::ivec2 size,
                              base::Progress& progress) {
   scene::Scene scene = sceneOf(path, options, volume);
-  scene.camera = wishedCamera(options.camera, scene, volume, size, progress);
+  scene.camera = requestedCamera(options.camera, scene, volume, size, progress);
   return scene::resolve(std::move(scene), volume.facts);
 }
 
-scene::Machine machineOf(const SceneOptions& options) {
-  scene::Machine machine;
+scene::HostSettings hostSettingsOf(const SceneOptions& options) {
+  scene::HostSettings host;
   for (const std::string& assignment : options.assignments)
-    if (scene::isOfMachine(assignment)) scene::applyAssignment(machine, assignment);
-  return machine;
+    if (scene::isHostSetting(assignment)) scene::applyAssignment(host, assignment);
+  return host;
 }
 
 OutputGuard outputGuard(const std::string& path, const SceneOptions& options, const scene::Scene& scene) {

@@ -8,10 +8,10 @@
 #include <glm/vec2.hpp>
 
 #include "app/files/output_guard.h"
-#include "app/series/camera_wish.h"
+#include "app/series/camera_request.h"
 #include "base/progress.h"
 #include "scene/scene.h"
-#include "scene/settings/machine.h"
+#include "scene/settings/host_settings.h"
 #include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
@@ -23,7 +23,7 @@ struct SceneOptions {
   std::vector<std::string> assignments;  // PATH=VALUE
   std::string preset;                    // a name or a file; empty: none
   double shift = 0.0;                    // of the preset's isovalues, data units
-  CameraWish camera;
+  CameraRequest camera;
 
   bool waitsForVolume() const { return !preset.empty() || camera.any(); }
 };
@@ -46,7 +46,7 @@ scene::Scene sceneOf(const std::string& path, const SceneOptions& options,
 scene::Scene resolvedSceneOf(const std::string& path, const SceneOptions& options,
                              const volume::PreparedVolume& volume, glm::ivec2 size, base::Progress& progress);
 // Returns the host settings that the assignments set.
-scene::Machine machineOf(const SceneOptions& options);
+scene::HostSettings hostSettingsOf(const SceneOptions& options);
 // Returns a guard for all files that `scene`, made by sceneOf() of the same arguments, is read from.
 OutputGuard outputGuard(const std::string& path, const SceneOptions& options, const scene::Scene& scene);
 // Adds those files to `guard`, which may know files of other scenes.

@@ -8,7 +8,7 @@
 #include "app/presets/preset_list.h"
 #include "app/presets/preset_value.h"
 #include "base/error.h"
-#include "scene/settings/machine.h"
+#include "scene/settings/host_settings.h"
 #include "scene/settings/scene_diff.h"
 #include "scene/settings/settings.h"
 
@@ -111,7 +111,7 @@ bool isUsersBackground(const scene::Setting& setting, const scene::Scene& scene)
 
 bool belongsToVolume(const std::string& path) {
   const bool lampPosition = path.starts_with("lamp") && path.ends_with(".position");
-  return lampPosition || coveredByOne(kOfVolume, path) || isStoredPath(path) || scene::isOfMachine(path);
+  return lampPosition || coveredByOne(kOfVolume, path) || isStoredPath(path) || scene::isHostSetting(path);
 }
 
 bool resetByPreset(const std::string& path) {

@@ -5,9 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/process/curvature_plot_script.h"
-#include "app/process/external_program.h"
-#include "app/process/gnuplot.h"
+#include "app/runtime/curvature_plot_script.h"
+#include "app/runtime/external_program.h"
+#include "app/runtime/gnuplot.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "scene/looks.h"

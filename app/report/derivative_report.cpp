@@ -15,7 +15,7 @@
 #include "scene/looks.h"
 #include "scene/rules/needs.h"
 #include "scene/settings/settings.h"
-#include "volume/statistics/spline_gap.h"
+#include "volume/statistics/spline_residual.h"
 
 namespace isolux::app {
 
@@ -137,7 +137,7 @@ void printRest(const scene::Scene& drawn, const volume::PreparedVolume& volume) 
     std::printf(
         " (%.0f %% of the visible surface is over %.1f voxel off the spline's surface; final images take the "
         "spline's hits from %.0f %%)",
-        100.0 * json["share_beside_spline"].get<double>(), volume::kSeenGapVoxels,
+        100.0 * json["share_beside_spline"].get<double>(), volume::kVisibleResidualVoxels,
         100.0 * volume::kManyBesideSpline);
   std::printf("\n");
   std::fflush(stdout);

@@ -10,9 +10,9 @@
 #include <CLI/Version.hpp>
 #include <glm/glm.hpp>
 
-#include "app/process/external_program.h"
-#include "app/process/program_store.h"
 #include "app/report/notes.h"
+#include "app/runtime/external_program.h"
+#include "app/runtime/program_store.h"
 #include "app/version.h"
 #include "base/memory_budget.h"
 #include "base/number_text.h"
@@ -54,7 +54,7 @@ std::string movieText(base::Progress& progress) {
 // Milliseconds of what finds hits and gradients, the least of a few pictures of 256 x 256.
 double hitMilliseconds(render::Renderer& renderer, const scene::Scene& scene, scene::Executor executor) {
   constexpr int rounds = 4;
-  renderer.setMachine({.executor = executor});
+  renderer.setHostSettings({.executor = executor});
   render::FrameRequest request;
   request.size = glm::ivec2(256);
   double least = std::numeric_limits<double>::infinity();

@@ -10,7 +10,7 @@
 #include "base/number_text.h"
 #include "base/words.h"
 #include "scene/looks.h"
-#include "scene/settings/machine.h"
+#include "scene/settings/host_settings.h"
 #include "scene/settings/settings.h"
 
 namespace isolux::app {
@@ -70,7 +70,7 @@ void forEachSetting(const std::string& word,
                     const std::function<void(const SettingInfo&, const nlohmann::json&, bool)>& each) {
   for (const scene::Setting& setting : scene::settings())
     if (matches(setting, word)) each(setting, setting.defaultValue(), false);
-  for (const scene::MachineSetting& setting : scene::machineSettings())
+  for (const scene::HostSetting& setting : scene::hostSettings())
     if (matches(setting, word)) each(setting, setting.defaultValue(), true);
 }
 

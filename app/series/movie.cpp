@@ -1,7 +1,7 @@
 #include "app/series/movie.h"
 
 #include "app/files/files.h"
-#include "app/process/external_program.h"
+#include "app/runtime/external_program.h"
 #include "base/number_text.h"
 
 namespace isolux::app {

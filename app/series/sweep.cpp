@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "scene/settings/assignment.h"
-#include "scene/settings/machine.h"
+#include "scene/settings/host_settings.h"
 #include "scene/settings/settings.h"
 
 namespace isolux::app {
@@ -62,7 +62,7 @@ Sweep parseSweep(const std::string& text) {
   sweep.low = numbers[0];
   sweep.high = numbers[1];
   sweep.count = static_cast<int>(count);
-  if (scene::isOfMachine(sweep.path)) refuseSweep(sweep.path, "is a host setting and changes no image");
+  if (scene::isHostSetting(sweep.path)) refuseSweep(sweep.path, "is a host setting and changes no image");
   const scene::Setting& setting = scene::setting(sweep.path);
   if (setting.type != scene::SettingType::number && setting.type != scene::SettingType::integer)
     refuseSweep(sweep.path, "is not a number and cannot be swept");

@@ -9,8 +9,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "app/annotation/free_places.h"
-#include "app/annotation/ink.h"
+#include "app/overlay_text/free_places.h"
+#include "app/overlay_text/ink.h"
 #include "base/number_text.h"
 #include "base/numbers.h"
 #include "render/legend/font.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/annotation/free_places.h"
+#include "app/overlay_text/free_places.h"
 #include "app/slices/slice_content.h"
 #include "render/graph/frame.h"
 #include "scene/world_axes.h"

@@ -30,16 +30,16 @@ double LightErrors::relative(double error) const {
   return mean > 0.0 ? error / mean : nan;
 }
 
-LightErrors lightErrorsOf(const std::vector<float>& drawn, const LightTruth& truth) {
+LightErrors lightErrorsOf(const std::vector<float>& drawn, const LightReference& reference) {
   LightErrors errors;
   std::vector<double> squares, sums, sizes;  // of a pixel: mean square without noise, mean; of a channel
   double truthSum = 0.0, noise = 0.0;
-  for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
-    const float* const light = drawn.data() + 3 * truth.pixels[i];
+  for (std::size_t i = 0; i < reference.pixels.size(); ++i) {
+    const float* const light = drawn.data() + 3 * reference.pixels[i];
     if (std::isnan(light[0])) continue;
     double square = 0.0, sum = 0.0;
     for (int channel = 0; channel < 3; ++channel) {
-      const double expected = truth.irradiance[i][channel], variance = truth.variance[i][channel];
+      const double expected = reference.irradiance[i][channel], variance = reference.variance[i][channel];
       const double error = static_cast<double>(light[channel]) - expected;
       square += error * error - variance;
       sum += error;
@@ -49,7 +49,7 @@ LightErrors lightErrorsOf(const std::vector<float>& drawn, const LightTruth& tru
       if (sizes.size() > 1 && !(std::abs(error) > std::abs(errors.maximum))) continue;
       errors.maximum = error;
       errors.maximumZ = variance > 0.0 ? error / std::sqrt(variance) : nan;
-      errors.maximumPixel = truth.pixels[i];
+      errors.maximumPixel = reference.pixels[i];
     }
     squares.push_back(square / 3.0);
     sums.push_back(sum / 3.0);

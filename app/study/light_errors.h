@@ -16,7 +16,7 @@
 namespace isolux::app {
 
 // Path-traced irradiance of some pixels of a view.
-struct LightTruth {
+struct LightReference {
   std::vector<std::size_t> pixels;     // row 0 at the top, x fastest
   std::vector<glm::dvec3> irradiance;  // E
   std::vector<glm::dvec3> variance;    // of that estimate of E: the square of its standard error
@@ -41,6 +41,6 @@ struct LightErrors {
 
 // `drawn`: E of every pixel of the view, three numbers a pixel; pixels where it is NaN are left out. All NaN
 // where none is left.
-LightErrors lightErrorsOf(const std::vector<float>& drawn, const LightTruth& truth);
+LightErrors lightErrorsOf(const std::vector<float>& drawn, const LightReference& reference);
 
 }  // namespace isolux::app

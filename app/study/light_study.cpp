@@ -24,7 +24,7 @@ double bounded(double from, double to, double part) {
 
 }  // namespace
 
-struct LightStudio::Alternative {
+struct LightStudyRunner::Alternative {
   StudySetting setting;  // its value, and times and costs as they are measured
   scene::Scene scene;
   std::shared_ptr<const gi::PictureLight> light{};
@@ -34,27 +34,29 @@ struct LightStudio::Alternative {
   LightCost& cost() { return setting.light.value(); }
 };
 
-LightStudio::LightStudio(render::Renderer& renderer, SurfaceTruth& truth, const StudySubject& subject)
+LightStudyRunner::LightStudyRunner(render::Renderer& renderer, SurfaceReference& truth,
+                                   const StudySubject& subject)
     : renderer_(renderer),
-      truth_(truth),
+      reference_(truth),
       subject_(subject),
-      controller_({.threads = subject.machine.threads, .innerSides = false}) {}
+      controller_({.threads = subject.host.threads, .innerSides = false}) {}
 
-void LightStudio::prepareHits(base::Progress& progress) {
+void LightStudyRunner::prepareHits(base::Progress& progress) {
   if (!hits_.empty()) return;
-  hits_ = truth_.of(scene::Field::trilinear, scene::Field::cubic, progress).hits;
+  hits_ = reference_.of(scene::Field::trilinear, scene::Field::cubic, progress).hits;
   for (const TrueHit& hit : hits_)
     hitVoxels_.push_back(hit.hit ? glm::vec3(hit.voxel) : glm::vec3(std::numeric_limits<float>::quiet_NaN()));
 }
 
-const LightTruth& LightStudio::truthOf(scene::Scene lit, int bounces, base::Progress& progress) {
-  if (const auto found = truths_.find(bounces); found != truths_.end()) return found->second;
+const LightReference& LightStudyRunner::referenceOf(scene::Scene lit, int bounces, base::Progress& progress) {
+  if (const auto found = references_.find(bounces); found != references_.end()) return found->second;
   lit.gi.bounces = bounces;
-  return truths_.emplace(bounces, lightTruthOf(lit, subject_.volume, hits_, kTruthPixels, {}, progress))
+  return references_
+      .emplace(bounces, lightReferenceOf(lit, subject_.volume, hits_, kTruthPixels, {}, progress))
       .first->second;
 }
 
-void LightStudio::bake(Alternative& alternative, bool anew, bool timed, base::Progress& progress) {
+void LightStudyRunner::bake(Alternative& alternative, bool anew, bool timed, base::Progress& progress) {
   if (anew) {
     scene::Scene dark = alternative.scene;
     dark.gi.mode = scene::GiMode::off;
@@ -78,7 +80,7 @@ void LightStudio::bake(Alternative& alternative, bool anew, bool timed, base::Pr
   cost.rays = state.counters.rays;
 }
 
-std::vector<float> LightStudio::draw(Alternative& alternative) {
+std::vector<float> LightStudyRunner::draw(Alternative& alternative) {
   render::FrameRequest request;
   request.size = subject_.size;
   request.color = false;
@@ -96,7 +98,7 @@ std::vector<float> LightStudio::draw(Alternative& alternative) {
 }
 
 // One frame to warm up: it uploads the light.
-void LightStudio::time(Alternative& alternative, int frames, base::Progress& progress) {
+void LightStudyRunner::time(Alternative& alternative, int frames, base::Progress& progress) {
   render::FrameRequest request;
   request.size = subject_.size;
   renderer_.setLight(alternative.light);
@@ -112,7 +114,8 @@ void LightStudio::time(Alternative& alternative, int frames, base::Progress& pro
   }
 }
 
-KnobStudy LightStudio::study(const Knob& knob, base::Progress& progress, double from, double to) {
+QualityStudy LightStudyRunner::study(const QualitySetting& knob, base::Progress& progress, double from,
+                                     double to) {
   prepareHits(progress);
   std::vector<Alternative> alternatives;
   for (const std::string& value : knob.values)
@@ -122,10 +125,10 @@ KnobStudy LightStudio::study(const Knob& knob, base::Progress& progress, double 
   const scene::Scene& lit = alternatives.front().scene;
   const scene::Scene given = scene::resolve(subject_.scene, subject_.volume->facts);
 
-  KnobStudy result{.knob = knob};
+  QualityStudy result{.knob = knob};
   result.truthBounces = knob.name == kBounces ? kTruthBounces : given.gi.bounces;
   progress.report(from, "tracing the truth");
-  const LightTruth& truth = truthOf(lit, result.truthBounces, progress);
+  const LightReference& truth = referenceOf(lit, result.truthBounces, progress);
   result.truthSamples = truth.samples;
 
   // Frames of values that share a bake are drawn in turns too, `subject_.repeat` rounds of one.

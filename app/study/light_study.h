@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "app/light/light_controller.h"
-#include "app/study/light_truth.h"
+#include "app/study/light_reference.h"
 #include "app/study/study.h"
 
 namespace isolux::app {
@@ -21,18 +21,18 @@ namespace isolux::app {
 inline constexpr int kTruthBounces = 64;
 inline constexpr std::size_t kTruthPixels = 1024;  // of the view's, at most
 
-class LightStudio {
+class LightStudyRunner {
  public:
-  // All are the Studio's own.
-  LightStudio(render::Renderer& renderer, SurfaceTruth& truth, const StudySubject& subject);
+  // All are the StudyRunner's own.
+  LightStudyRunner(render::Renderer& renderer, SurfaceReference& reference, const StudySubject& subject);
 
   // A knob that has an effect in this scene. Throws Error{interrupted}.
-  KnobStudy study(const Knob& knob, base::Progress& progress, double from, double to);
+  QualityStudy study(const QualitySetting& knob, base::Progress& progress, double from, double to);
 
  private:
   struct Alternative;
   void prepareHits(base::Progress& progress);
-  const LightTruth& truthOf(scene::Scene lit, int bounces, base::Progress& progress);
+  const LightReference& referenceOf(scene::Scene lit, int bounces, base::Progress& progress);
   // anew: nothing of earlier light is kept; timed: what it takes counts.
   void bake(Alternative& alternative, bool anew, bool timed, base::Progress& progress);
   // E of every pixel; NaN where the picture does not show the truth's first crossing.
@@ -40,12 +40,12 @@ class LightStudio {
   void time(Alternative& alternative, int frames, base::Progress& progress);
 
   render::Renderer& renderer_;
-  SurfaceTruth& truth_;
+  SurfaceReference& reference_;
   const StudySubject& subject_;
   LightController controller_;
   std::vector<TrueHit> hits_;
-  std::vector<glm::vec3> hitVoxels_;  // NaN where there is none
-  std::map<int, LightTruth> truths_;  // of bounces
+  std::vector<glm::vec3> hitVoxels_;          // NaN where there is none
+  std::map<int, LightReference> references_;  // of bounces
 };
 
 }  // namespace isolux::app

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/compare/flip.h"
+#include "app/image_metrics/flip.h"
 #include "app/ready/ready_fields.h"
 #include "render/still_picture.h"
 
@@ -25,17 +25,17 @@ ComparedPicture drawnPicture(render::Renderer& renderer, const scene::Scene& sce
   return comparedPicture(renderer.readLinearPicture());
 }
 
-struct PictureStudio::Alternative {
+struct PictureStudyRunner::Alternative {
   StudySetting setting;  // its value, and its times as they are measured
   scene::Scene scene;
   int supersampling;
   ComparedPicture picture{};
 };
 
-PictureStudio::PictureStudio(render::Renderer& renderer, bool software, const StudySubject& subject)
+PictureStudyRunner::PictureStudyRunner(render::Renderer& renderer, bool software, const StudySubject& subject)
     : renderer_(renderer), software_(software), subject_(subject) {}
 
-void PictureStudio::time(Alternative& alternative) {
+void PictureStudyRunner::time(Alternative& alternative) {
   render::FrameRequest request;
   request.size = subject_.size;
   request.supersampling = alternative.supersampling;
@@ -49,7 +49,7 @@ void PictureStudio::time(Alternative& alternative) {
     if (pass.state == render::PassState::ran) setting.passTimes[pass.name].push_back(pass.milliseconds);
 }
 
-ComparedPicture PictureStudio::manyRays(const scene::Scene& scene, base::Progress& progress) {
+ComparedPicture PictureStudyRunner::manyRays(const scene::Scene& scene, base::Progress& progress) {
   render::FrameRequest request;
   request.size = kReferenceBlock * subject_.size;
   request.supersampling = 4;
@@ -60,7 +60,8 @@ ComparedPicture PictureStudio::manyRays(const scene::Scene& scene, base::Progres
   return comparedPicture(render::drawStill(renderer_, scene, request, inner).linear);
 }
 
-KnobStudy PictureStudio::study(const Knob& knob, base::Progress& progress, double from, double to) {
+QualityStudy PictureStudyRunner::study(const QualitySetting& knob, base::Progress& progress, double from,
+                                       double to) {
   std::vector<Alternative> alternatives;
   for (const std::string& value : knob.values) {
     scene::Scene scene = turned(knob, value, subject_.scene, subject_.volume->facts);
@@ -93,7 +94,7 @@ KnobStudy PictureStudio::study(const Knob& knob, base::Progress& progress, doubl
       if (alternative.setting.value == knob.reference) reference = alternative.picture;
   }
 
-  KnobStudy result{.knob = knob};
+  QualityStudy result{.knob = knob};
   for (Alternative& alternative : alternatives) {
     StudySetting& setting = alternative.setting;
     setMedians(setting);

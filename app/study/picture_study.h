@@ -8,7 +8,7 @@
 
 #include <memory>
 
-#include "app/compare/compared_picture.h"
+#include "app/image_metrics/compared_picture.h"
 #include "app/study/study_results.h"
 #include "base/progress.h"
 #include "render/renderer.h"
@@ -26,13 +26,13 @@ ImageErrors pictureErrorsOf(const ComparedPicture& picture, const ComparedPictur
 ComparedPicture drawnPicture(render::Renderer& renderer, const scene::Scene& scene, glm::ivec2 size,
                              int supersampling);
 
-class PictureStudio {
+class PictureStudyRunner {
  public:
-  // All are the Studio's own. software: the processor draws.
-  PictureStudio(render::Renderer& renderer, bool software, const StudySubject& subject);
+  // All are the StudyRunner's own. software: the processor draws.
+  PictureStudyRunner(render::Renderer& renderer, bool software, const StudySubject& subject);
 
   // A knob of edges or shadow that has an effect in this scene. Throws Error{interrupted, memory}.
-  KnobStudy study(const Knob& knob, base::Progress& progress, double from, double to);
+  QualityStudy study(const QualitySetting& knob, base::Progress& progress, double from, double to);
 
  private:
   struct Alternative;

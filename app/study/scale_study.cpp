@@ -54,8 +54,9 @@ std::vector<float> unitNoise(glm::ivec3 dims, const glm::dvec3& blur, std::uint6
 
 }  // namespace
 
-ScaleStudio::ScaleStudio(std::shared_ptr<const volume::PreparedVolume> volume, const scene::Scene& resolved,
-                         std::vector<glm::dvec3> points, scene::NoiseModel noise)
+ScaleStudyRunner::ScaleStudyRunner(std::shared_ptr<const volume::PreparedVolume> volume,
+                                   const scene::Scene& resolved, std::vector<glm::dvec3> points,
+                                   scene::NoiseModel noise)
     : volume_(std::move(volume)),
       points_(std::move(points)),
       noise_(std::move(noise)),
@@ -68,8 +69,9 @@ ScaleStudio::ScaleStudio(std::shared_ptr<const volume::PreparedVolume> volume, c
                         : noise_.at(*resolved.isosurface.value);
 }
 
-ScaleStudio::Shapes ScaleStudio::shapesOf(const Grid& grid, scene::Field field, double scaleMm,
-                                          std::vector<double>& seconds, base::Progress& progress) const {
+ScaleStudyRunner::Shapes ScaleStudyRunner::shapesOf(const Grid& grid, scene::Field field, double scaleMm,
+                                                    std::vector<double>& seconds,
+                                                    base::Progress& progress) const {
   std::optional<volume::ScaledField> scaled;
   std::optional<volume::Coefficients> coefficients;
   const auto begin = std::chrono::steady_clock::now();
@@ -91,15 +93,15 @@ ScaleStudio::Shapes ScaleStudio::shapesOf(const Grid& grid, scene::Field field, 
   return shapes;
 }
 
-const ScaleStudio::Shapes& ScaleStudio::truthAt(double scaleMm, base::Progress& progress) {
+const ScaleStudyRunner::Shapes& ScaleStudyRunner::referenceAt(double scaleMm, base::Progress& progress) {
   const double scale = phantom_ ? 0.0 : scaleMm;
   const scene::Field field = phantom_ ? scene::Field::cubic_interpolating : field_;
-  if (const auto found = truths_.find(scale); found != truths_.end()) return found->second;
+  if (const auto found = references_.find(scale); found != references_.end()) return found->second;
   std::vector<double> unused;
-  return truths_.emplace(scale, shapesOf(volume_->grid(), field, scale, unused, progress)).first->second;
+  return references_.emplace(scale, shapesOf(volume_->grid(), field, scale, unused, progress)).first->second;
 }
 
-Grid ScaleStudio::noisy(int seed, base::Progress& progress) const {
+Grid ScaleStudyRunner::noisy(int seed, base::Progress& progress) const {
   const Grid& grid = volume_->grid();
   std::vector<float> values =
       unitNoise(grid.dims(), noise_.correlation, static_cast<std::uint64_t>(seed), progress);
@@ -117,15 +119,15 @@ Grid ScaleStudio::noisy(int seed, base::Progress& progress) const {
   return Grid(grid.geometry(), std::move(values), grid.slope(), grid.intercept(), progress);
 }
 
-ScaleFindings ScaleStudio::at(double scaleMm, base::Progress& progress) {
-  const Shapes& truth = truthAt(scaleMm, progress);
+ScaleFindings ScaleStudyRunner::at(double scaleMm, base::Progress& progress) {
+  const Shapes& reference = referenceAt(scaleMm, progress);
   std::vector<double> normals, curvatures, seconds;
   for (int seed = 0; seed < kNoiseSeeds; ++seed) {
     const Shapes shapes = shapesOf(noisy(seed, progress), field_, scaleMm, seconds, progress);
     for (std::size_t i = 0; i < shapes.size(); ++i) {
-      if (!truth[i].hasNormal || !shapes[i].hasNormal) continue;
-      normals.push_back(angleDegrees(shapes[i].normal, truth[i].normal));
-      curvatures.push_back(curvatureError(shapes[i].kappa1, shapes[i].kappa2, truth[i], flatCurvature_));
+      if (!reference[i].hasNormal || !shapes[i].hasNormal) continue;
+      normals.push_back(angleDegrees(shapes[i].normal, reference[i].normal));
+      curvatures.push_back(curvatureError(shapes[i].kappa1, shapes[i].kappa2, reference[i], flatCurvature_));
     }
   }
   return {{spreadOf(std::move(normals)), spreadOf(std::move(curvatures))},

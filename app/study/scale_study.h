@@ -29,12 +29,12 @@ struct ScaleFindings {
   double buildSeconds = 0.0;  // of the field at the scale, median of the seeds; 0: none is built
 };
 
-class ScaleStudio {
+class ScaleStudyRunner {
  public:
   // points: voxel coordinates on the surface. `noise`: of the volume. `resolved`: its source, field of
   // derivatives, inside and isovalue count.
-  ScaleStudio(std::shared_ptr<const volume::PreparedVolume> volume, const scene::Scene& resolved,
-              std::vector<glm::dvec3> points, scene::NoiseModel noise);
+  ScaleStudyRunner(std::shared_ptr<const volume::PreparedVolume> volume, const scene::Scene& resolved,
+                   std::vector<glm::dvec3> points, scene::NoiseModel noise);
 
   bool isPhantom() const { return phantom_; }
   double deviation() const { return deviation_; }  // of the noise that is added, data units
@@ -45,7 +45,7 @@ class ScaleStudio {
   // seconds: what building the field took is added to them.
   Shapes shapesOf(const volume::Grid& grid, scene::Field field, double scaleMm, std::vector<double>& seconds,
                   base::Progress& progress) const;
-  const Shapes& truthAt(double scaleMm, base::Progress& progress);
+  const Shapes& referenceAt(double scaleMm, base::Progress& progress);
   volume::Grid noisy(int seed, base::Progress& progress) const;
 
   std::shared_ptr<const volume::PreparedVolume> volume_;
@@ -54,7 +54,7 @@ class ScaleStudio {
   scene::Field field_;
   bool phantom_;
   double outward_, flatCurvature_, deviation_ = 0.0;
-  std::map<double, Shapes> truths_;  // by scale; of a phantom there is that of 0 alone
+  std::map<double, Shapes> references_;  // by scale; of a phantom there is that of 0 alone
 };
 
 }  // namespace isolux::app

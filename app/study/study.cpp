@@ -5,8 +5,8 @@
 
 #include "app/ready/give_way.h"
 #include "app/ready/ready_fields.h"
+#include "app/study/light_reference.h"
 #include "app/study/light_study.h"
-#include "app/study/light_truth.h"
 #include "app/study/picture_study.h"
 #include "app/study/scale_study.h"
 #include "base/error.h"
@@ -16,27 +16,27 @@
 
 namespace isolux::app {
 
-struct Studio::Alternative {
+struct StudyRunner::Alternative {
   StudySetting setting;  // its value, and its times as they are measured
   scene::Scene scene;
   DrawnImages images{};
   ComparedPicture picture{};
 };
 
-Studio::Studio(const std::shared_ptr<const render::Gl>& gl, StudySubject subject)
+StudyRunner::StudyRunner(const std::shared_ptr<const render::Gl>& gl, StudySubject subject)
     : subject_(std::move(subject)),
       software_(gl->software),
       renderer_(gl),
-      truth_(subject_.volume, scene::resolve(subject_.scene, subject_.volume->facts), subject_.size) {
-  renderer_.setMachine(subject_.machine);
+      reference_(subject_.volume, scene::resolve(subject_.scene, subject_.volume->facts), subject_.size) {
+  renderer_.setHostSettings(subject_.host);
   renderer_.setVolume(subject_.volume);
 }
 
-Studio::~Studio() = default;
+StudyRunner::~StudyRunner() = default;
 
 // The look's picture with every pass; then a frame with second derivatives, after the same passes: those that
 // run alone find the volume in the caches.
-void Studio::drawOnce(Alternative& alternative, bool timed) {
+void StudyRunner::drawOnce(Alternative& alternative, bool timed) {
   const scene::Scene& scene = alternative.scene;
   render::FrameRequest picture, shapes;
   picture.size = shapes.size = subject_.size;
@@ -65,7 +65,7 @@ void Studio::drawOnce(Alternative& alternative, bool timed) {
   for (const auto& [name, time] : passes) alternative.setting.passTimes[name].push_back(time);
 }
 
-DrawnImages Studio::imagesOf(const scene::Scene& scene) {
+DrawnImages StudyRunner::imagesOf(const scene::Scene& scene) {
   render::FrameRequest request;
   request.size = subject_.size;
   request.color = false;
@@ -77,8 +77,8 @@ DrawnImages Studio::imagesOf(const scene::Scene& scene) {
           renderer_.readAov(render::Aov::curvature_confidence).values};
 }
 
-void Studio::measure(std::vector<Alternative>& alternatives, base::Progress& progress, double from,
-                     double to) {
+void StudyRunner::measure(std::vector<Alternative>& alternatives, base::Progress& progress, double from,
+                          double to) {
   const double frames = static_cast<double>(alternatives.size()) * (subject_.repeat + 1);
   double done = 0.0;
   for (int round = 0; round <= subject_.repeat; ++round)
@@ -94,24 +94,25 @@ void Studio::measure(std::vector<Alternative>& alternatives, base::Progress& pro
     }
 }
 
-void Studio::requireSurface(const scene::Scene& scene, base::Progress& progress) {
-  const TrueSurface truth = truth_.of(scene.hit.field, scene.derivatives, progress);
+void StudyRunner::requireSurface(const scene::Scene& scene, base::Progress& progress) {
+  const TrueSurface truth = reference_.of(scene.hit.field, scene.derivatives, progress);
   if (std::none_of(truth.hits.begin(), truth.hits.end(), [](const TrueHit& h) { return h.hit; }))
     throw base::Error(base::ErrorKind::usage, "", "isosurface.value",
                       "no pixel of this view shows the surface");
 }
 
-void Studio::judgeScale(const Alternative& alternative, StudySetting& setting, base::Progress& progress) {
+void StudyRunner::judgeScale(const Alternative& alternative, StudySetting& setting,
+                             base::Progress& progress) {
   const scene::Scene& scene = alternative.scene;
   if (!scale_) {
-    const TrueSurface truth = truth_.of(scene.hit.field, scene.derivatives.field, progress);
+    const TrueSurface truth = reference_.of(scene.hit.field, scene.derivatives.field, progress);
     std::vector<bool> isHit;
     for (const TrueHit& hit : truth.hits) isHit.push_back(hit.hit);
     std::vector<glm::dvec3> points;
     for (const std::size_t pixel : chosenPixels(isHit, kScalePoints))
       points.push_back(truth.hits[pixel].voxel);
-    scale_ = std::make_unique<ScaleStudio>(subject_.volume, scene, std::move(points),
-                                           subject_.volume->derivativeChoices->noise(progress));
+    scale_ = std::make_unique<ScaleStudyRunner>(subject_.volume, scene, std::move(points),
+                                                subject_.volume->derivativeChoices->noise(progress));
   }
   const double scaleMm = scene.derivatives.scale.value_or(0.0);
   const ScaleFindings findings = scale_->at(scaleMm, progress);
@@ -119,12 +120,13 @@ void Studio::judgeScale(const Alternative& alternative, StudySetting& setting, b
   setting.scale = {scaleMm, findings.buildSeconds, unknownShare(alternative.images)};
 }
 
-StudySetting Studio::judge(const Knob& knob, const Alternative& alternative, base::Progress& progress) {
+StudySetting StudyRunner::judge(const QualitySetting& knob, const Alternative& alternative,
+                                base::Progress& progress) {
   const scene::Scene& scene = alternative.scene;
   const auto errors = [&](scene::Field hitField, const scene::Derivatives& shape) {
-    const TrueSurface truth = truth_.of(hitField, shape, progress);
+    const TrueSurface truth = reference_.of(hitField, shape, progress);
     return errorsOf(alternative.images, truth,
-                    [&](std::size_t pixel) { return truth_.undecided(hitField, pixel); });
+                    [&](std::size_t pixel) { return reference_.undecided(hitField, pixel); });
   };
   StudySetting setting = alternative.setting;
   setMedians(setting);
@@ -147,34 +149,36 @@ StudySetting Studio::judge(const Knob& knob, const Alternative& alternative, bas
   return setting;
 }
 
-void Studio::study(const std::vector<Knob>& knobs, base::Progress& progress,
-                   const std::function<void(KnobStudy)>& each) {
+void StudyRunner::study(const std::vector<QualitySetting>& knobs, base::Progress& progress,
+                        const std::function<void(QualityStudy)>& each) {
   double all = 0.0, done = 0.0;
-  for (const Knob& knob : knobs) all += effortOf(knob, subject_.scene);
-  for (const Knob& knob : knobs) {
+  for (const QualitySetting& knob : knobs) all += effortOf(knob, subject_.scene);
+  for (const QualitySetting& knob : knobs) {
     const double from = done / all;
     done += effortOf(knob, subject_.scene);
     each(study(knob, progress, from, done / all));
   }
 }
 
-KnobStudy Studio::study(const Knob& knob, base::Progress& progress, double from, double to) {
+QualityStudy StudyRunner::study(const QualitySetting& knob, base::Progress& progress, double from,
+                                double to) {
   scene::Scene first = turned(knob, knob.values.front(), subject_.scene, subject_.volume->facts);
   completeFields(first, *subject_.volume, true, progress);
   const bool shape = knob.measure == Measure::shape;
-  KnobStudy skipped{.knob = knob, .skipped = whyWithoutEffect(knob, shape ? first : subject_.scene)};
+  QualityStudy skipped{.knob = knob, .skipped = whyWithoutEffect(knob, shape ? first : subject_.scene)};
   if (!skipped.skipped.empty()) return skipped;
   requireSurface(first, progress);
   const bool light = knob.measure == Measure::light;
   if (!light && knob.measure != Measure::edges && knob.measure != Measure::shadow)
     return studySurface(knob, progress, from, to);
   drawnField_.reset();
-  if (!light_ && light) light_ = std::make_unique<LightStudio>(renderer_, truth_, subject_);
-  if (!picture_ && !light) picture_ = std::make_unique<PictureStudio>(renderer_, software_, subject_);
+  if (!light_ && light) light_ = std::make_unique<LightStudyRunner>(renderer_, reference_, subject_);
+  if (!picture_ && !light) picture_ = std::make_unique<PictureStudyRunner>(renderer_, software_, subject_);
   return light ? light_->study(knob, progress, from, to) : picture_->study(knob, progress, from, to);
 }
 
-KnobStudy Studio::studySurface(const Knob& knob, base::Progress& progress, double from, double to) {
+QualityStudy StudyRunner::studySurface(const QualitySetting& knob, base::Progress& progress, double from,
+                                       double to) {
   std::vector<Alternative> alternatives;
   for (const std::string& value : knob.values)
     alternatives.push_back({{.value = value}, turned(knob, value, subject_.scene, subject_.volume->facts)});
@@ -185,7 +189,7 @@ KnobStudy Studio::studySurface(const Knob& knob, base::Progress& progress, doubl
   }
   const double measured = from + 0.6 * (to - from);
   measure(alternatives, progress, from, measured);
-  KnobStudy result{.knob = knob};
+  QualityStudy result{.knob = knob};
   result.eightBitVoxels = volume::bytesOf(subject_.volume->grid().storedType()) == 1;
   const auto reference = std::find_if(alternatives.begin(), alternatives.end(), [&](const Alternative& a) {
     return a.setting.value == knob.reference;
@@ -209,18 +213,18 @@ KnobStudy Studio::studySurface(const Knob& knob, base::Progress& progress, doubl
   return result;
 }
 
-std::unique_ptr<StudyTask> studyTask(StudySubject subject, std::vector<Knob> knobs) {
+std::unique_ptr<StudyTask> studyTask(StudySubject subject, std::vector<QualitySetting> knobs) {
   const auto work = [subject = std::move(subject), knobs = std::move(knobs)](base::Progress& progress,
                                                                              const auto& tell) {
     giveWay();
     const auto context = render::OffscreenContext::create(render::ContextChoice::automatic);
     context->makeCurrent();
-    Studio studio(context->gl(), subject);
+    StudyRunner studio(context->gl(), subject);
     const double part = 1.0 / static_cast<double>(knobs.size());
     for (std::size_t i = 0; i < knobs.size(); ++i) {
       const double from = part * static_cast<double>(i);
-      KnobStudy study = studio.study(knobs[i], progress, from, from + part);
-      tell([&](std::vector<KnobStudy>& found) { found.push_back(std::move(study)); });
+      QualityStudy study = studio.study(knobs[i], progress, from, from + part);
+      tell([&](std::vector<QualityStudy>& found) { found.push_back(std::move(study)); });
     }
   };
   return StudyTask::start({"", "measure accuracy"}, work);

@@ -14,31 +14,31 @@
 #include <string>
 #include <vector>
 
-#include "app/compare/compared_picture.h"
+#include "app/image_metrics/compared_picture.h"
 #include "app/study/study_results.h"
-#include "app/study/surface_truth.h"
+#include "app/study/surface_reference.h"
 #include "base/task.h"
 #include "render/renderer.h"
-#include "scene/settings/machine.h"
+#include "scene/settings/host_settings.h"
 
 namespace isolux::app {
 
-class LightStudio;
-class PictureStudio;
-class ScaleStudio;
+class LightStudyRunner;
+class PictureStudyRunner;
+class ScaleStudyRunner;
 
-class Studio {
+class StudyRunner {
  public:
   // `gl` stays current. Throws Error{usage} where no pixel of the view shows the surface.
-  Studio(const std::shared_ptr<const render::Gl>& gl, StudySubject subject);
-  ~Studio();
+  StudyRunner(const std::shared_ptr<const render::Gl>& gl, StudySubject subject);
+  ~StudyRunner();
 
   // Studies one knob after the other; `each` takes a study as soon as it is finished. Throws
   // Error{interrupted}.
-  void study(const std::vector<Knob>& knobs, base::Progress& progress,
-             const std::function<void(KnobStudy)>& each);
+  void study(const std::vector<QualitySetting>& knobs, base::Progress& progress,
+             const std::function<void(QualityStudy)>& each);
   // `from`, `to`: what part of the progress this is. Throws Error{interrupted}.
-  KnobStudy study(const Knob& knob, base::Progress& progress, double from, double to);
+  QualityStudy study(const QualitySetting& knob, base::Progress& progress, double from, double to);
 
  private:
   struct Alternative;
@@ -46,23 +46,23 @@ class Studio {
   void drawOnce(Alternative& alternative, bool timed);
   void requireSurface(const scene::Scene& scene, base::Progress& progress);
   DrawnImages imagesOf(const scene::Scene& scene);
-  KnobStudy studySurface(const Knob& knob, base::Progress& progress, double from, double to);
+  QualityStudy studySurface(const QualitySetting& knob, base::Progress& progress, double from, double to);
   void judgeScale(const Alternative& alternative, StudySetting& setting, base::Progress& progress);
-  StudySetting judge(const Knob& knob, const Alternative& alternative, base::Progress& progress);
+  StudySetting judge(const QualitySetting& knob, const Alternative& alternative, base::Progress& progress);
 
   StudySubject subject_;
   bool software_;  // the processor draws
   render::Renderer renderer_;
-  SurfaceTruth truth_;
-  std::optional<scene::Field> drawnField_;  // of the hits of the last frame
-  std::unique_ptr<ScaleStudio> scale_;      // once asked for
-  std::unique_ptr<LightStudio> light_;      // the same
-  std::unique_ptr<PictureStudio> picture_;  // the same
+  SurfaceReference reference_;
+  std::optional<scene::Field> drawnField_;       // of the hits of the last frame
+  std::unique_ptr<ScaleStudyRunner> scale_;      // once asked for
+  std::unique_ptr<LightStudyRunner> light_;      // the same
+  std::unique_ptr<PictureStudyRunner> picture_;  // the same
 };
 
 // Studies knobs in the view of a scene on a background thread that gives way, with a renderer of its own.
 // Its news: the knobs that have been studied, in their order.
-using StudyTask = base::Task<void, std::vector<KnobStudy>>;
-std::unique_ptr<StudyTask> studyTask(StudySubject subject, std::vector<Knob> knobs);
+using StudyTask = base::Task<void, std::vector<QualityStudy>>;
+std::unique_ptr<StudyTask> studyTask(StudySubject subject, std::vector<QualitySetting> knobs);
 
 }  // namespace isolux::app

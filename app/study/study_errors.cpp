@@ -14,9 +14,9 @@ double angleDegrees(const glm::dvec3& a, const glm::dvec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * (180.0 / std::numbers::pi);
 }
 
-double curvatureError(double kappa1, double kappa2, const TrueShape& truth, double flatCurvature) {
-  const double size = std::max({std::abs(truth.kappa1), std::abs(truth.kappa2), flatCurvature});
-  return std::max(std::abs(kappa1 - truth.kappa1), std::abs(kappa2 - truth.kappa2)) / size;
+double curvatureError(double kappa1, double kappa2, const TrueShape& reference, double flatCurvature) {
+  const double size = std::max({std::abs(reference.kappa1), std::abs(reference.kappa2), flatCurvature});
+  return std::max(std::abs(kappa1 - reference.kappa1), std::abs(kappa2 - reference.kappa2)) / size;
 }
 
 namespace {
@@ -27,9 +27,10 @@ double partsPerMillion(std::size_t count, std::size_t of) {
 
 }  // namespace
 
-bool isFirstCrossing(double depthMm, const TrueHit& truth) {
-  const double behind = depthMm - truth.depthMm;
-  return std::abs(behind) * truth.voxelsPerMm <= kSameCrossingVoxels && behind <= truth.nextMm - depthMm;
+bool isFirstCrossing(double depthMm, const TrueHit& reference) {
+  const double behind = depthMm - reference.depthMm;
+  return std::abs(behind) * reference.voxelsPerMm <= kSameCrossingVoxels &&
+         behind <= reference.nextMm - depthMm;
 }
 
 Spread spreadOf(std::vector<double> errors) {
@@ -66,13 +67,13 @@ double Errors::inventedPpm() const {
   return partsPerMillion(invented, pixels);
 }
 
-Errors errorsOf(const DrawnImages& drawn, const TrueSurface& truth,
+Errors errorsOf(const DrawnImages& drawn, const TrueSurface& reference,
                 const std::function<bool(std::size_t)>& undecided) {
   Errors errors;
-  errors.pixels = truth.hits.size();
+  errors.pixels = reference.hits.size();
   std::vector<double> depthVoxels, depthMm, normal, curvature;
   for (std::size_t i = 0; i < errors.pixels; ++i) {
-    const TrueHit& expected = truth.hits[i];
+    const TrueHit& expected = reference.hits[i];
     const bool hit = drawn.hit[i] != 0.0f;
     if (expected.hit) ++errors.surface;
     if (!expected.hit && !hit) continue;
@@ -85,12 +86,12 @@ Errors errorsOf(const DrawnImages& drawn, const TrueSurface& truth,
     depthMm.push_back(std::abs(depth - expected.depthMm));
     depthVoxels.push_back(depthMm.back() * expected.voxelsPerMm);
 
-    const TrueShape& shape = truth.shapes[i];
+    const TrueShape& shape = reference.shapes[i];
     const glm::dvec3 n(drawn.normal[3 * i], drawn.normal[3 * i + 1], drawn.normal[3 * i + 2]);
     if (shape.hasNormal && !std::isnan(n.x)) normal.push_back(angleDegrees(n, shape.normal));
     const float* const kappa = &drawn.kappa[2 * i];
     if (shape.hasCurvature && !std::isnan(kappa[0]))
-      curvature.push_back(curvatureError(kappa[0], kappa[1], shape, truth.flatCurvature));
+      curvature.push_back(curvatureError(kappa[0], kappa[1], shape, reference.flatCurvature));
   }
   errors.depthVoxels = spreadOf(std::move(depthVoxels));
   errors.depthMm = spreadOf(std::move(depthMm));

@@ -62,8 +62,8 @@ struct NoiseErrors {
   Spread curvature;  // as Errors::curvature
 };
 
-// How far a whole picture is from the reference picture (app/compare), and its edges alone; NaN where there
-// is none.
+// How far a whole picture is from the reference picture (app/image_metrics), and its edges alone; NaN where
+// there is none.
 struct ImageErrors {
   double flip = std::numeric_limits<double>::quiet_NaN();  // mean FLIP
   double rms = flip;                                       // of sRGB values, in parts of the full range
@@ -81,7 +81,7 @@ struct Errors {
   Spread curvature;     // max |error of kappa1, kappa2| / max(|kappa1|, |kappa2|, flatCurvature)
   NoiseErrors noise;    // of the knob of the scale, beside the above
   LightErrors light;    // of knobs of light, which have nothing of the above
-  ImageErrors picture;  // of the scene's look, against the picture of Knob::reference
+  ImageErrors picture;  // of the scene's look, against the picture of QualitySetting::reference
 
   double missedPpm() const;  // of the picture's pixels
   double inventedPpm() const;
@@ -93,14 +93,14 @@ inline constexpr double kSameCrossingVoxels = 2.0;
 
 // A hit is of the truth's first crossing when it is nearer to it than to the next one behind, and not
 // farther from it than that step.
-bool isFirstCrossing(double depthMm, const TrueHit& truth);
+bool isFirstCrossing(double depthMm, const TrueHit& reference);
 
 // max |error of kappa1, kappa2| / max(|kappa1|, |kappa2|, flatCurvature) of the truth.
-double curvatureError(double kappa1, double kappa2, const TrueShape& truth, double flatCurvature);
+double curvatureError(double kappa1, double kappa2, const TrueShape& reference, double flatCurvature);
 double angleDegrees(const glm::dvec3& a, const glm::dvec3& b);  // between unit vectors
 
 // `undecided(pixel)`: asked about missed and invented pixels only.
-Errors errorsOf(const DrawnImages& drawn, const TrueSurface& truth,
+Errors errorsOf(const DrawnImages& drawn, const TrueSurface& reference,
                 const std::function<bool(std::size_t)>& undecided);
 
 }  // namespace isolux::app

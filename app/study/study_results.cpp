@@ -41,7 +41,7 @@ double milliseconds(const StudySetting& setting, const Panel& panel) {
   return sum;
 }
 
-double costOf(const Knob& knob, const StudySetting& setting, const Panel& panel) {
+double costOf(const QualitySetting& knob, const StudySetting& setting, const Panel& panel) {
   switch (knob.cost) {
     case Cost::passes:
       break;
@@ -71,7 +71,7 @@ std::vector<double> passSums(const StudySetting& setting, const Panel& panel) {
   return sums;
 }
 
-std::vector<double> costsOf(const Knob& knob, const StudySetting& setting, const Panel& panel) {
+std::vector<double> costsOf(const QualitySetting& knob, const StudySetting& setting, const Panel& panel) {
   switch (knob.cost) {
     case Cost::passes:
       return passSums(setting, panel);
@@ -89,7 +89,7 @@ std::vector<double> costsOf(const Knob& knob, const StudySetting& setting, const
 
 }  // namespace
 
-TimeSpread costSpread(const Knob& knob, const StudySetting& setting, const Panel& panel) {
+TimeSpread costSpread(const QualitySetting& knob, const StudySetting& setting, const Panel& panel) {
   const double cost = costOf(knob, setting, panel);
   std::vector<double> costs = costsOf(knob, setting, panel);
   if (costs.empty()) return {cost, cost, cost};
@@ -101,7 +101,7 @@ const Errors& judged(const StudySetting& setting) {
   return setting.fieldErrors ? *setting.fieldErrors : setting.errors;
 }
 
-const StudySetting* cheapest(const KnobStudy& study, double error) {
+const StudySetting* cheapest(const QualityStudy& study, double error) {
   const Panel& panel = panelsOf(study.knob)[0];
   const auto errorOf = [&](const StudySetting& setting) { return panel.error(judged(setting)); };
   const auto spreadOf = [&](const StudySetting& setting) { return costSpread(study.knob, setting, panel); };
@@ -128,9 +128,9 @@ const std::array<double, 3>& errorsToReach(Measure measure) {
   return errors[static_cast<std::size_t>(measure)];
 }
 
-double timesAsLong(const std::vector<KnobStudy>& studies) {
+double timesAsLong(const std::vector<QualityStudy>& studies) {
   double wall = 0.0, processor = 0.0;
-  for (const KnobStudy& study : studies)
+  for (const QualityStudy& study : studies)
     for (const StudySetting& setting : study.settings) {
       if (setting.processorTimes.empty()) continue;
       wall += std::accumulate(setting.frameTimes.begin(), setting.frameTimes.end(), 0.0);

@@ -11,9 +11,9 @@
 
 #include <glm/vec2.hpp>
 
+#include "app/study/quality_settings.h"
 #include "app/study/study_errors.h"
-#include "app/study/study_knobs.h"
-#include "scene/settings/machine.h"
+#include "scene/settings/host_settings.h"
 #include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
@@ -22,7 +22,7 @@ namespace isolux::app {
 struct StudySubject {
   std::shared_ptr<const volume::PreparedVolume> volume;
   scene::Scene scene;  // as the user gave it
-  scene::Machine machine{};
+  scene::HostSettings host{};
   glm::ivec2 size{0};  // pixels
   int repeat = 3;      // frames of each setting
 };
@@ -77,8 +77,8 @@ struct StudySetting {
 // Sets the medians of the times that the setting has by now.
 void setMedians(StudySetting& setting);
 
-struct KnobStudy {
-  Knob knob;
+struct QualityStudy {
+  QualitySetting knob;
   std::vector<StudySetting> settings{};
   std::string plot{};  // file name beside study.json; "" where there is none
   bool eightBitVoxels = false;
@@ -96,20 +96,20 @@ struct KnobStudy {
 // The time of the passes that make a panel's error.
 double milliseconds(const StudySetting& setting, const Panel& panel);
 // What the panel shows its error against: that time, or what the light costs.
-double costOf(const Knob& knob, const StudySetting& setting, const Panel& panel);
+double costOf(const QualitySetting& knob, const StudySetting& setting, const Panel& panel);
 // The same with its quartiles; bytes have no spread.
-TimeSpread costSpread(const Knob& knob, const StudySetting& setting, const Panel& panel);
+TimeSpread costSpread(const QualitySetting& knob, const StudySetting& setting, const Panel& panel);
 // What the setting is judged by: the errors of its field where it is a field, otherwise of its arithmetic.
 const Errors& judged(const StudySetting& setting);
 // The cheapest of the knob's rows, comparisons among them, whose first panel's error is at most this; of
 // those whose cost its quartiles do not tell from it (sameTime) the most accurate. Null: none is.
-const StudySetting* cheapest(const KnobStudy& study, double error);
+const StudySetting* cheapest(const QualityStudy& study, double error);
 // What cheapest() is asked for: of hits in voxels, of shapes in degrees, of scales in parts of the curvature,
 // of light in parts of its mean, of edges in parts of the range of colours, of shadows in mean FLIP.
 const std::array<double, 3>& errorsToReach(Measure measure);
 
 // How many times as long as the processor worked its frames took, all of them together: above 1 where other
 // programs kept the processor busy. NaN where a GPU draws.
-double timesAsLong(const std::vector<KnobStudy>& studies);
+double timesAsLong(const std::vector<QualityStudy>& studies);
 
 }  // namespace isolux::app

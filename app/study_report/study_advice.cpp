@@ -14,7 +14,7 @@ using Rows = std::vector<const StudySetting*>;
 // Rows of a knob as advice compares them: by the first panel.
 class Comparing {
  public:
-  explicit Comparing(const KnobStudy& study) : knob_(study.knob), panel_(panelsOf(study.knob)[0]) {}
+  explicit Comparing(const QualityStudy& study) : knob_(study.knob), panel_(panelsOf(study.knob)[0]) {}
 
   double error(const StudySetting& row) const { return panel_.error(judged(row)); }
   TimeSpread cost(const StudySetting& row) const { return costSpread(knob_, row, panel_); }
@@ -47,7 +47,7 @@ class Comparing {
     return row.light ? row.errors.light.relative(row.errors.light.rmseStandardError) : 0.0;
   }
 
-  const Knob& knob_;
+  const QualitySetting& knob_;
   const Panel& panel_;
 };
 
@@ -55,17 +55,17 @@ std::string quoted(const std::string& text) {
   return '`' + text + '`';
 }
 
-std::string quotedSetting(const KnobStudy& study) {
+std::string quotedSetting(const QualityStudy& study) {
   return quoted(study.knob.setting);
 }
 
-const StudySetting* defaultRow(const KnobStudy& study) {
+const StudySetting* defaultRow(const QualityStudy& study) {
   for (const StudySetting& row : study.settings)
     if (row.isDefault) return &row;
   return nullptr;
 }
 
-const StudySetting* rowNamed(const KnobStudy& study, const std::string& value) {
+const StudySetting* rowNamed(const QualityStudy& study, const std::string& value) {
   for (const StudySetting& row : study.settings)
     if (row.value == value) return &row;
   return nullptr;
@@ -133,7 +133,7 @@ std::string capitalized(std::string text) {
   return text;
 }
 
-std::string sampledAdvice(const KnobStudy& study, const Comparing& by) {
+std::string sampledAdvice(const QualityStudy& study, const Comparing& by) {
   Rows sampled;
   const StudySetting *exact = nullptr, *now = nullptr;
   for (const StudySetting& row : study.settings) {
@@ -160,7 +160,7 @@ std::string sampledAdvice(const KnobStudy& study, const Comparing& by) {
   return text;
 }
 
-std::string fieldAdvice(const KnobStudy& study, const Comparing& by, const StudySetting& now) {
+std::string fieldAdvice(const QualityStudy& study, const Comparing& by, const StudySetting& now) {
   const StudySetting* const through = rowNamed(study, "cubic_interpolating");
   if (!through || through == &now) return {};
   const std::string ratio = timesTheCost(by, *through, now);
@@ -181,7 +181,7 @@ std::string fieldAdvice(const KnobStudy& study, const Comparing& by, const Study
          ratio + ", and the normals here change by " + by.errorOf(now) + " (RMS).";
 }
 
-std::string shadowAdvice(const KnobStudy& study, const Comparing& by) {
+std::string shadowAdvice(const QualityStudy& study, const Comparing& by) {
   const StudySetting *off = rowNamed(study, "0"), *on = rowNamed(study, "1");
   if (!off || !on) return {};
   std::string text = "Turn " + quotedSetting(study) + " on where the picture is the better for it: ";
@@ -194,7 +194,7 @@ std::string shadowAdvice(const KnobStudy& study, const Comparing& by) {
          " in mean FLIP. Shadow rays are exact: no setting trades their accuracy for time.";
 }
 
-std::string scaleAdvice(const KnobStudy& study, const Comparing& by, const StudySetting& now) {
+std::string scaleAdvice(const QualityStudy& study, const Comparing& by, const StudySetting& now) {
   const std::string leave = "Leave " + quotedSetting(study) + " at " + quoted(now.value) + ", which takes " +
                             tableNumber(now.scale.value().scaleMm) + " mm here: ";
   if (!study.knowsTruth)
@@ -214,7 +214,7 @@ std::string scaleAdvice(const KnobStudy& study, const Comparing& by, const Study
 
 }  // namespace
 
-std::string adviceOf(const KnobStudy& study) {
+std::string adviceOf(const QualityStudy& study) {
   const Comparing by(study);
   if (study.knob.measure == Measure::shadow) return shadowAdvice(study, by);
   if (study.knob.sampled) return sampledAdvice(study, by);
@@ -228,7 +228,7 @@ std::string adviceOf(const KnobStudy& study) {
   return capitalized(choiceAmong(by, quotedSetting(study), rows, *now));
 }
 
-std::string noteOf(const KnobStudy& study) {
+std::string noteOf(const QualityStudy& study) {
   if (!study.knob.sampled) return {};
   const Comparing by(study);
   const StudySetting *finest = nullptr, *best = nullptr, *exact = nullptr;

@@ -6,8 +6,8 @@
 #include <limits>
 #include <sstream>
 
-#include "app/process/gnuplot.h"
-#include "app/process/study_plot_script.h"
+#include "app/runtime/gnuplot.h"
+#include "app/runtime/study_plot_script.h"
 #include "base/words.h"
 
 namespace isolux::app {
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view kTruth = "cubic_interpolating";
 
-std::string costLabel(const Knob& knob, const Panel& panel) {
+std::string costLabel(const QualitySetting& knob, const Panel& panel) {
   if (knob.cost == Cost::frameMilliseconds) return "time of a frame, ms";
   if (knob.cost == Cost::bakeSeconds) return "bake time of the visible part, s";
   if (knob.cost == Cost::gpuMegabytes) return "light on the graphics card, MiB";
@@ -24,7 +24,7 @@ std::string costLabel(const Knob& knob, const Panel& panel) {
 }
 
 // "Paths per texel: head"
-std::string titleOf(const Knob& knob, const std::string& subject) {
+std::string titleOf(const QualitySetting& knob, const std::string& subject) {
   std::string title = knob.label;
   title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
   return title + ": " + subject;
@@ -36,7 +36,7 @@ struct ErrorAxis {
   bool zeros = false;               // some error is 0: drawn at the bottom, which then no other reaches
 };
 
-ErrorAxis axisOf(const KnobStudy& study, const Panel& panel) {
+ErrorAxis axisOf(const QualityStudy& study, const Panel& panel) {
   double least = std::numeric_limits<double>::infinity(), most = 0.0;
   ErrorAxis axis;
   for (const StudySetting& setting : study.settings)
@@ -53,7 +53,7 @@ ErrorAxis axisOf(const KnobStudy& study, const Panel& panel) {
   return axis;
 }
 
-void row(std::ostream& out, const Knob& knob, const StudySetting& setting, const Errors& errors,
+void row(std::ostream& out, const QualitySetting& knob, const StudySetting& setting, const Errors& errors,
          const std::string& label) {
   out << label << '\t' << (setting.isDefault ? 1 : 0);
   for (const Panel& panel : panelsOf(knob)) {
@@ -70,7 +70,7 @@ void row(std::ostream& out, const Knob& knob, const StudySetting& setting, const
 }
 
 // A panel without any point is none.
-bool hasPoints(const KnobStudy& study, const Panel& panel) {
+bool hasPoints(const QualityStudy& study, const Panel& panel) {
   return std::any_of(study.settings.begin(), study.settings.end(), [&](const StudySetting& setting) {
     return std::isfinite(panel.error(setting.errors)) || std::isfinite(panel.error(judged(setting)));
   });
@@ -78,8 +78,8 @@ bool hasPoints(const KnobStudy& study, const Panel& panel) {
 
 }  // namespace
 
-std::string plotScript(const KnobStudy& study, const std::string& subject, const std::string& picture) {
-  const Knob& knob = study.knob;
+std::string plotScript(const QualityStudy& study, const std::string& subject, const std::string& picture) {
+  const QualitySetting& knob = study.knob;
   const auto& panels = panelsOf(knob);
   const std::array<ErrorAxis, 2> axes{axisOf(study, panels[0]), axisOf(study, panels[1])};
   std::ostringstream own, other;  // a knob has exact hits beside it, or other errors, or neither
@@ -107,7 +107,7 @@ std::string plotScript(const KnobStudy& study, const std::string& subject, const
   return out.str();
 }
 
-bool writePlot(const std::filesystem::path& gnuplot, const KnobStudy& study, const std::string& subject,
+bool writePlot(const std::filesystem::path& gnuplot, const QualityStudy& study, const std::string& subject,
                const std::filesystem::path& picture, base::Progress& progress, std::string& reason) {
   for (const Panel& panel : panelsOf(study.knob))
     if (!hasPoints(study, panel)) {

@@ -9,10 +9,10 @@
 namespace isolux::app {
 
 // The whole script, data included, that draws to `picture`.
-std::string plotScript(const KnobStudy& study, const std::string& subject, const std::string& picture);
+std::string plotScript(const QualityStudy& study, const std::string& subject, const std::string& picture);
 
 // Writes `picture` (.svg) by `gnuplot`. False where gnuplot fails; `reason` is what it said last.
-bool writePlot(const std::filesystem::path& gnuplot, const KnobStudy& study, const std::string& subject,
+bool writePlot(const std::filesystem::path& gnuplot, const QualityStudy& study, const std::string& subject,
                const std::filesystem::path& picture, base::Progress& progress, std::string& reason);
 
 }  // namespace isolux::app

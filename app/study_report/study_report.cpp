@@ -112,7 +112,7 @@ ordered_json scaleJson(const StudySetting& setting) {
           {"normal_99_degrees", errors.normalDegrees.most99}};
 }
 
-ordered_json settingJson(const Knob& knob, const StudySetting& setting, glm::ivec2 size) {
+ordered_json settingJson(const QualitySetting& knob, const StudySetting& setting, glm::ivec2 size) {
   ordered_json json{{"value", setting.value},
                     {"default", setting.isDefault},
                     {"setting_default", setting.isDefault || setting.settingDefault},
@@ -140,7 +140,7 @@ ordered_json settingJson(const Knob& knob, const StudySetting& setting, glm::ive
   return json;
 }
 
-ordered_json truthJson(const KnobStudy& study) {
+ordered_json truthJson(const QualityStudy& study) {
   const Measure measure = study.knob.measure;
   if (measure == Measure::light)
     return {{"truth", {{"samples", study.truthSamples}, {"bounces", study.truthBounces}}}};
@@ -154,7 +154,7 @@ ordered_json truthJson(const KnobStudy& study) {
   return json;
 }
 
-ordered_json knobJson(const KnobStudy& study, glm::ivec2 size) {
+ordered_json knobJson(const QualityStudy& study, glm::ivec2 size) {
   const auto& panels = panelsOf(study.knob);
   ordered_json json{{"name", study.knob.name}, {"setting", study.knob.setting}, {"label", study.knob.label}};
   if (!study.skipped.empty()) {
@@ -184,7 +184,7 @@ ordered_json knobJson(const KnobStudy& study, glm::ivec2 size) {
 
 // ---- Markdown
 
-void reachLine(std::ostream& out, const KnobStudy& study) {
+void reachLine(std::ostream& out, const QualityStudy& study) {
   const Panel& panel = panelsOf(study.knob)[0];
   out << "\nThe cheapest whose " << panel.noun << " is at most ";
   bool first = true;
@@ -203,7 +203,7 @@ void reachLine(std::ostream& out, const KnobStudy& study) {
   out << ".\n";
 }
 
-void closing(std::ostream& out, const KnobStudy& study) {
+void closing(std::ostream& out, const QualityStudy& study) {
   // Of a scan more smoothing is always less error, of what can be counted.
   const bool blind = study.knob.measure == Measure::scale && !study.knowsTruth;
   if (study.knob.measure != Measure::shadow && !blind) reachLine(out, study);
@@ -226,7 +226,7 @@ std::string markdownText(const std::string& text) {
 }  // namespace
 
 std::string studyJson(const StudySubject& subject, const render::ContextDescription& context,
-                      const std::vector<KnobStudy>& studies, bool complete) {
+                      const std::vector<QualityStudy>& studies, bool complete) {
   const volume::Grid& grid = subject.volume->grid();
   ordered_json json;
   json["isolux_study"] = 1;
@@ -254,13 +254,13 @@ std::string studyJson(const StudySubject& subject, const render::ContextDescript
                    {"lookup_milliseconds", "ms of the pass irradiance, median"}};
   json["wall_per_processor_time"] = timesAsLong(studies);
   json["knobs"] = ordered_json::array();
-  for (const KnobStudy& study : studies) json["knobs"].push_back(knobJson(study, subject.size));
+  for (const QualityStudy& study : studies) json["knobs"].push_back(knobJson(study, subject.size));
   json["scene"] = scene::toJson(scene::resolve(subject.scene, subject.volume->facts));
   return jsonText(json);
 }
 
 std::string studyMarkdown(const StudySubject& subject, const render::ContextDescription& context,
-                          const std::vector<KnobStudy>& studies, bool complete) {
+                          const std::vector<QualityStudy>& studies, bool complete) {
   const glm::ivec3 dims = subject.volume->grid().dims();
   const scene::Scene resolved = scene::resolve(subject.scene, subject.volume->facts);
   std::ostringstream out;
@@ -279,7 +279,7 @@ std::string studyMarkdown(const StudySubject& subject, const render::ContextDesc
         << tableNumber(ratio, 2)
         << " times as long as their CPU time. Times are uncertain; errors are not.\n";
   if (!complete) out << "\n*Not complete: the study was stopped, or is still running.*\n";
-  for (const KnobStudy& study : studies) {
+  for (const QualityStudy& study : studies) {
     out << "\n## " << study.knob.name << " (`" << study.knob.setting << "`)\n\n";
     if (!study.skipped.empty()) {
       out << "Not studied: " << study.skipped << ".\n";

@@ -11,8 +11,8 @@ namespace isolux::app {
 
 // `context`: what drew. `complete`: every knob that was asked for is there.
 std::string studyJson(const StudySubject& subject, const render::ContextDescription& context,
-                      const std::vector<KnobStudy>& studies, bool complete);
+                      const std::vector<QualityStudy>& studies, bool complete);
 std::string studyMarkdown(const StudySubject& subject, const render::ContextDescription& context,
-                          const std::vector<KnobStudy>& studies, bool complete);
+                          const std::vector<QualityStudy>& studies, bool complete);
 
 }  // namespace isolux::app

@@ -16,7 +16,7 @@ std::string tableNumber(double value, int digits) {
   return base::shortText(value, digits);
 }
 
-std::string costText(const Knob& knob, double cost) {
+std::string costText(const QualitySetting& knob, double cost) {
   const char* unit = " ms";
   if (knob.cost == Cost::bakeSeconds) unit = " s";
   if (knob.cost == Cost::gpuMegabytes) unit = " MiB";
@@ -51,7 +51,8 @@ std::string cellText(double number) {
 // A row per setting, its value first.
 class StudyTable {
  public:
-  explicit StudyTable(const KnobStudy& study) : study_(study), heads_("| " + std::string(study.knob.label)) {
+  explicit StudyTable(const QualityStudy& study)
+      : study_(study), heads_("| " + std::string(study.knob.label)) {
     for (const StudySetting& setting : study.settings) rows_.push_back("| " + markedValue(setting));
   }
 
@@ -89,7 +90,7 @@ class StudyTable {
   }
 
  private:
-  const KnobStudy& study_;
+  const QualityStudy& study_;
   std::string heads_, rule_;
   std::vector<std::string> rows_;
 };
@@ -117,7 +118,7 @@ std::string costHead(const Panel& panel) {
 }
 
 // Of a field a second table, against `cubic_interpolating`.
-void writeSurfaceTables(std::ostream& out, const KnobStudy& study) {
+void writeSurfaceTables(std::ostream& out, const QualityStudy& study) {
   if (study.normalScaleMm > 0.0 || study.curvatureScaleMm > 0.0)
     out << "At the scales of the scene: normals " << tableNumber(study.normalScaleMm) << " mm, curvature "
         << tableNumber(study.curvatureScaleMm) << " mm.\n\n";
@@ -139,7 +140,7 @@ void writeSurfaceTables(std::ostream& out, const KnobStudy& study) {
 }
 
 // Of a knob that is judged by the picture alone: rays per pixel, or the shadow.
-void writePictureTable(std::ostream& out, const KnobStudy& study) {
+void writePictureTable(std::ostream& out, const QualityStudy& study) {
   StudyTable table(study);
   table.addCost("frame, ms (quartiles)", panelsOf(study.knob)[0]);
   table.addProcessor();
@@ -162,13 +163,13 @@ std::string withError(const LightErrors& errors, double value, double standardEr
   return percent(errors.relative(value)) + " ± " + percent(errors.relative(standardError), 2);
 }
 
-bool isLight(const KnobStudy& study) {
+bool isLight(const QualityStudy& study) {
   return study.knob.measure == Measure::light && !study.settings.empty();
 }
 
 // What was compared with what, then a row per value.
-void writeLightTable(std::ostream& out, const KnobStudy& study) {
-  const Knob& knob = study.knob;
+void writeLightTable(std::ostream& out, const QualityStudy& study) {
+  const QualitySetting& knob = study.knob;
   const Panel& panel = panelsOf(knob)[0];
   const LightErrors& first = study.settings.front().errors.light;
   out << "Against path tracing at " << first.pixels << " pixels, " << study.truthSamples
@@ -190,7 +191,7 @@ void writeLightTable(std::ostream& out, const KnobStudy& study) {
   table.write(out);
 }
 
-void writeScaleTable(std::ostream& out, const KnobStudy& study) {
+void writeScaleTable(std::ostream& out, const QualityStudy& study) {
   out << "Noise of deviation " << tableNumber(study.addedNoise) << " data units is added, " << kNoiseSeeds
       << " times. ";
   if (study.knowsTruth)
@@ -215,7 +216,7 @@ void writeScaleTable(std::ostream& out, const KnobStudy& study) {
 
 }  // namespace
 
-void writeKnobTable(std::ostream& out, const KnobStudy& study) {
+void writeKnobTable(std::ostream& out, const QualityStudy& study) {
   const Measure measure = study.knob.measure;
   if (measure == Measure::light) return writeLightTable(out, study);
   if (measure == Measure::scale) return writeScaleTable(out, study);
@@ -223,14 +224,14 @@ void writeKnobTable(std::ostream& out, const KnobStudy& study) {
   writeSurfaceTables(out, study);
 }
 
-void writeLightReach(std::ostream& out, const std::vector<KnobStudy>& studies) {
+void writeLightReach(std::ostream& out, const std::vector<QualityStudy>& studies) {
   if (std::none_of(studies.begin(), studies.end(), isLight)) return;
   const auto& errors = errorsToReach(Measure::light);
   out << "\n## Which setting of light reaches an error\n\nThe cheapest value with at most this RMSE in parts "
          "of the mean irradiance, all other settings as the scene has them.\n\n| setting |";
   for (const double error : errors) out << ' ' << percent(error) << " % |";
   out << "\n|---|---|---|---|\n";
-  for (const KnobStudy& study : studies) {
+  for (const QualityStudy& study : studies) {
     if (!isLight(study)) continue;
     const Panel& panel = panelsOf(study.knob)[0];
     out << "| `" << study.knob.setting << "` |";

@@ -30,9 +30,9 @@ BakeQueue::BakeQueue(const LightLattice& lattice, std::uint32_t samples)
       place_(lattice.geometry().blockCount(), kNone) {}
 
 // Each block once, and only texels of the lattice.
-std::vector<WantedBlock> BakeQueue::cleaned(std::vector<WantedBlock> blocks) {
+std::vector<BlockRequest> BakeQueue::cleaned(std::vector<BlockRequest> blocks) {
   std::size_t kept = 0;
-  for (const WantedBlock& wanted : blocks) {
+  for (const BlockRequest& wanted : blocks) {
     if (wanted.block >= entries_.size()) continue;
     const auto texels = wanted.texels & texelsWithin(lattice_.geometry(), wanted.block);
     if (texels.none()) continue;
@@ -45,28 +45,28 @@ std::vector<WantedBlock> BakeQueue::cleaned(std::vector<WantedBlock> blocks) {
     }
   }
   blocks.resize(kept);
-  for (const WantedBlock& wanted : blocks) place_[wanted.block] = kNone;
+  for (const BlockRequest& wanted : blocks) place_[wanted.block] = kNone;
   return blocks;
 }
 
-void BakeQueue::want(Wish wish, std::vector<WantedBlock> blocks) {
-  const auto w = static_cast<std::size_t>(wish);
-  std::vector<WantedBlock> fresh = cleaned(std::move(blocks));
-  if (fresh == wishes_[w]) return;
-  wishes_[w].swap(fresh);
-  const std::vector<WantedBlock>& old = fresh;
+void BakeQueue::want(Priority request, std::vector<BlockRequest> blocks) {
+  const auto w = static_cast<std::size_t>(request);
+  std::vector<BlockRequest> fresh = cleaned(std::move(blocks));
+  if (fresh == requests_[w]) return;
+  requests_[w].swap(fresh);
+  const std::vector<BlockRequest>& old = fresh;
 
   std::vector<std::uint32_t> changed;  // blocks whose texels are not the same as before
-  changed.reserve(wishes_[w].size() + old.size());
-  std::vector<std::uint32_t> before(wishes_[w].size());
-  for (std::size_t i = 0; i < before.size(); ++i) before[i] = entries_[wishes_[w][i].block].index[w];
-  for (const WantedBlock& wanted : old) entries_[wanted.block].index[w] = kNone;
+  changed.reserve(requests_[w].size() + old.size());
+  std::vector<std::uint32_t> before(requests_[w].size());
+  for (std::size_t i = 0; i < before.size(); ++i) before[i] = entries_[requests_[w][i].block].index[w];
+  for (const BlockRequest& wanted : old) entries_[wanted.block].index[w] = kNone;
   for (std::size_t i = 0; i < before.size(); ++i) {
-    const WantedBlock& wanted = wishes_[w][i];
+    const BlockRequest& wanted = requests_[w][i];
     entries_[wanted.block].index[w] = static_cast<std::uint32_t>(i);
     if (before[i] == kNone || old[before[i]].texels != wanted.texels) changed.push_back(wanted.block);
   }
-  for (const WantedBlock& wanted : old)
+  for (const BlockRequest& wanted : old)
     if (entries_[wanted.block].index[w] == kNone) changed.push_back(wanted.block);
   for (const std::uint32_t block : changed) count(block);
   fill(w);
@@ -78,15 +78,15 @@ void BakeQueue::setSamples(std::uint32_t samples) {
   if (samples == samples_) return;
   samples_ = samples;
   rounds_ = roundsUpTo(samples);
-  for (std::size_t w = 0; w < kWishes; ++w) {
-    for (const WantedBlock& wanted : wishes_[w]) count(wanted.block);
+  for (std::size_t w = 0; w < kPriorities; ++w) {
+    for (const BlockRequest& wanted : requests_[w]) count(wanted.block);
     fill(w);
   }
   ++generation_;
 }
 
 // Of the wanted texels that are not known to be without a normal; the largest number if there are none.
-std::uint32_t BakeQueue::leastSamples(const WantedBlock& wanted) const {
+std::uint32_t BakeQueue::leastSamples(const BlockRequest& wanted) const {
   const auto block = lattice_.at(wanted.block);
   if (!block) return 0;
   std::uint32_t least = std::numeric_limits<std::uint32_t>::max();
@@ -99,35 +99,35 @@ std::uint32_t BakeQueue::roundAfter(std::uint32_t samples) const {
   return *std::upper_bound(rounds_.begin(), rounds_.end(), samples);
 }
 
-void BakeQueue::push(std::size_t wish, std::uint32_t index) {
-  const std::uint32_t least = leastSamples(wishes_[wish][index]);
-  if (least < samples_) heaps_[wish].push({roundAfter(least), index});
+void BakeQueue::push(std::size_t request, std::uint32_t index) {
+  const std::uint32_t least = leastSamples(requests_[request][index]);
+  if (least < samples_) heaps_[request].push({roundAfter(least), index});
 }
 
-void BakeQueue::fill(std::size_t wish) {
-  ++generations_[wish];
-  std::erase_if(waiting_, [&](const auto& item) { return item.first == wish; });
+void BakeQueue::fill(std::size_t request) {
+  ++generations_[request];
+  std::erase_if(waiting_, [&](const auto& item) { return item.first == request; });
   std::vector<Item> items;
-  items.reserve(wishes_[wish].size());
-  for (std::size_t i = 0; i < wishes_[wish].size(); ++i) {
-    const std::uint32_t least = leastSamples(wishes_[wish][i]);
+  items.reserve(requests_[request].size());
+  for (std::size_t i = 0; i < requests_[request].size(); ++i) {
+    const std::uint32_t least = leastSamples(requests_[request][i]);
     if (least < samples_) items.push_back({roundAfter(least), static_cast<std::uint32_t>(i)});
   }
-  heaps_[wish] = Heap(std::greater<>(), std::move(items));
+  heaps_[request] = Heap(std::greater<>(), std::move(items));
 }
 
 std::optional<BakeQueue::Unit> BakeQueue::take() {
-  for (std::size_t w = 0; w < kWishes; ++w) {
+  for (std::size_t w = 0; w < kPriorities; ++w) {
     Heap& heap = heaps_[w];
     while (!heap.empty()) {
       const Item item = heap.top();
-      const WantedBlock& wanted = wishes_[w][item.index];
+      const BlockRequest& wanted = requests_[w][item.index];
       if (entries_[wanted.block].taken) {
         waiting_.emplace_back(w, item.index);
         heap.pop();
         continue;
       }
-      // The block may have come further for another wish.
+      // The block may have come further for another request.
       const std::uint32_t least = leastSamples(wanted);
       heap.pop();
       if (least >= samples_) continue;
@@ -149,9 +149,10 @@ void BakeQueue::give(const Unit& unit) {
   entries_[unit.block].taken = false;
   --taken_;
   count(unit.block);
-  if (generations_[unit.wish] == unit.generation) push(unit.wish, entries_[unit.block].index[unit.wish]);
+  if (generations_[unit.request] == unit.generation)
+    push(unit.request, entries_[unit.block].index[unit.request]);
   std::erase_if(waiting_, [&](const auto& item) {
-    const bool freed = wishes_[item.first][item.second].block == unit.block;
+    const bool freed = requests_[item.first][item.second].block == unit.block;
     if (freed) push(item.first, item.second);
     return freed;
   });
@@ -172,10 +173,10 @@ void BakeQueue::count(std::uint32_t block) {
   entry.samplesDone = 0;
 
   std::bitset<kTexelsOfBlock> texels;
-  for (std::size_t w = 0; w < kWishes; ++w)
-    if (entry.index[w] != kNone) texels |= wishes_[w][entry.index[w]].texels;
+  for (std::size_t w = 0; w < kPriorities; ++w)
+    if (entry.index[w] != kNone) texels |= requests_[w][entry.index[w]].texels;
   std::bitset<kTexelsOfBlock> seen;
-  if (entry.index[0] != kNone) seen = wishes_[0][entry.index[0]].texels;
+  if (entry.index[0] != kNone) seen = requests_[0][entry.index[0]].texels;
   if (const auto lit = lattice_.at(block)) {
     texels &= ~lit->unlit;
     seen &= ~lit->unlit;
@@ -195,13 +196,13 @@ void BakeQueue::count(std::uint32_t block) {
   changeTotals(std::plus<std::uint64_t>());
 }
 
-// Texels never lose samples, so what was fulfilled stays so while the wishes are the same.
+// Texels never lose samples, so what was fulfilled stays so while the requests are the same.
 bool BakeQueue::fulfilled(std::uint32_t samples, Cursor& cursor) const {
   if (cursor.generation != generation_) cursor = {generation_, 0, 0};
   samples = samples == 0 ? samples_ : std::min(samples, samples_);
-  for (; cursor.wish < kWishes; ++cursor.wish, cursor.index = 0)
-    for (; cursor.index < wishes_[cursor.wish].size(); ++cursor.index)
-      if (leastSamples(wishes_[cursor.wish][cursor.index]) < samples) return false;
+  for (; cursor.request < kPriorities; ++cursor.request, cursor.index = 0)
+    for (; cursor.index < requests_[cursor.request].size(); ++cursor.index)
+      if (leastSamples(requests_[cursor.request][cursor.index]) < samples) return false;
   // Only then have all that were at work been counted.
   return samples < samples_ || taken_ == 0;
 }

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "gi/lattice/wish.h"
+#include "gi/lattice/block_request.h"
 
 namespace isolux::gi {
 
@@ -31,24 +31,24 @@ class BakeQueue {
   struct Unit {
     std::uint32_t block = 0, target = 0;
     std::bitset<kTexelsOfBlock> texels;
-    std::size_t wish = 0;
+    std::size_t request = 0;
     std::uint64_t generation = 0;  // of the request when the unit was popped
   };
   struct Totals {
     std::uint64_t wanted = 0, done = 0, started = 0;  // texels
     std::uint64_t samplesDone = 0;                    // of requested texels, up to the number requested
-    // Visible (Wish::visible); of these, with kSmoothSamples or all samples.
+    // Visible (Priority::visible); of these, with kSmoothSamples or all samples.
     std::uint64_t seen = 0, smooth = 0;
   };
   // Position up to which fulfilled() has checked; start with an empty one.
   struct Cursor {
     std::uint64_t generation = 0;
-    std::size_t wish = 0, index = 0;
+    std::size_t request = 0, index = 0;
   };
 
   BakeQueue(const LightLattice& lattice, std::uint32_t samples);
 
-  void want(Wish wish, std::vector<WantedBlock> blocks);
+  void want(Priority request, std::vector<BlockRequest> blocks);
   void setSamples(std::uint32_t samples);
   std::uint32_t samples() const { return samples_; }
 
@@ -59,7 +59,7 @@ class BakeQueue {
   bool fulfilled(std::uint32_t samples, Cursor& cursor) const;
 
  private:
-  static constexpr std::size_t kWishes = 4;
+  static constexpr std::size_t kPriorities = 4;
   static constexpr std::uint32_t kNone = 0xffffffff;
   struct Item {
     std::uint32_t target = 0, index = 0;  // in the request
@@ -68,25 +68,25 @@ class BakeQueue {
   };
   using Heap = std::priority_queue<Item, std::vector<Item>, std::greater<>>;
   struct Entry {
-    std::array<std::uint32_t, kWishes> index{kNone, kNone, kNone, kNone};  // in each request
+    std::array<std::uint32_t, kPriorities> index{kNone, kNone, kNone, kNone};  // in each request
     std::uint16_t wanted = 0, done = 0, started = 0, seen = 0, smooth = 0;
     bool taken = false;
     std::uint64_t samplesDone = 0;
   };
 
-  std::vector<WantedBlock> cleaned(std::vector<WantedBlock> blocks);
-  std::uint32_t leastSamples(const WantedBlock& wanted) const;
+  std::vector<BlockRequest> cleaned(std::vector<BlockRequest> blocks);
+  std::uint32_t leastSamples(const BlockRequest& wanted) const;
   std::uint32_t roundAfter(std::uint32_t samples) const;
-  void fill(std::size_t wish);
-  void push(std::size_t wish, std::uint32_t index);
+  void fill(std::size_t request);
+  void push(std::size_t request, std::uint32_t index);
   void count(std::uint32_t block);
 
   const LightLattice& lattice_;
   std::uint32_t samples_;
   std::vector<std::uint32_t> rounds_;
-  std::array<std::vector<WantedBlock>, kWishes> wishes_;
-  std::array<Heap, kWishes> heaps_;
-  std::array<std::uint64_t, kWishes> generations_{};
+  std::array<std::vector<BlockRequest>, kPriorities> requests_;
+  std::array<Heap, kPriorities> heaps_;
+  std::array<std::uint64_t, kPriorities> generations_{};
   std::uint64_t generation_ = 1;      // changes with any request and with the number of samples
   std::vector<Entry> entries_;        // of blocks
   std::vector<std::uint32_t> place_;  // of blocks, for cleaned()

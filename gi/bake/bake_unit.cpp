@@ -12,7 +12,7 @@ namespace isolux::gi {
 
 namespace {
 
-// A call takes about this long, so that threads heed new wishes within 20 ms.
+// A call takes about this long, so that threads heed new requests within 20 ms.
 constexpr double kSecondsOfCall = 0.008;
 constexpr double kFewestPaths = 16.0, kMostPaths = 65536.0;
 

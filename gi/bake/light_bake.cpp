@@ -53,8 +53,8 @@ void runInBackground() {
 // `asking` and `threadsLock`.
 struct LightBake::Parts {
   // What is asked for, and by which thread count.
-  std::array<base::Mailbox<std::vector<WantedBlock>>, 4> wishes;  // not yet in the queue
-  std::atomic<std::uint32_t> samples{0};                          // not yet in the queue; 0: none
+  std::array<base::Mailbox<std::vector<BlockRequest>>, 4> requests;  // not yet in the queue
+  std::atomic<std::uint32_t> samples{0};                             // not yet in the queue; 0: none
   std::atomic<std::uint64_t> orders{0};  // counts want() and setSamples(), after each
   std::atomic<int> threads{1};
   std::atomic<bool> paused{false}, yielding{false};
@@ -152,8 +152,8 @@ struct LightBake::Parts {
 void LightBake::Parts::takeOrders() {
   ordersTaken = orders.load(std::memory_order_acquire);
   if (const std::uint32_t wanted = samples.exchange(0)) queue.setSamples(wanted);
-  for (std::size_t w = 0; w < wishes.size(); ++w)
-    if (const auto wish = wishes[w].take()) queue.want(static_cast<Wish>(w), std::move(*wish));
+  for (std::size_t w = 0; w < requests.size(); ++w)
+    if (const auto request = requests[w].take()) queue.want(static_cast<Priority>(w), std::move(*request));
 }
 
 void LightBake::Parts::tellQueue() {
@@ -295,9 +295,9 @@ void LightBake::requestStop() {
   parts_->requestStop();
 }
 
-void LightBake::want(Wish wish, std::vector<WantedBlock> blocks) {
-  const auto w = static_cast<std::size_t>(wish);
-  parts_->wishes[w].put(std::make_unique<std::vector<WantedBlock>>(std::move(blocks)));
+void LightBake::want(Priority request, std::vector<BlockRequest> blocks) {
+  const auto w = static_cast<std::size_t>(request);
+  parts_->requests[w].put(std::make_unique<std::vector<BlockRequest>>(std::move(blocks)));
   parts_->orders.fetch_add(1, std::memory_order_acq_rel);
   parts_->wake();
 }

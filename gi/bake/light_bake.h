@@ -21,8 +21,8 @@
 #include <vector>
 
 #include "gi/bake/texel_estimator.h"
+#include "gi/lattice/block_request.h"
 #include "gi/lattice/light_lattice.h"
-#include "gi/lattice/wish.h"
 
 namespace isolux::gi {
 
@@ -33,7 +33,7 @@ struct BakeCounters {
   std::uint64_t texelsStarted = 0;                   // have any
   std::uint64_t texelsLit = 0;                       // of all texels in the lattice
   std::uint64_t samplesWanted = 0, samplesDone = 0;  // paths
-  // Visible texels (Wish::visible): their number, and how many have kSmoothSamples or all samples.
+  // Visible texels (Priority::visible): their number, and how many have kSmoothSamples or all samples.
   std::uint64_t texelsSeen = 0, texelsSmooth = 0;
   std::uint64_t rays = 0;
   double seconds = 0.0;        // of work, without pauses and idle time
@@ -56,14 +56,14 @@ class LightBake {
   LightBake(std::shared_ptr<LightLattice> lattice, std::shared_ptr<const TexelEstimator> estimator,
             Options options);
   // Stops and waits until the threads have ended: rarely more than 100 ms, also on a busy machine. A window
-  // uses base::retire() instead.
+  // uses base::destroyInBackground() instead.
   ~LightBake();
   void requestStop();  // permanent; does not wait
 
   // Replaces the requests of that priority; within it, blocks are served in the given order. A texel of
   // several priorities counts for the first; texels outside the lattice are ignored. Cheap enough for every
   // frame.
-  void want(Wish wish, std::vector<WantedBlock> blocks);
+  void want(Priority request, std::vector<BlockRequest> blocks);
   // Sets the samples per texel. A higher number continues from the present ones; a lower one removes nothing.
   void setSamples(std::uint32_t samples);
   void setThreads(int threads);  // at most as many as the system creates: counters().threads

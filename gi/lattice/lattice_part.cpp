@@ -40,12 +40,12 @@ LatticeTiles tilesOf(const LatticeGeometry& lattice) {
   return result;
 }
 
-std::vector<WantedBlock> blocksOfPart(const LatticeGeometry& lattice, LatticePart part,
-                                      std::vector<WantedBlock> blocks) {
+std::vector<BlockRequest> blocksOfPart(const LatticeGeometry& lattice, LatticePart part,
+                                       std::vector<BlockRequest> blocks) {
   if (part.count <= 1) return blocks;
   const LatticeTiles tiles = tilesOf(lattice);
   const auto count = static_cast<std::uint32_t>(part.count), index = static_cast<std::uint32_t>(part.index);
-  std::erase_if(blocks, [&](const WantedBlock& wanted) {
+  std::erase_if(blocks, [&](const BlockRequest& wanted) {
     return wanted.block >= tiles.ofBlock.size() || tiles.ofBlock[wanted.block] % count != index % count;
   });
   return blocks;

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "gi/lattice/block_request.h"
 #include "gi/lattice/lattice_geometry.h"
-#include "gi/lattice/wish.h"
 
 namespace isolux::gi {
 
@@ -33,7 +33,7 @@ struct LatticeTiles {
 LatticeTiles tilesOf(const LatticeGeometry& lattice);
 
 // Returns those of `blocks` that belong to the part, in their order.
-std::vector<WantedBlock> blocksOfPart(const LatticeGeometry& lattice, LatticePart part,
-                                      std::vector<WantedBlock> blocks);
+std::vector<BlockRequest> blocksOfPart(const LatticeGeometry& lattice, LatticePart part,
+                                       std::vector<BlockRequest> blocks);
 
 }  // namespace isolux::gi

@@ -118,13 +118,13 @@ class BlockScan {
 
 }  // namespace
 
-std::vector<WantedBlock> texelsOfBand(const LatticeGeometry& lattice, const volume::Grid& grid, double low,
-                                      double high, int reach, base::Progress& progress, scene::Field field) {
+std::vector<BlockRequest> texelsOfBand(const LatticeGeometry& lattice, const volume::Grid& grid, double low,
+                                       double high, int reach, base::Progress& progress, scene::Field field) {
   double from = grid.storedOfValue(low), to = grid.storedOfValue(high);
   if (from > to) std::swap(from, to);
   // A cubic field lies within the values of one voxel more on every side.
   const Footprints footprints(lattice, reach, field == scene::Field::trilinear ? 0 : 1);
-  std::vector<WantedBlock> wanted(lattice.blockCount());
+  std::vector<BlockRequest> wanted(lattice.blockCount());
   std::atomic<std::size_t> done{0};
   std::visit(
       [&](const auto& voxels) {
@@ -141,7 +141,7 @@ std::vector<WantedBlock> texelsOfBand(const LatticeGeometry& lattice, const volu
       },
       grid.voxels());
   progress.throwIfStopped();
-  std::erase_if(wanted, [](const WantedBlock& block) { return block.texels.none(); });
+  std::erase_if(wanted, [](const BlockRequest& block) { return block.texels.none(); });
   return wanted;
 }
 

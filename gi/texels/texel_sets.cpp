@@ -117,8 +117,8 @@ Collector widenedAlong(const LatticeGeometry& lattice, const Collector& in, int 
 
 }  // namespace
 
-std::vector<WantedBlock> texelsAround(const LatticeGeometry& lattice, std::span<const glm::vec3> hits,
-                                      int reach) {
+std::vector<BlockRequest> texelsAround(const LatticeGeometry& lattice, std::span<const glm::vec3> hits,
+                                       int reach) {
   const auto scale = glm::vec3(lattice.texelOf(glm::dvec3(1.0)));
   const glm::ivec3 lastBase = glm::max(lattice.dims - 2, 0), last = lattice.dims - 1;
   Collector bases(lattice), texels(lattice);
@@ -135,21 +135,21 @@ std::vector<WantedBlock> texelsAround(const LatticeGeometry& lattice, std::span<
     const glm::ivec3 from = glm::max(base - (reach - 1), 0), to = glm::min(base + reach, last);
     texels.add(from, to);
   }
-  std::vector<WantedBlock> wanted;
+  std::vector<BlockRequest> wanted;
   wanted.reserve(texels.blocks().size());
   for (const std::uint32_t block : texels.blocks()) wanted.push_back({block, bitsOf(texels.existing(block))});
   return wanted;
 }
 
-std::vector<WantedBlock> texelsBeside(const LatticeGeometry& lattice, const std::vector<WantedBlock>& inner,
-                                      int texels) {
+std::vector<BlockRequest> texelsBeside(const LatticeGeometry& lattice, const std::vector<BlockRequest>& inner,
+                                       int texels) {
   Collector start(lattice);
-  for (const WantedBlock& wanted : inner) start.at(wanted.block) = wordsOf(wanted.texels);
+  for (const BlockRequest& wanted : inner) start.at(wanted.block) = wordsOf(wanted.texels);
   Collector wide = start;
   for (int axis = 0; axis < 3; ++axis)
     for (int left = texels; left > 0; left -= kBlockTexels)
       wide = widenedAlong(lattice, wide, axis, std::min(left, kBlockTexels));
-  std::vector<WantedBlock> wanted;
+  std::vector<BlockRequest> wanted;
   for (const std::uint32_t block : wide.blocks()) {
     std::bitset<kTexelsOfBlock> beside = bitsOf(wide.existing(block)) & texelsWithin(lattice, block);
     if (start.has(block)) beside &= ~bitsOf(start.existing(block));
@@ -158,8 +158,8 @@ std::vector<WantedBlock> texelsBeside(const LatticeGeometry& lattice, const std:
   return wanted;
 }
 
-std::vector<WantedBlock> allTexels(const LatticeGeometry& lattice) {
-  std::vector<WantedBlock> wanted(lattice.blockCount());
+std::vector<BlockRequest> allTexels(const LatticeGeometry& lattice) {
+  std::vector<BlockRequest> wanted(lattice.blockCount());
   for (std::uint32_t block = 0; block < wanted.size(); ++block)
     wanted[block] = {block, texelsWithin(lattice, block)};
   return wanted;

@@ -58,7 +58,7 @@ glm::dvec2 PrimaryHits::ndcOf(glm::ivec2 pixel) const {
 
 std::optional<volume::RayHit> PrimaryHits::cast(double isovalue, volume::Ray ray) const {
   const volume::HiddenPieces hidden = volume::hiddenAt(hidden_, isovalue);
-  for (const auto& [begin, end] : cut_.stretchesOf(isovalue, ray)) {
+  for (const auto& [begin, end] : cut_.segmentsOf(isovalue, ray)) {
     ray.tMinimum = begin;
     ray.tMaximum = end;
     const volume::CubicHit first =

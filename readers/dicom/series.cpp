@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "base/words.h"
-#include "volume/read/input/length_doubt.h"
+#include "volume/read/input/spacing_reliability.h"
 #include "volume/read/input/text.h"
 
 namespace isolux::readers {

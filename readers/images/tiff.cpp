@@ -12,8 +12,8 @@
 #include "base/number_text.h"
 #include "readers/images/images.h"
 #include "readers/limits.h"
-#include "volume/read/input/length_doubt.h"
 #include "volume/read/input/payload.h"
+#include "volume/read/input/spacing_reliability.h"
 #include "volume/read/tiff/tiff_pages.h"
 #include "volume/read/tiff/tiff_stack.h"
 

@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/destroy_in_background.h"
 #include "base/error.h"
 #include "base/hash.h"
 #include "base/pending_file.h"
-#include "base/retire.h"
 #include "render/gl/gl.h"
 
 namespace isolux::render {
@@ -176,7 +176,7 @@ struct Writer {
       jobs.push_back(std::move(job));
       if (std::exchange(running, true)) return;
     }
-    base::endElsewhere([this] { run(); });
+    base::runInBackground([this] { run(); });
   }
 
  private:

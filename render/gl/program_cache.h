@@ -3,8 +3,9 @@
 // A file belongs to one driver, one version of Isolux and one pair of shader texts with all defines. A file
 // that is damaged, cut off or of anything else is ignored and replaced. Without a folder, without formats of
 // the driver, or where nothing can be read or written, every program is compiled; none of this is an error.
-// Files are written in the background (base/retire.h), each whole or not at all (base/pending_file.h), so
-// that processes may share the folder. It is limited in size: the files not used for longest are removed.
+// Files are written in the background (base/destroy_in_background.h), each whole or not at all
+// (base/pending_file.h), so that processes may share the folder. It is limited in size: the files not used
+// for longest are removed.
 #pragma once
 
 #include <cstddef>

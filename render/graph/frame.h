@@ -96,7 +96,7 @@ struct PassReport {
   std::string reason;         // why it ran or did not
   double milliseconds = 0.0;  // GPU timer if available, else wall time; 0 unless ran
   std::size_t bytes = 0;      // of the images that it writes
-  bool onProcessor = false;   // computed on the CPU instead of by a shader (Machine::executor)
+  bool onProcessor = false;   // computed on the CPU instead of by a shader (HostSettings::executor)
 };
 
 // Statistics of a volume in bricks (memory.layout).

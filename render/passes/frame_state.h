@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "gi/picture_light.h"
-#include "gi/seen_points.h"
+#include "gi/visible_point_set.h"
 #include "render/gl/image_pool.h"
 #include "render/gl/part_timer.h"
 #include "render/graph/frame.h"
@@ -100,7 +100,7 @@ struct FrameState {
   // The crossing drawn now ("" the first, otherwise one behind: layers pass), and the one before it.
   std::string layer, layerBefore;
   bool anyBehind = false;                // the layer's cast found a crossing
-  gi::SeenPoints hitsBehind;             // of the layers, if the look reads baked lighting
+  gi::VisiblePointSet hitsBehind;        // of the layers, if the look reads baked lighting
   std::vector<glm::vec3> reflectedHits;  // that the first crossing reflects; those of layers are hitsBehind
 
   // The drawn part: the image, or a tile of it.

@@ -83,7 +83,7 @@ volume::SurfaceCaster casterOf(const FrameState& frame) {
     isovalues.push_back(frame.volume->grid().storedOfValue(surface.value));
   const scene::Field field = frame.scene->hit.field;
   const GpuVolume& volume = *frame.volume;
-  std::vector<const volume::HiddenVoxels*> hidden;
+  std::vector<const volume::VoxelMask*> hidden;
   if (!frame.hidden.empty())
     for (const Surface& surface : frame.surfaces)
       hidden.push_back(volume::hiddenAt(frame.hidden, surface.value).voxels);

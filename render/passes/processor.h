@@ -17,7 +17,7 @@
 #include "render/graph/pass.h"
 #include "render/volume/gpu_volume.h"
 #include "scene/scene.h"
-#include "scene/settings/machine.h"
+#include "scene/settings/host_settings.h"
 #include "volume/cast/surface_caster.h"
 #include "volume/edge/edge_walk.h"
 

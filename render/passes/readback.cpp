@@ -256,13 +256,13 @@ std::vector<float> readPart(const FrameState& frame, const Texture& image, const
   return some.readFloats(channels);
 }
 
-gi::SeenPoints hitsOfPart(const FrameState& frame, const HitPart& part, double outward) {
+gi::VisiblePointSet hitsOfPart(const FrameState& frame, const HitPart& part, double outward) {
   const Target& surface = frame.images.at(image::surface + frame.layer);
   const std::vector<float> points = readPart(frame, surface.images[0], part, GL_RGBA32F, 4);
   const std::vector<float> info = readPart(frame, surface.images[1], part, GL_RG32F, 2);
   std::array<std::uint8_t, 4> baked{};
   for (std::size_t i = 0; i < frame.surfaces.size(); ++i) baked[i] = scene::bakesLight(frame.surfaces[i]);
-  gi::SeenPoints hits;
+  gi::VisiblePointSet hits;
   for (std::size_t i = 0; 4 * i < points.size(); ++i) {
     const float* const point = &points[4 * i];
     if (!(point[3] >= 0.0f)) continue;
@@ -280,17 +280,17 @@ void append(std::vector<glm::vec3>& to, const std::vector<glm::vec3>& more) {
 
 }  // namespace
 
-void appendHits(const FrameState& frame, std::size_t most, double outward, gi::SeenPoints& hits) {
+void appendHits(const FrameState& frame, std::size_t most, double outward, gi::VisiblePointSet& hits) {
   const glm::ivec2 size(frame.images.at(image::surface + frame.layer).images[0].size());
   glm::ivec2 grid = size;
   for (int step = 1; volume::Extent2{grid}.count() > most;) grid = glm::max(size / ++step, glm::ivec2(1));
-  gi::SeenPoints found = hitsOfPart(frame, {{0, 0}, size, grid}, outward);
+  gi::VisiblePointSet found = hitsOfPart(frame, {{0, 0}, size, grid}, outward);
   if (frame.request.hits == FrameRequest::Hits::all && grid != size) {
     found = {};
     const int rows = std::max(1, static_cast<int>(most) / size.x);
     for (int y = 0; y < size.y; y += rows) {
       const int end = std::min(y + rows, size.y);
-      const gi::SeenPoints more = hitsOfPart(frame, {{0, y}, {size.x, end}, {size.x, end - y}}, outward);
+      const gi::VisiblePointSet more = hitsOfPart(frame, {{0, y}, {size.x, end}, {size.x, end - y}}, outward);
       append(found.outer, more.outer);
       append(found.inner, more.inner);
     }
@@ -299,9 +299,9 @@ void appendHits(const FrameState& frame, std::size_t most, double outward, gi::S
   append(hits.inner, found.inner);
 }
 
-gi::SeenPoints hitVoxels(const FrameState& frame, const DrawnFrame& drawn) {
+gi::VisiblePointSet hitVoxels(const FrameState& frame, const DrawnFrame& drawn) {
   constexpr std::size_t most = 1u << 20;
-  gi::SeenPoints hits;
+  gi::VisiblePointSet hits;
   if (drawn.raySize.x == 0 || !frame.images.has(image::surface)) return hits;
   appendHits(frame, most, drawn.outward, hits);
   const auto reflects = [](const Pass* pass) { return pass->name == pass::reflections; };

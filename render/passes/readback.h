@@ -30,7 +30,7 @@ AovImage readAov(const FrameState& frame, const DrawnFrame& drawn, Aov aov);
 // Appends the surface points of every n-th ray on both axes, with n such that at most `most` result, spread
 // evenly over the image. Only those are read back. The points are of the layer that `frame` draws now.
 // Surfaces whose light is not baked (scene/opacity.h) are left out. `outward`: DrawnFrame's.
-void appendHits(const FrameState& frame, std::size_t most, double outward, gi::SeenPoints& hits);
-gi::SeenPoints hitVoxels(const FrameState& frame, const DrawnFrame& drawn);
+void appendHits(const FrameState& frame, std::size_t most, double outward, gi::VisiblePointSet& hits);
+gi::VisiblePointSet hitVoxels(const FrameState& frame, const DrawnFrame& drawn);
 
 }  // namespace isolux::render

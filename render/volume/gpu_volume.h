@@ -14,7 +14,7 @@
 #include "render/volume/surface_blocks.h"
 #include "render/volume/volume_texture.h"
 #include "scene/scene.h"
-#include "scene/settings/machine.h"
+#include "scene/settings/host_settings.h"
 #include "volume/edge/edge_walk.h"
 #include "volume/field/scaled_field.h"
 #include "volume/prepared/prepared_volume.h"

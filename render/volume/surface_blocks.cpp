@@ -118,7 +118,7 @@ void SurfaceBlocks::uploadHidden() {
   const volume::Extent3 extent{dims};
   std::vector<std::uint32_t> texels(extent.count() * channels);
   for (std::size_t k = 0; k < hidden_.surfaces.size(); ++k) {
-    const volume::HiddenVoxels* const hidden = hidden_.surfaces[k].hidden;
+    const volume::VoxelMask* const hidden = hidden_.surfaces[k].hidden;
     if (!hidden) continue;
     volume::parallelEach(dims.z, [&](int slice) {
       for (int z = 2 * slice; z < std::min(2 * slice + 2, voxels.z); ++z)

@@ -10,7 +10,7 @@
 
 #include "scene/choices.h"
 #include "scene/looks.h"
-#include "scene/settings/machine.h"
+#include "scene/settings/host_settings.h"
 
 namespace isolux::scene {
 
@@ -102,7 +102,7 @@ inline constexpr std::string_view kChoiceNames<Canvas>[] = {"auto", "textures", 
 template <>
 inline constexpr std::string_view kChoiceNames<Executor>[] = {"auto", "gpu", "cpu"};
 
-// Returns the names of all values of an enumeration of scene/choices.h or scene/settings/machine.h.
+// Returns the names of all values of an enumeration of scene/choices.h or scene/settings/host_settings.h.
 template <class T>
 std::span<const std::string_view> choiceNames() {
   return kChoiceNames<T>;

@@ -44,7 +44,7 @@ struct SettingInfo {
   std::vector<std::string> choices;     // of a choice
 };
 
-// A setting stored in a member of an Owner: a Scene or a Machine.
+// A setting stored in a member of an Owner: a Scene or a HostSettings.
 template <class Owner>
 struct SettingOf : SettingInfo {
   std::function<nlohmann::json(const Owner&)> get;         // "auto" for an empty optional

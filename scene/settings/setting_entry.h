@@ -1,4 +1,5 @@
-// Creates settings from members, for the lists of scene/settings/settings.cpp and scene/settings/machine.cpp.
+// Creates settings from members, for the lists of scene/settings/settings.cpp and
+// scene/settings/host_settings.cpp.
 #pragma once
 
 #include <optional>

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/words.h"
-#include "scene/settings/machine.h"
+#include "scene/settings/host_settings.h"
 #include "scene/settings/setting_entry.h"
 
 namespace isolux::scene {
@@ -527,7 +527,7 @@ const Setting& setting(std::string_view path) {
   if (found != list.end()) return *found;
   std::vector<std::string> paths;
   for (const Setting& known : list) paths.push_back(known.path);
-  for (const MachineSetting& known : machineSettings()) paths.push_back(known.path);
+  for (const HostSetting& known : hostSettings()) paths.push_back(known.path);
   std::string suggestion = base::nearest(path, paths);
   if (suggestion.empty()) {  // "fov", "view.fov": the right name in no or the wrong group
     const std::string name = '.' + std::string(path.substr(path.rfind('.') + 1));

@@ -27,7 +27,8 @@ const Setting& setting(std::string_view path);  // throws Error, with the neares
 void applyAssignment(Scene& scene, std::string_view assignment);
 
 // Convert whole scenes to and from nested JSON objects. A missing key takes its default; an unknown key
-// throws, naming its path. Host settings (scene/settings/machine.h), which older files contain, are ignored.
+// throws, naming its path. Host settings (scene/settings/host_settings.h), which older files contain, are
+// ignored.
 nlohmann::json toJson(const Scene& scene);
 Scene fromJson(const nlohmann::json& json);
 

@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "base/words.h"
 #include "scene/settings/assignment.h"
-#include "scene/settings/machine.h"
+#include "scene/settings/host_settings.h"
 #include "scene/settings/scene_diff.h"
 #include "scene/settings/settings.h"
 
@@ -25,7 +25,7 @@ void checkGroup(const std::string& name) {
       if (names.empty() || names.back() != group) names.push_back(group);
     };
     for (const Setting& s : settings()) add(s);
-    for (const MachineSetting& s : machineSettings()) add(s);
+    for (const HostSetting& s : hostSettings()) add(s);
     return names;
   }();
   if (std::find(groups.begin(), groups.end(), name) != groups.end()) return;
@@ -43,7 +43,7 @@ void assignMembers(Scene& scene, const std::string& group, const json& members) 
                          });
     if (isGroup)
       assignMembers(scene, path, value);
-    else if (!isOfMachine(path))  // in files of before they left the scene: another user's hardware
+    else if (!isHostSetting(path))  // in files of before they left the scene: another user's hardware
       setting(path).set(scene, value);
   }
 }
@@ -94,7 +94,7 @@ SceneDiff difference(const Scene& from, const Scene& to, std::string name) {
 
 Scene applied(Scene scene, const SceneDiff& diff) {
   for (const SceneChange& change : diff.changes)
-    if (!isOfMachine(change.path)) setting(change.path).set(scene, change.value);
+    if (!isHostSetting(change.path)) setting(change.path).set(scene, change.value);
   return scene;
 }
 

@@ -10,21 +10,21 @@ namespace isolux::base {
 namespace {
 
 // Units in the last place of `truth` between the two.
-double unitsApart(double value, long double truth) {
+double unitsApart(double value, long double reference) {
   int exponent = 0;
-  std::frexp(static_cast<double>(truth), &exponent);
-  return static_cast<double>(std::abs(static_cast<long double>(value) - truth) /
+  std::frexp(static_cast<double>(reference), &exponent);
+  return static_cast<double>(std::abs(static_cast<long double>(value) - reference) /
                              std::ldexp(1.0L, exponent - 53));
 }
 
 template <class Value, class Truth>
-double worst(double low, double high, Value value, Truth truth) {
+double worst(double low, double high, Value value, Truth reference) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> pick(low, high);
   double worst = 0.0;
   for (int i = 0; i < 20000; ++i) {
     const double x = pick(random);
-    worst = std::max(worst, unitsApart(value(x), truth(static_cast<long double>(x))));
+    worst = std::max(worst, unitsApart(value(x), reference(static_cast<long double>(x))));
   }
   return worst;
 }

@@ -90,7 +90,7 @@ TEST(Task, DestroyedItStopsAndEndsInTheBackground) {
   });
   EXPECT_FALSE(task->finished());
   task.reset();
-  EXPECT_TRUE(awaitRetired(60.0));
+  EXPECT_TRUE(awaitDestroyed(60.0));
   EXPECT_TRUE(ended);
 }
 

@@ -140,7 +140,7 @@ class Docs(unittest.TestCase):
 
     def test_words_are_those_of_the_field(self):
         texts = {page: without_code(text_of(page)) for page in pages()}
-        for name in ("scene/settings/settings.cpp", "scene/settings/machine.cpp"):
+        for name in ("scene/settings/settings.cpp", "scene/settings/host_settings.cpp"):
             texts[name] = "\n".join(re.findall(r'"((?:[^"\\]|\\.)*)"', text_of(name)))
         for folder, _, files in os.walk(os.path.join(SOURCE, "ui")):
             for file in files:

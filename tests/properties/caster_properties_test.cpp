@@ -51,7 +51,7 @@ struct Bounds {
     return operations * (kUnit * largest + kTiny);
   }
   // Of that at a hit: `apart` is how far the ray of floats is off, voxels; roots are searched to 1e-6 of a
-  // cell's stretch, along which the cubic changes by at most six times its range.
+  // cell's segment, along which the cubic changes by at most six times its range.
   double ofHit(const glm::dvec3& voxel, double apart) const {
     return ofValue() + field.rangeAt(voxel) * (3.0 * apart + 6.0 * 1e-6);
   }

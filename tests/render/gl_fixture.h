@@ -51,14 +51,14 @@ class RenderGlTest : public ::testing::Test {
 
   // `scene` changed by assignments; those of the machine go to the renderer, which has the defaults else.
   scene::Scene assigned(const std::vector<std::string>& assignments, scene::Scene scene = {}) {
-    scene::Machine machine = machine_;
+    scene::HostSettings host = host_;
     scene = pinned(std::move(scene));
     for (const std::string& assignment : assignments)
-      if (scene::isOfMachine(assignment))
-        scene::applyAssignment(machine, assignment);
+      if (scene::isHostSetting(assignment))
+        scene::applyAssignment(host, assignment);
       else
         scene::applyAssignment(scene, assignment);
-    renderer_->setMachine(machine);
+    renderer_->setHostSettings(host);
     return scene;
   }
 
@@ -91,7 +91,7 @@ class RenderGlTest : public ::testing::Test {
 
   static inline std::unique_ptr<render::OffscreenContext> context_;
   std::unique_ptr<render::Renderer> renderer_;
-  scene::Machine machine_;  // what assigned() begins with
+  scene::HostSettings host_;  // what assigned() begins with
   scene::Scene scene_;
   render::FrameReport report_;
 };
@@ -101,8 +101,8 @@ class ExecutorsGlTest : public RenderGlTest, public ::testing::WithParamInterfac
  protected:
   void SetUp() override {
     RenderGlTest::SetUp();
-    scene::applyAssignment(machine_, std::string("picture.executor=") + GetParam());
-    renderer_->setMachine(machine_);
+    scene::applyAssignment(host_, std::string("picture.executor=") + GetParam());
+    renderer_->setHostSettings(host_);
   }
 };
 // In each file, of its fixture.

@@ -522,19 +522,19 @@ TEST_P(HardCasesGlTest, LightsAndAlbedosAtTheirEnds) {
 TEST_P(HardCasesGlTest, OverBudgetIsAnErrorNotACrash) {
   const auto volume = phantom("noise", 128);  // float32: 8 MiB
   scene::Scene scene;
-  if (machine_.executor == scene::Executor::cpu) {  // nothing of the volume goes to the graphics card
-    renderer_->setMachine({.memory = {.gpuBudgetMb = 0}, .executor = scene::Executor::cpu});
+  if (host_.executor == scene::Executor::cpu) {  // nothing of the volume goes to the graphics card
+    renderer_->setHostSettings({.memory = {.gpuBudgetMb = 0}, .executor = scene::Executor::cpu});
     images(volume, scene, {16, 16});
     return;
   }
-  renderer_->setMachine({.memory = {.gpuBudgetMb = 1}, .executor = scene::Executor::gpu});
+  renderer_->setHostSettings({.memory = {.gpuBudgetMb = 1}, .executor = scene::Executor::gpu});
   try {
     images(volume, scene, {16, 16});
     FAIL() << "no error";
   } catch (const base::Error& error) {
     EXPECT_EQ(error.kind(), base::ErrorKind::memory);
   }
-  renderer_->setMachine({.memory = {.gpuBudgetMb = 64}, .executor = scene::Executor::gpu});
+  renderer_->setHostSettings({.memory = {.gpuBudgetMb = 64}, .executor = scene::Executor::gpu});
   images(volume, scene, {16, 16});  // and the renderer still works
 }
 

@@ -96,9 +96,9 @@ TEST_P(ImageMemoryGlTest, APictureIsTheSameWhetherImagesAreKept) {
 // Passes whose images had to go run again for those that read them, and for no others.
 TEST_P(ImageMemoryGlTest, ASmallBudgetChangesNoPicture) {
   render::Renderer small(context_->gl());
-  scene::Machine machine = machine_;
-  machine.memory.gpuBudgetMb = 8;
-  small.setMachine(machine);
+  scene::HostSettings host = host_;
+  host.memory.gpuBudgetMb = 8;
+  small.setHostSettings(host);
   small.setVolume(volume_);
   Settings settings = kHeavy;
   std::size_t all = 0, held = 0;

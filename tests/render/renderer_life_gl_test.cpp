@@ -76,7 +76,7 @@ TEST_F(RendererLifeGlTest, PointsToldOfALargePictureAreSpreadEvenly) {
   render::FrameRequest request;
   request.size = {1088, 1040};
   renderer_->render(scene, request);
-  const gi::SeenPoints seen = renderer_->hitVoxels();
+  const gi::VisiblePointSet seen = renderer_->hitVoxels();
   std::vector<glm::vec3> hits = seen.outer;
   hits.insert(hits.end(), seen.inner.begin(), seen.inner.end());
   EXPECT_GT(hits.size(), 300000u);

@@ -44,7 +44,7 @@ constexpr std::array<Allowed, 10> allowed{{
      "measured within what it is compared with"},
     {"tests/app/documents/autosave_test.cpp", "seconds(600)", "a time stamp, and ten minutes"},
     {"tests/app/documents/recording_test.cpp", "steps[0].seconds, 60.0", "a time stamp, and a minute"},
-    {"tests/app/target/target_job_gl_test.cpp", "expectedMilliseconds, 600000.0",
+    {"tests/app/error_budget/target_job_gl_test.cpp", "expectedMilliseconds, 600000.0",
      "what was asked for: ten minutes"},
     {"tests/ui/viewport/animation_test.cpp", "0.5 * least", "ended before what it is compared with"},
     {"tests/ui/accuracy/target_box_test.cpp", "expectedMilliseconds, 100000.0", "what was asked for: 100 s"},

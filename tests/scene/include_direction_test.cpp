@@ -201,7 +201,7 @@ TEST(IncludeDirection, AcceptsWhatIsAllowed) {
       IsEmpty());
   EXPECT_THAT(wrongIncludes("python/core.h",
                             "#include <pybind11/numpy.h>\n#include \"app/options/scene_options.h\"\n#include "
-                            "\"python/desk.h\"\n"),
+                            "\"python/volume_thread.h\"\n"),
               IsEmpty());
   EXPECT_THAT(wrongIncludes("scene/scene.h", "// see #include \"ui/window.h\"\n"), IsEmpty());
   EXPECT_THAT(wrongIncludes("app/cluster/mpi_module.cpp", "#include <mpi.h>\n"), IsEmpty());

@@ -9,7 +9,7 @@ namespace isolux::volume {
 
 namespace {
 
-// Goes through the pieces of one cell's stretch; s of the first entry. `outside` is the side before and then
+// Goes through the pieces of one cell's segment; s of the first entry. `outside` is the side before and then
 // behind; false: inside or unknown.
 std::optional<double> entryOf(const BernsteinCubic& cubic, bool& outside) {
   std::array<double, 2> extrema{};
@@ -39,8 +39,8 @@ std::optional<double> firstEntry(const Grid& grid, scene::Inside inside, double 
   CellWalk walk(dims, ray);
   bool outside = false;
   for (bool more = walk.inside(); more; more = walk.next()) {
-    const auto stretch = walk.stretch();
-    if (!stretch) continue;
+    const auto segment = walk.segment();
+    if (!segment) continue;
     const glm::ivec3 cell = walk.cell();
     CellCorners corner;
     int below = 0;
@@ -61,11 +61,11 @@ std::optional<double> firstEntry(const Grid& grid, scene::Inside inside, double 
       continue;
     }
     if (below == 0) {
-      if (outside) return stretch->t(0.0);
+      if (outside) return segment->t(0.0);
       continue;
     }
-    const BernsteinCubic cubic = BernsteinCubic::along(corner, stretch->from, stretch->to);
-    if (const auto s = entryOf(cubic, outside)) return stretch->t(*s);
+    const BernsteinCubic cubic = BernsteinCubic::along(corner, segment->from, segment->to);
+    if (const auto s = entryOf(cubic, outside)) return segment->t(*s);
   }
   return std::nullopt;
 }

@@ -8,7 +8,7 @@
 
 #include "tests/support/volumes.h"
 #include "volume/grid.h"
-#include "volume/visible/hidden_voxels.h"
+#include "volume/visible/voxel_mask.h"
 
 namespace isolux::test {
 
@@ -41,9 +41,9 @@ inline volume::Grid gridOfBalls(const std::vector<PieceBall>& balls, bool all, d
 }
 
 // Of isovalue 0.
-inline volume::HiddenVoxels hiddenOfBalls(const std::vector<PieceBall>& balls,
-                                          glm::ivec3 dims = glm::ivec3(48)) {
-  volume::HiddenVoxels hidden(dims);
+inline volume::VoxelMask hiddenOfBalls(const std::vector<PieceBall>& balls,
+                                       glm::ivec3 dims = glm::ivec3(48)) {
+  volume::VoxelMask hidden(dims);
   for (int z = 0; z < dims.z; ++z)
     for (int y = 0; y < dims.y; ++y)
       for (int x = 0; x < dims.x; ++x)
@@ -63,8 +63,8 @@ struct SplitCells {
       return sign * (std::abs(p.x + p.y - k) - 0.6) * (1.0 + 0.1 * p.z);
     });
   }
-  static volume::HiddenVoxels hidden() {  // the first
-    volume::HiddenVoxels voxels({32, 32, 24});
+  static volume::VoxelMask hidden() {  // the first
+    volume::VoxelMask voxels({32, 32, 24});
     for (int z = 0; z < 24; ++z)
       for (int y = 0; y < 32; ++y) voxels.hide(0, std::clamp(k - y, 0, 32), y, z);
     return voxels;

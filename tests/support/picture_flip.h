@@ -1,7 +1,8 @@
-// How different two pictures look (app/compare/flip.h), for tests of pictures: those that link isolux::app.
+// How different two pictures look (app/image_metrics/flip.h), for tests of pictures: those that link
+// isolux::app.
 #pragma once
 
-#include "app/compare/flip.h"
+#include "app/image_metrics/flip.h"
 #include "render/graph/frame.h"
 
 namespace isolux::test {

@@ -27,10 +27,10 @@ class Sampler {
   // Whether no cell between two samples has a missing corner: a crossing is only known where the field is.
   bool whole(double from, double to) const {
     if (grid_.missingCount() == 0) return true;
-    Ray stretch = ray_;
-    stretch.tMinimum = from;
-    stretch.tMaximum = to;
-    CellWalk walk(grid_.dims(), stretch);
+    Ray segment = ray_;
+    segment.tMinimum = from;
+    segment.tMaximum = to;
+    CellWalk walk(grid_.dims(), segment);
     for (bool more = walk.inside(); more; more = walk.next())
       if (std::isnan(sampleTrilinear(grid_, glm::dvec3(walk.cell()) + 0.5).value)) return false;
     return true;

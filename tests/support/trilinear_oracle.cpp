@@ -115,7 +115,7 @@ std::optional<long double> TrilinearOracle::searchCell(Real isovalue, const volu
              (i >> 2 ? w[2] : 1 - w[2]);
     return sum;
   };
-  // The cubic through four points of the stretch, and its extrema.
+  // The cubic through four points of the segment, and its extrema.
   const auto at = [&](Real s) { return f(t0 + s * (t1 - t0)); };
   const Real y0 = at(0), y1 = at(1.0L / 3), y2 = at(2.0L / 3), y3 = at(1);
   const Real c3 = 4.5L * (y3 - 3 * y2 + 3 * y1 - y0), c2 = 4.5L * (2 * y0 - 5 * y1 + 4 * y2 - y3);

@@ -2,7 +2,7 @@
 // comparison of hits with it.
 //
 // Shares no arithmetic with what it judges, and must not: no blocks, no Bernstein form, no state from cell to
-// cell but the side: the planes the ray crosses are merged in order, each stretch finds its cell from its
+// cell but the side: the planes the ray crosses are merged in order, each segment finds its cell from its
 // middle, and the cubic in it is that through four samples, in the power basis, cut at its extrema.
 #pragma once
 

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/retire.h"
+#include "base/destroy_in_background.h"
 #include "tests/support/test_data.h"
 #include "tests/support/ui/time_bound.h"
 #include "ui/viewport/canvas_choice.h"
@@ -35,7 +35,7 @@ int main(int argc, char** argv) {
   const int exitCode = RUN_ALL_TESTS();
   // As the program: a thread that compiles shaders must not see the driver's statics go.
   constexpr double secondsToEnd = 1.0;
-  if (isolux::base::awaitRetired(secondsToEnd)) return exitCode;
+  if (isolux::base::awaitDestroyed(secondsToEnd)) return exitCode;
   std::fflush(nullptr);
   std::_Exit(exitCode);
 }

@@ -91,7 +91,7 @@ AccuracyChart::AccuracyChart(QWidget* parent) : QChartView(parent) {
   connect(chart(), &QChart::plotAreaChanged, this, &AccuracyChart::placeLabels);
 }
 
-void AccuracyChart::show(std::vector<app::KnobPoint> points, const QString& costLabel,
+void AccuracyChart::show(std::vector<app::QualityPoint> points, const QString& costLabel,
                          const QString& errorLabel) {
   points_ = std::move(points);
   costLabel_ = costLabel;
@@ -99,7 +99,7 @@ void AccuracyChart::show(std::vector<app::KnobPoint> points, const QString& cost
   rebuild();
 }
 
-QPointF AccuracyChart::inAxes(const app::KnobPoint& point) const {
+QPointF AccuracyChart::inAxes(const app::QualityPoint& point) const {
   return {point.cost, std::log10(std::max(point.error, least_))};
 }
 
@@ -115,7 +115,7 @@ void AccuracyChart::rebuild() {
   if (points_.empty()) return;
 
   double smallest = std::numeric_limits<double>::infinity(), largest = 0.0, dearest = 0.0;
-  for (const app::KnobPoint& point : points_) {
+  for (const app::QualityPoint& point : points_) {
     if (point.error > 0.0) smallest = std::min(smallest, point.error);
     largest = std::max(largest, point.error);
     dearest = std::max(dearest, point.cost);
@@ -129,7 +129,7 @@ void AccuracyChart::rebuild() {
       scatter(QScatterSeries::MarkerShapeRectangle, presentPixels, colours.isovalue, colours.window);
   auto* ring = scatter(QScatterSeries::MarkerShapeCircle, ringPixels, Qt::transparent, colours.text);
   std::vector<QPointF> best;
-  for (const app::KnobPoint& point : points_) {
+  for (const app::QualityPoint& point : points_) {
     const QPointF place = inAxes(point);
     if (point.onFront) best.push_back(place);
     if (point.isDefault) ring->append(place);
@@ -157,7 +157,7 @@ void AccuracyChart::rebuild() {
     series->attachAxis(cost);
     series->attachAxis(error);
   }
-  for (const app::KnobPoint& point : points_) {
+  for (const app::QualityPoint& point : points_) {
     auto* label = new QGraphicsSimpleTextItem(shownValue(point.value), chart());
     label->setBrush(colours.text);
     labels_ += label;
@@ -219,7 +219,7 @@ void AccuracyChart::mouseMoveEvent(QMouseEvent* event) {
   const auto point = pointAt(event->position());
   setCursor(point ? Qt::PointingHandCursor : Qt::ArrowCursor);
   if (!point) return setToolTip({});
-  const app::KnobPoint& of = points_[*point];
+  const app::QualityPoint& of = points_[*point];
   QStringList lines{shownValue(of.value), tr("%1: %2").arg(costLabel_, numberText(of.cost, 3)),
                     tr("%1: %2").arg(errorLabel_, numberText(of.error, 3))};
   if (of.isPresent) lines += tr("Current setting");

@@ -9,7 +9,7 @@
 
 #include <QChartView>
 
-#include "app/study/knob_points.h"
+#include "app/study/quality_points.h"
 
 class QGraphicsSimpleTextItem;
 
@@ -21,8 +21,8 @@ class AccuracyChart : public QChartView {
   explicit AccuracyChart(QWidget* parent = nullptr);
 
   // `costLabel`, `errorLabel`: with units.
-  void show(std::vector<app::KnobPoint> points, const QString& costLabel, const QString& errorLabel);
-  const std::vector<app::KnobPoint>& points() const { return points_; }
+  void show(std::vector<app::QualityPoint> points, const QString& costLabel, const QString& errorLabel);
+  const std::vector<app::QualityPoint>& points() const { return points_; }
   QPointF placeOf(std::size_t point) const;  // pixels of the widget
 
  Q_SIGNALS:
@@ -38,10 +38,10 @@ class AccuracyChart : public QChartView {
   void rebuild();
   void placeLabels();
   // Cost, and the decimal logarithm of the error; one of 0 stands at the axis's lower end.
-  QPointF inAxes(const app::KnobPoint& point) const;
+  QPointF inAxes(const app::QualityPoint& point) const;
   std::optional<std::size_t> pointAt(QPointF place) const;
 
-  std::vector<app::KnobPoint> points_;
+  std::vector<app::QualityPoint> points_;
   QString costLabel_, errorLabel_;
   double least_ = 1e-6;  // of the error's axis
   QList<QGraphicsSimpleTextItem*> labels_;

@@ -25,7 +25,7 @@ constexpr int measuredFrames = 3;
 
 // What a study of any knob is of: the scene with all of them at their defaults.
 scene::Scene withoutKnobs(scene::Scene scene) {
-  for (const app::Knob& knob : app::knobs()) {
+  for (const app::QualitySetting& knob : app::knobs()) {
     const scene::Setting& setting = scene::setting(knob.setting);
     setting.set(scene, setting.defaultValue());
   }
@@ -34,7 +34,7 @@ scene::Scene withoutKnobs(scene::Scene scene) {
   return scene;
 }
 
-QString labelOf(const app::Knob& knob) {
+QString labelOf(const app::QualitySetting& knob) {
   return wordsOf(QString(knob.label));
 }
 
@@ -172,9 +172,9 @@ void AccuracyPanel::hideEvent(QHideEvent* event) {
 }
 
 void AccuracyPanel::listKnobs() {
-  std::vector<app::Knob> acting;
-  if (volume_) acting = app::actingKnobs(scene_, volume_->facts);
-  const auto sameNames = [](const app::Knob& a, const app::Knob& b) {
+  std::vector<app::QualitySetting> acting;
+  if (volume_) acting = app::actingQualitySettings(scene_, volume_->facts);
+  const auto sameNames = [](const app::QualitySetting& a, const app::QualitySetting& b) {
     return std::string_view(a.name) == b.name;
   };
   if (!std::equal(acting.begin(), acting.end(), acting_.begin(), acting_.end(), sameNames)) {
@@ -182,7 +182,7 @@ void AccuracyPanel::listKnobs() {
     acting_ = std::move(acting);
     const QSignalBlocker block(knobs_);
     knobs_->clear();
-    for (const app::Knob& each : acting_) knobs_->addItem(labelOf(each), QString(each.name));
+    for (const app::QualitySetting& each : acting_) knobs_->addItem(labelOf(each), QString(each.name));
     if (const int at = knobs_->findData(before); at >= 0) knobs_->setCurrentIndex(at);
   }
   showKnob();
@@ -190,14 +190,15 @@ void AccuracyPanel::listKnobs() {
 
 // Measuring
 
-std::vector<app::Knob> AccuracyPanel::missing() const {
-  std::vector<app::Knob> list;
-  for (const app::Knob& each : acting_) {
+std::vector<app::QualitySetting> AccuracyPanel::missing() const {
+  std::vector<app::QualitySetting> list;
+  for (const app::QualitySetting& each : acting_) {
     const auto found = measured_.find(each.name);
     if (found == measured_.end() || !(found->second.of == subject_)) list.push_back(each);
   }
   const std::string first = knobs_->currentData().toString().toStdString();  // what is looked at
-  std::stable_partition(list.begin(), list.end(), [&](const app::Knob& each) { return first == each.name; });
+  std::stable_partition(list.begin(), list.end(),
+                        [&](const app::QualitySetting& each) { return first == each.name; });
   return list;
 }
 
@@ -216,12 +217,12 @@ void AccuracyPanel::measure() {
   if (!isSeen() || !volume_ || drawing_ || task_ || target_->searching()) return;
   picture_->measure();
   if (picture_->working() || !trouble_.isEmpty()) return showState();
-  std::vector<app::Knob> wanted = missing();
+  std::vector<app::QualitySetting> wanted = missing();
   if (wanted.empty()) return;
-  scene::Machine machine;
-  machine.executor = scene::Executor::cpu;  // the volume is on the graphics card once, for the user
+  scene::HostSettings host;
+  host.executor = scene::Executor::cpu;  // the volume is on the graphics card once, for the user
   task_.watch(
-      app::studyTask({volume_, subject_, machine, measuredPixels, measuredFrames}, std::move(wanted)),
+      app::studyTask({volume_, subject_, host, measuredPixels, measuredFrames}, std::move(wanted)),
       [this](auto& task) { takeLast(task); }, [this] { takeStudies(*task_); });
   ++jobsBegun_;
   showState();
@@ -240,8 +241,8 @@ void AccuracyPanel::takeLast(app::StudyTask& task) {
 }
 
 void AccuracyPanel::takeStudies(app::StudyTask& task) {
-  std::vector<app::KnobStudy> found = task.take();
-  for (app::KnobStudy& study : found) {
+  std::vector<app::QualityStudy> found = task.take();
+  for (app::QualityStudy& study : found) {
     const std::string name = study.knob.name;
     measured_.insert_or_assign(name, Measured{std::move(study), subject_});
   }
@@ -253,20 +254,20 @@ void AccuracyPanel::takeStudies(app::StudyTask& task) {
 
 // What is shown
 
-const app::Knob* AccuracyPanel::knob() const {
+const app::QualitySetting* AccuracyPanel::knob() const {
   const int at = knobs_->currentIndex();
   return at < 0 || at >= static_cast<int>(acting_.size()) ? nullptr : &acting_[static_cast<std::size_t>(at)];
 }
 
 void AccuracyPanel::showKnob() {
-  const app::Knob* const shown = knob();
+  const app::QualitySetting* const shown = knob();
   knobs_->setVisible(shown != nullptr);
   key_->setVisible(shown != nullptr);
   meaning_->setVisible(shown != nullptr);
   if (shown) {
     meaning_->setText(translated(texts::settings, scene::setting(shown->setting).meaning));
     const auto found = measured_.find(shown->name);
-    std::vector<app::KnobPoint> points;
+    std::vector<app::QualityPoint> points;
     if (found != measured_.end()) points = app::pointsOf(found->second.study, scene_, volume_->facts);
     chart_->show(std::move(points), tr(kCostTexts[static_cast<std::size_t>(shown->cost)]),
                  tr(kErrorTexts[static_cast<std::size_t>(shown->measure)]));
@@ -283,7 +284,7 @@ QString AccuracyPanel::state() const {
 void AccuracyPanel::showState() {
   if (!volume_) return state_->setText(tr("Open a volume to plot its accuracy against render time."));
   if (!trouble_.isEmpty()) return state_->setText(trouble_);
-  const app::Knob* const shown = knob();
+  const app::QualitySetting* const shown = knob();
   const auto found = shown ? measured_.find(shown->name) : measured_.end();
   const bool stale = found != measured_.end() && !(found->second.of == subject_);
   QString text = picture_->working() ? tr("Measuring the image on screen…")
@@ -302,10 +303,10 @@ void AccuracyPanel::showState() {
 }
 
 void AccuracyPanel::choose(const QString& value) {
-  const app::Knob* const shown = knob();
+  const app::QualitySetting* const shown = knob();
   if (!shown || !volume_) return;
   Edit edit{scene_, tr("Change %1").arg(nameOf(scene::setting(shown->setting))), {}, false};
-  edit.scene = app::withKnobAt(*shown, value.toStdString(), scene_, volume_->facts);
+  edit.scene = app::withQualitySettingAt(*shown, value.toStdString(), scene_, volume_->facts);
   if (!(edit.scene == scene_)) Q_EMIT edited(edit);
 }
 

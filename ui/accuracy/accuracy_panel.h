@@ -35,7 +35,7 @@ class AccuracyPanel : public Panel {
   void setVolume(const VolumePointer& volume) override;
   void setScene(const scene::Scene& scene, const scene::Scene& resolved) override;
   void setReport(const render::FrameReport& report, const render::FrameRequest& request) override;
-  void setMachine(const scene::Machine& machine);
+  void setHostSettings(const scene::HostSettings& host);
   void setDrawing(bool draws);        // the window's own picture comes first
   void setComplete(bool complete);    // the picture on screen is the full one of the scene
   void setPreviewing(bool previews);  // the picture is not the document's
@@ -68,12 +68,12 @@ class AccuracyPanel : public Panel {
 
  private:
   struct Measured {
-    app::KnobStudy study;
+    app::QualityStudy study;
     scene::Scene of;  // what it was measured of, without what knobs turn
   };
   bool isSeen() const;
   void listKnobs();
-  std::vector<app::Knob> missing() const;
+  std::vector<app::QualitySetting> missing() const;
   void measureSoon();
   void measure();
   void drop();
@@ -87,12 +87,12 @@ class AccuracyPanel : public Panel {
   void showKnob();
   void showState();
   void choose(const QString& value);
-  const app::Knob* knob() const;  // the one in the box; null: none acts
+  const app::QualitySetting* knob() const;  // the one in the box; null: none acts
 
   VolumePointer volume_;
   scene::Scene scene_, subject_;  // subject_: the scene without what knobs turn
   scene::Scene resolved_;
-  scene::Machine machine_;
+  scene::HostSettings host_;
   LightPointer light_;
   struct Drawn {
     render::FrameRequest request;
@@ -102,9 +102,9 @@ class AccuracyPanel : public Panel {
   std::function<QImage()> pixels_;  // of the last full one; empty: there is none
   std::optional<render::Tile> legend_;
   bool complete_ = false, previewing_ = false, lightChanging_ = false;
-  std::vector<app::Knob> acting_;
+  std::vector<app::QualitySetting> acting_;
   std::map<std::string, Measured> measured_;  // by the knob's name
-  BackgroundTask<void, std::vector<app::KnobStudy>> task_;
+  BackgroundTask<void, std::vector<app::QualityStudy>> task_;
   QString trouble_;
   bool drawing_ = false;
   int jobsBegun_ = 0;

@@ -15,8 +15,8 @@ void AccuracyPanel::setReport(const render::FrameReport& report, const render::F
   reported_ = {request, app::castsOnProcessor(report)};
 }
 
-void AccuracyPanel::setMachine(const scene::Machine& machine) {
-  machine_ = machine;
+void AccuracyPanel::setHostSettings(const scene::HostSettings& host) {
+  host_ = host;
   showTarget();
 }
 
@@ -98,7 +98,7 @@ void AccuracyPanel::showTarget() {
     subject.picture.size = drawn_.request.size;
     subject.picture.supersampling = std::clamp(resolved_.picture.supersampling, 1, 4);
     subject.picture.pixelRatio = drawn_.request.pixelRatio;
-    subject.machine = machine_;
+    subject.host = host_;
     subject.light = light_;
   }
   target_->setSubject(subject);

@@ -8,7 +8,7 @@
 #include <QObject>
 #include <QStringList>
 
-#include "app/study/study_knobs.h"
+#include "app/study/quality_settings.h"
 #include "scene/settings/settings.h"
 #include "ui/language/number_text.h"
 #include "ui/language/sentences.h"
@@ -61,9 +61,9 @@ QString settingText(const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
   const std::string path = assignment.substr(0, equals);
   const auto value = QString::fromStdString(assignment.substr(equals + 1));
-  const std::vector<app::Knob>& list = app::knobs();
-  const auto knob =
-      std::find_if(list.begin(), list.end(), [&](const app::Knob& each) { return path == each.setting; });
+  const std::vector<app::QualitySetting>& list = app::knobs();
+  const auto knob = std::find_if(list.begin(), list.end(),
+                                 [&](const app::QualitySetting& each) { return path == each.setting; });
   QString name = knob != list.end() ? wordsOf(QString(knob->label)) : nameOf(scene::setting(path));
   name[0] = name[0].toUpper();
   bool isNumber = false;

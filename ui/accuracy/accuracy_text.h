@@ -4,7 +4,7 @@
 #include <QString>
 
 #include "app/accuracy/accuracy.h"
-#include "app/target/target_search.h"
+#include "app/error_budget/target_search.h"
 #include "base/error.h"
 
 namespace isolux::ui {

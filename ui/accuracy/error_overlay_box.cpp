@@ -91,8 +91,8 @@ void ErrorOverlayBox::paint() {
   app::OverlaySubject subject;
   subject.picture = [picture = shown_.picture] { return colorImageOf(picture); };
   subject.errors = shown_.errors;
-  subject.wish = {true, error, {}};
-  if (shown_.limit) subject.wish.limits = {*shown_.limit};
+  subject.request = {true, error, {}};
+  if (shown_.limit) subject.request.limits = {*shown_.limit};
   subject.shortestEdgeMm = shown_.shortestEdgeMm;
   subject.corner = shown_.corner;
   subject.taken = shown_.legend;

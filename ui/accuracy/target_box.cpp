@@ -24,7 +24,7 @@ constexpr double mostAtFirst = 0.01, millisecondsAtFirst = 100.0;
 
 bool sameQuestion(const app::TargetSubject& a, const app::TargetSubject& b) {
   return a.volume == b.volume && a.given == b.given && a.picture.size == b.picture.size &&
-         a.picture.pixelRatio == b.picture.pixelRatio && a.machine == b.machine;
+         a.picture.pixelRatio == b.picture.pixelRatio && a.host == b.host;
 }
 
 }  // namespace

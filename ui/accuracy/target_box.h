@@ -1,5 +1,5 @@
 // "Error at most", "Time at most": searches the settings that keep one of them for the view on show
-// (app/target/target_search.h), says what they cost, and applies them as one edit.
+// (app/error_budget/target_search.h), says what they cost, and applies them as one edit.
 //
 // A search begins with a click and ends at once when anything of its question changes.
 #pragma once
@@ -8,7 +8,7 @@
 
 #include <QWidget>
 
-#include "app/target/target_search.h"
+#include "app/error_budget/target_search.h"
 #include "ui/document/background_task.h"
 #include "ui/document/edit.h"
 

@@ -14,7 +14,7 @@ namespace isolux::ui {
 
 AppearanceRows::AppearanceRows(QWidget* parent)
     : QWidget(parent),
-      scaleOfThisRun_(keptScale()),
+      scaleOfThisRun_(savedScale()),
       theme_(new QComboBox(this)),
       scale_(new IntegerSpinBox(this)),
       later_(new QLabel(tr("Takes effect after a restart."), this)) {

@@ -107,16 +107,16 @@ void MeshDialog::startOrStop() {
 
 void MeshDialog::exportTo(const QString& file) {
   if (exporting()) return;
-  const app::MeshWish wish{file.toStdString(), tolerance->value(), closed->isChecked()};
+  const app::MeshRequest request{file.toStdString(), tolerance->value(), closed->isChecked()};
   const QString name = QFileInfo(file).fileName();
-  const auto work = [volume = volume_, scene = chosenScene(), wish](base::Progress& progress) {
-    return app::exportMesh(wish, scene, *volume, progress);
+  const auto work = [volume = volume_, scene = chosenScene(), request](base::Progress& progress) {
+    return app::exportMesh(request, scene, *volume, progress);
   };
   showPlace->hide();
   start->setText(tr("Stop"));
   left_.begin();
   task_.watch(
-      base::Task<volume::SurfaceMesh>::start({wish.file.string(), "make the mesh"}, work),
+      base::Task<volume::SurfaceMesh>::start({request.file.string(), "make the mesh"}, work),
       [this, file](auto& task) { take(file, task); }, [this, name] { showProgress(name); });
   showProgress(name);
 }

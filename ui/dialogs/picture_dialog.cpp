@@ -64,22 +64,22 @@ PictureDialog::PictureDialog(const PictureChoices& choices, QSize window, bool h
   size = new QComboBox;
   size->setAccessibleName(tr("Size"));
   const auto times = [&](const QString& name, double factor) {
-    const QSize pixels = PictureWish{factor, {}, true, false}.pixels(window);
+    const QSize pixels = PictureRequest{factor, {}, true, false}.pixels(window);
     return QString("%1 – %2 × %3").arg(name).arg(pixels.width()).arg(pixels.height());
   };
   size->addItems(
       {times(tr("As in the window"), 1.0), times(tr("2×"), 2.0), times(tr("4×"), 4.0), tr("Custom")});
-  const auto at = std::find(factors.begin(), factors.end(), choices.wish.factor);
+  const auto at = std::find(factors.begin(), factors.end(), choices.request.factor);
   size->setCurrentIndex(at == factors.end() ? 0 : static_cast<int>(at - factors.begin()));
-  width = newSide(choices.wish.size.width(), tr("Width"));
-  height = newSide(choices.wish.size.height(), tr("Height"));
+  width = newSide(choices.request.size.width(), tr("Width"));
+  height = newSide(choices.request.size.height(), tr("Height"));
   auto* sides = lineOf({width, new QLabel("×"), height, new QLabel(tr("pixels")), Cell::room()});
   transparent = newCheck(tr("&Transparent background"), choices.picture.transparent,
                          tr("Surface only, with anti-aliased edges, for slides and posters"));
 
-  session = newCheck(tr("Embed &session"), choices.wish.session,
+  session = newCheck(tr("Embed &session"), choices.request.session,
                      tr("The image opens again as a session: view, isovalue, look, measurements"));
-  fullPaths = newCheck(tr("Include full &paths"), choices.wish.fullPaths,
+  fullPaths = newCheck(tr("Include full &paths"), choices.request.fullPaths,
                        tr("Stores the folders of its files, which may identify you or the patient. Without "
                           "them, the image opens as a session on this computer or next to its volume."));
 
@@ -118,10 +118,10 @@ PictureChoices PictureDialog::choices() const {
   chosen.picture.caveats = caveats->isChecked();
   chosen.picture.transparent = transparent->isChecked();
   if (legend->isEnabled()) chosen.legend = legend->isChecked();
-  chosen.wish.factor = factors.at(static_cast<std::size_t>(size->currentIndex()));
-  chosen.wish.size = {width->value(), height->value()};
-  chosen.wish.session = session->isChecked();
-  chosen.wish.fullPaths = fullPaths->isChecked();
+  chosen.request.factor = factors.at(static_cast<std::size_t>(size->currentIndex()));
+  chosen.request.size = {width->value(), height->value()};
+  chosen.request.session = session->isChecked();
+  chosen.request.fullPaths = fullPaths->isChecked();
   return chosen;
 }
 

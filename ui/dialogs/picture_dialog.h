@@ -9,7 +9,7 @@
 #include <QImage>
 
 #include "scene/scene.h"
-#include "ui/document/picture_wish.h"
+#include "ui/document/picture_request.h"
 
 class QCheckBox;
 class QComboBox;
@@ -20,7 +20,7 @@ class QSpinBox;
 namespace isolux::ui {
 
 struct PictureChoices {
-  PictureWish wish;
+  PictureRequest request;
   scene::Picture picture;  // letters, scaleBar, isovalue, caveats, transparent count
   bool legend = true;      // look.legend
 };

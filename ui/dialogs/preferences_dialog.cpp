@@ -40,11 +40,11 @@ QString labelOf(const scene::SettingInfo& setting) {
 }
 
 // The window reads volumes whole: where voxels stay is for `isolux render`.
-bool actsInTheWindow(const scene::MachineSetting& setting) {
+bool actsInTheWindow(const scene::HostSetting& setting) {
   return setting.path != "memory.voxels" && setting.path != "memory.ram_budget_mb";
 }
 
-QString describe(const scene::MachineSetting& setting) {
+QString describe(const scene::HostSetting& setting) {
   const nlohmann::json value = setting.defaultValue();
   const QString text = QString::fromStdString(value.is_string() ? value.get<std::string>() : value.dump());
   return translated(texts::settings, setting.meaning) + "\n\n" + QString::fromStdString(setting.path) + '\n' +
@@ -53,17 +53,17 @@ QString describe(const scene::MachineSetting& setting) {
 
 }  // namespace
 
-PreferencesDialog::PreferencesDialog(const scene::Machine& machine, QWidget* parent)
+PreferencesDialog::PreferencesDialog(const scene::HostSettings& host, QWidget* parent)
     : QDialog(parent),
       privacy_(new PrivacyBox(this)),
-      machine_(machine),
+      host_(host),
       appearance_(new AppearanceRows(this)),
       language_(new QComboBox(this)) {
   setWindowTitle(tr("Preferences"));
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(14);
   grid->setVerticalSpacing(9);
-  for (const scene::MachineSetting& setting : scene::machineSettings()) {
+  for (const scene::HostSetting& setting : scene::hostSettings()) {
     if (!actsInTheWindow(setting)) continue;
     const int line = static_cast<int>(rows_.size());
     Row row{&setting, nullptr, makeValueWidget(setting, this), nullptr};
@@ -101,7 +101,7 @@ void PreferencesDialog::addLanguage(QGridLayout* grid) {
   language_->addItem(tr("System default"), static_cast<int>(Language::system));
   language_->addItem("English", static_cast<int>(Language::english));
   language_->addItem("Deutsch", static_cast<int>(Language::german));
-  language_->setCurrentIndex(language_->findData(static_cast<int>(keptLanguage())));
+  language_->setCurrentIndex(language_->findData(static_cast<int>(savedLanguage())));
   const QString tip = tr("Language of the window; takes effect after a restart.");
   auto* hint = wrappedLabel(tip, this);
   hint->hide();
@@ -115,21 +115,21 @@ void PreferencesDialog::addLanguage(QGridLayout* grid) {
 }
 
 void PreferencesDialog::set(const Row& row, const nlohmann::json& value) {
-  const scene::Machine before = machine_;
+  const scene::HostSettings before = host_;
   try {
-    row.setting->set(machine_, value);
+    row.setting->set(host_, value);
   } catch (const base::Error&) {  // out of range: the editor shows again what holds
   }
   for (const Row& other : rows_) showRow(other);
-  if (!(machine_ == before)) Q_EMIT changed(machine_);
+  if (!(host_ == before)) Q_EMIT changed(host_);
 }
 
 void PreferencesDialog::showRow(const Row& row) {
-  const nlohmann::json value = row.setting->get(machine_);
+  const nlohmann::json value = row.setting->get(host_);
   const bool automatic = value.is_string() && row.automatic;
   const nlohmann::json cores = QThread::idealThreadCount();  // threads alone are ever automatic
   row.value->showValue(automatic ? cores : value);
-  const bool acts = row.setting->path != "picture.motion_target" || machine_.adaptive;
+  const bool acts = row.setting->path != "picture.motion_target" || host_.adaptive;
   row.value->setEnabled(!automatic && acts);
   row.label->setEnabled(acts);
   if (!row.automatic) return;
@@ -140,10 +140,10 @@ void PreferencesDialog::showRow(const Row& row) {
 void PreferencesDialog::restoreDefaults() {
   appearance_->restoreDefaults();
   language_->setCurrentIndex(0);
-  if (machine_ == scene::Machine{}) return;
-  machine_ = {};
+  if (host_ == scene::HostSettings{}) return;
+  host_ = {};
   for (const Row& row : rows_) showRow(row);
-  Q_EMIT changed(machine_);
+  Q_EMIT changed(host_);
 }
 
 ValueWidget* PreferencesDialog::valueWidget(const std::string& path) const {

@@ -6,7 +6,7 @@
 
 #include <QDialog>
 
-#include "scene/settings/machine.h"
+#include "scene/settings/host_settings.h"
 
 class QCheckBox;
 class QComboBox;
@@ -22,9 +22,9 @@ class ValueWidget;
 class PreferencesDialog : public QDialog {
   Q_OBJECT
  public:
-  PreferencesDialog(const scene::Machine& machine, QWidget* parent);
+  PreferencesDialog(const scene::HostSettings& host, QWidget* parent);
 
-  const scene::Machine& machine() const { return machine_; }
+  const scene::HostSettings& host() const { return host_; }
   ValueWidget* valueWidget(const std::string& path) const;  // null: no such setting
   QCheckBox* automaticBox(const std::string& path) const;   // null: it cannot be automatic
   AppearanceRows* appearance() const { return appearance_; }
@@ -33,11 +33,11 @@ class PreferencesDialog : public QDialog {
   void restoreDefaults();
 
  Q_SIGNALS:
-  void changed(const isolux::scene::Machine& machine);
+  void changed(const isolux::scene::HostSettings& host);
 
  private:
   struct Row {
-    const scene::MachineSetting* setting;
+    const scene::HostSetting* setting;
     QLabel* label;
     ValueWidget* value;
     QCheckBox* automatic;  // null: it cannot be
@@ -47,7 +47,7 @@ class PreferencesDialog : public QDialog {
   void addLanguage(QGridLayout* grid);
 
   PrivacyBox* privacy_;
-  scene::Machine machine_;
+  scene::HostSettings host_;
   AppearanceRows* appearance_;
   std::vector<Row> rows_;
   QComboBox* language_;

@@ -15,7 +15,7 @@ PrivacyBox::PrivacyBox(QWidget* parent)
   inSaved_->setToolTip(
       tr("Applies to sessions embedded in images, exported measurements, recordings and proposed file names. "
          "Session files always name the files that they open."));
-  const Privacy privacy = keptPrivacy();
+  const Privacy privacy = savedPrivacy();
   onScreen_->setChecked(privacy.hideOnScreen);
   inSaved_->setChecked(privacy.hideInSaved);
   layOut(this, columnOf({onScreen_, inSaved_}));

@@ -10,7 +10,7 @@
 #include <QDialog>
 #include <QTimer>
 
-#include "app/jobs/reference_job.h"
+#include "app/tasks/reference_task.h"
 #include "ui/document/background_task.h"
 #include "ui/widgets/time_left.h"
 
@@ -60,7 +60,7 @@ class ReferenceDialog : public QDialog {
   std::shared_ptr<const volume::PreparedVolume> volume_;
   const scene::Scene carried_;  // by its pictures
   scene::Scene resolved_;
-  std::optional<int> threads_;  // scene::Machine::threads
+  std::optional<int> threads_;  // scene::HostSettings::threads
   BackgroundTask<void, app::RoundPointer> task_;
   app::RoundPointer round_;
   std::future<QString> saving_;  // why it failed; empty: it did not

@@ -78,7 +78,7 @@ void BakedLight::setScene(const scene::Scene& resolved) {
   timer_.start(busyMilliseconds);
 }
 
-void BakedLight::setVisible(gi::SeenPoints hitVoxels, bool finer) {
+void BakedLight::setVisible(gi::VisiblePointSet hitVoxels, bool finer) {
   hits_ = std::move(hitVoxels);
   if (cancelled_ && finer) return;  // nobody has turned to anything new
   cancelled_ = false;

@@ -30,8 +30,8 @@ class BakedLight : public QObject {
   void setVolume(VolumePointer volume);  // its light is gone at once; setScene() follows
   void setScene(const scene::Scene& resolved);
   // The surface points of the picture. `finer`: of the same view as the last, with more pixels.
-  void setVisible(gi::SeenPoints hitVoxels, bool finer);
-  void setThreads(std::optional<int> threads);  // scene::Machine::threads
+  void setVisible(gi::VisiblePointSet hitVoxels, bool finer);
+  void setThreads(std::optional<int> threads);  // scene::HostSettings::threads
   void setDrawing(bool drawing);                // a frame is drawn now: the processor is needed
   void setDrawn(double milliseconds);
 
@@ -70,7 +70,7 @@ class BakedLight : public QObject {
   app::LightState state_;
   VolumePointer volume_;
   scene::Scene scene_;
-  gi::SeenPoints hits_;
+  gi::VisiblePointSet hits_;
   LightPointer light_;
   std::uint64_t revision_ = 0;
   bool toldScene_ = false;

@@ -16,13 +16,13 @@
 #include <QString>
 #include <QTimer>
 
-#include "app/annotation/free_rooms.h"
 #include "app/documents/autosave.h"
 #include "app/documents/recording.h"
 #include "app/documents/unsaved_work.h"
-#include "app/jobs/load_job.h"
-#include "app/jobs/step_ahead.h"
-#include "app/jobs/step_player.h"
+#include "app/overlay_text/free_rooms.h"
+#include "app/tasks/load_task.h"
+#include "app/tasks/step_ahead.h"
+#include "app/tasks/step_player.h"
 #include "scene/rules/automatic.h"
 #include "scene/rules/flow_clock.h"
 #include "ui/document/background_task.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/retire.h"
+#include "base/destroy_in_background.h"
 
 namespace isolux::ui {
 
@@ -42,7 +42,7 @@ void MarkReports::dropTask() {
 
 void MarkReports::setVolume(VolumePointer volume) {
   dropTask();
-  if (evaluator_) base::retire(std::move(evaluator_));
+  if (evaluator_) base::destroyInBackground(std::move(evaluator_));
   evaluator_.reset();
   volume_ = std::move(volume);
   anyway_ = false;
@@ -68,7 +68,7 @@ void MarkReports::setScene(const scene::Scene& resolved) {
   marks_ = resolved.marks;
   reports_ = std::move(reports);
   dropTask();
-  if (!holds && evaluator_) base::retire(std::move(evaluator_));
+  if (!holds && evaluator_) base::destroyInBackground(std::move(evaluator_));
   if (!holds) evaluator_.reset();
   startTimer_.stop();
   if (any && volume_) startTimer_.start();

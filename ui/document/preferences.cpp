@@ -17,30 +17,30 @@ namespace {
 constexpr auto themeKey = "window/theme", scaleKey = "window/scale";
 constexpr std::array<const char*, 3> themeNames{"dark", "light", "system"};  // as Theme
 
-QString keyOf(const scene::MachineSetting& setting) {
+QString keyOf(const scene::HostSetting& setting) {
   return "machine/" + QString::fromStdString(setting.path);
 }
 
 }  // namespace
 
-scene::Machine keptMachine() {
-  scene::Machine machine;
+scene::HostSettings savedHostSettings() {
+  scene::HostSettings host;
   const QSettings kept;
-  for (const scene::MachineSetting& setting : scene::machineSettings()) {
+  for (const scene::HostSetting& setting : scene::hostSettings()) {
     const QString text = kept.value(keyOf(setting)).toString();
     if (text.isEmpty()) continue;
     try {
-      setting.set(machine, nlohmann::json::parse(text.toStdString()));
+      setting.set(host, nlohmann::json::parse(text.toStdString()));
     } catch (const base::Error&) {  // of another version: the default
     } catch (const nlohmann::json::exception&) {
     }
   }
-  return machine;
+  return host;
 }
 
-void keepMachine(const scene::Machine& before, const scene::Machine& after) {
+void saveHostSettings(const scene::HostSettings& before, const scene::HostSettings& after) {
   QSettings kept;
-  for (const scene::MachineSetting& setting : scene::machineSettings()) {
+  for (const scene::HostSetting& setting : scene::hostSettings()) {
     const nlohmann::json value = setting.get(after);
     if (value == setting.get(before)) continue;
     if (value == setting.defaultValue())
@@ -50,7 +50,7 @@ void keepMachine(const scene::Machine& before, const scene::Machine& after) {
   }
 }
 
-Theme keptTheme() {
+Theme savedTheme() {
   const QString name = QSettings().value(themeKey).toString();
   for (std::size_t i = 0; i < themeNames.size(); ++i)
     if (name == themeNames[i]) return static_cast<Theme>(i);
@@ -61,7 +61,7 @@ void keepTheme(Theme theme) {
   QSettings().setValue(themeKey, QString(themeNames[static_cast<std::size_t>(theme)]));
 }
 
-int keptScale() {
+int savedScale() {
   bool isNumber = false;
   const int percent = QSettings().value(scaleKey).toInt(&isNumber);
   return isNumber ? std::clamp(percent, smallestScale, largestScale) : 100;

@@ -1,23 +1,23 @@
-// What is kept for this user between runs: what the machine is asked for (scene/settings/machine.h), and how
-// the window looks.
+// What is kept for this user between runs: what the machine is asked for (scene/settings/host_settings.h),
+// and how the window looks.
 #pragma once
 
-#include "scene/settings/machine.h"
+#include "scene/settings/host_settings.h"
 #include "ui/theme/theme.h"
 
 namespace isolux::ui {
 
 // What was kept; the defaults where nothing was, or nothing that fits.
-scene::Machine keptMachine();
+scene::HostSettings savedHostSettings();
 // Keeps a setting whose value has changed. One that has its default is forgotten, so that a later version's
 // default applies.
-void keepMachine(const scene::Machine& before, const scene::Machine& after);
+void saveHostSettings(const scene::HostSettings& before, const scene::HostSettings& after);
 
 // dark where nothing was kept.
-Theme keptTheme();
+Theme savedTheme();
 void keepTheme(Theme theme);
 // Per cent, smallestScale to largestScale (ui/theme/theme.h).
-int keptScale();
+int savedScale();
 void keepScale(int percent);
 
 }  // namespace isolux::ui

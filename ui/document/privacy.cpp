@@ -18,7 +18,7 @@ QString hiddenText(const QString& text, const VolumePointer& volume) {
 
 }  // namespace
 
-Privacy keptPrivacy() {
+Privacy savedPrivacy() {
   const QSettings kept;
   const Privacy standard;
   return {kept.value(screenKey, standard.hideOnScreen).toBool(),
@@ -32,22 +32,22 @@ void keepPrivacy(const Privacy& privacy) {
 }
 
 void keepHiddenOnScreen(bool hide) {
-  Privacy privacy = keptPrivacy();
+  Privacy privacy = savedPrivacy();
   privacy.hideOnScreen = hide;
   keepPrivacy(privacy);
 }
 
 QString shownText(const QString& text, const VolumePointer& volume) {
-  return keptPrivacy().hideOnScreen ? hiddenText(text, volume) : text;
+  return savedPrivacy().hideOnScreen ? hiddenText(text, volume) : text;
 }
 
 QString savedText(const QString& text, const VolumePointer& volume) {
-  const Privacy privacy = keptPrivacy();
+  const Privacy privacy = savedPrivacy();
   return privacy.hideInSaved || privacy.hideOnScreen ? hiddenText(text, volume) : text;
 }
 
 volume::Patient hiddenInSaved(const VolumePointer& volume) {
-  return volume && keptPrivacy().hideInSaved ? volume::patientOf(volume->volume.grid) : volume::Patient{};
+  return volume && savedPrivacy().hideInSaved ? volume::patientOf(volume->volume.grid) : volume::Patient{};
 }
 
 }  // namespace isolux::ui

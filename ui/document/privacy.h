@@ -13,7 +13,7 @@ struct Privacy {
   bool hideInSaved = true;  // pictures and the sessions in them, exported marks, recordings, proposed names
   bool operator==(const Privacy&) const = default;
 };
-Privacy keptPrivacy();
+Privacy savedPrivacy();
 void keepPrivacy(const Privacy& privacy);
 void keepHiddenOnScreen(bool hide);
 

@@ -11,8 +11,8 @@
 #include <QStandardPaths>
 
 #include "app/files/state_folder.h"
+#include "base/destroy_in_background.h"
 #include "base/error.h"
-#include "base/retire.h"
 
 namespace isolux::ui {
 
@@ -113,7 +113,8 @@ void keepRecentPicture(const RecentFile& file, const QImage& shown) {
       std::any_of(files.begin(), files.end(), [&](const auto& one) { return same(one, file); });
   if (!listed || shown.isNull()) return;
   // A copy of its own: the picture's pixels are drawn into again.
-  base::endElsewhere([image = shown.copy(), target = recentPicture(file)] { writePicture(image, target); });
+  base::runInBackground(
+      [image = shown.copy(), target = recentPicture(file)] { writePicture(image, target); });
 }
 
 QString lastFolder() {

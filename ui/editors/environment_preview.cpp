@@ -11,7 +11,7 @@
 
 #include <glm/mat3x3.hpp>
 
-#include "app/interaction/turning.h"
+#include "app/view_math/turning.h"
 #include "base/color.h"
 #include "scene/camera.h"
 #include "scene/rules/environment.h"

@@ -8,7 +8,7 @@
 #include <QImage>
 #include <QWidget>
 
-#include "app/jobs/probe_job.h"
+#include "app/tasks/probe_task.h"
 #include "scene/world_axes.h"
 #include "ui/document/background_task.h"
 #include "ui/document/edit.h"

@@ -11,10 +11,10 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "app/interaction/histogram_plot.h"
+#include "app/view_math/histogram_plot.h"
 #include "ui/document/background_task.h"
 #include "ui/document/document.h"
-#include "ui/surfaces/histogram_handles.h"
+#include "ui/editors/histogram_handles.h"
 
 namespace isolux::ui {
 

@@ -5,7 +5,7 @@
 
 #include <glm/vec4.hpp>
 
-#include "app/interaction/turning.h"
+#include "app/view_math/turning.h"
 #include "ui/editors/setting_editor.h"
 
 namespace isolux::ui {

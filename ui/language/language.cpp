@@ -41,7 +41,7 @@ void install(const QString& file, const QString& folder) {
 
 }  // namespace
 
-Language keptLanguage() {
+Language savedLanguage() {
   const QString kept = QSettings().value(languageKey).toString();
   for (const Language language : {Language::english, Language::german})
     if (kept == codeOf(language)) return language;

@@ -9,7 +9,7 @@ namespace isolux::ui {
 enum class Language { system, english, german };
 
 // What was kept for this user; system where nothing was, or nothing that is known.
-Language keptLanguage();
+Language savedLanguage();
 void keepLanguage(Language language);
 
 // Of the system's languages ("de-AT", "en", best first) the first that Isolux speaks; English where it speaks

@@ -7,7 +7,7 @@
 
 #include "ui/editors/histogram_slider.h"
 #include "ui/language/number_text.h"
-#include "ui/surfaces/surface_list.h"
+#include "ui/panels/surface_list.h"
 #include "ui/widgets/color_button.h"
 #include "ui/widgets/number_spin_box.h"
 #include "ui/widgets/parts.h"

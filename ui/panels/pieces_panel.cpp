@@ -11,7 +11,7 @@
 #include <QSignalBlocker>
 #include <QTreeWidget>
 
-#include "app/interaction/piece_choice.h"
+#include "app/view_math/piece_choice.h"
 #include "scene/shown_surfaces.h"
 #include "ui/editors/setting_editor.h"
 #include "ui/language/number_text.h"

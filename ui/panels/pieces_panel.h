@@ -6,7 +6,7 @@
 
 #include <QTimer>
 
-#include "app/jobs/piece_job.h"
+#include "app/tasks/piece_task.h"
 #include "ui/document/background_task.h"
 #include "ui/panels/panel.h"
 

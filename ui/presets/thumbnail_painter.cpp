@@ -86,7 +86,7 @@ void ThumbnailPainter::next() {
     thread_ = std::make_unique<app::PictureThread>(app::PictureThread::Options{
         .priority = app::PictureThread::Priority::background, .news = posted(this, [this] { take(); })});
   app::PictureOrder order{volume_, *wanted->wanted, {}, nullptr, {}};
-  order.machine.executor = scene::Executor::cpu;  // the volume is on the graphics card once, for the user
+  order.host.executor = scene::Executor::cpu;  // the volume is on the graphics card once, for the user
   order.request.size = {pixels_.width(), pixels_.height()};
   order.request.supersampling = raysPerAxis;
   order.request.hits = render::FrameRequest::Hits::none;

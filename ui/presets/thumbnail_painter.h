@@ -14,7 +14,7 @@
 #include <QSize>
 #include <QTimer>
 
-#include "app/jobs/picture_thread.h"
+#include "app/tasks/picture_thread.h"
 #include "ui/document/document.h"
 
 namespace isolux::ui {

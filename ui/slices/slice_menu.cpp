@@ -6,7 +6,7 @@
 #include <QActionGroup>
 #include <QMenu>
 
-#include "app/surfaces/surface_list.h"
+#include "app/surface_list/surface_list.h"
 #include "ui/language/number_text.h"
 #include "ui/slices/oblique_dialog.h"
 #include "ui/slices/slice_view.h"

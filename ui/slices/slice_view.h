@@ -8,7 +8,7 @@
 // It shows the plane that its user has chosen (app/slices/slice_choice.h): across an axis, oblique, or one of
 // the cuts; one that shows a cut moves it by the wheel.
 //
-// Pictures are drawn by a thread (app/jobs/slice_job.h): of changes while one is drawn only the newest is
+// Pictures are drawn by a thread (app/tasks/slice_task.h): of changes while one is drawn only the newest is
 // drawn next, and until it is there the last one stays. During a gesture, where full pictures take long,
 // drafts are drawn.
 #pragma once
@@ -20,8 +20,8 @@
 #include <QPointF>
 #include <QWidget>
 
-#include "app/jobs/slice_job.h"
 #include "app/slices/slice_choice.h"
+#include "app/tasks/slice_task.h"
 #include "scene/scene.h"
 #include "ui/document/background_task.h"
 #include "ui/document/document.h"

@@ -111,7 +111,7 @@ CanvasChoice textures(const QString& why) {
   return {CanvasKind::textures, why, sharedContext()};
 }
 
-CanvasChoice chooseWith(QOpenGLContext& window, scene::Canvas wish) {
+CanvasChoice chooseWith(QOpenGLContext& window, scene::Canvas request) {
   QOffscreenSurface surface;
   surface.setFormat(window.format());
   surface.create();
@@ -120,9 +120,10 @@ CanvasChoice chooseWith(QOpenGLContext& window, scene::Canvas wish) {
       [&](const char* name) { return reinterpret_cast<void*>(window.getProcAddress(name)); });
   const QString driver = QString::fromStdString(gl->string(GL_RENDERER));
   std::optional<Measured> measured;
-  if (wish == scene::Canvas::automatic && gl->software) measured = measure(gl);
+  if (request == scene::Canvas::automatic && gl->software) measured = measure(gl);
   window.doneCurrent();
-  if (wish == scene::Canvas::textures) return textures(QObject::tr("set by window.canvas; %1").arg(driver));
+  if (request == scene::Canvas::textures)
+    return textures(QObject::tr("set by window.canvas; %1").arg(driver));
   if (!measured) return textures(driver);
   const QString figures = QObject::tr("%1: textures take %2 ms, pixels %3 ms")
                               .arg(driver)
@@ -138,9 +139,9 @@ CanvasChoice chooseWith(QOpenGLContext& window, scene::Canvas wish) {
 
 }  // namespace
 
-void prepareCanvas(scene::Canvas wish) {
-  if (wish == scene::Canvas::pixels) return;
-  if (wish == scene::Canvas::automatic && !storedReason().isEmpty()) return;
+void prepareCanvas(scene::Canvas request) {
+  if (request == scene::Canvas::pixels) return;
+  if (request == scene::Canvas::automatic && !storedReason().isEmpty()) return;
   QSurfaceFormat format;
   format.setVersion(4, 5);
   format.setProfile(QSurfaceFormat::CoreProfile);
@@ -151,10 +152,10 @@ void prepareCanvas(scene::Canvas wish) {
   QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
 }
 
-CanvasChoice chooseCanvas(scene::Canvas wish) {
-  if (wish == scene::Canvas::pixels) return pixelsBecause(QObject::tr("set by window.canvas"));
+CanvasChoice chooseCanvas(scene::Canvas request) {
+  if (request == scene::Canvas::pixels) return pixelsBecause(QObject::tr("set by window.canvas"));
   if (!QCoreApplication::testAttribute(Qt::AA_ShareOpenGLContexts)) {
-    const QString reason = wish == scene::Canvas::automatic ? storedReason() : QString();
+    const QString reason = request == scene::Canvas::automatic ? storedReason() : QString();
     return pixelsBecause(reason.isEmpty() ? QObject::tr("window.canvas takes effect at the next start")
                                           : reason);
   }
@@ -162,7 +163,7 @@ CanvasChoice chooseCanvas(scene::Canvas wish) {
   if (window == nullptr || !window->isValid())
     return pixelsBecause(QObject::tr("the window system offers no OpenGL"));
   try {
-    return chooseWith(*window, wish);
+    return chooseWith(*window, request);
   } catch (const base::Error& error) {
     return pixelsBecause(QString::fromStdString(error.reason()));
   }

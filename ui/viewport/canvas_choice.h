@@ -12,7 +12,7 @@
 #include <QString>
 
 #include "render/gl/gl_context.h"
-#include "scene/settings/machine.h"
+#include "scene/settings/host_settings.h"
 #include "ui/viewport/canvas.h"
 
 namespace isolux::ui {
@@ -25,9 +25,9 @@ struct CanvasChoice {
 };
 
 // Asks Qt for contexts that share objects, unless none will be needed. Call it before QApplication exists.
-void prepareCanvas(scene::Canvas wish);
+void prepareCanvas(scene::Canvas request);
 // Call it on the window's thread.
-CanvasChoice chooseCanvas(scene::Canvas wish);
+CanvasChoice chooseCanvas(scene::Canvas request);
 // Returns the choice in a line.
 QString describe(const CanvasChoice& choice);
 

@@ -7,8 +7,8 @@
 #include <QRectF>
 
 #include "app/cuts/cut_handles.h"
-#include "app/interaction/lamp_handles.h"
-#include "app/interaction/mark_view.h"
+#include "app/view_math/lamp_handles.h"
+#include "app/view_math/mark_view.h"
 
 class QPainter;
 

@@ -8,8 +8,8 @@
 #include <QString>
 #include <QTimer>
 
-#include "app/interaction/surface_pick.h"
-#include "app/jobs/piece_job.h"
+#include "app/tasks/piece_task.h"
+#include "app/view_math/surface_pick.h"
 #include "ui/document/background_task.h"
 #include "ui/document/document.h"
 

@@ -4,7 +4,7 @@
 
 #include <QPainter>
 
-#include "app/interaction/mark_view.h"
+#include "app/view_math/mark_view.h"
 
 namespace isolux::ui {
 

@@ -5,11 +5,11 @@
 
 #include <QPushButton>
 
-#include "app/annotation/annotation.h"
+#include "app/overlay_text/annotation.h"
 #include "app/ready/rest_scene.h"
 #include "scene/rules/automatic.h"
 #include "scene/rules/relevance.h"
-#include "ui/document/picture_wish.h"
+#include "ui/document/picture_request.h"
 #include "ui/language/sentences.h"
 #include "ui/viewport/viewport_overlay.h"
 
@@ -104,7 +104,7 @@ void Viewport::offerRemedy(const std::optional<render::EmptyPicture>& empty) {
   placeButtons();
 }
 
-// As finished pictures have it written on them (app/annotation).
+// As finished pictures have it written on them (app/overlay_text).
 void Viewport::showCaveats() {
   const bool wasHidden = caveats_->isHidden();
   const app::Caveats caveats = volume_ ? app::caveatsOf(resolved_, *volume_) : app::Caveats{};
@@ -253,12 +253,12 @@ void Viewport::setVolume(VolumePointer volume) {
   redraw();
 }
 
-void Viewport::setMachine(const scene::Machine& machine) {
-  if (canvas_ && machine == machine_) return;
-  const bool otherCanvas = !canvas_ || machine.canvas != machine_.canvas;
-  machine_ = machine;
-  quality_.setMachine(machine);
-  if (otherCanvas) setCanvas(chooseCanvas(machine.canvas));
+void Viewport::setHostSettings(const scene::HostSettings& host) {
+  if (canvas_ && host == host_) return;
+  const bool otherCanvas = !canvas_ || host.canvas != host_.canvas;
+  host_ = host;
+  quality_.setHostSettings(host);
+  if (otherCanvas) setCanvas(chooseCanvas(host.canvas));
   redraw();
 }
 

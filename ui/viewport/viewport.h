@@ -6,7 +6,7 @@
 // Shift+right turns the environment, and lamps have handles; so have planes and the box that cut. With a tool
 // for marks, clicks set points on the surface.
 //
-// Pictures are drawn by a thread (app/jobs/picture_thread.h) that has a GL context of its own and comes back
+// Pictures are drawn by a thread (app/tasks/picture_thread.h) that has a GL context of its own and comes back
 // with pixels; this widget needs no OpenGL and waits for nothing. While a view changes, each change orders a
 // draft; at rest a sharp and then the full picture follow, which a new change drops.
 //
@@ -31,16 +31,16 @@
 class QPushButton;
 
 #include "app/cuts/cut_handles.h"
-#include "app/interaction/lamp_handles.h"
-#include "app/interaction/mark_view.h"
-#include "app/interaction/picture_quality.h"
-#include "app/interaction/surface_pick.h"
-#include "app/jobs/picture_thread.h"
 #include "app/ready/ready_fields.h"
+#include "app/tasks/picture_thread.h"
+#include "app/view_math/lamp_handles.h"
+#include "app/view_math/mark_view.h"
+#include "app/view_math/picture_quality.h"
+#include "app/view_math/surface_pick.h"
 #include "render/graph/frame.h"
 #include "render/still_picture.h"
 #include "scene/camera.h"
-#include "scene/settings/machine.h"
+#include "scene/settings/host_settings.h"
 #include "ui/document/background_task.h"
 #include "ui/document/baked_light.h"
 #include "ui/document/document.h"
@@ -65,7 +65,7 @@ class Viewport : public QWidget {
   // Asked whenever a view is fitted: the facts of the volume, with what is to be framed.
   using Facts = std::function<const scene::VolumeFacts&()>;
   void setFacts(Facts facts) { facts_ = std::move(facts); }
-  void setMachine(const scene::Machine& machine);
+  void setHostSettings(const scene::HostSettings& host);
   void setHint(const QString& text);  // shown while there is no volume
   void setTopInset(int pixels);       // of the top that is covered: letters and cube stand below
   void setFlowTime(double seconds);   // an animated flow has moved on
@@ -98,15 +98,15 @@ class Viewport : public QWidget {
 
   // The full picture as the scene asks for it, with nothing written on it. A dialog says how far it is where
   // that takes long. Throws base::Error; Error{interrupted} where the user has cancelled.
-  struct StillWish {
+  struct StillRequest {
     glm::ivec2 size{0};  // 0: the pixels of the screen, and its ratio
     double pixelRatio = 1.0;
     std::optional<scene::Camera> camera{};  // resolved; none: the window's
     bool linear = false;                    // also as linear float32
     QString what;                           // what the dialog says; empty: that a picture is drawn
   };
-  render::StillPicture picture(const StillWish& wish);
-  render::StillPicture picture() { return picture(StillWish{}); }
+  render::StillPicture picture(const StillRequest& asked);
+  render::StillPicture picture() { return picture(StillRequest{}); }
   // Returns the margins of the orientation labels of an image of this size; views are fitted between them.
   // `ratio`: pixels to one of a screen at 100 %.
   static app::Edges letterEdges(glm::ivec2 pixels, double ratio);
@@ -152,7 +152,7 @@ class Viewport : public QWidget {
   void drawing(bool begins);  // pictures are on their way, or none is any more
   // The surface points of a picture that is lit by stored light, voxel coordinates; `finer`: of more rays
   // than those told of the same view.
-  void seen(const isolux::gi::SeenPoints& hitVoxels, bool finer);
+  void seen(const isolux::gi::VisiblePointSet& hitVoxels, bool finer);
   void reported(const isolux::render::FrameReport& report, const isolux::render::FrameRequest& request);
   void failed(const QString& message);
   void
@@ -268,7 +268,7 @@ class Viewport : public QWidget {
   scene::Scene scene_, resolved_;
   LightPointer light_;
   bool showsLight_ = true;
-  scene::Machine machine_;
+  scene::HostSettings host_;
   app::PictureQuality quality_;
   // Changes are counted. What is on screen: its pixels, what they were asked for, and after how many changes.
   // What was ordered last: the same.

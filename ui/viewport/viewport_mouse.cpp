@@ -10,7 +10,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/interaction/turning.h"
+#include "app/view_math/turning.h"
 #include "scene/rules/automatic.h"
 #include "scene/rules/environment.h"
 #include "ui/document/environment_edit.h"

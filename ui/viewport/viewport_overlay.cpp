@@ -11,8 +11,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "app/annotation/annotation.h"
-#include "app/annotation/free_places.h"
+#include "app/overlay_text/annotation.h"
+#include "app/overlay_text/free_places.h"
 #include "base/color.h"
 #include "ui/language/number_text.h"
 #include "ui/theme/style.h"

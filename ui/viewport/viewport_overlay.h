@@ -10,9 +10,9 @@
 #include <QWidget>
 
 #include "app/cuts/cut_handles.h"
-#include "app/interaction/lamp_handles.h"
-#include "app/interaction/mark_view.h"
-#include "app/interaction/orientation_cube.h"
+#include "app/view_math/lamp_handles.h"
+#include "app/view_math/mark_view.h"
+#include "app/view_math/orientation_cube.h"
 #include "scene/camera.h"
 #include "ui/viewport/slice_outlines.h"
 

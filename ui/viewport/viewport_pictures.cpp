@@ -109,7 +109,7 @@ void Viewport::takeContext() {
                                           context->description->version + ", " + context->description->kind);
   quality_ = app::PictureQuality(context->description->software);
   quality_.setSupersampling(resolved_.picture.supersampling);
-  quality_.setMachine(machine_);
+  quality_.setHostSettings(host_);
   redraw();
 }
 
@@ -232,7 +232,7 @@ bool Viewport::standsIn() const {
 }
 
 app::PictureOrder Viewport::orderOf(const render::FrameRequest& request, bool atRest) {
-  app::PictureOrder picture{volume_, drawable(), machine_, light_, request};
+  app::PictureOrder picture{volume_, drawable(), host_, light_, request};
   if (atRest && volume_) picture.scene = app::atRestIfReady(std::move(picture.scene), *volume_);
   if (standsIn()) picture.scene = scene::withoutGi(std::move(picture.scene));
   picture.request.pixelRatio = devicePixelRatioF();
@@ -444,23 +444,23 @@ QString Viewport::fieldNote() const {
       .arg(std::lround(100.0 * progress.fraction()));
 }
 
-render::StillPicture Viewport::picture(const StillWish& wish) {
+render::StillPicture Viewport::picture(const StillRequest& asked) {
   const auto refuse = [](const QString& why) {
     throw base::Error(base::ErrorKind::graphics, "", "", why.toStdString());
   };
   if (stillComes_) refuse(tr("another image is being saved"));
-  const QString what = wish.what.isEmpty() ? tr("Drawing the image") : wish.what;
+  const QString what = asked.what.isEmpty() ? tr("Drawing the image") : asked.what;
   await({what, [this] { return hasContext_ || failed_; }, [] { return 0.0; }});  // of a new window
   if (!hasContext_ || failed_) refuse(tr("there is no image to save"));
   awaitFields(what);
-  const bool ofScreen = wish.size == glm::ivec2(0);
+  const bool ofScreen = asked.size == glm::ivec2(0);
   render::FrameRequest request;
-  request.size = ofScreen ? pixelSize() : wish.size;
+  request.size = ofScreen ? pixelSize() : asked.size;
   request.supersampling = std::clamp(resolved_.picture.supersampling, 1, 4);
-  request.linear = wish.linear;
+  request.linear = asked.linear;
   app::PictureOrder order = orderOf(request, true);
-  if (!ofScreen) order.request.pixelRatio = wish.pixelRatio;
-  if (wish.camera) order.scene.camera = *wish.camera;
+  if (!ofScreen) order.request.pixelRatio = asked.pixelRatio;
+  if (asked.camera) order.scene.camera = *asked.camera;
   order.scene.picture.transparent = scene_.picture.transparent;
   const auto still = thread_->drawStill(std::move(order));
   setDrawing(true);

@@ -1,6 +1,6 @@
 // Views of ui/viewport/viewport.h that are turned to: the scene has the new camera at once, the pictures on
 // the way belong to nobody.
-#include "app/interaction/turning.h"
+#include "app/view_math/turning.h"
 #include "ui/viewport/viewport.h"
 #include "ui/viewport/viewport_overlay.h"
 

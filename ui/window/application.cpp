@@ -17,7 +17,7 @@
 #include "app/files/state_folder.h"
 #include "app/version.h"
 #include "base/caught_error.h"
-#include "base/retire.h"
+#include "base/destroy_in_background.h"
 #include "ui/document/preferences.h"
 #include "ui/language/language.h"
 #include "ui/theme/focus_ring.h"
@@ -101,7 +101,7 @@ void finishApplication() {
   // QApplication takes the user's locale; files and settings are written with a point in every country.
   std::setlocale(LC_NUMERIC, "C");
   QLocale::setDefault(QLocale::c());
-  applyTheme(keptTheme());
+  applyTheme(savedTheme());
   FocusRing::install();
   QApplication::setWindowIcon(applicationIcon());
   QGuiApplication::setApplicationDisplayName("Isolux");
@@ -110,21 +110,21 @@ void finishApplication() {
 std::string describeWindow() {
   if (const auto problem = displayProblem()) return "none: " + *problem;
   prepareApplication();
-  const scene::Canvas wish = keptMachine().canvas;
-  prepareCanvas(wish);
+  const scene::Canvas asked = savedHostSettings().canvas;
+  prepareCanvas(asked);
   int argc = 1;
   char name[] = "isolux";
   char* argv[] = {name, nullptr};
   const QApplication application(argc, argv);
-  return describe(chooseCanvas(wish)).toStdString();
+  return describe(chooseCanvas(asked)).toStdString();
 }
 
 namespace {
 
-scene::Canvas wishedCanvas(const app::WindowRequest& request) {
-  scene::Machine machine = keptMachine();
-  for (const std::string& assignment : request.machine) scene::applyAssignment(machine, assignment);
-  return machine.canvas;
+scene::Canvas requestedCanvas(const app::WindowRequest& request) {
+  scene::HostSettings host = savedHostSettings();
+  for (const std::string& assignment : request.host) scene::applyAssignment(host, assignment);
+  return host.canvas;
 }
 
 }  // namespace
@@ -137,8 +137,8 @@ int openWindow(const app::WindowRequest& request) {
   prepareApplication();
   constexpr auto scaleVariable = "QT_SCALE_FACTOR";
   const bool scaleIsGiven = qEnvironmentVariableIsSet(scaleVariable);
-  applyInterfaceScale(keptScale());
-  prepareCanvas(wishedCanvas(request));
+  applyInterfaceScale(savedScale());
+  prepareCanvas(requestedCanvas(request));
   int argc = 1;
   char name[] = "isolux";
   char* argv[] = {name, nullptr};
@@ -146,7 +146,7 @@ int openWindow(const app::WindowRequest& request) {
   if (!scaleIsGiven) qunsetenv(scaleVariable);  // it is no scale of the programs that are started from here
   finishApplication();
 
-  setLanguage(keptLanguage());
+  setLanguage(savedLanguage());
   auto made = std::make_unique<MainWindow>();
   MainWindow& window = *made;
   constexpr int turnMilliseconds = 150;  // views that are asked for by name
@@ -160,7 +160,7 @@ int openWindow(const app::WindowRequest& request) {
   const int exitCode = QApplication::exec();
   made.reset();
   // Threads that draw have contexts of the window system, which goes with the application.
-  if (!base::awaitRetired(secondsToEnd)) {
+  if (!base::awaitDestroyed(secondsToEnd)) {
     std::fflush(nullptr);
     std::_Exit(exitCode);
   }

@@ -83,14 +83,14 @@ void LoadCard::end() {
 void LoadCard::lookAt(const scene::Scene& scene) {
   dropLook();
   const double ratio = devicePixelRatioF();
-  app::GlimpseSubject subject;
+  app::VolumePreviewSubject subject;
   subject.scene = scene;
   subject.size = glm::ivec2(glm::round(ratio * glm::dvec2(cardWidth() - 2 * margin, pictureHeight)));
   subject.pixelRatio = ratio;
   subject.least = leastBytes_;
-  look_.watch(app::glimpseTask(std::move(subject)), [this](auto& task) {
+  look_.watch(app::volumePreviewTask(std::move(subject)), [this](auto& task) {
     // Whoever loads the volume says what is wrong with it.
-    if (!task.error() && task.value()) showGlimpse(*task.value());
+    if (!task.error() && task.value()) showPreview(*task.value());
   });
 }
 
@@ -98,12 +98,12 @@ bool LoadCard::showsPicture() const {
   return !picture_->isHidden();
 }
 
-void LoadCard::showGlimpse(const app::DrawnGlimpse& glimpse) {
-  QPixmap picture = QPixmap::fromImage(imageOf(glimpse.picture));
+void LoadCard::showPreview(const app::DrawnVolumePreview& preview) {
+  QPixmap picture = QPixmap::fromImage(imageOf(preview.picture));
   picture.setDevicePixelRatio(devicePixelRatioF());
   picture_->setPixmap(picture);
-  const glm::ivec3 step = glimpse.step;
-  const QString caption = glimpse.fromIndex ? tr("Preview from the index: blocks of %1 × %2 × %3 voxels")
+  const glm::ivec3 step = preview.step;
+  const QString caption = preview.fromIndex ? tr("Preview from the index: blocks of %1 × %2 × %3 voxels")
                                             : tr("Preview: one voxel of each %1 × %2 × %3");
   caption_->setText(caption.arg(step.x).arg(step.y).arg(step.z));
   picture_->show();

@@ -7,7 +7,7 @@
 #include <QFrame>
 #include <QTimer>
 
-#include "app/jobs/glimpse_job.h"
+#include "app/tasks/volume_preview_task.h"
 #include "ui/document/background_task.h"
 #include "ui/widgets/time_left.h"
 
@@ -41,11 +41,11 @@ class LoadCard : public QFrame {
   void place();
   int cardWidth() const;
   QString name_;
-  void showGlimpse(const app::DrawnGlimpse& glimpse);
+  void showPreview(const app::DrawnVolumePreview& preview);
   void dropLook();
 
-  std::size_t leastBytes_ = volume::kGlimpseLeastBytes;
-  BackgroundTask<std::optional<app::DrawnGlimpse>> look_;
+  std::size_t leastBytes_ = volume::kPreviewLeastBytes;
+  BackgroundTask<std::optional<app::DrawnVolumePreview>> look_;
   QLabel *picture_, *caption_;  // hidden where there is none
   QLabel *title_, *stage_;
   QProgressBar* bar_;

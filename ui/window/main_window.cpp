@@ -20,18 +20,18 @@
 #include "scene/looks.h"
 #include "scene/rules/relevance.h"
 #include "scene/settings/settings.h"
-#include "ui/browser/folder_opener.h"
-#include "ui/browser/recent_menu.h"
+#include "ui/dicom_browser/folder_opener.h"
+#include "ui/dicom_browser/recent_menu.h"
 #include "ui/document/baked_light.h"
 #include "ui/document/environment_edit.h"
 #include "ui/document/mark_reports.h"
-#include "ui/document/picture_wish.h"
+#include "ui/document/picture_request.h"
 #include "ui/document/preferences.h"
 #include "ui/document/privacy.h"
 #include "ui/editors/elided_label.h"
 #include "ui/language/number_text.h"
+#include "ui/levels/full_resolution_view.h"
 #include "ui/levels/level_marks.h"
-#include "ui/levels/level_zero.h"
 #include "ui/panels/isovalue_panel.h"
 #include "ui/panels/light_status.h"
 #include "ui/panels/passes_panel.h"
@@ -86,7 +86,7 @@ MainWindow::MainWindow(QWidget* parent)
       loadCard_(new LoadCard(slices_)),
       lightStatus_(new LightStatus(this)),
       levelMarks_(new LevelMarks(this)),
-      levelZero_(new LevelZero(this)),
+      fullResolution_(new FullResolutionView(this)),
       pointedPiece_(new PointedPiece(this)),
       folders_(new FolderOpener(
           this, [this](const QString& folder, const QString& series) { openSeries(folder, series); })),
@@ -114,7 +114,7 @@ MainWindow::MainWindow(QWidget* parent)
   connectMarks();
   connectSlices();
   connectLooks();
-  setMachine(keptMachine());
+  setHostSettings(savedHostSettings());
   showScene(document_->scene(), document_->resolvedScene());
   viewport_->setHint(QObject::tr(openHint));
   showState();
@@ -199,7 +199,7 @@ void MainWindow::connectDocument() {
   connect(document_, &Document::loadStarted, this, [this](const QString& name) {
     message_->clear();
     viewport_->setHint({});
-    loadCard_->begin(keptPrivacy().hideOnScreen ? tr("a volume") : name);
+    loadCard_->begin(savedPrivacy().hideOnScreen ? tr("a volume") : name);
     const scene::Scene& coming = document_->loadingScene();
     const bool isNew = !document_->volume() || coming.source.path != document_->scene().source.path;
     if (isNew) loadCard_->lookAt(coming);
@@ -339,9 +339,9 @@ bool MainWindow::attempt(const std::function<void()>& work) {
 
 void MainWindow::open(const app::WindowRequest& request) {
   attempt([&] {
-    scene::Machine machine = machine_;
-    for (const std::string& assignment : request.machine) scene::applyAssignment(machine, assignment);
-    setMachine(machine);
+    scene::HostSettings host = host_;
+    for (const std::string& assignment : request.host) scene::applyAssignment(host, assignment);
+    setHostSettings(host);
     app::WindowRequest wanted = request;
     if (request.sessionFile.empty()) writeOnPictures(wanted);
     scene::Scene scene = wanted.scene;
@@ -378,7 +378,7 @@ void MainWindow::showScene(const scene::Scene& scene, const scene::Scene& resolv
 void MainWindow::showLevel() {
   const int level = document_->volume() ? document_->shownLevel() : 0;
   markLevel_->setEnabled(level > 0);
-  drawLevelZero_->setEnabled(level > 0);
+  drawFullResolution_->setEnabled(level > 0);
   QStringList text, tip;
   const auto add = [](QStringList& to, const QString& what) {
     if (!what.isEmpty()) to += what;
@@ -386,20 +386,20 @@ void MainWindow::showLevel() {
   const bool incomplete = document_->volume() && !document_->volume()->volume.damage.empty();
   if (incomplete) text += tr("Parts missing");
   if (level > 0)
-    text += levelZero_->shows() ? tr("Full resolution (level %1 in motion)").arg(level)
-                                : tr("Overview: level %1").arg(level);
+    text += fullResolution_->shows() ? tr("Full resolution (level %1 in motion)").arg(level)
+                                     : tr("Overview: level %1").arg(level);
   if (incomplete || level > 0) {  // of each the volume has a note, before all others
     const std::vector<std::string>& notes = document_->volume()->volume.warnings;
     const std::size_t count = (incomplete ? 1 : 0) + (level > 0 ? 1 : 0);
     for (std::size_t i = 0; i < std::min(count, notes.size()); ++i) tip += QString::fromStdString(notes[i]);
   }
-  if (level > 0 && !levelZero_->shows()) {
+  if (level > 0 && !fullResolution_->shows()) {
     add(text, levelMarks_->text());
     add(tip, levelMarks_->meaning());
   }
   if (level > 0) {
-    add(text, levelZero_->text());
-    add(tip, levelZero_->meaning());
+    add(text, fullResolution_->text());
+    add(tip, fullResolution_->meaning());
   }
   coarseLabel_->setText(text.join(" · "));
   coarseLabel_->setToolTip(tip.join("\n\n"));

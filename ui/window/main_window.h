@@ -9,11 +9,11 @@
 #include <QPointer>
 
 #include "app/commands/command_line.h"
-#include "app/interaction/surface_pick.h"
 #include "app/presets/preset.h"
+#include "app/view_math/surface_pick.h"
 #include "render/graph/frame.h"
 #include "render/still_picture.h"
-#include "scene/settings/machine.h"
+#include "scene/settings/host_settings.h"
 #include "ui/document/document.h"
 #include "ui/document/recent_files.h"
 #include "ui/tour/tour.h"
@@ -32,7 +32,7 @@ class DocumentKeeper;
 class FolderOpener;
 class IsovaluePanel;
 class LevelMarks;
-class LevelZero;
+class FullResolutionView;
 class LightStatus;
 class LoadCard;
 class MarkReports;
@@ -40,7 +40,7 @@ class MessageBar;
 class Panel;
 class PointedPiece;
 struct PictureChoices;
-struct PictureWish;
+struct PictureRequest;
 class PictureDot;
 class RecentPictures;
 class SliceBoard;
@@ -77,9 +77,9 @@ class MainWindow : public QMainWindow {
   MainWindow* newWindow();                       // empty, shown; deletes itself when it is closed
   void useViewElsewhere();                       // all other windows show their volumes as this one does
   QAction* linkAction() const { return link_; }  // checked: views of windows where it is go together
-  void applyPrivacy();                           // the user's wish has changed (ui/document/privacy.h)
+  void applyPrivacy();                           // the user's request has changed (ui/document/privacy.h)
 
-  const scene::Machine& machine() const { return machine_; }
+  const scene::HostSettings& host() const { return host_; }
   Document* document() const { return document_; }
   DocumentKeeper* keeper() const { return keeper_; }  // null until keepDocument()
   Viewport* viewport() const { return viewport_; }
@@ -98,8 +98,8 @@ class MainWindow : public QMainWindow {
 
   LevelMarks* levelMarks() const { return levelMarks_; }
   QAction* markLevelAction() const { return markLevel_; }  // checked: what an overview hides is hatched
-  LevelZero* levelZero() const { return levelZero_; }
-  QAction* levelZeroAction() const { return drawLevelZero_; }  // checked: at rest level 0 is drawn
+  FullResolutionView* levelZero() const { return fullResolution_; }
+  QAction* fullResolutionAction() const { return drawFullResolution_; }  // checked: at rest level 0 is drawn
 
   QMenu* presetsMenu() const { return presetsMenu_; }
   // A shell command that draws the picture as it is saved; empty without a volume.
@@ -213,7 +213,7 @@ class MainWindow : public QMainWindow {
   void chooseMesh();
   QImage previewOf(const PictureChoices& chosen) const;
   void takeChoices(const PictureChoices& chosen);
-  scene::Scene pictureScene(const PictureWish& wish) const;
+  scene::Scene pictureScene(const PictureRequest& asked) const;
   scene::Camera pictureCamera(QSize pixels, double ratio) const;  // of a picture of this size
   render::StillPicture finishedPicture(bool linear, const QString& what);
   void tracePicture();
@@ -227,7 +227,7 @@ class MainWindow : public QMainWindow {
   void savePreset();
   void copyCommand();
   void showPreferences();
-  void setMachine(const scene::Machine& machine);
+  void setHostSettings(const scene::HostSettings& host);
   QRect placeOfMenu(const QAction* menu) const;
   QRect placeOfTool(const QAction* action) const;
   void showHelp();
@@ -236,7 +236,7 @@ class MainWindow : public QMainWindow {
   // True when there is no unsaved work, or the user has saved or discarded it.
   bool mayDiscard();
 
-  scene::Machine machine_;  // as kept, and as --set says for this run
+  scene::HostSettings host_;  // as kept, and as --set says for this run
   Document* document_;
   DocumentKeeper* keeper_ = nullptr;
   BakedLight* light_;
@@ -248,7 +248,7 @@ class MainWindow : public QMainWindow {
   LoadCard* loadCard_;
   LightStatus* lightStatus_;
   LevelMarks* levelMarks_;
-  LevelZero* levelZero_;
+  FullResolutionView* fullResolution_;
   struct Docked {
     QDockWidget* dock;
     Panel* panel;
@@ -256,7 +256,7 @@ class MainWindow : public QMainWindow {
   std::vector<Docked> panels_;
   QMenu *presetsMenu_ = nullptr, *viewMenu_ = nullptr;
   QAction *open_, *openFolder_, *save_, *picture_, *record_, *undo_, *redo_, *reset_, *fit_, *projection_,
-      *fullScreen_, *animate_, *play_, *hidePatient_, *markLevel_, *drawLevelZero_, *exportMarks_,
+      *fullScreen_, *animate_, *play_, *hidePatient_, *markLevel_, *drawFullResolution_, *exportMarks_,
       *link_ = nullptr;
   std::vector<QAction*> ofVolume_;  // needsVolume()
   QActionGroup* markTools_;

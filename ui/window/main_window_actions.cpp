@@ -16,7 +16,7 @@
 #include "ui/document/preferences.h"
 #include "ui/language/sentences.h"
 #include "ui/language/translated.h"
-#include "ui/levels/level_zero.h"
+#include "ui/levels/full_resolution_view.h"
 #include "ui/panels/settings_panel.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/parts.h"
@@ -42,20 +42,20 @@ void MainWindow::findSetting() {
   panel<SettingsPanel>()->focusSearch();
 }
 
-void MainWindow::setMachine(const scene::Machine& machine) {
-  machine_ = machine;
-  viewport_->setMachine(machine);
-  light_->setThreads(machine.threads);
-  panel<AccuracyPanel>()->setMachine(machine);
-  levelZero_->setMachine(machine);
+void MainWindow::setHostSettings(const scene::HostSettings& host) {
+  host_ = host;
+  viewport_->setHostSettings(host);
+  light_->setThreads(host.threads);
+  panel<AccuracyPanel>()->setHostSettings(host);
+  fullResolution_->setHostSettings(host);
 }
 
 void MainWindow::showPreferences() {
-  auto* dialog = new PreferencesDialog(machine_, this);
+  auto* dialog = new PreferencesDialog(host_, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &PreferencesDialog::changed, this, [this](const scene::Machine& machine) {
-    keepMachine(machine_, machine);
-    setMachine(machine);
+  connect(dialog, &PreferencesDialog::changed, this, [this](const scene::HostSettings& host) {
+    saveHostSettings(host_, host);
+    setHostSettings(host);
   });
   connect(dialog->privacy(), &PrivacyBox::changed, this, &MainWindow::applyPrivacy);
   dialog->show();

@@ -14,13 +14,13 @@
 #include "app/documents/session.h"
 #include "app/files/file_names.h"
 #include "app/presets/preset_list.h"
-#include "ui/browser/folder_opener.h"
 #include "ui/dialogs/raw_import_dialog.h"
 #include "ui/dialogs/reference_dialog.h"
+#include "ui/dicom_browser/folder_opener.h"
 #include "ui/document/baked_light.h"
 #include "ui/document/document_keeper.h"
 #include "ui/document/environment_edit.h"
-#include "ui/document/picture_wish.h"
+#include "ui/document/picture_request.h"
 #include "ui/document/privacy.h"
 #include "ui/document/recent_files.h"
 #include "ui/editors/file_widget.h"
@@ -184,7 +184,7 @@ void MainWindow::tracePicture() {
   scene::Scene given = document_->shownScene();
   given.picture.exposure = resolved.picture.exposure;
   auto* dialog = new ReferenceDialog(document_->volume(), given, resolved,
-                                     (QSizeF(viewport_->size()) * ratio).toSize(), machine_.threads, this);
+                                     (QSizeF(viewport_->size()) * ratio).toSize(), host_.threads, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->show();
 }
@@ -293,8 +293,8 @@ void MainWindow::offerLost() {
   message_->show(
       MessageBar::Kind::question,
       tr("Continue: %1, %2")
-          .arg(keptPrivacy().hideOnScreen ? tr("anonymous")
-                                          : QString::fromStdString(app::plainName(lost->document.name)),
+          .arg(savedPrivacy().hideOnScreen ? tr("anonymous")
+                                           : QString::fromStdString(app::plainName(lost->document.name)),
                translatedSentence(app::agoText(age))),
       {{tr("Restore"), restore}, {tr("Discard"), discard}});
 }

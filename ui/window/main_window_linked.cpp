@@ -4,7 +4,7 @@
 #include <QSignalBlocker>
 
 #include "app/files/state_folder.h"
-#include "app/interaction/linked_camera.h"
+#include "app/view_math/linked_camera.h"
 #include "ui/document/document_keeper.h"
 #include "ui/window/main_window.h"
 
@@ -47,7 +47,7 @@ void MainWindow::takeCamera(const MainWindow& other) {
   if (camera == document_->scene().camera) return;
   Edit edit{document_->scene(), tr("Follow linked view"), "linked camera", true};
   edit.scene.camera = camera;
-  follows_ = true;  // what follows from this is no wish of this window
+  follows_ = true;  // what follows from this is no request of this window
   document_->edit(edit);
   follows_ = false;
 }

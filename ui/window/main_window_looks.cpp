@@ -8,8 +8,8 @@
 #include "ui/accuracy/accuracy_panel.h"
 #include "ui/document/baked_light.h"
 #include "ui/editors/elided_label.h"
+#include "ui/levels/full_resolution_view.h"
 #include "ui/levels/level_marks.h"
-#include "ui/levels/level_zero.h"
 #include "ui/presets/looks_panel.h"
 #include "ui/theme/style.h"
 #include "ui/viewport/viewport.h"
@@ -38,11 +38,12 @@ void MainWindow::connectLooks() {
   connect(accuracy, &AccuracyPanel::overlayPainted, viewport_, layOver(Viewport::Over::errors));
   connect(levelMarks_, &LevelMarks::painted, viewport_, layOver(Viewport::Over::structure));
   connect(levelMarks_, &LevelMarks::changed, this, &MainWindow::showLevel);
-  connect(levelZero_, &LevelZero::painted, viewport_, [this](const QImage& image, const QImage& of) {
-    viewport_->setOver(Viewport::Over::levelZero, image, of);
-  });
-  connect(levelZero_, &LevelZero::changed, this, &MainWindow::showLevel);
-  connect(levelZero_, &LevelZero::opened, levelMarks_, &LevelMarks::lookAgain);
+  connect(fullResolution_, &FullResolutionView::painted, viewport_,
+          [this](const QImage& image, const QImage& of) {
+            viewport_->setOver(Viewport::Over::levelZero, image, of);
+          });
+  connect(fullResolution_, &FullResolutionView::changed, this, &MainWindow::showLevel);
+  connect(fullResolution_, &FullResolutionView::opened, levelMarks_, &LevelMarks::lookAgain);
   auto* const label = new ElidedLabel(this);
   label->setObjectName("pictureAccuracy");
   label->setContentsMargins(10, 0, 0, 0);
@@ -65,15 +66,15 @@ void MainWindow::tellAccuracy() {
                       viewport_->legend());
   const VolumePointer& volume = document_->volume();
   const bool isLevel = volume && document_->shownLevel() > 0;
-  levelZero_->setSource(isLevel ? std::optional(document_->scene().source) : std::nullopt);
+  fullResolution_->setSource(isLevel ? std::optional(document_->scene().source) : std::nullopt);
   if (isLevel && viewport_->complete() && !previewing_) {
     const scene::Scene resolved = document_->resolvedScene();
     levelMarks_->show(LevelMarks::Shown{volume, resolved, viewport_->shown(), viewport_->legend()});
-    levelZero_->show(LevelZero::Shown{document_->shownScene(), resolved, viewport_->shown(),
-                                      viewport_->devicePixelRatioF()});
+    fullResolution_->show(FullResolutionView::Shown{document_->shownScene(), resolved, viewport_->shown(),
+                                                    viewport_->devicePixelRatioF()});
   } else {
     levelMarks_->show({});
-    levelZero_->show({});
+    fullResolution_->show({});
   }
   if (isLevel) showLevel();
 }

@@ -12,15 +12,15 @@
 #include "scene/looks.h"
 #include "scene/rules/quality.h"
 #include "scene/settings/settings.h"
-#include "ui/browser/recent_menu.h"
-#include "ui/cuts/cut_menu.h"
+#include "ui/dicom_browser/recent_menu.h"
 #include "ui/document/privacy.h"
 #include "ui/language/number_text.h"
 #include "ui/language/translated.h"
+#include "ui/levels/full_resolution_view.h"
 #include "ui/levels/level_marks.h"
-#include "ui/levels/level_zero.h"
 #include "ui/panels/marks_panel.h"
 #include "ui/theme/icons.h"
+#include "ui/viewport/cut_menu.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/fitting_tool_bar.h"
 #include "ui/widgets/parts.h"
@@ -148,10 +148,11 @@ void MainWindow::makeViewMenu() {
   markLevel_ = newSwitch(menu, tr("&Mark structure lost in the overview"),
                          tr("Hatch where the coarser level shown may hide structure of the volume"),
                          levelMarks_->marking(), levelMarks_, &LevelMarks::setMarking);
-  drawLevelZero_ = newSwitch(menu, tr("&Draw full resolution when idle"),
-                             tr("After the final image of a coarser level, draw full resolution from the "
-                                "file; creates an index if there is none"),
-                             levelZero_->wanted(), levelZero_, &LevelZero::setWanted);
+  drawFullResolution_ =
+      newSwitch(menu, tr("&Draw full resolution when idle"),
+                tr("After the final image of a coarser level, draw full resolution from the "
+                   "file; creates an index if there is none"),
+                fullResolution_->wanted(), fullResolution_, &FullResolutionView::setWanted);
   menu->addSeparator();
   layout_->fillMenu(menu);
   link_ = newSwitch(menu, tr("Lin&k views of windows"),
@@ -160,7 +161,7 @@ void MainWindow::makeViewMenu() {
   newAction(menu, tr("&Copy view to other windows"), "", {},
             tr("Show the volumes of all other windows from this view"), this, &MainWindow::useViewElsewhere);
   hidePatient_ = newSwitch(menu, tr("&Hide patient data"), tr("Show name, ID and birth date as “anonymous”"),
-                           keptPrivacy().hideOnScreen, this, [this](bool hide) {
+                           savedPrivacy().hideOnScreen, this, [this](bool hide) {
                              keepHiddenOnScreen(hide);
                              applyPrivacy();
                            });

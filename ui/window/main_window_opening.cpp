@@ -7,9 +7,9 @@
 #include <QTimer>
 
 #include "app/documents/anonymous.h"
-#include "ui/browser/folder_opener.h"
-#include "ui/browser/recent_menu.h"
-#include "ui/browser/series_index.h"
+#include "ui/dicom_browser/folder_opener.h"
+#include "ui/dicom_browser/recent_menu.h"
+#include "ui/dicom_browser/series_index.h"
 #include "ui/document/privacy.h"
 #include "ui/document/recent_files.h"
 #include "ui/panels/volume_panel.h"
@@ -27,7 +27,7 @@ void MainWindow::connectOpening() {
   connect(folders_, &FolderOpener::started, this, [this](const QString& name) {
     message_->clear();
     recentPictures_->hide();
-    loadCard_->begin(keptPrivacy().hideOnScreen ? tr("a folder") : name);
+    loadCard_->begin(savedPrivacy().hideOnScreen ? tr("a folder") : name);
   });
   connect(folders_, &FolderOpener::progressed, this,
           [this](double fraction) { loadCard_->report(fraction, "looking for series"); });
@@ -124,7 +124,7 @@ void MainWindow::showRecentPictures() {
 
 void MainWindow::applyPrivacy() {
   const QSignalBlocker block(hidePatient_);
-  hidePatient_->setChecked(keptPrivacy().hideOnScreen);
+  hidePatient_->setChecked(savedPrivacy().hideOnScreen);
   if (document_->volume()) panel<VolumePanel>()->setVolume(document_->volume());
   showRecentPictures();
   showState();

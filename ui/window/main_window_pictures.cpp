@@ -8,11 +8,11 @@
 #include <QGuiApplication>
 #include <QImage>
 
-#include "app/annotation/annotation.h"
 #include "app/documents/command_text.h"
 #include "app/documents/session.h"
 #include "app/documents/session_accuracy.h"
 #include "app/files/image_io.h"
+#include "app/overlay_text/annotation.h"
 #include "scene/rules/automatic.h"
 #include "scene/rules/relevance.h"
 #include "ui/accuracy/accuracy_panel.h"
@@ -20,10 +20,10 @@
 #include "ui/dialogs/picture_dialog.h"
 #include "ui/document/baked_light.h"
 #include "ui/document/picture_pixels.h"
-#include "ui/document/picture_wish.h"
+#include "ui/document/picture_request.h"
 #include "ui/document/privacy.h"
 #include "ui/document/recent_files.h"
-#include "ui/levels/level_zero.h"
+#include "ui/levels/full_resolution_view.h"
 #include "ui/panels/light_status.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/save_dialog.h"
@@ -48,18 +48,18 @@ bool endsWith(const QString& file, const char* suffix) {
 void MainWindow::choosePicture() {
   const scene::Scene& scene = document_->scene();
   const bool hasLegend = scene::whyInactive("look.legend", scene).empty();
-  const PictureChoices choices{keptPictureWish(), scene.picture, scene.look.legend};
+  const PictureChoices choices{savedPictureRequest(), scene.picture, scene.look.legend};
   auto* dialog = new PictureDialog(choices, sizeOf(viewport_->pixelSize()), hasLegend, this);
   dialog->setPreview([this](const PictureChoices& chosen) { return previewOf(chosen); });
   connect(dialog, &PictureDialog::saveAsked, this, [this](const PictureChoices& chosen) {
     takeChoices(chosen);
-    const QString session = chosen.wish.session ? tr(", with session") : QString();
+    const QString session = chosen.request.session ? tr(", with session") : QString();
     const QString png = tr("PNG%1 (*.png)").arg(session),
                   exr = tr("OpenEXR, linear colours%1 (*.exr)").arg(session);
     const SaveAnswer answer = askForFileToSave(this, {tr("Save image"), proposedFile(".png"), {png, exr}});
     if (answer.file.isEmpty()) return;
     rememberFolder(answer.file);
-    savePicture(answer.file, chosen.wish.session);
+    savePicture(answer.file, chosen.request.session);
   });
   connect(dialog, &PictureDialog::copyAsked, this, [this](const PictureChoices& chosen) {
     takeChoices(chosen);
@@ -71,7 +71,8 @@ void MainWindow::choosePicture() {
 // The picture on screen with what is chosen written on it.
 QImage MainWindow::previewOf(const PictureChoices& chosen) const {
   if (!document_->volume() || viewport_->shown().isNull()) return {};
-  render::ColorImage picture = colorImageOf(levelZero_->shows() ? levelZero_->image() : viewport_->shown());
+  render::ColorImage picture =
+      colorImageOf(fullResolution_->shows() ? fullResolution_->image() : viewport_->shown());
   scene::Scene resolved = document_->resolvedScene();
   resolved.picture = chosen.picture;
   resolved.picture.transparent = false;
@@ -83,7 +84,7 @@ QImage MainWindow::previewOf(const PictureChoices& chosen) const {
 
 // What is written on the picture is of the document, and a step of undo; its size is the user's.
 void MainWindow::takeChoices(const PictureChoices& chosen) {
-  keepPictureWish(chosen.wish);
+  savePictureRequest(chosen.request);
   keepWords(chosen.picture);
   Edit edit{document_->scene(), tr("Change image annotations")};
   edit.scene.picture = withWordsOf(chosen.picture, edit.scene.picture);
@@ -91,13 +92,13 @@ void MainWindow::takeChoices(const PictureChoices& chosen) {
   if (!(edit.scene == document_->scene())) document_->edit(edit);
 }
 
-scene::Scene MainWindow::pictureScene(const PictureWish& wish) const {
+scene::Scene MainWindow::pictureScene(const PictureRequest& asked) const {
   scene::Scene shown = document_->shownScene();
-  shown.picture.pixelRatio = wish.pixelRatio(sizeOf(viewport_->pixelSize()), viewport_->devicePixelRatioF());
-  if (levelZero_->shows()) shown.source.level = 0;
+  shown.picture.pixelRatio = asked.pixelRatio(sizeOf(viewport_->pixelSize()), viewport_->devicePixelRatioF());
+  if (fullResolution_->shows()) shown.source.level = 0;
   // A view that fits by itself is written down as it is: what draws it again need not know of fitting.
   const scene::Camera camera =
-      pictureCamera(wish.pixels(sizeOf(viewport_->pixelSize())), shown.picture.pixelRatio);
+      pictureCamera(asked.pixels(sizeOf(viewport_->pixelSize())), shown.picture.pixelRatio);
   if (!(camera == document_->camera())) shown.camera = camera;
   return shown;
 }
@@ -107,21 +108,21 @@ scene::Camera MainWindow::pictureCamera(QSize pixels, double ratio) const {
   return document_->cameraOf(size, Viewport::letterEdges(size, ratio));
 }
 
-// Drawn as the kept wish says, with everything on it.
+// Drawn as the kept request says, with everything on it.
 render::StillPicture MainWindow::finishedPicture(bool linear, const QString& what) {
-  const PictureWish wish = keptPictureWish();
-  const QSize size = wish.pixels(sizeOf(viewport_->pixelSize()));
+  const PictureRequest asked = savedPictureRequest();
+  const QSize size = asked.pixels(sizeOf(viewport_->pixelSize()));
   scene::Scene resolved = document_->resolvedScene();
   const glm::ivec2 pixels(size.width(), size.height());
-  const double ratio = pictureScene(wish).picture.pixelRatio;
+  const double ratio = pictureScene(asked).picture.pixelRatio;
   render::StillPicture picture;
-  if (levelZero_->shows()) {
+  if (fullResolution_->shows()) {
     render::FrameRequest request;
     request.size = pixels;
     request.pixelRatio = ratio;
     request.supersampling = std::clamp(resolved.picture.supersampling, 1, 4);
     request.linear = linear;
-    picture = levelZero_->picture(request, document_->scene().picture.transparent, this, what);
+    picture = fullResolution_->picture(request, document_->scene().picture.transparent, this, what);
   } else {
     resolved.camera = pictureCamera(size, ratio);
     picture = viewport_->picture({pixels, ratio, resolved.camera, linear, what});
@@ -137,10 +138,10 @@ bool MainWindow::savePicture(const QString& file, bool withSession) {
     if (!endsWith(file, "png") && !endsWith(file, "exr"))
       base::throwInput(path.filename().string(), "", "unknown image format; use .png or .exr");
     document_->checkOutput(file);
-    const PictureWish wish = keptPictureWish();
-    const scene::Scene scene = pictureScene(wish);
+    const PictureRequest asked = savedPictureRequest();
+    const scene::Scene scene = pictureScene(asked);
     const auto textOf = [&] {
-      return wish.fullPaths
+      return asked.fullPaths
                  ? app::sessionText(scene, path.parent_path())
                  : app::pictureSessionText(scene, path.parent_path(), hiddenInSaved(document_->volume()));
     };
@@ -213,11 +214,11 @@ void MainWindow::chooseMesh() {
 
 QString MainWindow::commandText() const {
   if (!document_->volume()) return {};
-  const PictureWish wish = keptPictureWish();
-  const QSize size = wish.pixels(sizeOf(viewport_->pixelSize()));
+  const PictureRequest asked = savedPictureRequest();
+  const QSize size = asked.pixels(sizeOf(viewport_->pixelSize()));
   const std::string out = proposedFile(".png").section('/', -1).toStdString();
   return QString::fromStdString(
-      app::renderCommand(pictureScene(wish), machine_, {size.width(), size.height()}, out));
+      app::renderCommand(pictureScene(asked), host_, {size.width(), size.height()}, out));
 }
 
 void MainWindow::copyCommand() {

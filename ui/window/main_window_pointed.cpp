@@ -5,7 +5,7 @@
 #include <QLabel>
 #include <QMenu>
 
-#include "app/interaction/piece_choice.h"
+#include "app/view_math/piece_choice.h"
 #include "ui/language/number_text.h"
 #include "ui/viewport/pointed_piece.h"
 #include "ui/window/main_window.h"

@@ -14,8 +14,8 @@
 #include <glm/common.hpp>
 
 #include "base/caught_error.h"
+#include "base/destroy_in_background.h"
 #include "base/memory_budget.h"
-#include "base/retire.h"
 #include "volume/voxels/stored_type.h"
 
 namespace isolux::volume {
@@ -66,7 +66,7 @@ struct BrickSource::State {
     std::shared_ptr<const Reading> reading;
     std::list<Key>::iterator recent;  // in memory
   };
-  struct Wish {
+  struct Priority {
     Key key;
     std::weak_ptr<void> wanted;
   };
@@ -78,11 +78,11 @@ struct BrickSource::State {
   base::MemoryBudget::Held held;
 
   mutable std::mutex mutex;
-  std::condition_variable ended, wished;
+  std::condition_variable ended, requested;
   std::unordered_map<Key, Entry, KeyHash> entries;
   std::list<Key> recent;  // the most recently used first
-  std::multimap<int, Wish, std::greater<>> wishes;
-  std::vector<std::unique_ptr<base::RetiringThread<State>>> threads;
+  std::multimap<int, Priority, std::greater<>> wishes;
+  std::vector<std::unique_ptr<base::BackgroundThread<State>>> threads;
   bool stopping = false;
   Reads reads;
 
@@ -152,12 +152,12 @@ std::shared_ptr<const BrickSource::Brick> BrickSource::State::get(Key key) {
 void BrickSource::State::work() {
   std::unique_lock lock(mutex);
   for (;;) {
-    wished.wait(lock, [&] { return stopping || !wishes.empty(); });
+    requested.wait(lock, [&] { return stopping || !wishes.empty(); });
     if (stopping) return;
-    const Wish wish = wishes.begin()->second;
+    const Priority asked = wishes.begin()->second;
     wishes.erase(wishes.begin());
-    if (wish.wanted.expired()) continue;
-    if (!entries.contains(wish.key)) readNow(wish.key, lock);
+    if (asked.wanted.expired()) continue;
+    if (!entries.contains(asked.key)) readNow(asked.key, lock);
   }
 }
 
@@ -179,9 +179,9 @@ BrickSource::~BrickSource() {
   const std::lock_guard lock(state_->mutex);
   state_->stopping = true;
   state_->wishes.clear();
-  state_->wished.notify_all();
+  state_->requested.notify_all();
   // Its threads hold the state, and the state its threads: they are let go here, and end elsewhere.
-  base::retire(std::move(state_->threads));
+  base::destroyInBackground(std::move(state_->threads));
   state_->threads.clear();
 }
 
@@ -218,17 +218,17 @@ BrickSource::Request BrickSource::request(std::size_t level, glm::ivec3 index, i
       found != state_->entries.end() && found->second.reading->ended)
     return {};
   const auto wanted = std::make_shared<int>(0);
-  state_->wishes.emplace(priority, State::Wish{key, wanted});
+  state_->wishes.emplace(priority, State::Priority{key, wanted});
   if (state_->threads.empty()) {
     const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
     for (std::size_t i = 0; i < std::min(cores, kMostReaders); ++i)
-      state_->threads.push_back(std::make_unique<base::RetiringThread<State>>(
+      state_->threads.push_back(std::make_unique<base::BackgroundThread<State>>(
           state_, [here = std::this_thread::get_id()](State& state) {
             // Where the system refuses a thread nothing is read ahead.
             if (std::this_thread::get_id() != here) state.work();
           }));
   }
-  state_->wished.notify_one();
+  state_->requested.notify_one();
   return Request(wanted);
 }
 

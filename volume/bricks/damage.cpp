@@ -83,7 +83,7 @@ std::size_t readAround(const ChunkedVolume& file, VolumePart part, std::size_t l
   return bytes;
 }
 
-void noteDamage(const std::string& file, DamagedPart&& part, std::vector<DamagedPart>& damaged) {
+void recordDamage(const std::string& file, DamagedPart&& part, std::vector<DamagedPart>& damaged) {
   if (std::find(damaged.begin(), damaged.end(), part) != damaged.end()) return;
   if (damaged.size() == kMostDamagedParts)
     base::throwInput(file, "",
@@ -98,7 +98,7 @@ std::string damageText(const std::vector<DamagedPart>& damaged) {
   return std::to_string(damaged.size()) + " parts of it cannot be read, the first: " + error;
 }
 
-bool isMended(const ChunkedVolume& file, VolumePart part, const std::vector<DamagedPart>& damaged) {
+bool isRepaired(const ChunkedVolume& file, VolumePart part, const std::vector<DamagedPart>& damaged) {
   return std::any_of(damaged.begin(), damaged.end(), [&](const DamagedPart& one) {
     std::vector<std::byte> voxels(Extent3{one.size}.count() * bytesOf(file.facts().storedType));
     std::size_t bytes = 0;

@@ -31,12 +31,12 @@ std::size_t readAround(const ChunkedVolume& file, VolumePart part, std::size_t l
                        glm::ivec3 size, std::span<std::byte> voxels, std::vector<DamagedPart>& damaged);
 
 // Adds one to those of a file unless it is among them. Throws Error{input} where there are too many.
-void noteDamage(const std::string& file, DamagedPart&& part, std::vector<DamagedPart>& damaged);
+void recordDamage(const std::string& file, DamagedPart&& part, std::vector<DamagedPart>& damaged);
 
 // How many there are, and the first one's error: "a part of it cannot be read: ...".
 std::string damageText(const std::vector<DamagedPart>& damaged);
 
 // Whether any of them, of level 0, can be read again.
-bool isMended(const ChunkedVolume& file, VolumePart part, const std::vector<DamagedPart>& damaged);
+bool isRepaired(const ChunkedVolume& file, VolumePart part, const std::vector<DamagedPart>& damaged);
 
 }  // namespace isolux::volume

@@ -143,7 +143,7 @@ LevelVoxels readMeans(const ChunkedVolume& file, VolumePart part, const LevelOri
             means.add(at, size, withMissing(piece, at, size, damaged));
             const std::lock_guard lock(mutex);
             for (DamagedPart& one : std::exchange(damaged, {}))
-              noteDamage(file.facts().name, std::move(one), read.damaged);
+              recordDamage(file.facts().name, std::move(one), read.damaged);
           }
         }
     std::vector<std::size_t> unknown;

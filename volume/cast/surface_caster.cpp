@@ -47,15 +47,16 @@ VisibleCrossing visibleCrossing(const CastView& view, glm::ivec3 cell, const glm
                                 const glm::dvec3& to, int inside, bool entered, bool first) {
   VisibleCrossing seen{.inside = inside};
   for (std::size_t k = 0; k < view.shown.size(); ++k) {
-    const ShownWay way = view.shown[k].along(cell, from, to);
-    std::span<const ShownWay::Part> parts = way.parts();
+    const VisibilityIntervals way = view.shown[k].along(cell, from, to);
+    std::span<const VisibilityIntervals::Part> parts = way.parts();
     const int bit = 1 << k;
     if (entered)
       seen.inside = parts.front().inside == view.insideIsAbove ? seen.inside | bit : seen.inside & ~bit;
     if (first) parts = parts.subspan(1);
     const bool onSide = ((seen.inside & bit) != 0) == view.insideIsAbove;
-    const auto other = std::find_if(parts.begin(), parts.end(),
-                                    [&](const ShownWay::Part& part) { return part.inside != onSide; });
+    const auto other = std::find_if(parts.begin(), parts.end(), [&](const VisibilityIntervals::Part& part) {
+      return part.inside != onSide;
+    });
     if (other == parts.end() || other->begin >= seen.s) continue;
     seen.s = other->begin;
     seen.changed = bit;

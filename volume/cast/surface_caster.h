@@ -29,7 +29,7 @@
 namespace isolux::volume {
 
 class ClipRegion;
-class HiddenVoxels;
+class VoxelMask;
 class ShownCells;
 
 namespace casting {
@@ -45,7 +45,7 @@ struct CastField {
   scene::Field field = scene::Field::trilinear;
   const Coefficients* coefficients = nullptr;
   // Of each isovalue what is hidden, null where nothing is; or empty. `inside`: of pieces.
-  std::span<const HiddenVoxels* const> hidden = {};
+  std::span<const VoxelMask* const> hidden = {};
   scene::Inside inside = scene::Inside::above;
   // What is kept of the surfaces that are cut (voxel coordinates; null: nothing is cut), a bit for each of
   // them, and where rays end for other reasons (cut faces): t of each pixel of what is cast, +inf where they

@@ -23,9 +23,9 @@ glm::dmat3 axesOf(const glm::dvec4& wxyz) {
 
 }  // namespace
 
-ClipRegion::Stretch ClipRegion::Removed::stretchOf(const glm::dvec3& origin, const glm::dvec3& direction,
+ClipRegion::Segment ClipRegion::Removed::segmentOf(const glm::dvec3& origin, const glm::dvec3& direction,
                                                    bool closed) const {
-  Stretch within;
+  Segment within;
   for (int axis = 0; axis < 3; ++axis) {
     const double o = origin[axis], d = direction[axis];
     if (d == 0.0) {
@@ -39,8 +39,8 @@ ClipRegion::Stretch ClipRegion::Removed::stretchOf(const glm::dvec3& origin, con
   return within;
 }
 
-bool ClipRegion::Stretches::hold(double t) const {
-  return std::any_of(begin(), end(), [t](const Stretch& stretch) { return stretch.holds(t); });
+bool ClipRegion::RaySegments::hold(double t) const {
+  return std::any_of(begin(), end(), [t](const Segment& segment) { return segment.holds(t); });
 }
 
 ClipRegion::ClipRegion(const scene::Clip& clip) {
@@ -83,8 +83,8 @@ bool ClipRegion::contains(const glm::dvec3& p) const {
          });
 }
 
-ClipRegion::Stretch ClipRegion::betweenFaces(const glm::dvec3& origin, const glm::dvec3& direction,
-                                             Stretch whole) const {
+ClipRegion::Segment ClipRegion::betweenFaces(const glm::dvec3& origin, const glm::dvec3& direction,
+                                             Segment whole) const {
   for (const glm::dvec4& face : faces()) {
     const double at = glm::dot(face, glm::dvec4(origin, 1.0)), per = glm::dot(glm::dvec3(face), direction);
     if (per > 0.0)
@@ -97,16 +97,16 @@ ClipRegion::Stretch ClipRegion::betweenFaces(const glm::dvec3& origin, const glm
   return whole;
 }
 
-ClipRegion::Stretches ClipRegion::stretchesOf(const glm::dvec3& origin, const glm::dvec3& direction,
-                                              Stretch whole) const {
-  Stretches kept;
+ClipRegion::RaySegments ClipRegion::segmentsOf(const glm::dvec3& origin, const glm::dvec3& direction,
+                                               Segment whole) const {
+  RaySegments kept;
   whole = betweenFaces(origin, direction, whole);
   if (whole.empty()) return kept;
-  std::array<Stretch, kMostRemoved> gone;  // by where they begin
+  std::array<Segment, kMostRemoved> gone;  // by where they begin
   std::size_t count = 0;
   const glm::dvec3 from = axes_ * origin, along = axes_ * direction;
   for (const Removed& box : removed()) {
-    const Stretch within = box.stretchOf(from, along, false);
+    const Segment within = box.segmentOf(from, along, false);
     if (!(within.begin < within.end)) continue;
     std::size_t at = count++;
     for (; at > 0 && gone[at - 1].begin > within.begin; --at) gone[at] = gone[at - 1];

@@ -1,5 +1,5 @@
 // What cuts leave of space: an intersection of half-spaces less some boxes, so that of each ray some
-// stretches are kept.
+// segments are kept.
 //
 // The half-spaces are those of the planes of scene::Clip and of the six faces of its turned box; without any
 // all of space is kept. A point on one of their faces is kept. A removed box takes what lies from its low
@@ -28,22 +28,22 @@ class ClipRegion {
   static constexpr std::size_t kMostFaces = scene::kClipPlanes + 6;
   static constexpr std::size_t kMostRemoved = scene::kRemovedBoxes;
   // Between which t a ray is in the region; none where begin > end.
-  struct Stretch {
+  struct Segment {
     double begin = -std::numeric_limits<double>::infinity(), end = std::numeric_limits<double>::infinity();
     bool empty() const { return begin > end; }
     bool holds(double t) const { return t >= begin && t <= end; }
   };
   // Those of a ray, in order, none of them empty.
-  class Stretches {
+  class RaySegments {
    public:
-    const Stretch* begin() const { return list_.data(); }
-    const Stretch* end() const { return list_.data() + count_; }
+    const Segment* begin() const { return list_.data(); }
+    const Segment* end() const { return list_.data() + count_; }
     bool empty() const { return count_ == 0; }
     bool hold(double t) const;
-    void add(const Stretch& stretch) { list_[count_++] = stretch; }
+    void add(const Segment& segment) { list_[count_++] = segment; }
 
    private:
-    std::array<Stretch, kMostRemoved + 1> list_;
+    std::array<Segment, kMostRemoved + 1> list_;
     std::size_t count_ = 0;
   };
   // A removed box. Its axes are those of the world, measured from voxel 0.
@@ -51,7 +51,7 @@ class ClipRegion {
     glm::dvec3 low, high;
     // Between which t a ray is in the box; empty, or of one point, where it is not. `closed`: one that runs
     // along a face is in it there, too, not only along the low one.
-    Stretch stretchOf(const glm::dvec3& origin, const glm::dvec3& direction, bool closed) const;
+    Segment segmentOf(const glm::dvec3& origin, const glm::dvec3& direction, bool closed) const;
   };
 
   ClipRegion() = default;                                   // all of space
@@ -65,15 +65,15 @@ class ClipRegion {
   const glm::dmat3& axes() const { return axes_; }
   bool contains(const glm::dvec3& p) const;
   // What is kept of a ray, or of `whole` of it.
-  Stretches stretchesOf(const glm::dvec3& origin, const glm::dvec3& direction) const {
-    return stretchesOf(origin, direction, Stretch{});
+  RaySegments segmentsOf(const glm::dvec3& origin, const glm::dvec3& direction) const {
+    return segmentsOf(origin, direction, Segment{});
   }
-  Stretches stretchesOf(const glm::dvec3& origin, const glm::dvec3& direction, Stretch whole) const;
+  RaySegments segmentsOf(const glm::dvec3& origin, const glm::dvec3& direction, Segment whole) const;
   std::uint64_t key() const;  // of equal regions; 0: nothing is cut
 
  private:
   void add(const glm::dvec3& point, const glm::dvec3& normal);
-  Stretch betweenFaces(const glm::dvec3& origin, const glm::dvec3& direction, Stretch whole) const;
+  Segment betweenFaces(const glm::dvec3& origin, const glm::dvec3& direction, Segment whole) const;
 
   std::array<glm::dvec4, kMostFaces> faces_{};
   std::size_t count_ = 0;

@@ -47,8 +47,8 @@ bool CutFaces::isInside(const glm::dvec3& voxel) const {
 std::optional<CutFace> CutFaces::at(const Ray& ray) const {
   if (!cut_.cuts() || !ray.valid()) return std::nullopt;
   const glm::dvec3 last(grid_.dims() - 1);
-  const auto domain = ClipRegion::Removed{glm::dvec3(0.0), last}.stretchOf(ray.origin, ray.direction, true);
-  for (const auto& [t, end] : cut_.region().stretchesOf(ray.origin, ray.direction)) {
+  const auto domain = ClipRegion::Removed{glm::dvec3(0.0), last}.segmentOf(ray.origin, ray.direction, true);
+  for (const auto& [t, end] : cut_.region().segmentsOf(ray.origin, ray.direction)) {
     if (!(t > ray.tMinimum) || t > ray.tMaximum || !domain.holds(t)) continue;
     const glm::dvec3 voxel = glm::clamp(ray.origin + t * ray.direction, glm::dvec3(0.0), last);
     if (cap_ == scene::ClipCap::inside && !isInside(voxel)) continue;

@@ -22,9 +22,9 @@ class SurfaceCut {
   // What is kept of the isosurface: the region, or all of space.
   bool cuts(double isovalue) const;
   // In t of the ray, between its ends.
-  ClipRegion::Stretches stretchesOf(double isovalue, const Ray& ray) const {
+  ClipRegion::RaySegments segmentsOf(double isovalue, const Ray& ray) const {
     const ClipRegion& region = cuts(isovalue) ? region_ : kWhole;
-    return region.stretchesOf(ray.origin, ray.direction, {ray.tMinimum, ray.tMaximum});
+    return region.segmentsOf(ray.origin, ray.direction, {ray.tMinimum, ray.tMaximum});
   }
   bool keeps(double isovalue, const glm::dvec3& voxel) const {
     return !cuts(isovalue) || region_.contains(voxel);

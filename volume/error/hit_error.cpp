@@ -15,11 +15,11 @@ namespace isolux::volume {
 
 namespace {
 
-// Roundings of the field along a stretch, in parts of the largest corner (coefficient) less the isovalue:
+// Roundings of the field along a segment, in parts of the largest corner (coefficient) less the isovalue:
 // three interpolations of two roundings, the mean of the middle ones, de Casteljau; of degree 9 twice as
 // many.
 constexpr double kTrilinearRoundings = 3.0, kCubicRoundings = 6.0;
-constexpr double kRootTolerance = 1e-6 / 3.0;  // regula falsi ends at 1e-6 of a stretch: its deviation
+constexpr double kRootTolerance = 1e-6 / 3.0;  // regula falsi ends at 1e-6 of a segment: its deviation
 // An enclosure may be so many times as wide as the slope at the hit says before it is a jump.
 constexpr double kContinuous = 4.0;
 constexpr double kNarrowVoxels = 1e-3, kWideVoxels = 0.25;

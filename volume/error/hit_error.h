@@ -47,7 +47,7 @@ struct HitSource {
   const Coefficients* coefficients = nullptr;
   bool onProcessor = false;  // which multiplies and adds in one rounding, and has integers as they are
 };
-// An isosurface, and between which t of this ray it is not cut away: one of its stretches.
+// An isosurface, and between which t of this ray it is not cut away: one of its segments.
 struct RaySurface {
   double isovalue = 0.0;  // data units
   HiddenPieces hidden{};

@@ -15,7 +15,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "volume/extraction/surface_foot.h"
+#include "volume/extraction/surface_projection.h"
 #include "volume/mesh/mesh_edges.h"
 #include "volume/parallel/parallel_loops.h"
 #include "volume/read/process/foreign.h"
@@ -345,7 +345,7 @@ class Maker {
 
   const Grid& grid_;
   const SurfaceMeshRequest& request_;
-  SurfaceFoot foot_;
+  SurfaceProjection foot_;
   TriangleMesh mesh_;          // voxel coordinates
   std::vector<char> capping_;  // of each point: it closes the surface at the border
   std::size_t astray_ = 0;

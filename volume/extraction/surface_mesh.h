@@ -14,7 +14,7 @@
 #include "volume/field/coefficients.h"
 #include "volume/mesh/triangle_mesh.h"
 #include "volume/skip/min_max_blocks.h"
-#include "volume/visible/hidden_voxels.h"
+#include "volume/visible/voxel_mask.h"
 
 namespace isolux::volume {
 
@@ -23,7 +23,7 @@ struct SurfaceMeshRequest {
   scene::Inside inside = scene::Inside::above;
   scene::Field field = scene::Field::trilinear;  // whose surface the points lie on
   const Coefficients* coefficients = nullptr;    // of cubic_interpolating
-  const HiddenVoxels* hidden = nullptr;          // pieces that are left out
+  const VoxelMask* hidden = nullptr;             // pieces that are left out
   bool closed = false;                           // where the surface leaves the volume the border closes it
   double toleranceMm = 0.0;                      // triangles are split until they come so near; 0: none is
   std::size_t budgetBytes = std::size_t{1} << 40;

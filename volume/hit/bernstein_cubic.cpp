@@ -14,7 +14,7 @@ double trilinear(const CellCorners& c, const glm::dvec3& p) {
 
 BernsteinCubic BernsteinCubic::along(const CellCorners& corners, const glm::dvec3& from,
                                      const glm::dvec3& to) {
-  // The coefficients are the polar form of the trilinear function at the stretch's two ends.
+  // The coefficients are the polar form of the trilinear function at the segment's two ends.
   const glm::dvec3 end[2] = {from, to};
   const auto f = [&](int i, int j, int k) { return trilinear(corners, {end[i].x, end[j].y, end[k].z}); };
   return {{f(0, 0, 0), (f(1, 0, 0) + f(0, 1, 0) + f(0, 0, 1)) / 3.0,

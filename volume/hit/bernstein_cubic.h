@@ -1,4 +1,4 @@
-// The trilinear field along a straight stretch through a cell: a cubic, exactly, in Bernstein form.
+// The trilinear field along a straight segment through a cell: a cubic, exactly, in Bernstein form.
 //
 // For what works in double precision. The tracer's kernels (volume/tracer) have the same cubic in single
 // precision with steps of their own, scalar ones those of the SIMD lanes; tests compare them with this one.

@@ -17,7 +17,7 @@ bool Ray::valid() const {
   return direction != glm::dvec3(0.0);
 }
 
-double CellWalk::Stretch::t(double s) const {
+double CellWalk::Segment::t(double s) const {
   return std::clamp(tBegin + s * (tEnd - tBegin), tBegin, tEnd);
 }
 
@@ -100,24 +100,24 @@ bool CellWalk::leave(glm::ivec3 low, glm::ivec3 high) {
   return true;
 }
 
-std::optional<CellWalk::Stretch> CellWalk::stretch() const {
-  Stretch stretch{};
-  stretch.tBegin = t_;
-  stretch.tEnd = tEnd_;
+std::optional<CellWalk::Segment> CellWalk::segment() const {
+  Segment segment{};
+  segment.tBegin = t_;
+  segment.tEnd = tEnd_;
   std::array<double, 3> at{kInfinity, kInfinity, kInfinity};
   for (int axis = 0; axis < 3; ++axis) {
     if (direction_[axis] == 0.0) continue;
     at[static_cast<std::size_t>(axis)] = planeT(axis, direction_[axis] > 0.0 ? cell_[axis] + 1 : cell_[axis]);
-    stretch.tEnd = std::min(stretch.tEnd, at[static_cast<std::size_t>(axis)]);
+    segment.tEnd = std::min(segment.tEnd, at[static_cast<std::size_t>(axis)]);
   }
-  if (!(stretch.tEnd > t_)) return std::nullopt;
+  if (!(segment.tEnd > t_)) return std::nullopt;
   for (int axis = 0; axis < 3; ++axis) {
-    stretch.from[axis] = std::clamp(entry_[axis] - cell_[axis], 0.0, 1.0);
-    stretch.to[axis] = std::clamp(coordinate(axis, stretch.tEnd) - cell_[axis], 0.0, 1.0);
-    if (at[static_cast<std::size_t>(axis)] <= stretch.tEnd)
-      stretch.to[axis] = direction_[axis] > 0.0 ? 1.0 : 0.0;
+    segment.from[axis] = std::clamp(entry_[axis] - cell_[axis], 0.0, 1.0);
+    segment.to[axis] = std::clamp(coordinate(axis, segment.tEnd) - cell_[axis], 0.0, 1.0);
+    if (at[static_cast<std::size_t>(axis)] <= segment.tEnd)
+      segment.to[axis] = direction_[axis] > 0.0 ? 1.0 : 0.0;
   }
-  return stretch;
+  return segment;
 }
 
 namespace {
@@ -147,13 +147,13 @@ std::optional<Side> sideOfBlock(const MinMaxBlocks& blocks, glm::ivec3 block, co
 }
 
 std::optional<double> firstShownChange(const ShownCells& shown, glm::ivec3 cell,
-                                       const CellWalk::Stretch& stretch, Side& side) {
-  const ShownWay way = shown.along(cell, stretch.from, stretch.to);
+                                       const CellWalk::Segment& segment, Side& side) {
+  const VisibilityIntervals way = shown.along(cell, segment.from, segment.to);
   const auto sideOf = [&](bool inside) {
     return inside == (shown.inside() == scene::Inside::above) ? Side::inside : Side::outside;
   };
   if (side == Side::unknown) side = sideOf(way.parts().front().inside);
-  const ShownWay::Part* const other = way.firstOther(side == sideOf(true));
+  const VisibilityIntervals::Part* const other = way.firstOther(side == sideOf(true));
   if (!other) return std::nullopt;
   side = sideOf(other->inside);
   return other->begin;

@@ -25,7 +25,7 @@ struct Ray {
   bool valid() const;  // finite and not without direction
 };
 
-// Which side of the isosurface an open stretch of the ray lies on; unknown before the first cell and after
+// Which side of the isosurface an open segment of the ray lies on; unknown before the first cell and after
 // cells that hold no field.
 enum class Side { unknown, outside, inside };
 
@@ -38,7 +38,7 @@ class CellWalk {
  public:
   // A ray's way through one cell: `from` and `to` are in [0, 1]^3 of the cell, on its faces exactly where the
   // ray enters and leaves it.
-  struct Stretch {
+  struct Segment {
     double tBegin, tEnd;
     glm::dvec3 from, to;
     double t(double s) const;  // s in [0, 1]
@@ -52,7 +52,7 @@ class CellWalk {
   glm::ivec3 cell() const { return cell_; }
   double tBegin() const { return t_; }     // where the ray enters the cell
   double tEnd() const { return tEnd_; }    // of the whole ray
-  std::optional<Stretch> stretch() const;  // nothing when the ray only touches the cell
+  std::optional<Segment> segment() const;  // nothing when the ray only touches the cell
   // Moves to the cell behind the box of cells between the planes `low` and `high`, which holds the current
   // one; false at the end of the ray.
   bool leave(glm::ivec3 low, glm::ivec3 high);
@@ -102,10 +102,10 @@ std::optional<Hit> firstCrossing(const Grid& grid, const MinMaxBlocks& blocks, d
   return std::nullopt;
 }
 
-// What crossing a cell does in which pieces are hidden: where on the stretch another side than `side` is seen
+// What crossing a cell does in which pieces are hidden: where on the segment another side than `side` is seen
 // first, and sets `side` behind; an unknown side becomes that at the beginning.
 std::optional<double> firstShownChange(const ShownCells& shown, glm::ivec3 cell,
-                                       const CellWalk::Stretch& stretch, Side& side);
+                                       const CellWalk::Segment& segment, Side& side);
 
 // The root of f between `low` and `high`, where f is monotone or at least changes its sign once, from
 // `lowIsNegative` to its opposite: regula falsi in the Illinois form, with a bisection whenever it does not

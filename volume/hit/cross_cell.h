@@ -21,7 +21,7 @@ struct CellSigns {
   }
 };
 
-// `cell`: `signs`, and valueAt() of positions in it, less the isovalue. firstChange(stretch) of the field
+// `cell`: `signs`, and valueAt() of positions in it, less the isovalue. firstChange(segment) of the field
 // answers as firstShownChange() does, from the same `side`.
 template <class Cell, class FirstChange>
 std::optional<RayHit> crossCell(const Cell& cell, const CellWalk& walk, const ShownCells* shown, Side& side,
@@ -34,20 +34,20 @@ std::optional<RayHit> crossCell(const Cell& cell, const CellWalk& walk, const Sh
   const bool hides = shown && shown->hides(walk.cell());
   const Side whole = cell.signs.anyAbove ? Side::inside : Side::outside;
   if (uniform && side == whole && !hides) return std::nullopt;  // most cells: the ray stays on its side
-  const auto stretch = walk.stretch();
-  if (!stretch) return std::nullopt;
+  const auto segment = walk.segment();
+  if (!segment) return std::nullopt;
   std::optional<double> s;
   if (hides) {
-    s = firstShownChange(*shown, walk.cell(), *stretch, side);
+    s = firstShownChange(*shown, walk.cell(), *segment, side);
   } else if (!uniform) {
-    s = firstChange(*stretch);
+    s = firstChange(*segment);
   } else {
     if (side != Side::unknown) s = 0.0;
     side = whole;
   }
   if (!s) return std::nullopt;
-  const glm::dvec3 local = stretch->local(*s);
-  return RayHit{stretch->t(*s), glm::dvec3(walk.cell()) + local, std::abs(cell.valueAt(local)),
+  const glm::dvec3 local = segment->local(*s);
+  return RayHit{segment->t(*s), glm::dvec3(walk.cell()) + local, std::abs(cell.valueAt(local)),
                 side == Side::inside};
 }
 

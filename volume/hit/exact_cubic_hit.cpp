@@ -88,13 +88,13 @@ struct Signs {
   }
 };
 
-// The changes of side along one cell's stretch, front to back.
+// The changes of side along one cell's segment, front to back.
 class Changes {
  public:
   // `rounding`: what the coefficients may be off by.
   Changes(Side& side, double rounding) : side_(side), rounding_(rounding) {}
 
-  // The part [begin, begin + length] of the stretch: calls found(s) for each change of side until one answers
+  // The part [begin, begin + length] of the segment: calls found(s) for each change of side until one answers
   // that it is enough; whether one did.
   template <class Found>
   bool find(const Bernstein9& b, double begin, double length, const Found& found) {
@@ -127,7 +127,7 @@ class Changes {
  private:
   static constexpr double kShortest = 0x1p-50;
 
-  // One change of sign is one crossing. In a stretch too short to be cut the first and last side tell.
+  // One change of sign is one crossing. In a segment too short to be cut the first and last side tell.
   std::optional<double> crossing(const Bernstein9& b, const Signs& signs, double begin, double length) {
     if (signs.first == signs.last) {
       if (!uncertain) uncertain = begin;
@@ -199,18 +199,18 @@ CubicHit firstHitCubic(const std::vector<T>& stored, const Grid& grid, const Min
   const auto cross = [&](const CellWalk& walk, Side& side) {
     CellCoefficients cell(stored, grid, isovalue, walk.cell());
     if (gaps && !cell.signs.missing) cell.signs.missing = grid.cellHasMissing(walk.cell());
-    return crossCell(cell, walk, shown, side, [&](const CellWalk::Stretch& stretch) {
+    return crossCell(cell, walk, shown, side, [&](const CellWalk::Segment& segment) {
       Changes change(side, cell.rounding());
-      const std::optional<double> s = change.first(alongStretch(cell.c, stretch.from, stretch.to));
+      const std::optional<double> s = change.first(alongStretch(cell.c, segment.from, segment.to));
       if (change.uncertain && result.certain) {
         result.certain = false;
-        result.tUncertain = stretch.t(*change.uncertain);
+        result.tUncertain = segment.t(*change.uncertain);
       }
       return s;
     });
   };
   result.hit = firstCrossing<RayHit>(grid, blocks, isovalue, ray, shown, cross);
-  // A crossing at the end of a stretch looks doubtful there, and is not where the next stretch shows it.
+  // A crossing at the end of a segment looks doubtful there, and is not where the next segment shows it.
   constexpr double samePlaceVoxels = 1e-6;
   if (!result.certain && result.hit &&
       (result.hit->t - result.tUncertain) * glm::length(ray.direction) < samePlaceVoxels)

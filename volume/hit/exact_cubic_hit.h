@@ -1,14 +1,14 @@
 // First hit of a ray with the isosurface of the tri-cubic B-spline, exactly: the double-precision reference
 // for hits on the fields `cubic` and `cubic_interpolating`.
 //
-// Along a ray's stretch through a cell the field is a polynomial of degree 9. Its Bernstein coefficients b_m
+// Along a ray's segment through a cell the field is a polynomial of degree 9. Its Bernstein coefficients b_m
 // follow from the cell's 64 spline coefficients by convex combinations alone:
 //  - per axis, row i of a 4x4 matrix has the weights of the uniform cubic B-spline's blossom (polar form) at
-//    (from^(3-i), to^i), `from` and `to` being the stretch's ends in the cell; applied to all three axes this
-//    gives the Bezier points B(i,j,k) of the box spanned by the stretch;
+//    (from^(3-i), to^i), `from` and `to` being the segment's ends in the cell; applied to all three axes this
+//    gives the Bezier points B(i,j,k) of the box spanned by the segment;
 //  - b_m = sum over i+j+k = m of C(3,i) C(3,j) C(3,k) / C(9,m) B(i,j,k), the box's diagonal.
 // (Ramshaw 1989, blossoms; the hull and variation-diminishing properties: Farin 2002.) No change of sign in
-// the b_m: no crossing. One: exactly one crossing, found to the last bit. More: the stretch is halved and
+// the b_m: no crossing. One: exactly one crossing, found to the last bit. More: the segment is halved and
 // looked at again, front half first, so that the first crossing cannot be missed.
 //
 // Cells that hold no surface: for `cubic` those with a missing voxel among their 64, for
@@ -48,7 +48,7 @@ CubicHit firstHitOfField(const Grid& grid, scene::Field field, const Coefficient
 using Bernstein9 = std::array<double, 10>;
 Bernstein9 alongStretch(const std::array<double, 64>& coefficients, glm::dvec3 from, glm::dvec3 to);
 
-// All changes of side along a cell's stretch, s in [0, 1] ascending, and the side that it begins on (unknown
+// All changes of side along a cell's segment, s in [0, 1] ascending, and the side that it begins on (unknown
 // where rounding hides it). isovalue: data units; coefficients: as above; none that the cell needs is
 // missing.
 struct SideChanges {

@@ -10,7 +10,7 @@ namespace isolux::volume {
 
 namespace {
 
-// Goes through one cell's stretch with the side the ray came from. Returns where it changes first, and sets
+// Goes through one cell's segment with the side the ray came from. Returns where it changes first, and sets
 // `side` to that behind the crossing; else leaves the last side in `side`.
 std::optional<double> firstChange(const BernsteinCubic& cubic, Side& side) {
   std::array<double, 2> critical{};
@@ -64,8 +64,8 @@ std::optional<RayHit> firstHit(const Grid& grid, const MinMaxBlocks& blocks, dou
       [&](const auto& voxels) {
         const auto cross = [&](const CellWalk& walk, Side& side) {
           const CornerValues cell(grid, voxels, isovalue, walk.cell());
-          return crossCell(cell, walk, shown, side, [&](const CellWalk::Stretch& stretch) {
-            const BernsteinCubic cubic = BernsteinCubic::along(cell.corner, stretch.from, stretch.to);
+          return crossCell(cell, walk, shown, side, [&](const CellWalk::Segment& segment) {
+            const BernsteinCubic cubic = BernsteinCubic::along(cell.corner, segment.from, segment.to);
             return firstChange(cubic, side);
           });
         };

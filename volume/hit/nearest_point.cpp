@@ -22,7 +22,7 @@ float distanceSquared(glm::vec3 a, glm::vec3 b) {
 
 // Where the surface crosses an edge of the cells that reach touches, nearest to `voxel`.
 std::optional<glm::vec3> nearestEdgeCrossing(const Grid& grid, glm::vec3 voxel, glm::vec3 reach,
-                                             float isovalue, const HiddenVoxels* hidden) {
+                                             float isovalue, const VoxelMask* hidden) {
   const glm::ivec3 last = grid.dims() - 1;
   const glm::ivec3 low = glm::clamp(glm::ivec3(glm::floor(voxel - reach)), glm::ivec3(0), last);
   const glm::ivec3 high = glm::clamp(glm::ivec3(glm::ceil(voxel + reach)), glm::ivec3(0), last);

@@ -25,26 +25,26 @@ double rootBetween(const BernsteinCubic& cubic, double low, double high) {
 
 }  // namespace
 
-const ShownWay::Part* ShownWay::firstOther(bool inside) const {
+const VisibilityIntervals::Part* VisibilityIntervals::firstOther(bool inside) const {
   for (const Part& part : parts())
     if (part.inside != inside) return &part;
   return nullptr;
 }
 
-// Every stretch on one side holds an end or an extremum: what is seen at those is all that is seen.
-ShownWay ShownCell::along(const glm::dvec3& from, const glm::dvec3& to) const {
+// Every segment on one side holds an end or an extremum: what is seen at those is all that is seen.
+VisibilityIntervals ShownCell::along(const glm::dvec3& from, const glm::dvec3& to) const {
   const BernsteinCubic cubic = BernsteinCubic::along(depths_, from, to);
   std::array<double, 2> extrema{};
   const int count = cubic.extrema(extrema);
   const auto stop = [&](int i) {
     return i == 0 ? 0.0 : i <= count ? extrema[static_cast<std::size_t>(i - 1)] : 1.0;
   };
-  ShownWay way;
+  VisibilityIntervals way;
   bool before = false;
   for (int i = 0; i <= count + 1; ++i) {
     const double s = stop(i);
     double value = i == 0 ? cubic.b[0] : i <= count ? cubic(s) : cubic.b[3];
-    if (i == 0 && value == 0.0) value = cubic(stop(1));  // a stretch is open
+    if (i == 0 && value == 0.0) value = cubic(stop(1));  // a segment is open
     const bool now = value >= 0.0 && !hiddenAt(from + s * (to - from));
     if (i == 0 || now != before) way.add(i == 0 ? 0.0 : rootBetween(cubic, stop(i - 1), s), now);
     before = now;
@@ -52,7 +52,7 @@ ShownWay ShownCell::along(const glm::dvec3& from, const glm::dvec3& to) const {
   return way;
 }
 
-ShownCells::ShownCells(const Grid& grid, const HiddenVoxels* hidden, double isovalue, scene::Inside inside,
+ShownCells::ShownCells(const Grid& grid, const VoxelMask* hidden, double isovalue, scene::Inside inside,
                        scene::Field field, const Coefficients* coefficients)
     : grid_(grid),
       hidden_(hidden),
@@ -113,7 +113,7 @@ ShownCell ShownCells::cellAt(glm::ivec3 cell) const {
   return {depths, hidden};
 }
 
-ShownWay ShownCells::along(glm::ivec3 cell, const glm::dvec3& from, const glm::dvec3& to) const {
+VisibilityIntervals ShownCells::along(glm::ivec3 cell, const glm::dvec3& from, const glm::dvec3& to) const {
   return field_ == scene::Field::trilinear ? cellAt(cell).along(from, to) : alongCubic(cell, from, to);
 }
 
@@ -128,11 +128,12 @@ bool ShownCells::hiddenNear(glm::ivec3 cell, const glm::dvec3& local) const {
   return inside ? voxelHidden(*inside) : hidden_ && hidden_->hidesStrays();
 }
 
-// Between its changes of side a stretch is of one piece, which its middle tells.
-ShownWay ShownCells::alongCubic(glm::ivec3 cell, const glm::dvec3& from, const glm::dvec3& to) const {
+// Between its changes of side a segment is of one piece, which its middle tells.
+VisibilityIntervals ShownCells::alongCubic(glm::ivec3 cell, const glm::dvec3& from,
+                                           const glm::dvec3& to) const {
   const SideChanges changes = sideChangesOfCell(grid_, coefficients_, isovalue_, cell, from, to);
   bool inside = (changes.first == Side::inside) == (inside_ == scene::Inside::above);
-  ShownWay way;
+  VisibilityIntervals way;
   for (std::size_t i = 0; i <= changes.count; ++i, inside = !inside) {
     const double begin = i == 0 ? 0.0 : changes.s[i - 1], end = i < changes.count ? changes.s[i] : 1.0;
     const glm::dvec3 middle = from + 0.5 * (begin + end) * (to - from);

@@ -1,11 +1,11 @@
 // What rays see of an isosurface of which some pieces are hidden, cell by cell: inside is what is inside and
 // of no hidden piece.
 //
-// In cells whose inside corners are all hidden there is no surface. In those that have both kinds, a stretch
+// In cells whose inside corners are all hidden there is no surface. In those that have both kinds, a segment
 // of a ray that lies inside belongs to the piece of the corner above it (cornerAbove()). Cubic fields have no
 // pieces of their own: there the same ascent among the cell's samples decides, and where it ends outside, the
 // nearest inside sample of the 4^3 around the cell. Where there is none the spline overshoots: a stray
-// surface, of no piece (HiddenVoxels::hidesStrays()).
+// surface, of no piece (VoxelMask::hidesStrays()).
 //
 // Double precision and one ray at a time, for every executor on the processor: few cells have hidden corners
 // and may be crossed.
@@ -22,14 +22,14 @@
 #include "volume/grid.h"
 #include "volume/hit/bernstein_cubic.h"
 #include "volume/hit/cell_pieces.h"
-#include "volume/visible/hidden_voxels.h"
 #include "volume/visible/inside_level.h"
+#include "volume/visible/voxel_mask.h"
 
 namespace isolux::volume {
 
 // A ray's way through one cell: where along it, s in [0, 1], the side changes that is seen. The first part
 // begins at 0; `inside`: of a shown piece.
-class ShownWay {
+class VisibilityIntervals {
  public:
   struct Part {
     double begin;
@@ -58,7 +58,7 @@ class ShownCell {
   // Of the piece at `local`, which lies inside.
   bool hiddenAt(const glm::dvec3& local) const { return (hidden_ >> cornerAbove(depths_, local) & 1) != 0; }
   // Of the trilinear field between `from` and `to`, both in [0, 1]^3.
-  ShownWay along(const glm::dvec3& from, const glm::dvec3& to) const;
+  VisibilityIntervals along(const glm::dvec3& from, const glm::dvec3& to) const;
 
  private:
   CellCorners depths_;
@@ -70,7 +70,7 @@ class ShownCells {
  public:
   // hidden: null where all pieces are shown. isovalue: data units. coefficients: of cubic_interpolating. All
   // must outlive this.
-  ShownCells(const Grid& grid, const HiddenVoxels* hidden, double isovalue, scene::Inside inside,
+  ShownCells(const Grid& grid, const VoxelMask* hidden, double isovalue, scene::Inside inside,
              scene::Field field = scene::Field::trilinear, const Coefficients* coefficients = nullptr);
 
   scene::Inside inside() const { return inside_; }
@@ -81,7 +81,7 @@ class ShownCells {
   // seen may change within them or at their faces, where the field does not. Bit x + 8 y of word z.
   std::array<std::uint64_t, 8> aroundHidden(glm::ivec3 first) const;
   // Of a cell without missing corners.
-  ShownWay along(glm::ivec3 cell, const glm::dvec3& from, const glm::dvec3& to) const;
+  VisibilityIntervals along(glm::ivec3 cell, const glm::dvec3& from, const glm::dvec3& to) const;
   // Whether a surface point belongs to a hidden piece.
   bool hiddenAt(const glm::dvec3& voxel) const;
   bool voxelHidden(glm::ivec3 voxel) const { return hidden_ && hidden_->at(voxel); }
@@ -90,10 +90,10 @@ class ShownCells {
   ShownCell cellAt(glm::ivec3 cell) const;
   bool hiddenNear(glm::ivec3 cell, const glm::dvec3& local) const;
   bool insideAny(glm::ivec3 low, glm::ivec3 high) const;
-  ShownWay alongCubic(glm::ivec3 cell, const glm::dvec3& from, const glm::dvec3& to) const;
+  VisibilityIntervals alongCubic(glm::ivec3 cell, const glm::dvec3& from, const glm::dvec3& to) const;
 
   const Grid& grid_;
-  const HiddenVoxels* hidden_;
+  const VoxelMask* hidden_;
   double isovalue_;  // data units
   scene::Inside inside_;
   InsideLevel level_;

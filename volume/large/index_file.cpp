@@ -132,7 +132,7 @@ std::optional<VolumeIndex> IndexFile::load(const fs::path& from, const ChunkedVo
     sum.addWords(kIndexMagic.data(), kIndexMagic.size());
     sum.addWords(&length, sizeof length);
     sum.addWords(identity_.data(), identity_.size());
-    if (!index.read({at, content}, sum) || hash != sum || isMended(file, part_, index.damaged()))
+    if (!index.read({at, content}, sum) || hash != sum || isRepaired(file, part_, index.damaged()))
       return std::nullopt;
     return index;
   } catch (const base::Error& error) {

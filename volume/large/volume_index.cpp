@@ -59,7 +59,7 @@ std::size_t VolumeIndex::unitsDone() const {
 }
 
 void VolumeIndex::note(DamagedPart&& damaged) {
-  noteDamage(facts_.name, std::move(damaged), damaged_);
+  recordDamage(facts_.name, std::move(damaged), damaged_);
 }
 
 // Of each voxel of these slices whether it could not be read; nothing: all of them could.

@@ -14,10 +14,10 @@ namespace isolux::volume {
 
 namespace {
 
-constexpr double kEnough = 1e-4;   // of the cell, by what the two rules may differ on a stretch of slices
+constexpr double kEnough = 1e-4;   // of the cell, by what the two rules may differ on a segment of slices
 constexpr int kMostHalvings = 30;  // sheets that hug the faces of a cell end within a millionth of a slice
 constexpr double kOfZero = 1e-8;   // of the cell's largest value: a corner at the isovalue is so far inside
-constexpr int kMostArcStretches = 16;  // of arcs in halved stretches of slices, doubled with each
+constexpr int kMostArcStretches = 16;  // of arcs in halved segments of slices, doubled with each
 
 // A cell turned so that slices are stacked along its last axis, scaled to values of 1 at most.
 struct TurnedCell {
@@ -95,7 +95,7 @@ class CellSweep {
  private:
   Breaks breaksOf() const;
   void addStretch(double from, double to, int halvings);
-  Sums slice(double t, bool three, double weight, int stretches);
+  Sums slice(double t, bool three, double weight, int segments);
   void keepPoint(const ArcNode& node, double t, const glm::dvec3& gradient, double area);
 
   TurnedCell cell_;
@@ -141,18 +141,18 @@ void CellSweep::addStretch(double from, double to, int halvings) {
   }
   constexpr double far3 = 0.11270166537925831, far2 = 0.21132486540518712;
   const std::size_t before = points_ ? points_->size() : 0;
-  const int stretches = std::min(1 << std::min(kMostHalvings - halvings, 30), kMostArcStretches);
+  const int segments = std::min(1 << std::min(kMostHalvings - halvings, 30), kMostArcStretches);
   Sums three, two;
   const auto add = [](Sums& to_, const Sums& s) {
     to_.volume += s.volume;
     to_.area += s.area;
     to_.sensitivity += s.sensitivity;
   };
-  add(three, slice(from + far3 * length, true, length * 5.0 / 18.0, stretches));
-  add(three, slice(from + 0.5 * length, true, length * 8.0 / 18.0, stretches));
-  add(three, slice(to - far3 * length, true, length * 5.0 / 18.0, stretches));
-  add(two, slice(from + far2 * length, false, length * 0.5, stretches));
-  add(two, slice(to - far2 * length, false, length * 0.5, stretches));
+  add(three, slice(from + far3 * length, true, length * 5.0 / 18.0, segments));
+  add(three, slice(from + 0.5 * length, true, length * 8.0 / 18.0, segments));
+  add(three, slice(to - far3 * length, true, length * 5.0 / 18.0, segments));
+  add(two, slice(from + far2 * length, false, length * 0.5, segments));
+  add(two, slice(to - far2 * length, false, length * 0.5, segments));
   const double volumeOff = std::abs(three.volume - two.volume);
   // The two rules may agree by chance; both integrals seldom do.
   const double sensitivityOff = std::abs(three.sensitivity - two.sensitivity) / three.sensitivity;
@@ -168,14 +168,14 @@ void CellSweep::addStretch(double from, double to, int halvings) {
   areaError_ += areaOff;
 }
 
-Sums CellSweep::slice(double t, bool three, double weight, int stretches) {
+Sums CellSweep::slice(double t, bool three, double weight, int segments) {
   const SliceCorners corners = sliceAt(cell_.corner, t);
   const SliceField field(corners);
   const SliceArcs arcs = arcsOf(corners);
   Sums sums;
   double along = 0.0;
   for (int i = 0; i < arcs.count; ++i)
-    alongArc(field, arcs.arc[static_cast<std::size_t>(i)], three, stretches, [&](const ArcNode& node) {
+    alongArc(field, arcs.arc[static_cast<std::size_t>(i)], three, segments, [&](const ArcNode& node) {
       const double x = node.x, y = node.y, rise0 = rise_[0] + x * (rise_[1] - rise_[0]);
       const glm::dvec3 gradient(field.byX(y), field.byY(x),
                                 rise0 + y * (rise_[2] + x * (rise_[3] - rise_[2]) - rise0));

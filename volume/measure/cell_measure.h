@@ -8,7 +8,7 @@
 //   d volume / d isovalue = - integral of dtau dt,                 |g|_w^2 = g^T (A^T A)^-1 g,
 // times |det A|. Between the breaks (where the isovalue passes a corner of the slice, and where the
 // slice's asymptotic decider changes) all are smooth in t; Gauss's rules of three and two points are
-// compared, and a stretch is halved until they agree. A plateau at the isovalue is inside: its surface is the
+// compared, and a segment is halved until they agree. A plateau at the isovalue is inside: its surface is the
 // one that surfaces of isovalues a little farther out come to. Pure functions, any thread.
 #pragma once
 

@@ -38,10 +38,10 @@ struct CurvedArea {
 };
 
 // Curvature at the patches that count.
-class AreaCurver {
+class PatchCurvature {
  public:
-  AreaCurver(const PreparedVolume& volume, const scene::Scene& resolved, const CurvaturePart& part,
-             base::Progress& progress)
+  PatchCurvature(const PreparedVolume& volume, const scene::Scene& resolved, const CurvaturePart& part,
+                 base::Progress& progress)
       : geometry_(volume.grid().geometry()),
         part_(part),
         outward_(resolved.isosurface.inside == scene::Inside::above ? -1.0 : 1.0),
@@ -75,7 +75,7 @@ class AreaCurver {
   CurvatureScale scale_;
 };
 
-std::vector<CurvedArea> curvedAreas(const AreaCurver& curver, const PreparedVolume& volume,
+std::vector<CurvedArea> curvedAreas(const PatchCurvature& curver, const PreparedVolume& volume,
                                     const Pieces& pieces, base::MemoryBudget::Held& held,
                                     base::Progress& progress) {
   struct Row {
@@ -184,7 +184,7 @@ CurvatureDistribution curvatureDistribution(const PreparedVolume& volume, const 
                                             base::Progress& progress) {
   CurvatureDistribution out;
   if (volume.blocks->count() == 0) return out;
-  const AreaCurver curver(volume, resolved, part, progress);
+  const PatchCurvature curver(volume, resolved, part, progress);
   out.scaleMm = curver.scaleMm();
   base::MemoryBudget::Held held;
   const std::vector<CurvedArea> areas = curvedAreas(curver, volume, pieces, held, progress);

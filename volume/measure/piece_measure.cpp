@@ -62,8 +62,8 @@ class PieceRow {
   const Grid& grid_;
   const MinMaxBlocks& blocks_;
   const SurfaceQuestion& question_;
-  CellAdder adder_;
-  CellAdder partAdder_;  // of parts of cells, which have many nodes
+  CellAccumulator adder_;
+  CellAccumulator partAdder_;  // of parts of cells, which have many nodes
   std::vector<CellPoint> points_;
   SumsOfPieces found_;
 };

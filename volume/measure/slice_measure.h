@@ -47,11 +47,11 @@ struct ArcNode {
   double x, y, dtau;
 };
 
-inline constexpr double kSmoothRatio = 1.6;  // by which s_y may change along a stretch of an arc
+inline constexpr double kSmoothRatio = 1.6;  // by which s_y may change along a segment of an arc
 inline constexpr int kMostStretches = 24;
 
-// Calls take(ArcNode) for the nodes of Gauss's rule of two or three points on stretches of the arc. s_x s_y
-// is the same all along an arc, so s_x changes by as much as s_y: a stretch is smooth in x as in y.
+// Calls take(ArcNode) for the nodes of Gauss's rule of two or three points on segments of the arc. s_x s_y
+// is the same all along an arc, so s_x changes by as much as s_y: a segment is smooth in x as in y.
 // leastStretches: what is integrated may bend more.
 template <class Take>
 void alongArc(const SliceField& field, const SliceArc& arc, bool three, int leastStretches,
@@ -64,20 +64,20 @@ void alongArc(const SliceField& field, const SliceArc& arc, bool three, int leas
   const double first = overX ? field.byY(begin) : field.byX(begin);
   const double last = overX ? field.byY(end) : field.byX(end);
   const double ratio = last / first;
-  int stretches = leastStretches;
+  int segments = leastStretches;
   if (ratio > kSmoothRatio || ratio < 1.0 / kSmoothRatio) {
     const double wanted = std::abs(std::log(ratio)) / std::log(kSmoothRatio);
     const int needed =
         wanted < kMostStretches ? static_cast<int>(wanted) + 1 : kMostStretches;  // NaN: the most
-    stretches = std::max(stretches, needed);
+    segments = std::max(segments, needed);
   }
   const bool bent = std::abs(last - first) > 1e-3 * std::abs(first);
-  const double step = bent && stretches > 1 ? std::pow(ratio, 1.0 / stretches) : 1.0;
+  const double step = bent && segments > 1 ? std::pow(ratio, 1.0 / segments) : 1.0;
   double low = begin, slope = first;
-  for (int i = 0; i < stretches; ++i) {
+  for (int i = 0; i < segments; ++i) {
     slope *= step;
-    const double part = bent ? (slope - first) / (last - first) : (i + 1.0) / stretches;
-    const double high = i + 1 == stretches ? end : begin + (end - begin) * part;
+    const double part = bent ? (slope - first) / (last - first) : (i + 1.0) / segments;
+    const double high = i + 1 == segments ? end : begin + (end - begin) * part;
     for (std::size_t k = 0; k < (three ? 3u : 2u); ++k) {
       const double at = low + (high - low) * (three ? place3[k] : place2[k]);
       const double across = overX ? field.byY(at) : field.byX(at);

@@ -37,7 +37,7 @@ class BlockRow {
   const Grid& grid_;
   const MinMaxBlocks& blocks_;
   const SurfaceQuestion& question_;
-  CellAdder adder_;
+  CellAccumulator adder_;
   std::optional<BoxWalls> walls_;
   std::vector<CellPoint> points_;
   SurfaceSums sums_;

@@ -93,14 +93,14 @@ SurfaceSums& SurfaceSums::operator+=(const SurfaceSums& other) {
   return *this;
 }
 
-CellAdder::CellAdder(const Grid& grid, const SurfaceQuestion& question, bool allNodes)
+CellAccumulator::CellAccumulator(const Grid& grid, const SurfaceQuestion& question, bool allNodes)
     : grid_(grid),
       allNodes_(allNodes),
       sign_(question.inside == scene::Inside::above ? 1.0 : -1.0),
       metric_(glm::dmat3(grid.geometry().worldFromVoxel)),
       shifts_(grid, question.isovalue, sign_) {}
 
-void CellAdder::addPoints(glm::ivec3 cell, std::vector<CellPoint>& points, SurfaceSums& sums) const {
+void CellAccumulator::addPoints(glm::ivec3 cell, std::vector<CellPoint>& points, SurfaceSums& sums) const {
   double area = 0.0;
   for (const CellPoint& point : points) {
     const double steepness2 = glm::dot(point.gradient, metric_.gradients * point.gradient);

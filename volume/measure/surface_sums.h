@@ -33,10 +33,10 @@ struct SurfaceSums {
 SurfaceMeasure concluded(const Grid& grid, const SurfaceQuestion& question, const SurfaceSums& sums);
 
 // What cells of one surface are measured with; for one thread at a time.
-class CellAdder {
+class CellAccumulator {
  public:
   // allNodes: look at the sampling error at all nodes of the quadrature, not at one a cell.
-  CellAdder(const Grid& grid, const SurfaceQuestion& question, bool allNodes);
+  CellAccumulator(const Grid& grid, const SurfaceQuestion& question, bool allNodes);
 
   double sign() const { return sign_; }  // of values less the isovalue, to be positive inside
   const CellMetric& metric() const { return metric_; }

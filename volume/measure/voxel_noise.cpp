@@ -1,6 +1,6 @@
 #include "volume/measure/voxel_noise.h"
 
-#include "volume/read/input/length_doubt.h"
+#include "volume/read/input/spacing_reliability.h"
 
 namespace isolux::volume {
 

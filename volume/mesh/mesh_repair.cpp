@@ -209,7 +209,7 @@ std::vector<Loop> openLoops(const std::vector<EdgeSide>& sides, const base::Prog
   return loops;
 }
 
-// Triangulates a loop with the smallest area, Barequet & Sharir 1995: the best of every stretch of it, from
+// Triangulates a loop with the smallest area, Barequet & Sharir 1995: the best of every segment of it, from
 // the shortest on; O(n^3).
 void spanSmallest(TriangleMesh& mesh, const Loop& loop, const base::Progress& progress) {
   const std::size_t n = loop.size();
@@ -230,14 +230,14 @@ void spanSmallest(TriangleMesh& mesh, const Loop& loop, const base::Progress& pr
       }
     }
   }
-  std::deque<std::array<std::size_t, 2>> stretches{{0, n - 1}};
-  for (; !stretches.empty(); stretches.pop_front()) {
-    const auto [i, k] = stretches.front();
+  std::deque<std::array<std::size_t, 2>> segments{{0, n - 1}};
+  for (; !segments.empty(); segments.pop_front()) {
+    const auto [i, k] = segments.front();
     if (k - i < 2) continue;
     const std::size_t m = apex[i * n + k];
     mesh.triangles.emplace_back(loop[i], loop[m], loop[k]);
-    stretches.push_back({i, m});
-    stretches.push_back({m, k});
+    segments.push_back({i, m});
+    segments.push_back({m, k});
   }
 }
 

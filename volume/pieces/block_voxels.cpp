@@ -84,7 +84,7 @@ class VoxelRuns {
 };
 
 // Whether all set bits hang together: a flood from the first one, along x, y and z in turn.
-bool hangTogether(const VoxelBits& bits) {
+bool connected(const VoxelBits& bits) {
   constexpr std::uint64_t notFirstX = 0xfefefefefefefefeu, notLastX = 0x7f7f7f7f7f7f7f7fu;
   std::size_t first = 0;
   while (first < 8 && bits[first] == 0) ++first;
@@ -116,7 +116,7 @@ bool hangTogether(const VoxelBits& bits) {
 }  // namespace
 
 int labelVoxels(const VoxelBits& bits, VoxelLabels& labels) {
-  if (hangTogether(bits)) return 1;
+  if (connected(bits)) return 1;
   VoxelRuns runs(bits);
   if (runs.components() > 1) runs.label(labels);
   return runs.components();

@@ -203,7 +203,7 @@ std::vector<std::uint64_t> voxelsInBody(const Pieces& pieces, const Body& body, 
           if (!Extent3{blocks.voxelDims()}.contains(voxel)) continue;
           const float here = body.depth(voxel);
           if (here > 0.0f && static_cast<double>(here) >= depth)
-            counts.add(pieces.ofNode(block.nodeOf(in)), 1);
+            counts.add(pieces.ofLabel(block.labelOf(in)), 1);
         }
     }
   });

@@ -97,7 +97,7 @@ void CellVolumes::addWhole(const PieceBlocks::View& view, std::uint64_t whole, i
   }
   for (; whole != 0; whole &= whole - 1) {
     const int bit = std::countr_zero(whole);
-    volumes_.add(view.nodeOf({bit % 8, bit / 8, z}), kWholeCell);
+    volumes_.add(view.labelOf({bit % 8, bit / 8, z}), kWholeCell);
   }
 }
 
@@ -115,7 +115,7 @@ void CellVolumes::addCrossed(glm::ivec3 block, const PieceBlocks::View& view, co
     if (hasMissing(depths)) continue;
     const bool own = (within >> bit & 1u) != 0;
     const glm::ivec3 voxel = Extent3{blocks_.voxelDims()}.corner(kPieceBlock * block + cell, corner);
-    const std::uint32_t node = own ? view.nodeOf(cell + step) : blocks_.nodeOf(voxel);
+    const std::uint32_t node = own ? view.labelOf(cell + step) : blocks_.labelOf(voxel);
     volumes_.add(node, unitsOf(partInside(depths)));
   }
 }
@@ -127,7 +127,7 @@ void CellVolumes::addAmbiguous(glm::ivec3 cell, const std::array<float, 8>& dept
   for (std::size_t corner = 0; corner < 8; ++corner) {
     if (!(shares[corner] > 0.0)) continue;
     const glm::ivec3 voxel = Extent3{blocks_.voxelDims()}.corner(cell, corner);
-    volumes_.add(blocks_.nodeOf(voxel), unitsOf(static_cast<float>(shares[corner])));
+    volumes_.add(blocks_.labelOf(voxel), unitsOf(static_cast<float>(shares[corner])));
   }
 }
 

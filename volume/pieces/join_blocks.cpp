@@ -24,10 +24,10 @@ std::uint64_t facePairs(const VoxelBits& low, const VoxelBits& high, int axis, s
 }
 
 void joinAcrossFace(const PieceBlocks::View& low, const PieceBlocks::View& high, int axis,
-                    ConcurrentSets& sets) {
+                    ConcurrentUnionFind& sets) {
   const std::size_t slices = axis == 2 ? 1 : 8;
   const bool single = low.components == 1 && high.components == 1;
-  std::uint32_t lastLow = PieceBlocks::kNoNode, lastHigh = PieceBlocks::kNoNode;
+  std::uint32_t lastLow = PieceBlocks::kNoLabel, lastHigh = PieceBlocks::kNoLabel;
   for (std::size_t z = 0; z < slices; ++z)
     for (std::uint64_t pairs = facePairs(*low.bits, *high.bits, axis, z); pairs != 0; pairs &= pairs - 1) {
       const int bit = std::countr_zero(pairs);
@@ -35,7 +35,7 @@ void joinAcrossFace(const PieceBlocks::View& low, const PieceBlocks::View& high,
       glm::ivec3 inLow = inHigh;
       inLow[axis] = kPieceBlock - 1;
       inHigh[axis] = 0;
-      const std::uint32_t a = low.nodeOf(inLow), b = high.nodeOf(inHigh);
+      const std::uint32_t a = low.labelOf(inLow), b = high.labelOf(inHigh);
       if (a != lastLow || b != lastHigh) sets.join(a, b);
       if (single) return;
       lastLow = a;
@@ -43,7 +43,7 @@ void joinAcrossFace(const PieceBlocks::View& low, const PieceBlocks::View& high,
     }
 }
 
-void joinToNext(const PieceBlocks& blocks, glm::ivec3 b, ConcurrentSets& sets) {
+void joinToNext(const PieceBlocks& blocks, glm::ivec3 b, ConcurrentUnionFind& sets) {
   const PieceBlocks::View low = blocks.view(b);
   if (!low.bits) return;
   for (int axis = 0; axis < 3; ++axis) {
@@ -56,7 +56,7 @@ void joinToNext(const PieceBlocks& blocks, glm::ivec3 b, ConcurrentSets& sets) {
 
 // What an ambiguous cell joins. A cell with a missing corner holds no field and joins nothing.
 void joinInCell(const Grid& grid, const PieceBlocks& blocks, InsideLevel level, glm::ivec3 cell,
-                ConcurrentSets& sets) {
+                ConcurrentUnionFind& sets) {
   std::array<double, 8> values;
   std::array<glm::ivec3, 8> voxels;
   for (std::size_t corner = 0; corner < 8; ++corner) {
@@ -67,13 +67,13 @@ void joinInCell(const Grid& grid, const PieceBlocks& blocks, InsideLevel level, 
   const auto pieces = cellPieces(values);
   for (std::size_t corner = 0; corner < 8; ++corner)
     if (pieces[corner] < corner)
-      sets.join(blocks.nodeOf(voxels[corner]), blocks.nodeOf(voxels[pieces[corner]]));
+      sets.join(blocks.labelOf(voxels[corner]), blocks.labelOf(voxels[pieces[corner]]));
 }
 
 }  // namespace
 
-NodeVolumes joinBlocks(const Grid& grid, const PieceBlocks& blocks, InsideLevel level, ConcurrentSets& sets,
-                       base::Progress& progress) {
+NodeVolumes joinBlocks(const Grid& grid, const PieceBlocks& blocks, InsideLevel level,
+                       ConcurrentUnionFind& sets, base::Progress& progress) {
   const Extent3 extent{blocks.dims()};
   const bool hasVolume = std::min({grid.dims().x, grid.dims().y, grid.dims().z}) > 1;
   NodeVolumes volumes(blocks.nodes());

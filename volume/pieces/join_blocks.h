@@ -5,14 +5,14 @@
 
 #include "base/progress.h"
 #include "volume/pieces/cell_volumes.h"
-#include "volume/pieces/concurrent_sets.h"
+#include "volume/pieces/concurrent_union_find.h"
 #include "volume/pieces/piece_blocks.h"
 
 namespace isolux::volume {
 
 // `sets`: of blocks.nodes(). Returns the volume of each node, 0 where the grid has none. Multithreaded;
 // throws Error: interrupted, memory.
-NodeVolumes joinBlocks(const Grid& grid, const PieceBlocks& blocks, InsideLevel level, ConcurrentSets& sets,
-                       base::Progress& progress);
+NodeVolumes joinBlocks(const Grid& grid, const PieceBlocks& blocks, InsideLevel level,
+                       ConcurrentUnionFind& sets, base::Progress& progress);
 
 }  // namespace isolux::volume

@@ -149,7 +149,7 @@ void PieceBlocks::numberNodes() {
       if (blocks_[i].mixed != kOutside) blocks_[i].firstNode += static_cast<std::uint32_t>(before);
     before += rows_[row].nodes;
   }
-  if (before >= kNoNode)
+  if (before >= kNoLabel)
     throw base::Error(
         base::ErrorKind::memory, "", "",
         "too many component labels (limit 4 294 967 294); smooth the data or change the isovalue");

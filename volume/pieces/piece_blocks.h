@@ -24,7 +24,7 @@ base::MemoryBudget::Held reserveForPieces(std::size_t bytes);
 
 class PieceBlocks {
  public:
-  static constexpr std::uint32_t kNoNode = 0xffffffffu;
+  static constexpr std::uint32_t kNoLabel = 0xffffffffu;
 
   // Multithreaded; throws Error: interrupted, memory.
   PieceBlocks(const Grid& grid, const MinMaxBlocks& blocks, InsideLevel level, base::Progress& progress);
@@ -37,11 +37,11 @@ class PieceBlocks {
 
   // What a block holds; nothing of it is owned.
   struct View {
-    std::uint32_t firstNode = kNoNode;  // none: outside
+    std::uint32_t firstNode = kNoLabel;  // none: outside
     int components = 0;
     const VoxelBits* bits = nullptr;  // of a block that is inside as a whole: all set, beyond the border too
     const VoxelLabels* labels = nullptr;  // none: one component
-    std::uint32_t nodeOf(glm::ivec3 voxelInBlock) const {
+    std::uint32_t labelOf(glm::ivec3 voxelInBlock) const {
       if (!labels) return firstNode;
       const auto at = glm::uvec3(voxelInBlock);
       return firstNode + (*labels)[at.x + 8U * at.y + 64U * at.z];
@@ -51,11 +51,11 @@ class PieceBlocks {
   bool mixed(std::size_t block) const { return blocks_[block].mixed >= 0; }
   bool inside(std::size_t block) const { return blocks_[block].mixed == kInside; }
 
-  // kNoNode: outside.
-  std::uint32_t nodeOf(glm::ivec3 voxel) const {
+  // kNoLabel: outside.
+  std::uint32_t labelOf(glm::ivec3 voxel) const {
     const View block = view(voxel / kPieceBlock);
     const glm::ivec3 in = voxel % kPieceBlock;
-    return block.bits && bitAt(*block.bits, in) ? block.nodeOf(in) : kNoNode;
+    return block.bits && bitAt(*block.bits, in) ? block.labelOf(in) : kNoLabel;
   }
 
   // Whether the cells whose lowest corners are this block's voxels can have corners on both sides.
@@ -64,7 +64,7 @@ class PieceBlocks {
  private:
   static constexpr std::int32_t kOutside = -1, kInside = -2;
   struct Block {
-    std::uint32_t firstNode = kNoNode;
+    std::uint32_t firstNode = kNoLabel;
     std::int32_t mixed = kOutside;  // or kInside, or where in its row
   };
   struct Mixed {

@@ -34,19 +34,19 @@ std::vector<bool> PieceSets::shown(const Pieces& pieces, const scene::Pieces& ch
   return shownPieces(pieces, choice, within.get());
 }
 
-std::optional<std::shared_ptr<const HiddenVoxels>> PieceSets::findHidden(const scene::Pieces& choice,
-                                                                         double isovalue,
-                                                                         scene::Inside inside) const {
+std::optional<std::shared_ptr<const VoxelMask>> PieceSets::findHidden(const scene::Pieces& choice,
+                                                                      double isovalue,
+                                                                      scene::Inside inside) const {
   if (!hidesPieces(choice)) return nullptr;
   return hidden_.find({choice, isovalue, inside});
 }
 
-std::shared_ptr<const HiddenVoxels> PieceSets::hidden(const scene::Pieces& choice, double isovalue,
-                                                      scene::Inside inside, base::Progress& progress) const {
+std::shared_ptr<const VoxelMask> PieceSets::hidden(const scene::Pieces& choice, double isovalue,
+                                                   scene::Inside inside, base::Progress& progress) const {
   if (!hidesPieces(choice)) return nullptr;
   return hidden_.get({choice, isovalue, inside}, [&] {
     const auto pieces = at(isovalue, inside, progress);
-    auto voxels = std::make_shared<const HiddenVoxels>(
+    auto voxels = std::make_shared<const VoxelMask>(
         hiddenVoxels(*pieces, shown(*pieces, choice, progress), hidesStrays(choice)));
     return voxels->any() || voxels->hidesStrays() ? voxels : nullptr;
   });
@@ -55,7 +55,7 @@ std::shared_ptr<const HiddenVoxels> PieceSets::hidden(const scene::Pieces& choic
 namespace {
 
 // A choice that hides no piece may still hide what a spline has beside all pieces.
-bool hidesOf(const scene::Scene& resolved, const std::shared_ptr<const HiddenVoxels>& voxels) {
+bool hidesOf(const scene::Scene& resolved, const std::shared_ptr<const VoxelMask>& voxels) {
   return voxels && (voxels->any() || resolved.hit.field != scene::Field::trilinear);
 }
 

@@ -40,11 +40,11 @@ class PieceSets {
 
   // What a scene's choice of pieces hides of one of its isosurfaces; null where the choice hides nothing of
   // it. Throws as at() does.
-  std::shared_ptr<const HiddenVoxels> hidden(const scene::Pieces& choice, double isovalue,
-                                             scene::Inside inside, base::Progress& progress) const;
+  std::shared_ptr<const VoxelMask> hidden(const scene::Pieces& choice, double isovalue, scene::Inside inside,
+                                          base::Progress& progress) const;
   // The same where it is known already; nothing where it is not.
-  std::optional<std::shared_ptr<const HiddenVoxels>> findHidden(const scene::Pieces& choice, double isovalue,
-                                                                scene::Inside inside) const;
+  std::optional<std::shared_ptr<const VoxelMask>> findHidden(const scene::Pieces& choice, double isovalue,
+                                                             scene::Inside inside) const;
 
  private:
   static constexpr std::size_t kMostKept = 8;  // four isosurfaces, before and after a change
@@ -52,7 +52,7 @@ class PieceSets {
   std::shared_ptr<const MinMaxBlocks> blocks_;
   mutable base::Recent<std::pair<double, scene::Inside>, std::shared_ptr<const Pieces>> pieces_{kMostKept};
   // Null where nothing is hidden.
-  mutable base::Recent<std::tuple<scene::Pieces, double, scene::Inside>, std::shared_ptr<const HiddenVoxels>>
+  mutable base::Recent<std::tuple<scene::Pieces, double, scene::Inside>, std::shared_ptr<const VoxelMask>>
       hidden_{kMostKept};
   mutable base::Recent<double, std::shared_ptr<const Body>> bodies_{2};
 };

@@ -34,14 +34,14 @@ class VoxelCounts {
       }
       for (; bits != 0; bits &= bits - 1) {
         const int bit = std::countr_zero(bits);
-        add(block.nodeOf({bit % 8, bit / 8, z}), 1);
+        add(block.labelOf({bit % 8, bit / 8, z}), 1);
       }
     }
   }
 
  private:
   void add(std::uint32_t node, int voxels) {
-    counts_.add(pieces_.ofNode(node), static_cast<std::uint64_t>(voxels));
+    counts_.add(pieces_.ofLabel(node), static_cast<std::uint64_t>(voxels));
   }
 
   const Pieces& pieces_;
@@ -59,7 +59,7 @@ std::vector<Piece> pieceSizes(const Pieces& pieces, std::size_t count, const Nod
     for (glm::ivec3 b = blocks.firstOfRow(row); b.x < blocks.dims.x; ++b.x) counts.addBlock(b);
   });
   for (std::uint32_t node = 0; node < pieces.blocks().nodes(); ++node)
-    volumes[pieces.ofNode(node)] += nodeVolumes[node];
+    volumes[pieces.ofLabel(node)] += nodeVolumes[node];
   const double cellMm3 = pieces.grid().geometry().voxelMm3();
   std::vector<Piece> result(count);
   for (std::size_t i = 0; i < count; ++i)

@@ -10,8 +10,8 @@
 
 namespace isolux::volume {
 
-// One for each of `count` pieces, which pieces.ofNode() tells. `volumes`: of joinBlocks(). Multithreaded; the
-// same whatever the threads.
+// One for each of `count` pieces, which pieces.ofLabel() tells. `volumes`: of joinBlocks(). Multithreaded;
+// the same whatever the threads.
 std::vector<Piece> pieceSizes(const Pieces& pieces, std::size_t count, const NodeVolumes& volumes,
                               base::Progress& progress);
 

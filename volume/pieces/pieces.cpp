@@ -5,7 +5,7 @@
 
 #include "volume/hit/cell_pieces.h"
 #include "volume/hit/surface_voxel.h"
-#include "volume/pieces/concurrent_sets.h"
+#include "volume/pieces/concurrent_union_find.h"
 #include "volume/pieces/join_blocks.h"
 #include "volume/pieces/piece_sizes.h"
 
@@ -18,9 +18,9 @@ Pieces::Pieces(std::shared_ptr<const Grid> grid, const MinMaxBlocks& blocks, dou
       inside_(inside),
       level_(InsideLevel::of(*grid_, isovalue, inside)),
       blocks_(std::make_unique<const PieceBlocks>(*grid_, blocks, level_, progress)) {
-  constexpr std::size_t ofNode = 2 * sizeof(std::uint32_t) + sizeof(NodeVolumes::value_type) + sizeof(Piece);
-  held_ = reserveForPieces(blocks_->nodes() * ofNode);
-  ConcurrentSets sets(blocks_->nodes());
+  constexpr std::size_t ofLabel = 2 * sizeof(std::uint32_t) + sizeof(NodeVolumes::value_type) + sizeof(Piece);
+  held_ = reserveForPieces(blocks_->nodes() * ofLabel);
+  ConcurrentUnionFind sets(blocks_->nodes());
   const NodeVolumes volumes = joinBlocks(*grid_, *blocks_, level_, sets, progress);
   const std::size_t count = numberRoots(sets);
   list_ = pieceSizes(*this, count, volumes, progress);
@@ -29,7 +29,7 @@ Pieces::Pieces(std::shared_ptr<const Grid> grid, const MinMaxBlocks& blocks, dou
 }
 
 // Pieces in the order of their first nodes.
-std::size_t Pieces::numberRoots(ConcurrentSets& sets) {
+std::size_t Pieces::numberRoots(ConcurrentUnionFind& sets) {
   pieceOfNode_.resize(sets.count());
   std::uint32_t count = 0;
   for (std::uint32_t node = 0; node < sets.count(); ++node) {

@@ -22,7 +22,7 @@
 
 namespace isolux::volume {
 
-class ConcurrentSets;
+class ConcurrentUnionFind;
 
 struct Piece {
   double volumeMm3 = 0.0;  // an estimate (piece_sizes.h); piece_measures.h has it with its error
@@ -43,13 +43,13 @@ class Pieces {
   const std::vector<Piece>& list() const { return list_; }
 
   // The piece of a voxel, and of a point in voxel coordinates; kNone where it is outside, or missing.
-  std::uint32_t ofVoxel(glm::ivec3 voxel) const { return ofNode(blocks_->nodeOf(voxel)); }
+  std::uint32_t ofVoxel(glm::ivec3 voxel) const { return ofLabel(blocks_->labelOf(voxel)); }
   std::uint32_t ofPoint(glm::dvec3 voxel) const;
 
   // Of what they are made: the blocks, and the piece of each of their components.
   const PieceBlocks& blocks() const { return *blocks_; }
-  std::uint32_t ofNode(std::uint32_t node) const {
-    return node == PieceBlocks::kNoNode ? kNone : pieceOfNode_[node];
+  std::uint32_t ofLabel(std::uint32_t node) const {
+    return node == PieceBlocks::kNoLabel ? kNone : pieceOfNode_[node];
   }
   InsideLevel level() const { return level_; }
   const Grid& grid() const { return *grid_; }
@@ -57,7 +57,7 @@ class Pieces {
   std::size_t bytes() const;
 
  private:
-  std::size_t numberRoots(ConcurrentSets& sets);
+  std::size_t numberRoots(ConcurrentUnionFind& sets);
   void sortBySize();
 
   std::shared_ptr<const Grid> grid_;

@@ -23,7 +23,7 @@ std::vector<bool> piecesAt(const Pieces& pieces, const std::vector<glm::dvec3>& 
 // A row of blocks along x: no other row of blocks has voxels in the words of its rows.
 class RowOfHidden {
  public:
-  RowOfHidden(const Pieces& pieces, const std::vector<bool>& shown, HiddenVoxels& hidden)
+  RowOfHidden(const Pieces& pieces, const std::vector<bool>& shown, VoxelMask& hidden)
       : pieces_(pieces), shown_(shown), hidden_(hidden) {}
 
   void block(glm::ivec3 b) {
@@ -41,7 +41,7 @@ class RowOfHidden {
   }
 
  private:
-  bool isShown(std::uint32_t node) const { return shown_[pieces_.ofNode(node)]; }
+  bool isShown(std::uint32_t node) const { return shown_[pieces_.ofLabel(node)]; }
 
   void hideRow(const PieceBlocks::View& block, glm::ivec3 first, int y, int z) {
     unsigned row =
@@ -49,14 +49,14 @@ class RowOfHidden {
         255u;
     for (; row != 0; row &= row - 1) {
       const int x = std::countr_zero(row);
-      if (!isShown(block.nodeOf({x, y - first.y, z - first.z})))
+      if (!isShown(block.labelOf({x, y - first.y, z - first.z})))
         hidden_.hide(first.x + x, first.x + x + 1, y, z);
     }
   }
 
   const Pieces& pieces_;
   const std::vector<bool>& shown_;
-  HiddenVoxels& hidden_;
+  VoxelMask& hidden_;
 };
 
 }  // namespace
@@ -83,8 +83,8 @@ std::vector<bool> shownPieces(const Pieces& pieces, const scene::Pieces& choice,
   return shown;
 }
 
-HiddenVoxels hiddenVoxels(const Pieces& pieces, const std::vector<bool>& shown, bool hidesStrays) {
-  HiddenVoxels hidden(pieces.grid().dims(), hidesStrays);
+VoxelMask hiddenVoxels(const Pieces& pieces, const std::vector<bool>& shown, bool hidesStrays) {
+  VoxelMask hidden(pieces.grid().dims(), hidesStrays);
   if (std::find(shown.begin(), shown.end(), false) == shown.end()) return hidden;
   const Extent3 blocks{pieces.blocks().dims()};
   parallelEach(blocks.rows(), [&](std::size_t row) {

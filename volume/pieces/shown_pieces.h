@@ -7,7 +7,7 @@
 #include "scene/scene.h"
 #include "volume/pieces/body.h"
 #include "volume/pieces/pieces.h"
-#include "volume/visible/hidden_voxels.h"
+#include "volume/visible/voxel_mask.h"
 
 namespace isolux::volume {
 
@@ -24,6 +24,6 @@ std::vector<bool> shownPieces(const Pieces& pieces, const scene::Pieces& choice,
 bool hidesStrays(const scene::Pieces& choice);
 
 // The voxels of pieces that are not shown. Multithreaded.
-HiddenVoxels hiddenVoxels(const Pieces& pieces, const std::vector<bool>& shown, bool hidesStrays);
+VoxelMask hiddenVoxels(const Pieces& pieces, const std::vector<bool>& shown, bool hidesStrays);
 
 }  // namespace isolux::volume

@@ -42,7 +42,7 @@ std::vector<glm::dvec3> pointsWithin(const Grid& grid, const MinMaxBlocks& block
   return points;
 }
 
-struct Verdict {
+struct ScaleChoice {
   std::size_t step = 0;
   ScaleErrors errors;
   bool settled = false;  // no larger scale can be better
@@ -50,9 +50,9 @@ struct Verdict {
 
 // What roughness leaves at larger scales is not known as well as what noise leaves: of scales nearly as good
 // as the best the largest.
-Verdict judged(std::span<const ScaleStep> steps, double noiseVariance, bool clean, bool rough) {
+ScaleChoice judged(std::span<const ScaleStep> steps, double noiseVariance, bool clean, bool rough) {
   constexpr double nearly = 1.35;  // of the root mean square error
-  Verdict verdict{.errors = scaleErrors(steps, noiseVariance)};
+  ScaleChoice verdict{.errors = scaleErrors(steps, noiseVariance)};
   const ScaleErrors& e = verdict.errors;
   const double allowed = (rough ? nearly * nearly : 1.0) * (e.noise[e.best] + e.lost[e.best]);
   verdict.step = clean ? 0 : e.best;
@@ -66,7 +66,7 @@ struct Search {
   ScaleLadder::Measures measures;
   double noise = 0.0;  // as the surface shows it
   bool cleanCurvature = false;
-  Verdict curvature, normal;
+  ScaleChoice curvature, normal;
 };
 
 void judge(Search& search, const DerivativeQuestion& question, double estimated) {

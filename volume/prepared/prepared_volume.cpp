@@ -328,11 +328,11 @@ std::shared_ptr<const PreparedVolume> prepareVolume(Volume volume, base::Progres
   return prepare(std::move(volume), progress);
 }
 
-std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, const scene::Machine& machine,
+std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, const scene::HostSettings& host,
                                                  base::Progress& progress) {
   const VolumeFile file = openSource(source, progress);
-  return stays(file, source, machine.voxels) ? prepareFile(file.parts, source, machine.ramBudgetMb, progress)
-                                             : loadVolume(source, file, progress);
+  return stays(file, source, host.voxels) ? prepareFile(file.parts, source, host.ramBudgetMb, progress)
+                                          : loadVolume(source, file, progress);
 }
 
 std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, base::Progress& progress) {

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "scene/rules/automatic.h"
-#include "scene/settings/machine.h"
+#include "scene/settings/host_settings.h"
 #include "volume/color/second_volume.h"
 #include "volume/derived/cubic_fields.h"
 #include "volume/pieces/piece_sets.h"
@@ -48,7 +48,7 @@ std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, ba
 // As above for callers that only draw. A file that can be read in parts is not loaded if `machine` says so or
 // if it does not fit (volume/bricks). Its index is read, or computed and stored next to it
 // (volume/large/volume_index.h); grid() is then out-of-core.
-std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, const scene::Machine& machine,
+std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, const scene::HostSettings& host,
                                                  base::Progress& progress);
 // As the first, of a file that is open: readSource().
 std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, const VolumeFile& first,

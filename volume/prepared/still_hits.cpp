@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "volume/statistics/spline_gap.h"
+#include "volume/statistics/spline_residual.h"
 #include "volume/statistics/visible_points.h"
 
 namespace isolux::volume {

@@ -17,7 +17,7 @@ namespace isolux::volume {
 
 struct ShownSurface {
   double isovalue;
-  std::shared_ptr<const HiddenVoxels> hidden;  // null: nothing
+  std::shared_ptr<const VoxelMask> hidden;  // null: nothing
 };
 // Those of opacity above 0. `resolved`: scene::resolve of this volume. Throws Error: interrupted; memory, of
 // pieces.

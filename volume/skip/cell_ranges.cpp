@@ -138,13 +138,13 @@ std::vector<std::uint8_t> binsOf(const Grid& grid, const ValueBins& bins, base::
   return result;
 }
 
-void replaceHidden(const HiddenVoxels& hidden, std::uint8_t bin, std::vector<std::uint8_t>& bins) {
+void replaceHidden(const VoxelMask& hidden, std::uint8_t bin, std::vector<std::uint8_t>& bins) {
   const Extent3 voxels{hidden.dims()};
   const auto words = static_cast<std::size_t>(hidden.wordsPerRow());
   parallelEach(voxels.rows(), [&](std::size_t row) {
     for (std::size_t word = 0; word < words; ++word)
       for (std::uint64_t bits = hidden.words()[row * words + word]; bits != 0; bits &= bits - 1)
-        bins[row * voxels.row() + word * HiddenVoxels::kVoxelsPerWord +
+        bins[row * voxels.row() + word * VoxelMask::kVoxelsPerWord +
              static_cast<std::size_t>(std::countr_zero(bits))] = bin;
   });
 }
@@ -207,8 +207,7 @@ std::size_t CellRanges::bytesOf(glm::ivec3 dims) {
   return blocks == 0 ? 0 : 4 * blocks + 128 * blocks + 2;
 }
 
-CellRanges::CellRanges(const Grid& grid, base::Progress& progress, const HiddenVoxels* hidden,
-                       bool insideHigh)
+CellRanges::CellRanges(const Grid& grid, base::Progress& progress, const VoxelMask* hidden, bool insideHigh)
     : bins_(grid) {
   const glm::ivec3 dims = grid.dims();
   blockDims_ = blocksOf(dims);

@@ -20,7 +20,7 @@
 
 #include "base/progress.h"
 #include "volume/grid.h"
-#include "volume/visible/hidden_voxels.h"
+#include "volume/visible/voxel_mask.h"
 
 namespace isolux::volume {
 
@@ -44,7 +44,7 @@ class CellRanges {
  public:
   // Multithreaded. Throws Error{interrupted}. Grids without cells have an empty table. hidden: null where all
   // is shown; insideHigh: of its pieces, stored values from the isovalue up.
-  CellRanges(const Grid& grid, base::Progress& progress, const HiddenVoxels* hidden = nullptr,
+  CellRanges(const Grid& grid, base::Progress& progress, const VoxelMask* hidden = nullptr,
              bool insideHigh = true);
 
   static std::size_t bytesOf(glm::ivec3 dims);  // of the table for so many voxels

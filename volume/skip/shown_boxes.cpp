@@ -19,7 +19,7 @@ constexpr int kMostVoxels = kCellsOfBlock + 3;  // with an apron
 // The voxels that a block's cells look up, row by row: a bit for each along x that is inside and shown.
 class ShownRows {
  public:
-  ShownRows(const Grid& grid, const HiddenVoxels& hidden, InsideLevel level, int apron, glm::ivec3 block);
+  ShownRows(const Grid& grid, const VoxelMask& hidden, InsideLevel level, int apron, glm::ivec3 block);
 
   bool anyHidden() const { return anyHidden_; }
   // Whether one is, of those that a box of `size`^3 cells at `cell` of the block looks up.
@@ -39,7 +39,7 @@ class ShownRows {
   std::array<std::uint16_t, std::size_t{kMostVoxels} * kMostVoxels> rows_{};  // beyond the border none
 };
 
-ShownRows::ShownRows(const Grid& grid, const HiddenVoxels& hidden, InsideLevel level, int apron,
+ShownRows::ShownRows(const Grid& grid, const VoxelMask& hidden, InsideLevel level, int apron,
                      glm::ivec3 block)
     : apron_(apron) {
   const glm::ivec3 first = block * kCellsOfBlock - apron;
@@ -66,7 +66,7 @@ ShownRows::ShownRows(const Grid& grid, const HiddenVoxels& hidden, InsideLevel l
 // Calls change(block index, block, rows) for blocks that something hidden is in or around; wanted(index):
 // others are left out.
 template <class Wanted, class Change>
-void forBlocksWithHidden(const Grid& grid, const HiddenVoxels& hidden, InsideLevel level, int apron,
+void forBlocksWithHidden(const Grid& grid, const VoxelMask& hidden, InsideLevel level, int apron,
                          glm::ivec3 blocks, const Wanted& wanted, const Change& change) {
   parallelEach(Extent3{blocks}.rows(), [&](std::size_t row) {
     for (glm::ivec3 block = Extent3{blocks}.firstOfRow(row); block.x < blocks.x; ++block.x) {

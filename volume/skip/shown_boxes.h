@@ -8,15 +8,15 @@
 
 #include "volume/grid.h"
 #include "volume/skip/box_bounds.h"
-#include "volume/visible/hidden_voxels.h"
 #include "volume/visible/inside_level.h"
+#include "volume/visible/voxel_mask.h"
 
 namespace isolux::volume {
 
 struct PartlyShown {
-  float isovalue;              // as the field's blocks hold it
-  const HiddenVoxels* hidden;  // null: all is shown
-  InsideLevel level;           // of the voxels
+  float isovalue;           // as the field's blocks hold it
+  const VoxelMask* hidden;  // null: all is shown
+  InsideLevel level;        // of the voxels
 };
 
 // BoxBounds::masks() without the boxes that hold nothing that is seen. cubic: of a field that looks up one

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/quantiles.h"
-#include "volume/statistics/noise_places.h"
+#include "volume/statistics/noise_samples.h"
 
 namespace isolux::volume {
 
@@ -71,13 +71,13 @@ double unlikeAxes(std::span<const NoiseDifferences> places) {
   return medianOf(most) / medianOf(least);
 }
 
-ValueRange rangeOf(const NoisePlaces& all, std::span<NoisePlace> places, double least,
+ValueRange rangeOf(const NoiseSamples& all, std::span<NoiseSample> places, double least,
                    base::Progress& progress) {
   ValueRange range;
   range.value = places[places.size() / 2].value;
   const auto flat = static_cast<std::ptrdiff_t>(std::ceil(kFlat * static_cast<double>(places.size())));
   std::nth_element(places.begin(), places.begin() + (flat - 1), places.end(),
-                   [](const NoisePlace& a, const NoisePlace& b) { return a.steepness < b.steepness; });
+                   [](const NoiseSample& a, const NoiseSample& b) { return a.steepness < b.steepness; });
   range.places = all.differencesAt(places.first(static_cast<std::size_t>(flat)), progress);
   range.size = sizeOf(range.places, 0);
   if (!(range.size > least)) return range;
@@ -90,10 +90,10 @@ ValueRange rangeOf(const NoisePlaces& all, std::span<NoisePlace> places, double 
   return range;
 }
 
-std::vector<ValueRange> rangesOf(const NoisePlaces& all, std::vector<NoisePlace>& places, double least,
+std::vector<ValueRange> rangesOf(const NoiseSamples& all, std::vector<NoiseSample>& places, double least,
                                  base::Progress& progress) {
   std::sort(places.begin(), places.end(),
-            [](const NoisePlace& a, const NoisePlace& b) { return a.value < b.value; });
+            [](const NoiseSample& a, const NoiseSample& b) { return a.value < b.value; });
   const std::size_t count = std::clamp(places.size() / kFewestPlaces, std::size_t{1}, kRanges);
   std::vector<ValueRange> ranges;
   for (std::size_t i = 0; i < count; ++i) {
@@ -224,9 +224,9 @@ glm::dvec3 fitBlurs(const std::array<Squares, 3>& measured) {
 
 // How a range's deviation is measured: along the axes along which voxels are the most independent, at the
 // least spacing at which they are nearly so.
-class Gauge {
+class VarianceEstimator {
  public:
-  explicit Gauge(const glm::dvec3& blur) {
+  explicit VarianceEstimator(const glm::dvec3& blur) {
     constexpr double enough = 0.3;
     for (spacing_ = 0;; ++spacing_) {
       for (std::size_t axis = 0; axis < 3; ++axis)
@@ -282,8 +282,8 @@ scene::NoiseModel estimateNoise(const Grid& grid, base::Progress& progress) {
   scene::NoiseModel model;
   if (grid.missingCount() == grid.geometry().voxelCount()) return model;
   const double least = storageNoise(grid), slope = std::abs(grid.slope());
-  const NoisePlaces all(grid);
-  std::vector<NoisePlace> places = all.list(progress);
+  const NoiseSamples all(grid);
+  std::vector<NoiseSample> places = all.list(progress);
   if (places.empty()) return {{grid.minimum()}, {least * slope}, glm::dvec3(0.0)};
   // Rounded, and dithered.
   const double step = grid.storedType() == VoxelType::float32 ? 0.0 : 1.0, rounding = step * step / 6.0;
@@ -292,10 +292,10 @@ scene::NoiseModel estimateNoise(const Grid& grid, base::Progress& progress) {
     model.correlation = fitBlurs(squaresAlongAxes(noisy, rounding));
   if (scene::meanBlur(model.correlation) > kMostBlur)
     return {{grid.minimum()}, {least * slope}, glm::dvec3(0.0)};
-  const Gauge gauge(model.correlation);
+  const VarianceEstimator estimator(model.correlation);
   std::vector<double> counts;
   for (const ValueRange& range : ranges) {
-    const Gauge::Reading reading = gauge.read(range, rounding);
+    const VarianceEstimator::Reading reading = estimator.read(range, rounding);
     if (reading.count == 0) continue;
     model.values.push_back(grid.valueOfStored(range.value));
     model.deviations.push_back(slope * std::max(std::sqrt(reading.variance + 0.5 * rounding), least));

@@ -223,8 +223,8 @@ void IsosurfaceTracer::forKept(std::span<const TraceRay> rays, const Trace& trac
       const glm::dvec3 origin(ray.origin), direction(ray.direction);
       if (!(ray.tMaximum > 0.0f)) continue;
       for (const auto& [begin, end] :
-           cut_.stretchesOf(grid_->valueOfStored(static_cast<double>(ray.isovalue)),
-                            {origin, direction, 0.0, static_cast<double>(ray.tMaximum)})) {
+           cut_.segmentsOf(grid_->valueOfStored(static_cast<double>(ray.isovalue)),
+                           {origin, direction, 0.0, static_cast<double>(ray.tMaximum)})) {
         if (!(begin < end) || (entered == Entered::outside && begin == 0.0)) continue;
         kept.rays.push_back(ray);
         if (begin > 0.0) kept.rays.back().origin = glm::vec3(origin + begin * direction);

@@ -44,8 +44,8 @@ struct View {
 // `outside` (in/out): whether the ray is known to be outside.
 inline double entryIntoShown(const View& view, glm::ivec3 cell, const glm::dvec3& from, const glm::dvec3& to,
                              bool& outside) {
-  const ShownWay way = view.shown->along(cell, from, to);
-  for (const ShownWay::Part& part : way.parts()) {
+  const VisibilityIntervals way = view.shown->along(cell, from, to);
+  for (const VisibilityIntervals::Part& part : way.parts()) {
     const bool inside = part.inside == view.insideIsOfPieces;
     if (outside && inside) return part.begin;
     outside = !inside;

@@ -7,21 +7,21 @@
 #include <vector>
 
 #include "scene/scene.h"
-#include "volume/visible/hidden_voxels.h"
+#include "volume/visible/voxel_mask.h"
 
 namespace isolux::volume {
 
 class Grid;
 
 struct HiddenPieces {
-  const HiddenVoxels* voxels = nullptr;  // null: all is shown
+  const VoxelMask* voxels = nullptr;  // null: all is shown
   scene::Inside inside = scene::Inside::above;
 };
 
 // The same of one of several isosurfaces, kept.
 struct HiddenOfSurface {
   double isovalue = 0.0;  // data units
-  std::shared_ptr<const HiddenVoxels> voxels;
+  std::shared_ptr<const VoxelMask> voxels;
   scene::Inside inside = scene::Inside::above;
 };
 HiddenPieces hiddenAt(std::span<const HiddenOfSurface> surfaces, double isovalue);

@@ -1,5 +1,6 @@
-// Bounds of stored light, judged by path tracing at the exact hits of other pixels (app/study/light_truth.h,
-// which knows nothing of them): they hold, and they are no larger than they need be.
+// Bounds of stored light, judged by path tracing at the exact hits of other pixels
+// (app/study/light_reference.h, which knows nothing of them): they hold, and they are no larger than they
+// need be.
 #include "app/accuracy/light_bounds.h"
 
 #include <algorithm>
@@ -12,8 +13,8 @@
 #include "app/accuracy/accuracy.h"
 #include "app/light/light_picture.h"
 #include "app/ready/ready_fields.h"
-#include "app/study/light_truth.h"
-#include "app/study/surface_truth.h"
+#include "app/study/light_reference.h"
+#include "app/study/surface_reference.h"
 #include "base/number_text.h"
 #include "base/quantiles.h"
 #include "base/random.h"
@@ -65,7 +66,7 @@ class LightBoundsGlTest : public test::RenderGlTest {
 
   // `count` pixels of outer sides, traced with `replicate` paths kReplicates times.
   JudgedLight judge(const Lit& lit, std::size_t count, std::uint32_t replicate) {
-    SurfaceTruth surface(lit.volume, lit.scene, lit.errors.size);
+    SurfaceReference surface(lit.volume, lit.scene, lit.errors.size);
     const std::vector<TrueHit> hits =
         surface.of(scene::Field::trilinear, scene::Field::cubic, progress_).hits;
     Scene still = lit.scene;
@@ -87,12 +88,13 @@ class LightBoundsGlTest : public test::RenderGlTest {
     std::vector<glm::vec3> voxels;
     for (const std::size_t i : pixels) voxels.emplace_back(hits[i].voxel);
     const auto isovalue = lit.volume->grid().storedIsovalue(still.isosurface.value.value());
-    const LightTruth truth = lightTruthAt(light, sky, isovalue, voxels, pixels,
-                                          {.firstSamples = replicate, .mostSamples = replicate}, progress_);
+    const LightReference reference =
+        lightReferenceAt(light, sky, isovalue, voxels, pixels,
+                         {.firstSamples = replicate, .mostSamples = replicate}, progress_);
     JudgedLight judged;
     judged.meanIrradiance = lit.errors.meanIrradiance;
-    for (std::size_t k = 0; k < truth.pixels.size(); ++k) {
-      const std::size_t i = truth.pixels[k];
+    for (std::size_t k = 0; k < reference.pixels.size(); ++k) {
+      const std::size_t i = reference.pixels[k];
       if (!std::isfinite(lit.errors.light[i])) {
         ++judged.unbounded;
         continue;
@@ -101,7 +103,7 @@ class LightBoundsGlTest : public test::RenderGlTest {
       for (int c = 0; c < 3; ++c)
         error = std::max(error,
                          std::abs(static_cast<double>(lit.irradiance[3 * i + static_cast<std::size_t>(c)]) -
-                                  truth.irradiance[k][c]));
+                                  reference.irradiance[k][c]));
       judged.errors.push_back(error);
       judged.bounds.push_back(static_cast<double>(lit.errors.light[i]));
       judged.held += error <= judged.bounds.back();

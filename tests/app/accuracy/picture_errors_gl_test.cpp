@@ -1,5 +1,5 @@
-// Bounds of what a picture shows, judged by the view in double precision (app/study/surface_truth.h, which
-// knows nothing of them): they hold, and they are no larger than they need be.
+// Bounds of what a picture shows, judged by the view in double precision (app/study/surface_reference.h,
+// which knows nothing of them): they hold, and they are no larger than they need be.
 #include "app/accuracy/picture_errors.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/ready/ready_fields.h"
-#include "app/study/surface_truth.h"
+#include "app/study/surface_reference.h"
 #include "base/number_text.h"
 #include "base/quantiles.h"
 #include "tests/render/gl_fixture.h"
@@ -72,8 +72,8 @@ class PictureErrorsGlTest : public test::ExecutorsGlTest {
     completeFields(scene, *volume, true, progress);
     const Drawn drawn = draw(volume, scene, size);
     const PictureErrors bounds = pictureErrors(*volume, scene, drawn.hits, progress);
-    SurfaceTruth truth(volume, scene, size);
-    const TrueSurface surface = truth.of(scene.hit.field, scene.derivatives, progress);
+    SurfaceReference reference(volume, scene, size);
+    const TrueSurface surface = reference.of(scene.hit.field, scene.derivatives, progress);
     Judged judged;
     for (std::size_t i = 0; i < surface.hits.size(); ++i) {
       const TrueHit& hit = surface.hits[i];

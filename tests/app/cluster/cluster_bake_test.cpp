@@ -146,7 +146,7 @@ TEST_F(ClusterBakeProtocol, TwoAnswersThatDifferNameBothHosts) {
   hello.host = "bad-host";
   liar.send(0, static_cast<int>(ClusterMessage::hello), app::bytesOf(hello));
   while (!master.isFinished()) master.step();
-  const std::uint32_t tile = light.wishes().tiles().front();
+  const std::uint32_t tile = light.requests().tiles().front();
   app::TileMessage wrong;
   wrong.tile = tile;
   liar.send(0, static_cast<int>(ClusterMessage::light), app::bytesOf(wrong));

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/cluster/cluster_messages.h"
-#include "app/cluster/tile_wishes.h"
+#include "app/cluster/tile_requests.h"
 #include "base/error.h"
 #include "gi/lattice/lattice_part.h"
 
@@ -62,18 +62,18 @@ TEST(TileBytes, EveryBitOfATileArrives) {
       gi::LightLattice from(geometry, content, "key");
       fill(from, 7);
       gi::LightLattice into(geometry, content, "key");
-      std::vector<gi::WantedBlock> all;
+      std::vector<gi::BlockRequest> all;
       for (std::uint32_t b = 0; b < geometry.blockCount(); ++b)
         all.push_back({b, std::bitset<gi::kTexelsOfBlock>().set()});
-      const TileWishes wishes = tileWishes(geometry, all, {});
-      EXPECT_EQ(wishes.of.size(), gi::tilesOf(geometry).count);
+      const TileRequests requests = tileRequests(geometry, all, {});
+      EXPECT_EQ(requests.of.size(), gi::tilesOf(geometry).count);
       std::size_t blocks = 0;
-      for (const TileWish& wish : wishes.of) {
-        blocks += wish.sky.size();
-        const std::string bytes = tileBytes(from, wish.sky);
-        takeTileBytes(bytes, wish.sky, into);
-        EXPECT_TRUE(tileBytes(into, wish.sky) == bytes);
-        EXPECT_EQ(pathsOf(into, wish.sky), pathsOf(from, wish.sky));
+      for (const TileRequest& request : requests.of) {
+        blocks += request.sky.size();
+        const std::string bytes = tileBytes(from, request.sky);
+        takeTileBytes(bytes, request.sky, into);
+        EXPECT_TRUE(tileBytes(into, request.sky) == bytes);
+        EXPECT_EQ(pathsOf(into, request.sky), pathsOf(from, request.sky));
       }
       EXPECT_EQ(blocks, all.size());
       expectSame(from, into);
@@ -85,7 +85,7 @@ TEST(TileBytes, WhatIsCutOffOrOfAnotherTileIsRefused) {
   const gi::LightContent content{gi::LightContent::Kind::irradiance, 3, 0};
   gi::LightLattice from(geometry, content, "key");
   fill(from, 3);
-  const std::vector<gi::WantedBlock> tile{{1, {}}, {2, {}}, {5, {}}}, other{{7, {}}};
+  const std::vector<gi::BlockRequest> tile{{1, {}}, {2, {}}, {5, {}}}, other{{7, {}}};
   const std::string bytes = tileBytes(from, tile);
   ASSERT_GT(bytes.size(), 200u);
   gi::LightLattice into(geometry, content, "key");

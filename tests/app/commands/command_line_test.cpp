@@ -13,8 +13,8 @@
 #include "app/documents/session.h"
 #include "app/files/image_io.h"
 #include "app/launcher/command_names.h"
-#include "base/retire.h"
-#include "scene/settings/machine.h"
+#include "base/destroy_in_background.h"
+#include "scene/settings/host_settings.h"
 #include "scene/settings/settings.h"
 #include "tests/app/commands/run_isolux.h"
 #include "tests/support/paths.h"
@@ -290,7 +290,7 @@ TEST(CommandLine, TheMemoryBudgetRefusesWithTheSumAndTheSetting) {
 
 TEST(CommandLine, LightAndPathTracedPicturesAskTheBudgetBeforeTheyBegin) {
   const auto refused = [](const std::vector<std::string>& arguments, const char* budget) {
-    EXPECT_TRUE(base::awaitRetired(30.0));  // what the command before this one held, in this process
+    EXPECT_TRUE(base::awaitDestroyed(30.0));  // what the command before this one held, in this process
     std::vector<std::string> all = arguments;
     all.insert(all.end(), {"--memory-budget", budget});
     return failure(5, all);
@@ -489,7 +489,7 @@ TEST(SettingsCommand, ListsEachSetting) {
 
 TEST(SettingsCommand, ListsAsJsonAndByWord) {
   const json all = json::parse(success({"settings", "--json"}).out);
-  ASSERT_EQ(all.size(), scene::settings().size() + scene::machineSettings().size());
+  ASSERT_EQ(all.size(), scene::settings().size() + scene::hostSettings().size());
   std::size_t at = 0;
   const auto expectNext = [&](const auto& setting, const char* of) {
     const json& listed = all[at++];
@@ -500,7 +500,7 @@ TEST(SettingsCommand, ListsAsJsonAndByWord) {
     EXPECT_EQ(listed.contains("choices"), setting.type == scene::SettingType::choice);
   };
   for (const scene::Setting& setting : scene::settings()) expectNext(setting, "scene");
-  for (const scene::MachineSetting& setting : scene::machineSettings()) expectNext(setting, "machine");
+  for (const scene::HostSetting& setting : scene::hostSettings()) expectNext(setting, "machine");
   const json some = json::parse(success({"settings", "camera.fov", "--json"}).out);
   ASSERT_GE(some.size(), 1u);
   EXPECT_EQ(some[0]["path"], "camera.fov");

@@ -38,8 +38,9 @@ void expectRefused(int exitCode, const std::vector<std::string>& arguments, cons
   EXPECT_EQ(result.out, "");
 }
 
-void expectWithinError(const json& measured, double truth) {
-  EXPECT_LE(std::abs(measured["value"].get<double>() - truth), measured["error"].get<double>()) << measured;
+void expectWithinError(const json& measured, double reference) {
+  EXPECT_LE(std::abs(measured["value"].get<double>() - reference), measured["error"].get<double>())
+      << measured;
 }
 
 // What knows whole isosurfaces only says so, and how to have one; cuts that touch nothing are none.

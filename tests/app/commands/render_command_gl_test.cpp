@@ -10,7 +10,7 @@
 #include "app/documents/recording.h"
 #include "app/documents/session.h"
 #include "app/files/image_io.h"
-#include "app/process/external_program.h"
+#include "app/runtime/external_program.h"
 #include "tests/app/commands/run_isolux.h"
 #include "tests/support/test_data.h"
 
@@ -138,8 +138,7 @@ TEST(RenderCommandGl, StatsHaveTheDocumentedKeys) {
   const json stats = json::parse(contentOf(folder / "s.json"));
   for (const char* key : {"version", "context", "gl", "size", "supersampling", "isovalue", "passes",
                           "frame_milliseconds", "repeat", "blocks", "programs", "image_bytes", "gpu_bytes",
-                          "peak_bytes",
-                          "parts", "data_hash", "read_seconds", "prepare_seconds"})
+                          "peak_bytes", "parts", "data_hash", "read_seconds", "prepare_seconds"})
     EXPECT_TRUE(stats.contains(key)) << key;
   ASSERT_FALSE(stats["passes"].empty());
   bool ran = false;

@@ -12,7 +12,7 @@
 #include "app/documents/command_text.h"
 #include "app/documents/session.h"
 #include "app/files/image_io.h"
-#include "app/process/external_program.h"
+#include "app/runtime/external_program.h"
 #include "scene/camera.h"
 #include "tests/app/commands/run_isolux.h"
 #include "tests/support/test_data.h"

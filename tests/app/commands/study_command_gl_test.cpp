@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/process/external_program.h"
+#include "app/runtime/external_program.h"
 #include "tests/app/commands/run_isolux.h"
 #include "tests/support/poll.h"
 #include "tests/support/test_data.h"

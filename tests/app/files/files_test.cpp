@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/process/progress_bar.h"
+#include "app/runtime/progress_bar.h"
 #include "base/error.h"
 #include "tests/app/commands/run_isolux.h"
 #include "tests/support/test_data.h"

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "base/retire.h"
+#include "base/destroy_in_background.h"
 #include "gi/file/bake_file.h"
 #include "gi/lattice/lattice_geometry.h"
 #include "gi/trace/exposure_meter.h"
@@ -423,7 +423,7 @@ TEST_F(LightControllerTest, LightOfInnerSidesFollowsTheIsovalue) {
 
 // One isosurface, its two sides exchanged: the same paths, bit for bit.
 TEST_F(LightControllerTest, TheInnerSideIsTheOuterSideOfTheOtherInside) {
-  const auto lit = [&](scene::Inside inside, gi::SeenPoints seen) {
+  const auto lit = [&](scene::Inside inside, gi::VisiblePointSet seen) {
     scene.isosurface.inside = inside;
     app::LightController fresh{{}};
     fresh.setScene(resolved(), volume);
@@ -491,7 +491,7 @@ TEST_F(LightControllerTest, AWindowThatClosesDoesNotWaitForTheBake) {
     fewest = std::min(fewest, ownWaits([&] { ofWindow.reset(); }));
   }
   EXPECT_EQ(fewest, 0) << "who waited for the bake would give up the processor each time";
-  EXPECT_TRUE(base::awaitRetired(600.0));
+  EXPECT_TRUE(base::awaitDestroyed(600.0));
 }
 
 TEST_F(LightControllerTest, TheLeastChangeOfAConstantSkyIsAChange) {

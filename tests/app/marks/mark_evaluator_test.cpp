@@ -63,10 +63,10 @@ double valueOf(const app::MarkReport& report, const std::string& name) {
   return quantity ? quantity->value : std::nan("");
 }
 
-void expectWithinStated(const app::MarkReport& report, const std::string& name, double truth) {
+void expectWithinStated(const app::MarkReport& report, const std::string& name, double reference) {
   const app::MarkQuantity* quantity = find(report, name);
   ASSERT_TRUE(quantity && quantity->error) << name << ": " << report.problem;
-  EXPECT_LE(std::abs(quantity->value - truth), *quantity->error) << name;
+  EXPECT_LE(std::abs(quantity->value - reference), *quantity->error) << name;
 }
 
 TEST(MarkEvaluator, GreatCirclesOfABall) {
@@ -76,9 +76,9 @@ TEST(MarkEvaluator, GreatCirclesOfABall) {
     const glm::dvec3 a = measure.onSurface(radius * glm::normalize(glm::dvec3(1.0, 0.2, 0.3)));
     const glm::dvec3 axis = glm::normalize(a), side = glm::normalize(glm::cross(axis, glm::dvec3(0, 0, 1)));
     const glm::dvec3 b = measure.onSurface(radius * (std::cos(angle) * axis + std::sin(angle) * side));
-    const double truth = radius * std::acos(glm::dot(glm::normalize(a), glm::normalize(b)));
+    const double reference = radius * std::acos(glm::dot(glm::normalize(a), glm::normalize(b)));
     const app::MarkReport report = measure(MarkKind::path, {a, b});
-    EXPECT_NEAR(valueOf(report, "along_surface"), truth, 0.005 * truth);
+    EXPECT_NEAR(valueOf(report, "along_surface"), reference, 0.005 * reference);
     EXPECT_NEAR(valueOf(report, "straight"), glm::length(a - b), 1e-9);
     EXPECT_TRUE(report.notes.empty());
     ASSERT_GT(report.line.size(), 5u);
@@ -94,8 +94,8 @@ TEST(MarkEvaluator, GeodesicsOfATorus) {
     const double r = ring + tube * std::cos(along);
     return measure.onSurface({r * std::cos(around), r * std::sin(around), tube * std::sin(along)});
   };
-  const auto expectLength = [&](glm::dvec3 a, glm::dvec3 b, double truth) {
-    EXPECT_NEAR(valueOf(measure(MarkKind::path, {a, b}), "along_surface"), truth, 0.005 * truth);
+  const auto expectLength = [&](glm::dvec3 a, glm::dvec3 b, double reference) {
+    EXPECT_NEAR(valueOf(measure(MarkKind::path, {a, b}), "along_surface"), reference, 0.005 * reference);
   };
   expectLength(at(0.4, 0.1), at(0.4, 2.3), 2.2 * tube);
   expectLength(at(0.1, std::numbers::pi), at(1.9, std::numbers::pi), 1.8 * (ring - tube));
@@ -134,11 +134,11 @@ TEST(MarkEvaluator, StraightDistancesOnAnisotropicObliqueGrids) {
     for (int i = 0; i < 1000; ++i) {
       const glm::dvec3 a = measure.onSurface(centre + radius * direction()),
                        b = measure.onSurface(centre + radius * direction());
-      const double truth = radius * glm::length(glm::normalize(a - centre) - glm::normalize(b - centre));
+      const double reference = radius * glm::length(glm::normalize(a - centre) - glm::normalize(b - centre));
       const app::MarkReport report = measure(MarkKind::distance, {a, b});
-      expectWithinStated(report, "straight", truth);
+      expectWithinStated(report, "straight", reference);
       stated += *report.quantities[0].error;
-      made += std::abs(report.quantities[0].value - truth);
+      made += std::abs(report.quantities[0].value - reference);
     }
     EXPECT_LE(stated, 10.0 * made);  // and not by saying too much
   }

@@ -87,7 +87,7 @@ std::shared_ptr<const volume::PreparedVolume> volumeOf(const PictureScene& scene
 
 std::shared_ptr<const gi::PictureLight> lightOf(const scene::Scene& scene,
                                                 const std::shared_ptr<const volume::PreparedVolume>& volume,
-                                                gi::SeenPoints seen, int threads) {
+                                                gi::VisiblePointSet seen, int threads) {
   app::LightController light({.threads = threads > 0 ? std::optional(threads) : std::nullopt});
   light.setScene(scene, volume);
   light.setVisible(std::move(seen));
@@ -140,7 +140,7 @@ DrawnWay drawWay(render::OffscreenContext& context, const PictureScene& of, cons
   app::completeFields(scene, *volume, true, progress);
   context.makeCurrent();
   render::Renderer renderer(context.gl());
-  renderer.setMachine({.memory = {2048, way.layout}, .executor = way.executor});
+  renderer.setHostSettings({.memory = {2048, way.layout}, .executor = way.executor});
   renderer.setVolume(volume);
   using render::Aov;
   render::FrameRequest request;

@@ -12,7 +12,7 @@
 #include "render/gl/gl_context.h"
 #include "render/graph/frame.h"
 #include "scene/scene.h"
-#include "scene/settings/machine.h"
+#include "scene/settings/host_settings.h"
 #include "volume/prepared/prepared_volume.h"
 
 namespace isolux::test {

@@ -12,17 +12,17 @@ namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
-LightTruth truthOf(std::vector<glm::dvec3> irradiance, double variance) {
-  LightTruth truth;
-  for (std::size_t i = 0; i < irradiance.size(); ++i) truth.pixels.push_back(i);
-  truth.variance.assign(irradiance.size(), glm::dvec3(variance));
-  truth.irradiance = std::move(irradiance);
-  return truth;
+LightReference referenceOf(std::vector<glm::dvec3> irradiance, double variance) {
+  LightReference reference;
+  for (std::size_t i = 0; i < irradiance.size(); ++i) reference.pixels.push_back(i);
+  reference.variance.assign(irradiance.size(), glm::dvec3(variance));
+  reference.irradiance = std::move(irradiance);
+  return reference;
 }
 
 TEST(LightErrors, EveryChannelOfEveryPixelCounts) {
-  const LightTruth truth = truthOf({glm::dvec3(1.0), glm::dvec3(3.0)}, 0.0);
-  const LightErrors errors = lightErrorsOf({1.5f, 1.0f, 1.0f, 3.0f, 3.0f, 2.0f}, truth);
+  const LightReference reference = referenceOf({glm::dvec3(1.0), glm::dvec3(3.0)}, 0.0);
+  const LightErrors errors = lightErrorsOf({1.5f, 1.0f, 1.0f, 3.0f, 3.0f, 2.0f}, reference);
   EXPECT_EQ(errors.pixels, 2u);
   EXPECT_DOUBLE_EQ(errors.mean, 2.0);
   EXPECT_DOUBLE_EQ(errors.rmse, std::sqrt((0.25 + 1.0) / 6.0));
@@ -34,31 +34,31 @@ TEST(LightErrors, EveryChannelOfEveryPixelCounts) {
 }
 
 TEST(LightErrors, PixelsAreThoseOfThePicture) {
-  LightTruth truth = truthOf({glm::dvec3(1.0), glm::dvec3(2.0)}, 0.0);
-  truth.pixels = {3, 1};
+  LightReference reference = referenceOf({glm::dvec3(1.0), glm::dvec3(2.0)}, 0.0);
+  reference.pixels = {3, 1};
   std::vector<float> drawn(12, 7.0f);
   std::fill_n(drawn.begin() + 9, 3, 1.0f);
   std::fill_n(drawn.begin() + 3, 3, 2.0f);
-  EXPECT_DOUBLE_EQ(lightErrorsOf(drawn, truth).rmse, 0.0);
+  EXPECT_DOUBLE_EQ(lightErrorsOf(drawn, reference).rmse, 0.0);
   drawn[9] = nan;
-  EXPECT_EQ(lightErrorsOf(drawn, truth).pixels, 1u) << "no surface is drawn there";
+  EXPECT_EQ(lightErrorsOf(drawn, reference).pixels, 1u) << "no surface is drawn there";
   drawn[3] = nan;
-  const LightErrors none = lightErrorsOf(drawn, truth);
+  const LightErrors none = lightErrorsOf(drawn, reference);
   EXPECT_EQ(none.pixels, 0u);
   EXPECT_TRUE(std::isnan(none.rmse) && std::isnan(none.bias) && std::isnan(none.maximum));
 }
 
 TEST(LightErrors, TheLargestIsToldInStandardErrorsOfTheTruth) {
-  LightTruth truth = truthOf({glm::dvec3(1.0), glm::dvec3(1.0)}, 0.01);
-  truth.variance[1] = glm::dvec3(0.25);
-  const LightErrors errors = lightErrorsOf({1.1f, 1.0f, 1.0f, 1.0f, 2.0f, 1.0f}, truth);
+  LightReference reference = referenceOf({glm::dvec3(1.0), glm::dvec3(1.0)}, 0.01);
+  reference.variance[1] = glm::dvec3(0.25);
+  const LightErrors errors = lightErrorsOf({1.1f, 1.0f, 1.0f, 1.0f, 2.0f, 1.0f}, reference);
   EXPECT_DOUBLE_EQ(errors.maximum, 1.0);
   EXPECT_DOUBLE_EQ(errors.maximumZ, 2.0);
   EXPECT_DOUBLE_EQ(errors.truthNoise, std::sqrt((0.01 + 0.25) / 2.0));
 }
 
 TEST(LightErrors, BlackLightHasNoRelativeError) {
-  const LightErrors errors = lightErrorsOf({0.0f, 0.0f, 0.0f}, truthOf({glm::dvec3(0.0)}, 0.0));
+  const LightErrors errors = lightErrorsOf({0.0f, 0.0f, 0.0f}, referenceOf({glm::dvec3(0.0)}, 0.0));
   EXPECT_EQ(errors.rmse, 0.0);
   EXPECT_TRUE(std::isnan(errors.relative(errors.rmse)));
 }
@@ -69,7 +69,7 @@ TEST(LightErrors, TheNoiseOfTheTruthIsTakenOut) {
   std::normal_distribution<double> normal;
   for (const double noise : {0.0, 0.1, 0.3}) {
     for (const double size : {0.0, 0.1}) {
-      LightTruth truth;
+      LightReference reference;
       std::vector<float> drawn;
       for (std::size_t i = 0; i < 4000; ++i) {
         glm::dvec3 estimate;
@@ -77,11 +77,11 @@ TEST(LightErrors, TheNoiseOfTheTruthIsTakenOut) {
           estimate[channel] = 2.0 + noise * normal(random);
           drawn.push_back(static_cast<float>(2.0 + size * normal(random)));
         }
-        truth.pixels.push_back(i);
-        truth.irradiance.push_back(estimate);
-        truth.variance.emplace_back(noise * noise);
+        reference.pixels.push_back(i);
+        reference.irradiance.push_back(estimate);
+        reference.variance.emplace_back(noise * noise);
       }
-      const LightErrors errors = lightErrorsOf(drawn, truth);
+      const LightErrors errors = lightErrorsOf(drawn, reference);
       const double upper = errors.rmse + errors.rmseStandardError;
       const double standardError = upper * upper - errors.rmse * errors.rmse;  // of the mean square
       EXPECT_LE(std::abs(errors.rmse * errors.rmse - size * size), 4.5 * standardError + 1e-12)

@@ -45,7 +45,7 @@ double degrees(double radians) {
 // s^5); two of them tilt a normal whose gradient is 1 mm per mm.
 TEST(ScaleStudy, NormalsOfANoisyPlaneTiltAsTheGaussianLetsThem) {
   const Plane plane = planeOf(48);
-  ScaleStudio studio(plane.volume, plane.scene, pointsOfPlane(48), {});
+  ScaleStudyRunner studio(plane.volume, plane.scene, pointsOfPlane(48), {});
   EXPECT_TRUE(studio.isPhantom());
   EXPECT_NEAR(studio.deviation(), kPhantomNoiseVoxels, 1e-6);
   base::Progress progress;
@@ -68,7 +68,7 @@ TEST(ScaleStudy, AScanGetsNoiseLikeItsOwn) {
   noise.values = {0.0};
   noise.deviations = {0.2};
   noise.correlation = glm::dvec3(1.5);
-  ScaleStudio studio(plane.volume, plane.scene, pointsOfPlane(48), noise);
+  ScaleStudyRunner studio(plane.volume, plane.scene, pointsOfPlane(48), noise);
   EXPECT_FALSE(studio.isPhantom());
   EXPECT_EQ(studio.deviation(), 0.2);
   base::Progress progress;
@@ -91,7 +91,7 @@ TEST(ScaleStudy, OfAPhantomWhatSmoothingTakesCounts) {
     const double angle = 2.0 * kPi * i / 50.0;
     points.push_back(middle + 0.15 * edge * glm::dvec3(std::cos(angle), std::sin(angle), 0.0));
   }
-  ScaleStudio studio(torus.volume, torus.scene, points, {});
+  ScaleStudyRunner studio(torus.volume, torus.scene, points, {});
   const double noisy = studio.at(0.0, progress).errors.curvature.median;
   const double best = studio.at(2.0, progress).errors.curvature.median;
   const double washed = studio.at(6.0, progress).errors.curvature.median;
@@ -101,7 +101,7 @@ TEST(ScaleStudy, OfAPhantomWhatSmoothingTakesCounts) {
 
 TEST(ScaleStudy, Stops) {
   const Plane plane = planeOf(48);
-  ScaleStudio studio(plane.volume, plane.scene, pointsOfPlane(48), {});
+  ScaleStudyRunner studio(plane.volume, plane.scene, pointsOfPlane(48), {});
   base::Progress progress;
   progress.requestStop();
   EXPECT_THROW(studio.at(1.0, progress), base::Error);

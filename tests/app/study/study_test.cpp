@@ -118,15 +118,15 @@ TEST(StudyErrors, SpreadIsOfTheWholeDistribution) {
   EXPECT_TRUE(std::isnan(spreadOf({}).rms)) << "no pixel is no error of 0";
 }
 
-TEST(StudyKnobs, EachHasItsDefaultAmongItsValues) {
-  for (const Knob& knob : knobs()) {
+TEST(QualitySettings, EachHasItsDefaultAmongItsValues) {
+  for (const QualitySetting& knob : knobs()) {
     EXPECT_NE(defaultValue(knob), "") << knob.name;
     EXPECT_NO_THROW(scene::setting(knob.setting)) << knob.name;
   }
 }
 
-TEST(StudyKnobs, PicturesAreComparedWithOneOfTheRows) {
-  for (const Knob& knob : knobs()) {
+TEST(QualitySettings, PicturesAreComparedWithOneOfTheRows) {
+  for (const QualitySetting& knob : knobs()) {
     const std::string reference = knob.reference;
     if (knob.measure == Measure::edges)
       EXPECT_EQ(reference, "") << "a picture of its own";
@@ -137,42 +137,43 @@ TEST(StudyKnobs, PicturesAreComparedWithOneOfTheRows) {
   }
 }
 
-TEST(StudyKnobs, ATurnedSceneDiffersInThatSettingAlone) {
+TEST(QualitySettings, ATurnedSceneDiffersInThatSettingAlone) {
   const scene::VolumeFacts facts{.boundsMaxMm = glm::dvec3(9.0), .maximum = 5.0, .typicalStep = 8.0};
   scene::Scene scene;
   scene.hit.method = scene::HitMethod::sampled;
   scene.extraIsosurfaces[0].shown = true;
-  const scene::Scene plain = turned(parseKnobs("rate")[0], "2", scene, facts);
+  const scene::Scene plain = turned(parseQualitySettings("rate")[0], "2", scene, facts);
   EXPECT_FALSE(plain.extraIsosurfaces[0].shown);
   EXPECT_EQ(plain.hit.nearThreshold, 4.0);
 
   scene::Scene expected = plain;
   expected.hit.rate = 4.0;
   expected.hit.nearThreshold = 2.0;  // automatic: it follows the rate
-  EXPECT_EQ(turned(parseKnobs("rate")[0], "4", scene, facts), expected);
+  EXPECT_EQ(turned(parseQualitySettings("rate")[0], "4", scene, facts), expected);
   expected = plain;
   expected.hit.nearThreshold = 1.0;
-  EXPECT_EQ(turned(parseKnobs("near_threshold")[0], "0.25", scene, facts), expected);
+  EXPECT_EQ(turned(parseQualitySettings("near_threshold")[0], "0.25", scene, facts), expected);
   EXPECT_EQ(plain.derivatives.scale, std::nullopt) << "automatic, as the scene has it";
   EXPECT_EQ(plain.derivatives.normalScale, std::nullopt);
   expected = plain;
   expected.derivatives.field = scene::Field::trilinear;
-  EXPECT_EQ(turned(parseKnobs("derivatives_field")[0], "trilinear", scene, facts), expected);
+  EXPECT_EQ(turned(parseQualitySettings("derivatives_field")[0], "trilinear", scene, facts), expected);
   scene.hit.method = scene::HitMethod::exact;
-  EXPECT_EQ(turned(parseKnobs("refinements")[0], "4", scene, facts), plain) << "sampled, to have an effect";
+  EXPECT_EQ(turned(parseQualitySettings("refinements")[0], "4", scene, facts), plain)
+      << "sampled, to have an effect";
 }
 
-TEST(StudyKnobs, AListIsCheckedWithASuggestion) {
-  EXPECT_EQ(parseKnobs("").size(), knobs().size());
-  EXPECT_STREQ(parseKnobs("fetch,rate")[1].name, "rate");
+TEST(QualitySettings, AListIsCheckedWithASuggestion) {
+  EXPECT_EQ(parseQualitySettings("").size(), knobs().size());
+  EXPECT_STREQ(parseQualitySettings("fetch,rate")[1].name, "rate");
   try {
-    parseKnobs("rate,near_factr");
+    parseQualitySettings("rate,near_factr");
     FAIL();
   } catch (const base::Error& error) {
     EXPECT_EQ(error.kind(), base::ErrorKind::usage);
     EXPECT_THAT(error.what(), HasSubstr("did you mean near_factor?"));
   }
-  EXPECT_THROW(parseKnobs("rate,,method"), base::Error);
+  EXPECT_THROW(parseQualitySettings("rate,,method"), base::Error);
 }
 
 scene::Scene underAProbe() {
@@ -181,32 +182,32 @@ scene::Scene underAProbe() {
   return scene;
 }
 
-TEST(StudyKnobs, LightIsLitByAllThereIsWhateverTheLook) {
+TEST(QualitySettings, LightIsLitByAllThereIsWhateverTheLook) {
   const scene::VolumeFacts facts{.boundsMaxMm = glm::dvec3(9.0), .maximum = 5.0, .typicalStep = 8.0};
   scene::Scene scene = underAProbe();
   scene.look.mode = scene::LookMode::kappa1;
   scene.hit.field = scene::Field::cubic;
   scene.gi.extent = scene::GiExtent::full;
-  const scene::Scene lit = turned(parseKnobs("samples")[0], "16", scene, facts);
+  const scene::Scene lit = turned(parseQualitySettings("samples")[0], "16", scene, facts);
   EXPECT_EQ(lit.look.mode, scene::LookMode::gi);
   EXPECT_EQ(lit.hit.field, scene::Field::trilinear);
   EXPECT_EQ(lit.gi.extent, scene::GiExtent::view);
   EXPECT_EQ(lit.gi.samples, 16);
   EXPECT_FALSE(lit.light.environment.moves);
-  const scene::Scene moving = turned(parseKnobs("sh_order")[0], "3", scene, facts);
+  const scene::Scene moving = turned(parseQualitySettings("sh_order")[0], "3", scene, facts);
   EXPECT_TRUE(moving.light.environment.moves);
   EXPECT_EQ(moving.gi.shOrder, 3);
-  EXPECT_EQ(turned(parseKnobs("environment_share")[0], "auto", scene, facts).gi.environmentShare,
+  EXPECT_EQ(turned(parseQualitySettings("environment_share")[0], "auto", scene, facts).gi.environmentShare,
             std::nullopt);
 }
 
-TEST(StudyKnobs, KnobsWithoutEffectSayWhy) {
+TEST(QualitySettings, KnobsWithoutEffectSayWhy) {
   const auto why = [](const char* knob, const scene::Scene& scene) {
-    return whyWithoutEffect(parseKnobs(knob)[0], scene);
+    return whyWithoutEffect(parseQualitySettings(knob)[0], scene);
   };
   scene::Scene plain, probe = underAProbe();
   plain.light.environment.constant = glm::dvec3(1.0);
-  for (const Knob& knob : knobs()) EXPECT_EQ(whyWithoutEffect(knob, probe), "") << knob.name;
+  for (const QualitySetting& knob : knobs()) EXPECT_EQ(whyWithoutEffect(knob, probe), "") << knob.name;
   for (const char* knob : {"samples", "sequence", "bounces", "interpolation", "precision"})
     EXPECT_EQ(why(knob, plain), "") << knob;
   for (const char* knob : {"environment_share", "sh_order", "sh_window", "components", "component_bits"})
@@ -228,8 +229,8 @@ TEST(StudyKnobs, KnobsWithoutEffectSayWhy) {
   EXPECT_THAT(why("samples", plain), HasSubstr("no light is baked"));
 }
 
-KnobStudy madeStudy() {
-  KnobStudy study{.knob = parseKnobs("rate")[0], .settings = {}, .plot = {}};
+QualityStudy madeStudy() {
+  QualityStudy study{.knob = parseQualitySettings("rate")[0], .settings = {}, .plot = {}};
   const auto add = [&](const char* value, double time, double rms, bool comparison) {
     StudySetting setting;
     setting.value = value;
@@ -251,7 +252,7 @@ KnobStudy madeStudy() {
 }
 
 TEST(StudyReach, IsTheCheapestOfAllRows) {
-  KnobStudy study = madeStudy();
+  QualityStudy study = madeStudy();
   EXPECT_EQ(cheapest(study, 0.5)->value, "exact hits") << "cheaper than every rate";
   EXPECT_EQ(cheapest(study, 1e-9)->value, "exact hits");
   study.settings.pop_back();
@@ -262,7 +263,7 @@ TEST(StudyReach, IsTheCheapestOfAllRows) {
 }
 
 TEST(StudyReach, OfTimesThatTheirSpreadDoesNotTellApartTheMoreAccurateWins) {
-  KnobStudy study = madeStudy();
+  QualityStudy study = madeStudy();
   study.settings.pop_back();
   // Medians 3 and 4 ms; quartiles 2.9 to 4.1 of the first, 4 to 4.1 of the last.
   study.settings[0].passTimes["refine"] = std::vector<double>(5, 1.0);
@@ -276,7 +277,7 @@ TEST(StudyTimes, SpreadIsOfThePassesOfAFrameTogether) {
   StudySetting setting;
   setting.passMilliseconds = {{"cast", 2.0}, {"refine", 5.0}};
   setting.passTimes = {{"cast", {1.0, 2.0, 3.0}}, {"refine", {6.0, 5.0, 4.0}}, {"other", {9.0, 9.0, 99.0}}};
-  const Knob knob = parseKnobs("rate")[0];
+  const QualitySetting knob = parseQualitySettings("rate")[0];
   const TimeSpread spread = costSpread(knob, setting, panelsOf(knob)[0]);
   EXPECT_EQ(spread.low, 7.0);
   EXPECT_EQ(spread.high, 7.0);
@@ -306,7 +307,7 @@ TEST(StudyTimes, EqualSettingsAreSeldomToldApart) {
 }
 
 TEST(StudyTimes, ABusyMachineIsSeenByTheProcessorsTime) {
-  KnobStudy study = madeStudy();
+  QualityStudy study = madeStudy();
   EXPECT_TRUE(std::isnan(timesAsLong({study}))) << "a GPU drew";
   for (StudySetting& setting : study.settings) {
     setting.frameTimes = {50.0, 150.0};
@@ -328,8 +329,8 @@ TEST(StudyPlot, HasEveryPointAndMarksTheDefault) {
   EXPECT_THAT(script, HasSubstr("tops[2] = [1, 1]"));
 }
 
-KnobStudy madeLightStudy(const char* knob) {
-  KnobStudy study{.knob = parseKnobs(knob)[0], .settings = {}, .plot = {}};
+QualityStudy madeLightStudy(const char* knob) {
+  QualityStudy study{.knob = parseQualitySettings(knob)[0], .settings = {}, .plot = {}};
   const auto add = [&](const char* value, double seconds, double milliseconds, std::uint64_t bytes,
                        double rmse) {
     StudySetting setting;

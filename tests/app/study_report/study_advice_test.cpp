@@ -18,8 +18,8 @@ struct Row {
 };
 
 // The default is the row of that value; exact hits are a comparison.
-KnobStudy studyOf(const char* knob, const std::vector<Row>& rows, const std::string& byDefault) {
-  KnobStudy study{.knob = parseKnobs(knob)[0], .settings = {}, .plot = {}};
+QualityStudy studyOf(const char* knob, const std::vector<Row>& rows, const std::string& byDefault) {
+  QualityStudy study{.knob = parseQualitySettings(knob)[0], .settings = {}, .plot = {}};
   for (const Row& row : rows) {
     StudySetting setting;
     setting.value = row.value;
@@ -75,7 +75,7 @@ TEST(StudyAdvice, ForSampledHitsSaysThatExactOnesAreTheDefault) {
 }
 
 TEST(StudyAdvice, SaysWhySampledRowsBecomeWorse) {
-  KnobStudy study =
+  QualityStudy study =
       studyOf("rate", {{"1", 5, 1, 0.02}, {"2", 10, 1, 0.03}, {"exact hits", 11, 1, 3e-5}}, kExactHits);
   EXPECT_THAT(noteOf(study), Not(HasSubstr("8-bit voxels")));
   study.eightBitVoxels = true;
@@ -98,7 +98,7 @@ TEST(StudyAdvice, HasNoRatioWhereTimesVaryTooMuch) {
 }
 
 TEST(StudyAdvice, OfAFieldSaysTheScaleOfTheNormals) {
-  KnobStudy study =
+  QualityStudy study =
       studyOf("derivatives_field", {{"cubic", 10, 1, 0.0095}, {"cubic_interpolating", 10, 1, 0.0}}, "cubic");
   EXPECT_THAT(adviceOf(study), HasSubstr("take `cubic_interpolating` for clean data"));
   study.normalScaleMm = 1.0;
@@ -116,7 +116,7 @@ TEST(StudyAdvice, OfAShadowTellsWhatItCosts) {
 }
 
 TEST(StudyAdvice, IsASentenceForEveryKnob) {
-  for (const Knob& knob : knobs()) {
+  for (const QualitySetting& knob : knobs()) {
     if (knob.measure == Measure::light || knob.measure == Measure::scale) continue;
     std::vector<Row> rows;
     for (const std::string& value : knob.values) rows.push_back({value.c_str(), 10, 1, 0.5});

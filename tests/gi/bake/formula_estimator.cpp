@@ -75,11 +75,11 @@ bool FormulaEstimator::add(std::span<const glm::ivec3> texels, std::span<const T
   return true;
 }
 
-std::vector<WantedBlock> texelsWhere(const LatticeGeometry& lattice,
-                                     const std::function<bool(glm::ivec3)>& chosen) {
-  std::vector<WantedBlock> wanted;
+std::vector<BlockRequest> texelsWhere(const LatticeGeometry& lattice,
+                                      const std::function<bool(glm::ivec3)>& chosen) {
+  std::vector<BlockRequest> wanted;
   for (std::uint32_t block = 0; block < lattice.blockCount(); ++block) {
-    WantedBlock next{block, {}};
+    BlockRequest next{block, {}};
     for (int i = 0; i < kTexelsOfBlock; ++i) {
       const glm::ivec3 texel = lattice.texelOf(block, i);
       next.texels[static_cast<std::size_t>(i)] = lattice.contains(texel) && chosen(texel);
@@ -112,8 +112,8 @@ std::string differenceFrom(const LightLattice& lattice, std::uint32_t samples) {
   return {};
 }
 
-bool allHave(const LightLattice& lattice, const std::vector<WantedBlock>& wanted, std::uint32_t samples) {
-  for (const WantedBlock& w : wanted) {
+bool allHave(const LightLattice& lattice, const std::vector<BlockRequest>& wanted, std::uint32_t samples) {
+  for (const BlockRequest& w : wanted) {
     const auto block = lattice.at(w.block);
     if (!block) return false;
     bool all = true;

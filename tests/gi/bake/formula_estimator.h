@@ -39,13 +39,13 @@ class FormulaEstimator : public TexelEstimator {
 };
 
 // All texels of the lattice, or those for which `chosen` is true, in order of blocks.
-std::vector<WantedBlock> texelsWhere(const LatticeGeometry& lattice,
-                                     const std::function<bool(glm::ivec3)>& chosen);
+std::vector<BlockRequest> texelsWhere(const LatticeGeometry& lattice,
+                                      const std::function<bool(glm::ivec3)>& chosen);
 
 // Compares every texel with the formula at its number of samples, whose rounds are those up to `samples`;
 // returns the first difference in words, or nothing.
 std::string differenceFrom(const LightLattice& lattice, std::uint32_t samples);
 // Whether each texel of `wanted` has exactly `samples` or no normal.
-bool allHave(const LightLattice& lattice, const std::vector<WantedBlock>& wanted, std::uint32_t samples);
+bool allHave(const LightLattice& lattice, const std::vector<BlockRequest>& wanted, std::uint32_t samples);
 
 }  // namespace isolux::gi

@@ -39,7 +39,7 @@ TEST(LightBakeOfAWindow, ItsThreadsStandBehindAllOthers) {
     };
     const auto lattice = std::make_shared<LightLattice>(geometry, estimator->content(), "key");
     LightBake bake(lattice, estimator, {.samples = 4, .threads = 2, .background = background});
-    bake.want(Wish::rest, texelsWhere(geometry, [](glm::ivec3) { return true; }));
+    bake.want(Priority::rest, texelsWhere(geometry, [](glm::ivec3) { return true; }));
     ASSERT_TRUE(bake.waitFor(0, 120.0));
     // A tenth of an ordinary thread; at nice 19, or idle, it would not see a stop for a fifth of a second.
     const std::pair<int, int> own = standing();
@@ -54,8 +54,9 @@ TEST(LightBakeOfAWindow, ItsThreadsStandBehindAllOthers) {
 TEST(LightBakeOfAWindow, ItsOwnerNeverWaitsForAThread) {
   const LatticeGeometry geometry = LatticeGeometry::make({96, 96, 96}, 1.0);
   const auto everything = texelsWhere(geometry, [](glm::ivec3) { return true; });
-  std::vector<WantedBlock> single;  // a texel each: next to no light between two looks at the queue
-  for (const WantedBlock& block : everything) single.push_back({block.block, std::bitset<kTexelsOfBlock>(1)});
+  std::vector<BlockRequest> single;  // a texel each: next to no light between two looks at the queue
+  for (const BlockRequest& block : everything)
+    single.push_back({block.block, std::bitset<kTexelsOfBlock>(1)});
   const auto estimator = std::make_shared<FormulaEstimator>();
   const int threads = 2 * static_cast<int>(std::max(std::thread::hardware_concurrency(), 1u));
   constexpr int kCalls = 2000;
@@ -63,11 +64,11 @@ TEST(LightBakeOfAWindow, ItsOwnerNeverWaitsForAThread) {
   while (calls < kCalls) {
     const auto lattice = std::make_shared<LightLattice>(geometry, estimator->content(), "key");
     LightBake bake(lattice, estimator, {.samples = 64, .threads = threads});
-    bake.want(Wish::rest, single);
+    bake.want(Priority::rest, single);
     for (int i = 0; i < 100 && !bake.counters().idle; ++i, ++calls) {
       const long waits = test::ownWaits([&] {  // as a window that draws
         bake.yield(i % 2 == 0);
-        bake.want(Wish::visible, {single[static_cast<std::size_t>(i)]});
+        bake.want(Priority::visible, {single[static_cast<std::size_t>(i)]});
         static_cast<void>(bake.counters());
         bake.yield(false);
       });

@@ -31,7 +31,7 @@ std::shared_ptr<LightLattice> makeLattice(const TexelEstimator& estimator,
   return std::make_shared<LightLattice>(geometry, estimator.content(), "key");
 }
 
-std::vector<WantedBlock> everything(const LatticeGeometry& geometry = kGeometry) {
+std::vector<BlockRequest> everything(const LatticeGeometry& geometry = kGeometry) {
   return texelsWhere(geometry, [](glm::ivec3) { return true; });
 }
 
@@ -51,7 +51,7 @@ TEST(LightBake, LatticeIsTheFormulaForAnyNumberOfThreads) {
         const auto estimator = std::make_shared<FormulaEstimator>(content);
         const auto lattice = makeLattice(*estimator);
         LightBake bake(lattice, estimator, {.samples = 100, .threads = threads, .background = background});
-        bake.want(Wish::rest, everything());
+        bake.want(Priority::rest, everything());
         ASSERT_TRUE(bake.waitFor(0, kNeverSeconds));
         EXPECT_EQ(differenceFrom(*lattice, 100), "");
         EXPECT_TRUE(allHave(*lattice, everything(), 100));
@@ -63,7 +63,7 @@ TEST(LightBake, CountsWhatItDoes) {
   const auto lattice = makeLattice(*estimator);
   const int texels = kGeometry.dims.x * kGeometry.dims.y * kGeometry.dims.z;
   std::uint64_t lit = 0;
-  for (const WantedBlock& w : everything())
+  for (const BlockRequest& w : everything())
     for (int i = 0; i < kTexelsOfBlock; ++i)
       lit += w.texels[static_cast<std::size_t>(i)] &&
              FormulaEstimator::normalOf(kGeometry.texelOf(w.block, i)) != glm::vec3(0.0f);
@@ -71,15 +71,15 @@ TEST(LightBake, CountsWhatItDoes) {
   LightBake bake(lattice, estimator, {.samples = 20, .threads = 2});
   EXPECT_TRUE(bake.counters().idle);
   bake.setPaused(true);
-  bake.want(Wish::rest, everything());
-  EXPECT_FALSE(bake.waitFor(0, 0.0));  // the wish is in the queue then
+  bake.want(Priority::rest, everything());
+  EXPECT_FALSE(bake.waitFor(0, 0.0));  // the request is in the queue then
   BakeCounters counters = bake.counters();
   EXPECT_EQ(counters.texelsWanted, static_cast<std::uint64_t>(texels));
   EXPECT_EQ(counters.texelsStarted, 0u);
   EXPECT_FALSE(counters.idle);
   EXPECT_TRUE(counters.paused);
 
-  bake.want(Wish::visible, {everything().front()});  // wanted twice, counted once
+  bake.want(Priority::visible, {everything().front()});  // wanted twice, counted once
   EXPECT_FALSE(bake.waitFor(0, 0.0));
   EXPECT_EQ(bake.counters().texelsWanted, static_cast<std::uint64_t>(texels));
 
@@ -113,13 +113,14 @@ struct Record {
 TEST(LightBake, ServesWishesThenRoundsThenTheOrderGiven) {
   const auto estimator = std::make_shared<FormulaEstimator>();
   Record record;
-  std::atomic<bool> wished{false};  // a call may begin before the bake is paused, when nobody has wished yet
+  std::atomic<bool> requested{
+      false};  // a call may begin before the bake is paused, when nobody has wished yet
   estimator->before = [&](std::span<const glm::ivec3> texels, SampleRange range, std::stop_token) {
-    if (wished) record(texels, range);
+    if (requested) record(texels, range);
     return true;
   };
   const auto lattice = makeLattice(*estimator);
-  const auto wishOf = [](glm::ivec3 texel) { return (texel.x + texel.y) % 4; };
+  const auto requestOf = [](glm::ivec3 texel) { return (texel.x + texel.y) % 4; };
   std::vector<std::uint32_t> order(kGeometry.blockCount());
   {
     LightBake bake(lattice, estimator, {.samples = 40, .threads = 1});
@@ -129,20 +130,20 @@ TEST(LightBake, ServesWishesThenRoundsThenTheOrderGiven) {
     std::iota(blocks.begin(), blocks.end(), 0u);
     std::shuffle(blocks.begin(), blocks.end(), random);
     for (std::size_t i = 0; i < blocks.size(); ++i) order[blocks[i]] = static_cast<std::uint32_t>(i);
-    for (int wish = 3; wish >= 0; --wish) {
-      auto wanted = texelsWhere(kGeometry, [&](glm::ivec3 texel) { return wishOf(texel) == wish; });
+    for (int request = 3; request >= 0; --request) {
+      auto wanted = texelsWhere(kGeometry, [&](glm::ivec3 texel) { return requestOf(texel) == request; });
       std::sort(wanted.begin(), wanted.end(),
                 [&](const auto& a, const auto& b) { return order[a.block] < order[b.block]; });
-      bake.want(static_cast<Wish>(wish), wanted);
+      bake.want(static_cast<Priority>(request), wanted);
     }
     EXPECT_FALSE(
-        bake.waitFor(0, 0.0));  // all wishes are in the queue then: a worker may be taking some just now
-    wished = true;
+        bake.waitFor(0, 0.0));  // all requests are in the queue then: a worker may be taking some just now
+    requested = true;
     bake.setPaused(false);
     ASSERT_TRUE(bake.waitFor(0, kNeverSeconds));
   }
   const auto rankOf = [&](const auto& asked) {
-    return std::array<std::uint32_t, 3>{static_cast<std::uint32_t>(wishOf(asked.first)), asked.second,
+    return std::array<std::uint32_t, 3>{static_cast<std::uint32_t>(requestOf(asked.first)), asked.second,
                                         order[kGeometry.blockOf(asked.first)]};
   };
   EXPECT_TRUE(std::is_sorted(record.firstTexelAndSample.begin(), record.firstTexelAndSample.end(),
@@ -189,7 +190,7 @@ TEST(LightBake, NewWishesGoBeforeTheRestOfAUnit) {
   };
   const auto lattice = makeLattice(*estimator, LatticeGeometry::make({16, 8, 8}, 1.0));
   LightBake bake(lattice, estimator, {.samples = 1024, .threads = 1});
-  bake.want(Wish::rest, {{0, std::bitset<kTexelsOfBlock>().set()}});
+  bake.want(Priority::rest, {{0, std::bitset<kTexelsOfBlock>().set()}});
   const auto recorded = [&] {
     const std::lock_guard lock(record.mutex);
     return record.firstTexelAndSample;
@@ -202,7 +203,7 @@ TEST(LightBake, NewWishesGoBeforeTheRestOfAUnit) {
   std::uint64_t call = 1;
   for (awaitCall(call); recorded().back().second < 256; awaitCall(++call)) gate.allow(1);
   const std::size_t before = recorded().size();
-  bake.want(Wish::visible, {{1, std::bitset<kTexelsOfBlock>(2)}});
+  bake.want(Priority::visible, {{1, std::bitset<kTexelsOfBlock>(2)}});
   gate.allow(1);
   awaitCall(++call);
   ASSERT_GT(recorded().size(), before);
@@ -221,7 +222,7 @@ TEST(LightBake, EndsAtOnceWithAnEstimatorThatIsSlow) {
     const std::uint64_t before = estimator->calls;
     auto bake = std::make_unique<LightBake>(
         lattice, estimator, LightBake::Options{.samples = 100, .threads = 3, .background = background});
-    bake->want(Wish::rest, everything());
+    bake->want(Priority::rest, everything());
     while (estimator->calls < before + 3) std::this_thread::yield();
     bake.reset();                             // no call ends without the stop
     EXPECT_EQ(estimator->calls, before + 3);  // and none begins after it
@@ -229,7 +230,7 @@ TEST(LightBake, EndsAtOnceWithAnEstimatorThatIsSlow) {
   }
   gate.allow(1 << 30);
   LightBake bake(lattice, estimator, {.samples = 100, .threads = 3});
-  bake.want(Wish::rest, everything());
+  bake.want(Priority::rest, everything());
   ASSERT_TRUE(bake.waitFor(0, kNeverSeconds));
   EXPECT_EQ(differenceFrom(*lattice, 100), "");
 }
@@ -242,7 +243,7 @@ TEST(LightBake, PauseLetsNoCallBegin) {
   };
   const auto lattice = makeLattice(*estimator);
   LightBake bake(lattice, estimator, {.samples = 256, .threads = 2});
-  bake.want(Wish::rest, everything());
+  bake.want(Priority::rest, everything());
   gate.allow(4);
   while (estimator->calls < 5) std::this_thread::yield();
   gate.awaitCaller();
@@ -271,7 +272,7 @@ TEST(LightBake, YieldsForAQuarterOfASecondAtMost) {
   LightBake bake(lattice, estimator, {.samples = 4, .threads = 2});
   const auto start = std::chrono::steady_clock::now();
   bake.yield(true);
-  bake.want(Wish::rest, everything());
+  bake.want(Priority::rest, everything());
   for (int asked = 0; !bake.waitFor(0, 0.01); ++asked) {
     ASSERT_LT(asked, 10000) << "each request begins anew";
     bake.yield(true);
@@ -283,20 +284,20 @@ TEST(LightBake, GoesOnWhenYieldEnds) {
   const auto estimator = std::make_shared<FormulaEstimator>();
   const auto lattice = makeLattice(*estimator);
   LightBake bake(lattice, estimator, {.samples = 64, .threads = 2});
-  bake.want(Wish::rest, everything());
+  bake.want(Priority::rest, everything());
   for (int i = 0; i < 200; ++i) bake.yield(i % 2 == 0);
   ASSERT_TRUE(bake.waitFor(0, kNeverSeconds));
   EXPECT_EQ(differenceFrom(*lattice, 64), "");
 }
 
-// Paths of 0.2 ms at least: a texel's round of 768 of them takes 150 ms, and is cut. The wish is made by the
-// second call of that round itself: no thread has to be in time.
+// Paths of 0.2 ms at least: a texel's round of 768 of them takes 150 ms, and is cut. The request is made by
+// the second call of that round itself: no thread has to be in time.
 TEST(LightBake, HeedsWishesWithinTheRoundOfATexelWhosePathsAreLong) {
   const auto estimator = std::make_shared<FormulaEstimator>();
   const auto lattice = makeLattice(*estimator, LatticeGeometry::make({16, 8, 8}, 1.0));
   int x = 0;
   while (FormulaEstimator::normalOf({x, 0, 0}) == glm::vec3(0.0f)) ++x;
-  const std::vector<WantedBlock> rest{{0, std::bitset<kTexelsOfBlock>(1ull << x)}},
+  const std::vector<BlockRequest> rest{{0, std::bitset<kTexelsOfBlock>(1ull << x)}},
       visible{{1, std::bitset<kTexelsOfBlock>(2)}};
   std::uint32_t longestCall = 0;  // all of the one thread of the bake
   int callsOfRound = 0;
@@ -310,7 +311,7 @@ TEST(LightBake, HeedsWishesWithinTheRoundOfATexelWhosePathsAreLong) {
     if (ofWish && !callsBeforeTheWish) callsBeforeTheWish = callsOfRound;
     if (range.first >= 256) {
       longestCall = std::max(longestCall, range.count);
-      if (!ofWish && ++callsOfRound == 2) asked->want(Wish::visible, visible);
+      if (!ofWish && ++callsOfRound == 2) asked->want(Priority::visible, visible);
     }
     std::this_thread::sleep_for(std::chrono::microseconds(200) * range.count);
     return true;
@@ -318,7 +319,7 @@ TEST(LightBake, HeedsWishesWithinTheRoundOfATexelWhosePathsAreLong) {
   LightBake bake(lattice, estimator, {.samples = 1024, .threads = 1});
   asked = &bake;
   made.set_value();
-  bake.want(Wish::rest, rest);
+  bake.want(Priority::rest, rest);
   ASSERT_TRUE(bake.waitFor(0, kNeverSeconds));
   EXPECT_EQ(callsBeforeTheWish, 2) << "the round was waited for";
   EXPECT_GT(callsOfRound, 2);
@@ -335,7 +336,7 @@ TEST(LightBake, WaitsForARound) {
   };
   const auto lattice = makeLattice(*estimator);
   LightBake bake(lattice, estimator, {.samples = 64, .threads = 2});
-  bake.want(Wish::rest, everything());
+  bake.want(Priority::rest, everything());
   ASSERT_TRUE(bake.waitFor(4, kNeverSeconds));
   EXPECT_TRUE(allHave(*lattice, everything(), 4));
   EXPECT_FALSE(bake.waitFor(5, 0.0));
@@ -347,7 +348,7 @@ TEST(LightBake, MoreSamplesGoOnAndFewerLeaveWhatThereIs) {
   const auto estimator = std::make_shared<FormulaEstimator>();
   const auto lattice = makeLattice(*estimator);
   LightBake bake(lattice, estimator, {.samples = 64, .threads = 2});
-  bake.want(Wish::rest, everything());
+  bake.want(Priority::rest, everything());
   ASSERT_TRUE(bake.waitFor(0, kNeverSeconds));
   const std::uint64_t paths = estimator->paths;
   bake.setSamples(256);
@@ -367,7 +368,7 @@ TEST(LightBake, GoesOnFromAnyNumberOfSamples) {
   const auto lattice = makeLattice(*estimator);
   for (const std::uint32_t samples : {1u, 100u, 400u}) {
     LightBake bake(lattice, estimator, {.samples = samples, .threads = 2});
-    bake.want(Wish::rest, everything());
+    bake.want(Priority::rest, everything());
     ASSERT_TRUE(bake.waitFor(0, kNeverSeconds));
   }
   EXPECT_TRUE(allHave(*lattice, everything(), 400));
@@ -386,7 +387,7 @@ TEST(LightBake, PassesOverWhatIsNotInTheLattice) {
   const auto lattice = makeLattice(*estimator, LatticeGeometry::make({9, 9, 9}, 1.0));
   LightBake bake(lattice, estimator, {.samples = 4, .threads = 2});
   const auto all = std::bitset<kTexelsOfBlock>().set();
-  bake.want(Wish::visible, {{7, all}, {8, all}, {0xffffffff, all}, {7, all}, {0, {}}});
+  bake.want(Priority::visible, {{7, all}, {8, all}, {0xffffffff, all}, {7, all}, {0, {}}});
   ASSERT_TRUE(bake.waitFor(0, kNeverSeconds));
   EXPECT_EQ(bake.counters().texelsWanted, FormulaEstimator::normalOf({8, 8, 8}) == glm::vec3(0.0f) ? 0u : 1u);
   EXPECT_FALSE(lattice->at(0));
@@ -403,7 +404,7 @@ TEST(LightBake, KeepsTheErrorOfItsEstimator) {
     const auto lattice = makeLattice(*estimator);
     LightBake bake(lattice, estimator, {.samples = 1000, .threads = 3});
     EXPECT_FALSE(bake.failure());
-    bake.want(Wish::rest, everything());
+    bake.want(Priority::rest, everything());
     EXPECT_FALSE(bake.waitFor(0, kNeverSeconds));
     EXPECT_EQ(differenceFrom(*lattice, 1000), "");  // what was lit stays
     EXPECT_GT(lattice->bakedTexels(), 0u);
@@ -428,11 +429,11 @@ TEST(LightBake, BearsWishesThousandsOfTimesASecond) {
   const auto estimator = std::make_shared<FormulaEstimator>();
   const auto lattice = makeLattice(*estimator);
   LightBake bake(lattice, estimator, {.samples = 64, .threads = 2});
-  bake.want(Wish::rest, everything());
+  bake.want(Priority::rest, everything());
   const auto odd = texelsWhere(kGeometry, [](glm::ivec3 t) { return (t.x + t.y + t.z) % 2 == 1; });
   const auto even = texelsWhere(kGeometry, [](glm::ivec3 t) { return (t.x + t.y + t.z) % 2 == 0; });
   for (int i = 0; i < 5000; ++i) {
-    bake.want(Wish::visible, i % 2 ? odd : even);
+    bake.want(Priority::visible, i % 2 ? odd : even);
     if (i % 100 == 0) {
       const BakeCounters counters = bake.counters();
       EXPECT_LE(counters.texelsDone, counters.texelsWanted);
@@ -460,22 +461,22 @@ TEST(LightBake, IsTheSameAfterAnyHistory) {
   std::weak_ptr<LightLattice> gone;
   for (int sequence = 0; sequence < 1000; ++sequence) {
     auto lattice = makeLattice(*estimator, geometry);
-    std::array<std::vector<WantedBlock>, 4> wishes;
+    std::array<std::vector<BlockRequest>, 4> requests;
     std::uint32_t least = 0, most = 0;
     const int starts = 1 + upTo(3);
     for (int start = 0; start < starts; ++start) {
       std::uint32_t samples = ends[static_cast<std::size_t>(upTo(3))];
       most = std::max(most, samples);
-      wishes = {};
+      requests = {};
       LightBake bake(lattice, estimator, {.samples = samples, .threads = 1 + upTo(4)});
       for (int edit = upTo(8); edit >= 0; --edit) {
-        const auto wish = static_cast<std::size_t>(upTo(4));
+        const auto request = static_cast<std::size_t>(upTo(4));
         switch (upTo(8)) {
           case 0:
           case 1:
           case 2:
-            wishes[wish] = anyTexels();
-            bake.want(static_cast<Wish>(wish), wishes[wish]);
+            requests[request] = anyTexels();
+            bake.want(static_cast<Priority>(request), requests[request]);
             break;
           case 3:
             samples = ends[static_cast<std::size_t>(upTo(3))];
@@ -508,8 +509,8 @@ TEST(LightBake, IsTheSameAfterAnyHistory) {
       ASSERT_EQ(counters.samplesDone, counters.texelsWanted * least);
     }
     ASSERT_EQ(differenceFrom(*lattice, most), "") << "sequence " << sequence;
-    for (const auto& wish : wishes)
-      for (const WantedBlock& wanted : wish) {
+    for (const auto& request : requests)
+      for (const BlockRequest& wanted : request) {
         const auto block = lattice->at(wanted.block);
         ASSERT_TRUE(block);
         for (std::size_t i = 0; i < kTexelsOfBlock; ++i)

@@ -78,7 +78,7 @@ std::shared_ptr<LightLattice> baked(const LatticeGeometry& geometry, LightConten
   const auto estimator = std::make_shared<FormulaEstimator>(content);
   auto lattice = from ? from : std::make_shared<LightLattice>(geometry, content, key);
   LightBake bake(lattice, estimator, {.samples = samples, .threads = 2});
-  bake.want(Wish::rest, texelsWhere(geometry, [](glm::ivec3 t) { return t.x < 10; }));
+  bake.want(Priority::rest, texelsWhere(geometry, [](glm::ivec3 t) { return t.x < 10; }));
   EXPECT_TRUE(bake.waitFor(0, 100.0));
   return lattice;
 }

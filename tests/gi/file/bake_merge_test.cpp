@@ -44,7 +44,7 @@ class BakeMerge : public testing::Test {
                                       std::uint32_t samples) const {
     auto lattice = std::make_shared<LightLattice>(geometry_, content, key);
     LightBake bake(lattice, std::make_shared<FormulaEstimator>(content), {.samples = samples, .threads = 2});
-    bake.want(Wish::rest, blocksOfPart(geometry_, part, allTexels(geometry_)));
+    bake.want(Priority::rest, blocksOfPart(geometry_, part, allTexels(geometry_)));
     EXPECT_TRUE(bake.waitFor(0, 100.0));
     return lattice;
   }

@@ -37,10 +37,10 @@ TEST(LatticePart, TilesAreNumberedInMortonOrder) {
 TEST(LatticePart, PartsAreDisjointAndTogetherTheWhole) {
   for (const int count : {1, 2, 3, 5, 12, 20}) {
     const LatticeGeometry lattice = LatticeGeometry::make({70, 40, 36}, 1.0);
-    const std::vector<WantedBlock> all = texelsWhere(lattice, [](glm::ivec3) { return true; });
+    const std::vector<BlockRequest> all = texelsWhere(lattice, [](glm::ivec3) { return true; });
     std::vector<int> times(lattice.blockCount(), 0);
     for (int i = 1; i <= count; ++i)
-      for (const WantedBlock& wanted : blocksOfPart(lattice, {i, count}, all)) {
+      for (const BlockRequest& wanted : blocksOfPart(lattice, {i, count}, all)) {
         ++times[wanted.block];
         EXPECT_EQ(wanted.texels, all[wanted.block].texels);
       }

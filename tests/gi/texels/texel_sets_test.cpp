@@ -19,10 +19,10 @@ using Texels = std::set<std::tuple<int, int, int>>;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-Texels texelsIn(const LatticeGeometry& lattice, const std::vector<WantedBlock>& wanted) {
+Texels texelsIn(const LatticeGeometry& lattice, const std::vector<BlockRequest>& wanted) {
   Texels texels;
   std::set<std::uint32_t> blocks;
-  for (const WantedBlock& w : wanted) {
+  for (const BlockRequest& w : wanted) {
     EXPECT_TRUE(blocks.insert(w.block).second) << "a block twice";
     EXPECT_TRUE(w.texels.any());
     for (int i = 0; i < kTexelsOfBlock; ++i) {
@@ -80,7 +80,7 @@ TEST(TexelSets, BlocksComeInTheOrderOfTheHits) {
   const std::vector<glm::vec3> hits{
       {25.0f, 1.0f, 1.0f}, {7.5f, 1.0f, 1.0f}, {26.0f, 1.0f, 1.0f}, {20.0f, 1.0f, 1.0f}};
   std::vector<std::uint32_t> order;
-  for (const WantedBlock& w : texelsAround(lattice, hits, 1)) order.push_back(w.block);
+  for (const BlockRequest& w : texelsAround(lattice, hits, 1)) order.push_back(w.block);
   EXPECT_THAT(order, ElementsAre(3u, 0u, 1u, 2u));
 }
 
@@ -90,7 +90,7 @@ TEST(TexelSets, BesideIsTheRestOfTheNeighbourhood) {
   for (const int steps : {0, 1, 2, 7, 8, 11}) {
     std::vector<glm::vec3> hits;
     for (int i = 0; i < 6; ++i) hits.emplace_back(glm::vec3(random() % 27, random() % 20, random() % 9));
-    const std::vector<WantedBlock> inner = texelsAround(lattice, hits, 1);
+    const std::vector<BlockRequest> inner = texelsAround(lattice, hits, 1);
     const Texels own = texelsIn(lattice, inner);
     Texels expected;
     for (int z = 0; z < 9; ++z)

@@ -183,10 +183,10 @@ TEST_F(RendererGlTest, SizesMayAlternateAndAFailedFrameLeavesNoTrace) {
     EXPECT_EQ(pass.state, pass.name == "blocks" ? render::PassState::cached : render::PassState::ran)
         << pass.name;
   scene::Scene tooMuch = scene;
-  renderer_->setMachine({.memory = {.gpuBudgetMb = 0}, .executor = scene::Executor::gpu});
+  renderer_->setHostSettings({.memory = {.gpuBudgetMb = 0}, .executor = scene::Executor::gpu});
   tooMuch.derivatives.field = scene::Field::cubic_interpolating;  // needs another texture
   EXPECT_THROW(draw(tooMuch), base::Error);
-  renderer_->setMachine({});
+  renderer_->setHostSettings({});
   EXPECT_EQ(draw(scene, 2), large);
   EXPECT_EQ(draw(scene), small);
 }
@@ -238,7 +238,7 @@ TEST_F(RendererGlTest, EverySettingOfThePictureChangesIt) {
 
 TEST_F(RendererGlTest, ReportsWhatItDid) {
   const auto volume = phantom("ball", 48);
-  renderer_->setMachine({.executor = scene::Executor::gpu});
+  renderer_->setHostSettings({.executor = scene::Executor::gpu});
   renderer_->setVolume(volume);
   const scene::Scene scene = scene::resolve({}, volume->facts);
   draw(scene);
@@ -259,7 +259,7 @@ TEST_F(RendererGlTest, ReportsWhatItDid) {
 // Nothing of the volume is uploaded, no faces are rasterised, and the report says where passes ran.
 TEST_F(RendererGlTest, TheProcessorNeedsNoTextureOfTheVolume) {
   const auto volume = phantom("ball", 48);
-  renderer_->setMachine({.executor = scene::Executor::cpu});
+  renderer_->setHostSettings({.executor = scene::Executor::cpu});
   renderer_->setVolume(volume);
   const scene::Scene scene = scene::resolve(pinned({}), volume->facts);
   draw(scene);

@@ -45,14 +45,14 @@ class DrawPartsGlTest : public RenderGlTest {
   }
   std::map<std::string, std::uint64_t> hashes(render::Renderer& renderer, const std::vector<std::string>& set,
                                               int frames = 1) {
-    scene::Machine machine{.executor = scene::Executor::gpu};
+    scene::HostSettings host{.executor = scene::Executor::gpu};
     scene::Scene scene = pinned({});
     for (const std::string& one : set)
-      if (scene::isOfMachine(one))
-        scene::applyAssignment(machine, one);
+      if (scene::isHostSetting(one))
+        scene::applyAssignment(host, one);
       else
         scene::applyAssignment(scene, one);
-    renderer.setMachine(machine);
+    renderer.setHostSettings(host);
     renderer.setVolume(volume_);
     render::FrameRequest request;
     request.size = {320, 240};

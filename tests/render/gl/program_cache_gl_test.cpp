@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "base/retire.h"
+#include "base/destroy_in_background.h"
 #include "render/gl/gl.h"
 #include "render/gl/program_cache.h"
 #include "tests/render/gl_fixture.h"
@@ -24,14 +24,14 @@ class ProgramCacheGlTest : public RenderGlTest {
     const auto gl = std::make_shared<render::Gl>(*context_->gl());
     gl->programs = std::make_shared<render::ProgramCache>(*gl, store_);
     render::Renderer renderer(gl);
-    renderer.setMachine({.executor = scene::Executor::gpu});
+    renderer.setHostSettings({.executor = scene::Executor::gpu});
     renderer.setVolume(volume_);
     render::FrameRequest request;
     request.size = {96, 80};
     scene::Scene scene = pinned({});
     scene::applyAssignment(scene, "look.mode=curvature_2d");
     report_ = renderer.render(scene::resolve(scene, volume_->facts), request);
-    EXPECT_TRUE(base::awaitRetired(10.0));
+    EXPECT_TRUE(base::awaitDestroyed(10.0));
     return renderer.readColor().rgba;
   }
 
@@ -63,7 +63,7 @@ TEST_F(ProgramCacheGlTest, ABinaryThatTheDriverRejectsIsNoError) {
   gl->programs = std::make_shared<render::ProgramCache>(*gl, store_);
   {
     render::Renderer renderer(gl);
-    renderer.setMachine({.executor = scene::Executor::gpu});
+    renderer.setHostSettings({.executor = scene::Executor::gpu});
     renderer.setVolume(volume_);
     scene::Scene scene = pinned({});
     scene::applyAssignment(scene, "look.mode=curvature_2d");
@@ -71,7 +71,7 @@ TEST_F(ProgramCacheGlTest, ABinaryThatTheDriverRejectsIsNoError) {
     request.size = {96, 80};
     renderer.render(scene::resolve(scene, volume_->facts), request);
   }
-  ASSERT_TRUE(base::awaitRetired(10.0));
+  ASSERT_TRUE(base::awaitDestroyed(10.0));
   EXPECT_EQ(render::storedPrograms(store_.folder).count, programs);
   EXPECT_EQ(start(), expected);
   EXPECT_EQ(report_.programs.compiled, programs);

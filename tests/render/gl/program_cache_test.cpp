@@ -11,7 +11,7 @@
 
 #include <gmock/gmock.h>
 
-#include "base/retire.h"
+#include "base/destroy_in_background.h"
 #include "render/gl/gl.h"
 #include "render/gl/gl_objects.h"
 #include "tests/support/test_data.h"
@@ -98,7 +98,7 @@ class ProgramCacheTest : public ::testing::Test {
     const render::ProgramCounts& counts = gl->programs->counts();
     EXPECT_EQ(counts.compiled + counts.cached, fragments.size());
     EXPECT_EQ(static_cast<std::size_t>(CountingDriver::compiled), 2 * counts.compiled);
-    EXPECT_TRUE(base::awaitRetired(10.0));
+    EXPECT_TRUE(base::awaitDestroyed(10.0));
     return counts.compiled;
   }
   std::vector<fs::path> files() const {
@@ -206,7 +206,7 @@ TEST_F(ProgramCacheTest, DriversWithoutFormatsAndSoftwareStoreNothing) {
     change(*gl);
     gl->programs = std::make_shared<render::ProgramCache>(*gl, store_);
     render::Program::ofTexts(gl, "vertex", "first", "a test");
-    EXPECT_TRUE(base::awaitRetired(10.0));
+    EXPECT_TRUE(base::awaitDestroyed(10.0));
     return files().size();
   };
   EXPECT_EQ(startWith([](render::Gl& gl) { gl.programFormats = 0; }), 0u);

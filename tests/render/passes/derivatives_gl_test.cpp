@@ -118,14 +118,14 @@ TEST_P(DerivativesGlTest, AgreeWithDoublePrecision) {
 // Values like 1e6 + small keep few digits of the small part; what they keep is what normals and second
 // derivatives show. The bound is the same arithmetic in double on the same float32 voxels.
 TEST_P(DerivativesGlTest, ALargeConstantInTheValuesCostsNoDerivatives) {
-  const auto truth = phantom("torus", 48);
+  const auto reference = phantom("torus", 48);
   std::vector<float> shifted, withBackground;
-  for (const float v : std::get<std::vector<float>>(truth->grid().voxels())) {
+  for (const float v : std::get<std::vector<float>>(reference->grid().voxels())) {
     shifted.push_back(1e6f + 100.0f * v);
     withBackground.push_back(v < -12.0f ? 0.0f : 1e6f + 100.0f * v);  // no offset of all values is exact
   }
   for (const std::vector<float>* const values : {&shifted, &withBackground}) {
-    const auto volume = prepared(volume::Grid(truth->grid().geometry(), *values));
+    const auto volume = prepared(volume::Grid(reference->grid().geometry(), *values));
     const volume::Grid& grid = volume->grid();
     const volume::Coefficients coefficients = volume::interpolatingCoefficients(grid);
     for (const auto field : {scene::Field::trilinear, scene::Field::cubic, scene::Field::cubic_interpolating})
@@ -171,7 +171,7 @@ TEST_P(DerivativesGlTest, TorusCurvatureWithin2Percent) {
   for (const auto& geometry :
        {isotropicGeometry(128), anisotropicGeometry(128), obliqueLeftHandedGeometry(128)}) {
     const auto torus = phantom("torus", geometry);
-    const auto truth = analyticField("torus", geometry);
+    const auto reference = analyticField("torus", geometry);
     scene::Scene scene;
     scene.isosurface.value = 0.0;
     scene.hit.field = scene.derivatives.field = scene::Field::cubic_interpolating;
@@ -180,7 +180,7 @@ TEST_P(DerivativesGlTest, TorusCurvatureWithin2Percent) {
     int count = 0;
     for (std::size_t i = 0; i < seen.pixels(); ++i) {
       if (!seen.isHit(i)) continue;
-      const Curvature k = truth->curvature(at(seen.position, i));
+      const Curvature k = reference->curvature(at(seen.position, i));
       sum1 += std::pow(seen.kappa.values[2 * i] - k.kappa1, 2);
       sum2 += std::pow(seen.kappa.values[2 * i + 1] - k.kappa2, 2);
       size1 += k.kappa1 * k.kappa1;

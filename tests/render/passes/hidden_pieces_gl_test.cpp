@@ -38,11 +38,11 @@ class HiddenPiecesGlTest : public ExecutorsGlTest {
                             std::size_t leastHits) {
     scene::applyAssignment(scene, "hit.field=cubic");
     const Images seen = images(volume, scene, kHiddenPiecesSize);
-    scene::applyAssignment(machine_, "picture.executor=cpu");
-    renderer_->setMachine(machine_);
+    scene::applyAssignment(host_, "picture.executor=cpu");
+    renderer_->setHostSettings(host_);
     const Images expected = images(volume, scene, kHiddenPiecesSize);
-    scene::applyAssignment(machine_, std::string("picture.executor=") + GetParam());
-    renderer_->setMachine(machine_);
+    scene::applyAssignment(host_, std::string("picture.executor=") + GetParam());
+    renderer_->setHostSettings(host_);
     std::size_t hits = 0, different = 0;
     for (std::size_t i = 0; i < expected.hit.values.size(); ++i) {
       const bool hit = expected.hit.values[i] == 1.0f;

@@ -70,7 +70,7 @@ double wave(double mm) {
   return 3.0 * std::cos(2.0 * std::numbers::pi * mm / 21.0);
 }
 
-// What a line that crosses a stretch of pixels covers of it, and its middle.
+// What a line that crosses a segment of pixels covers of it, and its middle.
 struct Crossing {
   double width = 0.0, moment = 0.0;
   void add(double coverage, double place) {

@@ -322,8 +322,8 @@ class ShadowsGlTest : public LooksGlTest, public ::testing::WithParamInterface<c
  protected:
   void SetUp() override {
     LooksGlTest::SetUp();
-    scene::applyAssignment(machine_, std::string("picture.executor=") + GetParam());
-    renderer_->setMachine(machine_);
+    scene::applyAssignment(host_, std::string("picture.executor=") + GetParam());
+    renderer_->setHostSettings(host_);
   }
 };
 ISOLUX_ON_BOTH_EXECUTORS(ShadowsGlTest);

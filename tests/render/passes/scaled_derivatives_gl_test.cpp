@@ -160,15 +160,15 @@ TEST_P(ScaledDerivativesGlTest, ConfidencesCountTheNoiseWithinAndAtBorders) {
 }
 
 TEST_P(ScaledDerivativesGlTest, ALargeConstantInTheValuesCostsNothing) {
-  const auto truth = phantom("torus", 48);
+  const auto reference = phantom("torus", 48);
   std::vector<float> shifted;
-  for (const float v : std::get<std::vector<float>>(truth->grid().voxels()))
+  for (const float v : std::get<std::vector<float>>(reference->grid().voxels()))
     shifted.push_back(1e6f + 100.0f * v);
-  const auto volume = prepared(volume::Grid(truth->grid().geometry(), shifted));
+  const auto volume = prepared(volume::Grid(reference->grid().geometry(), shifted));
   scene::Scene scene;
   scene.isosurface.value = 1e6;
-  scene.derivatives.scale = 1.0 * truth->grid().geometry().spacingMm().x;
-  scene.derivatives.normalScale = 0.7 * truth->grid().geometry().spacingMm().x;
+  scene.derivatives.scale = 1.0 * reference->grid().geometry().spacingMm().x;
+  scene.derivatives.normalScale = 0.7 * reference->grid().geometry().spacingMm().x;
   const Worst worst = against(volume, scene);
   ASSERT_GT(worst.count, 500);
   EXPECT_LT(worst.gradient, 2e-4);
@@ -209,7 +209,7 @@ TEST_P(ScaledDerivativesGlTest, NoPictureShowsNormalsOfTheOneBefore) {
   const auto draw = [&](render::Renderer& renderer) {
     scene_ = scene::resolve(scene, volume->facts);
     renderer.setVolume(volume);
-    renderer.setMachine(machine_);
+    renderer.setHostSettings(host_);
     renderer.render(scene_, picture());
     return renderer.readColor().rgba;
   };

@@ -41,7 +41,7 @@ class BricksGlTest : public RenderGlTest {
   };
   Drawn draw(const VolumePointer& volume, scene::Scene scene, MemoryLayout layout, int budgetMb = 2048,
              glm::ivec2 size = {96, 72}, scene::Executor executor = scene::Executor::gpu) {
-    renderer_->setMachine({.memory = {budgetMb, layout}, .executor = executor});
+    renderer_->setHostSettings({.memory = {budgetMb, layout}, .executor = executor});
     scene = scene::resolve(scene, volume->facts);
     renderer_->setVolume(volume);
     render::FrameRequest request;
@@ -369,7 +369,8 @@ class StreamingGlTest : public BricksGlTest {
   // As the window draws: a bounded upload for each frame.
   const render::FrameReport& frame(const VolumePointer& volume, const scene::Scene& scene, int budgetMb,
                                    std::size_t bytes) {
-    renderer_->setMachine({.memory = {budgetMb, MemoryLayout::bricks}, .executor = scene::Executor::gpu});
+    renderer_->setHostSettings(
+        {.memory = {budgetMb, MemoryLayout::bricks}, .executor = scene::Executor::gpu});
     renderer_->setVolume(volume);
     render::FrameRequest request;
     request.size = {96, 72};

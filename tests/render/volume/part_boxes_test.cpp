@@ -23,10 +23,10 @@ Loaded load(const volume::Grid& grid) {
   volume::writeVolume(grid, folder / "v.nrrd");
   scene::Source source;
   source.path = (folder / "v.nrrd").string();
-  scene::Machine machine;
-  machine.voxels = scene::VoxelPlace::file;
+  scene::HostSettings host;
+  host.voxels = scene::VoxelPlace::file;
   base::Progress progress;
-  return {volume::loadVolume(source, machine, progress), volume::loadVolume(source, progress)};
+  return {volume::loadVolume(source, host, progress), volume::loadVolume(source, progress)};
 }
 
 volume::Grid waves(bool gaps) {

@@ -108,7 +108,7 @@ void WindowTest::SetUp() {
   QSettings().clear();
   // ISOLUX_TEST_CANVAS=textures (tests/ui/main.cpp): the same tests with pictures on the graphics card.
   if (QCoreApplication::testAttribute(Qt::AA_ShareOpenGLContexts))
-    ui::keepMachine({}, {.canvas = scene::Canvas::textures});
+    ui::saveHostSettings({}, {.canvas = scene::Canvas::textures});
   window_ = makeWindow();
 }
 

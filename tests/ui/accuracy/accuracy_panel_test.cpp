@@ -41,7 +41,7 @@ TEST_F(AccuracyPanelTest, MeasuresEveryKnobThatActsAndAClickedPointIsUsed) {
   openMeasured();
   EXPECT_EQ(panel()->knobBox()->findData("rate"), -1);  // hits are exact
   look("derivatives_field");
-  const std::vector<app::KnobPoint>& points = panel()->chart().points();
+  const std::vector<app::QualityPoint>& points = panel()->chart().points();
   ASSERT_EQ(points.size(), 3u);
   EXPECT_TRUE(points[1].isPresent && points[1].isDefault);  // cubic
   EXPECT_GT(points[0].error, points[1].error);              // trilinear
@@ -68,7 +68,7 @@ TEST_F(AccuracyPanelTest, AnotherViewIsMeasuredAnew) {
 TEST(AccuracyChart, TicksOfTheErrorAreLabelledInOneWay) {
   const auto labelsOf = [](double least, double most) {
     ui::AccuracyChart chart;
-    app::KnobPoint cheap, dear;
+    app::QualityPoint cheap, dear;
     cheap.error = most;
     dear.error = least;
     cheap.cost = 1.0;

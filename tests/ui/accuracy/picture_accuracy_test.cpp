@@ -9,8 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/error_budget/target_search.h"
 #include "app/files/image_io.h"
-#include "app/target/target_search.h"
 #include "tests/support/ui/window_fixture.h"
 #include "ui/accuracy/accuracy_panel.h"
 #include "ui/accuracy/accuracy_text.h"

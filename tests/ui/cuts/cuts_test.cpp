@@ -13,10 +13,10 @@
 #include <glm/geometric.hpp>
 
 #include "tests/support/ui/window_fixture.h"
-#include "ui/cuts/cut_menu.h"
 #include "ui/editors/planes_widget.h"
 #include "ui/editors/setting_editor.h"
 #include "ui/panels/settings_panel.h"
+#include "ui/viewport/cut_menu.h"
 #include "ui/viewport/overlay_painters.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/number_spin_box.h"

@@ -47,21 +47,21 @@ TEST_F(PreferencesTest, AChangeActsAtOnceIsKeptAndIsNoEdit) {
   EXPECT_TRUE(dialog->valueWidget("gi.threads")->isEnabled());
   dialog->valueWidget("gi.threads")->findChild<QSpinBox*>()->setValue(3);
   dialog->valueWidget("memory.gpu_budget_mb")->findChild<QSpinBox*>()->setValue(640);
-  EXPECT_EQ(window_->machine().threads, 3);
-  EXPECT_EQ(window_->machine().memory.gpuBudgetMb, 640);
-  EXPECT_EQ(ui::keptMachine(), window_->machine());
+  EXPECT_EQ(window_->host().threads, 3);
+  EXPECT_EQ(window_->host().memory.gpuBudgetMb, 640);
+  EXPECT_EQ(ui::savedHostSettings(), window_->host());
   EXPECT_FALSE(window_->document()->modified());
   EXPECT_FALSE(window_->document()->history().canUndo());
 
   const ui::MainWindow next;  // the user comes back
-  EXPECT_EQ(next.machine(), window_->machine());
+  EXPECT_EQ(next.host(), window_->host());
 }
 
 TEST_F(PreferencesTest, TheBudgetReachesTheRenderer) {
   ui::PreferencesDialog* dialog = openDialog();
   // The processor reads voxels where they are.
   dialog->valueWidget("picture.executor")->findChild<QComboBox*>()->setCurrentIndex(1);
-  ASSERT_EQ(window_->machine().executor, scene::Executor::gpu);
+  ASSERT_EQ(window_->host().executor, scene::Executor::gpu);
   dialog->valueWidget("memory.gpu_budget_mb")->findChild<QSpinBox*>()->setValue(16);
   bool inBricks = false;
   QObject::connect(window_->viewport(), &ui::Viewport::reported,
@@ -78,11 +78,11 @@ TEST_F(PreferencesTest, DefaultsComeBackAndAreForgotten) {
   auto* adaptive = dialog->valueWidget("picture.adaptive")->findChild<QCheckBox*>();
   EXPECT_TRUE(dialog->valueWidget("picture.motion_target")->isEnabled());
   adaptive->click();
-  EXPECT_FALSE(window_->machine().adaptive);
+  EXPECT_FALSE(window_->host().adaptive);
   EXPECT_FALSE(dialog->valueWidget("picture.motion_target")->isEnabled());
   EXPECT_FALSE(QSettings().value("machine/picture.adaptive").isNull());
   dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::RestoreDefaults)->click();
-  EXPECT_EQ(window_->machine(), scene::Machine{});
+  EXPECT_EQ(window_->host(), scene::HostSettings{});
   EXPECT_TRUE(QSettings().value("machine/picture.adaptive").isNull());
   EXPECT_TRUE(adaptive->isChecked());
 }
@@ -90,19 +90,19 @@ TEST_F(PreferencesTest, DefaultsComeBackAndAreForgotten) {
 TEST_F(PreferencesTest, WhatTheCommandLineSaysHoldsForOneRun) {
   app::WindowRequest request;
   request.scene.source.path = "phantom:ball:24";
-  request.machine = {"gi.threads=2"};
+  request.host = {"gi.threads=2"};
   window_->open(request);
-  EXPECT_EQ(window_->machine().threads, 2);
-  EXPECT_FALSE(ui::keptMachine().threads);
+  EXPECT_EQ(window_->host().threads, 2);
+  EXPECT_FALSE(ui::savedHostSettings().threads);
 }
 
 TEST_F(PreferencesTest, WhatDoesNotFitIsPassedOver) {
-  scene::Machine expected = ui::keptMachine();
+  scene::HostSettings expected = ui::savedHostSettings();
   expected.motionTarget = 70.0;
   QSettings().setValue("machine/memory.gpu_budget_mb", "-5");
   QSettings().setValue("machine/memory.layout", "[[[");
   QSettings().setValue("machine/picture.motion_target", "70.0");
-  EXPECT_EQ(ui::keptMachine(), expected);
+  EXPECT_EQ(ui::savedHostSettings(), expected);
 }
 
 }  // namespace isolux::test

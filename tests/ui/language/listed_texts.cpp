@@ -9,13 +9,13 @@
 
 #include "app/marks/mark_kinds.h"
 #include "app/presets/preset_list.h"
-#include "app/study/study_knobs.h"
+#include "app/study/quality_settings.h"
 #include "render/graph/frame.h"
 #include "scene/camera.h"
 #include "scene/looks.h"
 #include "scene/rules/quality.h"
 #include "scene/rules/relevance.h"
-#include "scene/settings/machine.h"
+#include "scene/settings/host_settings.h"
 #include "scene/settings/settings.h"
 #include "tests/support/paths.h"
 #include "ui/language/number_text.h"
@@ -58,7 +58,7 @@ void addSetting(Collector& all, const scene::SettingInfo& setting) {
 }
 
 void addKnobs(Collector& all) {
-  for (const app::Knob& knob : app::knobs()) {
+  for (const app::QualitySetting& knob : app::knobs()) {
     all.addWords(knob.label);
     for (const std::string& value : knob.values)
       if (!std::isdigit(static_cast<unsigned char>(value.front()))) all.addWords(value);
@@ -70,7 +70,7 @@ void addSettings(Collector& all) {
     addSetting(all, setting);
     all.add(ui::texts::words, ui::labelOf(setting).text);
   }
-  for (const scene::MachineSetting& setting : scene::machineSettings()) addSetting(all, setting);
+  for (const scene::HostSetting& setting : scene::hostSettings()) addSetting(all, setting);
   for (const std::string_view reason : scene::inactiveReasons()) all.add(ui::texts::reasons, reason);
   for (const ui::PanelGroup& group : ui::panelGroups()) all.add("QObject", group.title);
 }
@@ -115,7 +115,7 @@ void addOfTheWindow(Collector& all) {
 void addStages(Collector& all) {
   const std::regex report(R"rx(report\([^;"]*"([^"]+)"\))rx");
   std::size_t found = 0;
-  for (const char* folder : {"volume", "readers", "app/jobs"})
+  for (const char* folder : {"volume", "readers", "app/tasks"})
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(ISOLUX_SOURCE_DIR) / folder)) {
       if (entry.path().extension() != ".cpp") continue;
       std::ostringstream text;

@@ -297,14 +297,14 @@ TEST_F(GermanTest, TheWindowSpeaksIt) {
 TEST_F(GermanTest, TheLanguageIsAPreferenceOfTheUser) {
   ui::PreferencesDialog dialog({}, nullptr);
   QComboBox* const box = dialog.languageBox();
-  EXPECT_EQ(ui::keptLanguage(), ui::Language::system);
+  EXPECT_EQ(ui::savedLanguage(), ui::Language::system);
   box->setCurrentIndex(box->findText("Deutsch"));
-  EXPECT_EQ(ui::keptLanguage(), ui::Language::german);
+  EXPECT_EQ(ui::savedLanguage(), ui::Language::german);
   EXPECT_EQ(ui::PreferencesDialog({}, nullptr).languageBox()->currentText(), "Deutsch");
   box->setCurrentIndex(box->findText("English"));
-  EXPECT_EQ(ui::keptLanguage(), ui::Language::english);
+  EXPECT_EQ(ui::savedLanguage(), ui::Language::english);
   dialog.restoreDefaults();
-  EXPECT_EQ(ui::keptLanguage(), ui::Language::system);
+  EXPECT_EQ(ui::savedLanguage(), ui::Language::system);
   EXPECT_FALSE(QSettings().contains("language"));
 }
 

@@ -22,7 +22,7 @@ class LevelMarksTest : public WindowTest {
  protected:
   void SetUp() override {
     WindowTest::SetUp();
-    window_->levelZeroAction()->setChecked(false);  // its pictures take the place of marked ones
+    window_->fullResolutionAction()->setChecked(false);  // its pictures take the place of marked ones
     file_ = writeNeedles(newFile("needles.nrrd"));
   }
   void makeIndex() {

@@ -15,7 +15,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/interaction/turning.h"
+#include "app/view_math/turning.h"
 #include "scene/rules/environment.h"
 #include "ui/editors/environment_preview.h"
 #include "ui/editors/file_widget.h"

@@ -22,7 +22,7 @@
 #include <QTemporaryDir>
 #include <QThread>
 
-#include "scene/settings/machine.h"
+#include "scene/settings/host_settings.h"
 #include "scene/settings/settings.h"
 #include "tests/ui/tools/tool.h"
 #include "ui/document/preferences.h"
@@ -118,7 +118,7 @@ bool measure(Application& application, const QCommandLineParser& options, scene:
              Times& times) {
   const QStringList size = options.value("size").split('x');
   const QSize wanted(size.value(0).toInt(), size.value(1).toInt());
-  ui::keepMachine(ui::keptMachine(), {.canvas = canvas});
+  ui::saveHostSettings(ui::savedHostSettings(), {.canvas = canvas});
   ui::MainWindow window;
   window.show();
   app::WindowRequest request;

@@ -18,7 +18,7 @@
 #include <QThread>
 
 #include "scene/camera.h"
-#include "scene/settings/machine.h"
+#include "scene/settings/host_settings.h"
 #include "scene/settings/settings.h"
 #include "tests/ui/tools/tool.h"
 #include "ui/document/baked_light.h"
@@ -84,7 +84,7 @@ int measure(const QCommandLineParser& options) {
   window.show();
   app::WindowRequest request;
   request.scene.source.path = options.positionalArguments().value(0, "phantom:head").toStdString();
-  request.machine = {"picture.adaptive=false"};  // every picture has the same rays
+  request.host = {"picture.adaptive=false"};  // every picture has the same rays
   request.scene.picture.supersampling = 1;
   request.scene.gi.samples = 1000000;  // never complete
   test::applySettings(options, request);

@@ -30,17 +30,17 @@
 #include <QThread>
 
 #include "app/presets/preset_list.h"
-#include "scene/settings/machine.h"
+#include "scene/settings/host_settings.h"
 #include "scene/settings/settings.h"
 #include "tests/ui/tools/tool.h"
 #include "ui/accuracy/accuracy_panel.h"
 #include "ui/accuracy/accuracy_text.h"
 #include "ui/accuracy/error_overlay_box.h"
 #include "ui/accuracy/target_box.h"
-#include "ui/browser/dicom_browser.h"
-#include "ui/browser/series_index.h"
 #include "ui/dialogs/preferences_dialog.h"
 #include "ui/dialogs/raw_import_dialog.h"
+#include "ui/dicom_browser/dicom_browser.h"
+#include "ui/dicom_browser/series_index.h"
 #include "ui/document/baked_light.h"
 #include "ui/document/mark_reports.h"
 #include "ui/document/privacy.h"
@@ -180,7 +180,7 @@ int takePicture(const QCommandLineParser& options) {
   settle.start();
   waitUntil([&] { return settle.elapsed() > 400; });
   if (options.isSet("preferences")) {
-    ui::PreferencesDialog dialog(window.machine(), &window);
+    ui::PreferencesDialog dialog(window.host(), &window);
     dialog.show();
     waitUntil([&] { return dialog.isVisible(); });
     return save(dialog.grab(), out);
@@ -194,8 +194,8 @@ int takePicture(const QCommandLineParser& options) {
   }
   if (options.isSet("errors")) {
     ui::ErrorOverlayBox* const overlay = window.panel<ui::AccuracyPanel>()->overlay();
-    const app::OverlayWish wish = app::parseOverlay(options.value("errors").toStdString(), {});
-    overlay->choose(wish.colors);
+    const app::OverlayRequest asked = app::parseOverlay(options.value("errors").toStdString(), {});
+    overlay->choose(asked.colors);
     if (!waitUntil([&] {
           return !overlay->note().isEmpty() ||
                  (window.viewport()->showsOver(ui::Viewport::Over::errors) && !overlay->working());

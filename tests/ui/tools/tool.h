@@ -8,7 +8,7 @@
 #include <QElapsedTimer>
 
 #include "app/commands/command_line.h"
-#include "scene/settings/machine.h"
+#include "scene/settings/host_settings.h"
 #include "scene/settings/settings.h"
 
 namespace isolux::test {
@@ -27,8 +27,8 @@ inline bool waitUntil(const std::function<bool()>& condition, int milliseconds =
 // Applies the options --set, of the scene and of the machine. Throws base::Error.
 inline void applySettings(const QCommandLineParser& options, app::WindowRequest& request) {
   for (const QString& assignment : options.values("set"))
-    if (const std::string text = assignment.toStdString(); scene::isOfMachine(text))
-      request.machine.push_back(text);
+    if (const std::string text = assignment.toStdString(); scene::isHostSetting(text))
+      request.host.push_back(text);
     else
       scene::applyAssignment(request.scene, text);
 }

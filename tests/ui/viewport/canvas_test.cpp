@@ -11,8 +11,8 @@
 #include <QSettings>
 #include <QTest>
 
+#include "base/destroy_in_background.h"
 #include "base/error.h"
-#include "base/retire.h"
 #include "render/gl/gl_messages.h"
 #include "render/gl/handed_picture.h"
 #include "scene/settings/settings.h"
@@ -45,8 +45,8 @@ class CanvasTest : public WindowTest {
     window_->document()->edit(edit);
   }
   void show(CanvasKind wanted) {
-    const auto wish = wanted == CanvasKind::textures ? scene::Canvas::textures : scene::Canvas::pixels;
-    viewport()->setCanvas(ui::chooseCanvas(wish));
+    const auto request = wanted == CanvasKind::textures ? scene::Canvas::textures : scene::Canvas::pixels;
+    viewport()->setCanvas(ui::chooseCanvas(request));
     ASSERT_EQ(kind(), wanted);
   }
   // What the window has on screen of the picture and what lies over it.
@@ -142,7 +142,7 @@ TEST_F(CanvasTest, TexturesDoNotGather) {
   fullPicture(*window_);
   EXPECT_EQ(render::glErrorCount(), 0u);
   window_.reset();
-  EXPECT_TRUE(base::awaitRetired(60.0));
+  EXPECT_TRUE(base::awaitDestroyed(60.0));
   EXPECT_EQ(render::PictureRing::textures(), 0u);
 }
 
@@ -151,7 +151,7 @@ TEST_F(CanvasTest, TheWindowMayGoWhileAPictureIsDrawn) {
   set({{"picture.supersampling", 4}});
   drag(viewport(), {300, 200}, {400, 240}, Qt::LeftButton);
   window_.reset();
-  EXPECT_TRUE(base::awaitRetired(60.0));
+  EXPECT_TRUE(base::awaitDestroyed(60.0));
   EXPECT_EQ(render::PictureRing::textures(), 0u);
 }
 

@@ -210,9 +210,9 @@ TEST_F(ViewportTest, APictureInMotionOfTheFullSizeIsRefinedToo) {
   const auto draw = [&](double fov, int supersampling, double target) {
     scene.camera.fov = resolved.camera.fov = fov;
     scene.picture.supersampling = resolved.picture.supersampling = supersampling;
-    scene::Machine machine = ui::keptMachine();
-    machine.motionTarget = target;
-    viewport()->setMachine(machine);
+    scene::HostSettings host = ui::savedHostSettings();
+    host.motionTarget = target;
+    viewport()->setHostSettings(host);
     viewport()->setScene(scene, resolved);
   };
   draw(31.0, 1, 2000.0);  // what is in motion grows to the full size

@@ -89,9 +89,9 @@ TEST_F(PicturesTest, TheDialogSaysWhatIsWrittenAndHowLarge) {
 }
 
 TEST_F(PicturesTest, ASavedPictureHasWhatIsWrittenAndIsDrawnAgainByItsSession) {
-  ui::PictureWish wish;
-  wish.factor = 2.0;
-  ui::keepPictureWish(wish);
+  ui::PictureRequest asked;
+  asked.factor = 2.0;
+  ui::savePictureRequest(asked);
   const QString file = newFile("ball.png");
   ASSERT_TRUE(window_->savePicture(file));
   EXPECT_EQ(barText(), "Saved ball.png");
@@ -131,9 +131,9 @@ TEST_F(PicturesTest, FullPathsAreInAFileOnlyWhereThatIsWished) {
   const std::string folder = QFileInfo(volume).absolutePath().toStdString();
   const QString file = newFile("ball.png");
   for (const bool full : {false, true}) {
-    ui::PictureWish wish;
-    wish.fullPaths = full;
-    ui::keepPictureWish(wish);
+    ui::PictureRequest asked;
+    asked.fullPaths = full;
+    ui::savePictureRequest(asked);
     ASSERT_TRUE(window_->savePicture(file));
     EXPECT_EQ(app::readSessionText(file.toStdString()).find(folder) != std::string::npos, full);
   }

@@ -15,7 +15,7 @@
 #include <QTest>
 #include <QTimer>
 
-#include "base/retire.h"
+#include "base/destroy_in_background.h"
 #include "tests/support/ui/dialog_answers.h"
 #include "ui/dialogs/raw_import_dialog.h"
 #include "ui/panels/volume_panel.h"
@@ -106,7 +106,7 @@ TEST_F(WindowTest, LoadingCanBeCancelledAndThePreviousVolumeStays) {
   EXPECT_FALSE(window_->loadCard()->isVisible());
   EXPECT_EQ(window_->document()->volume(), volume);
   EXPECT_TRUE(window_->messageBar()->isHidden());  // what the user did is no error
-  EXPECT_TRUE(base::awaitRetired(60.0));           // the thread that was loading has ended
+  EXPECT_TRUE(base::awaitDestroyed(60.0));         // the thread that was loading has ended
   QCoreApplication::processEvents();
   EXPECT_EQ(window_->document()->volume(), volume);
 }
@@ -129,8 +129,8 @@ TEST_F(WindowTest, ThePictureStaysInAnotherWindow) {
 TEST_F(WindowTest, APictureThatFailsIsSaidAndComesBackWithUndo) {
   ASSERT_TRUE(load(*window_, "phantom:ball:132"));
   ui::Viewport* viewport = window_->viewport();
-  viewport->setMachine({.memory = {.gpuBudgetMb = 16, .layout = scene::MemoryLayout::whole},
-                        .executor = scene::Executor::gpu});
+  viewport->setHostSettings({.memory = {.gpuBudgetMb = 16, .layout = scene::MemoryLayout::whole},
+                             .executor = scene::Executor::gpu});
   const QImage before = fullPicture(*window_);
   ui::Edit edit{window_->document()->scene(), "Other field", {}, false};  // whose textures need 17.5 MiB
   edit.scene.hit.field = scene::Field::cubic_interpolating;

@@ -23,7 +23,7 @@ std::vector<TracerTarget> targets() {
 }
 
 Prepared::Prepared(Grid made, std::vector<double> values, scene::Field of,
-                   std::vector<const HiddenVoxels*> hidden, scene::Inside inside)
+                   std::vector<const VoxelMask*> hidden, scene::Inside inside)
     : isovalues(std::move(values)),
       grid_(std::make_shared<Grid>(std::move(made))),
       field_(of),

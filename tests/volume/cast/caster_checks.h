@@ -25,7 +25,7 @@ class Prepared {
  public:
   // hidden: of each value, null where all is shown; or empty.
   Prepared(volume::Grid made, std::vector<double> values, scene::Field of = scene::Field::trilinear,
-           std::vector<const volume::HiddenVoxels*> hidden = {}, scene::Inside inside = scene::Inside::above);
+           std::vector<const volume::VoxelMask*> hidden = {}, scene::Inside inside = scene::Inside::above);
 
   // From now on surfaces k of which `clipped` has the bit k are seen in the region only (voxel coordinates).
   void cut(const volume::ClipRegion& region, int clipped) { region_ = region, clipped_ = clipped; }
@@ -49,7 +49,7 @@ class Prepared {
   std::shared_ptr<const volume::CubicField> cubic_;  // or, trilinear:
   std::unique_ptr<volume::MinMaxBlocks> blocks_;
   std::vector<std::uint64_t> masks_;
-  std::vector<const volume::HiddenVoxels*> hidden_;
+  std::vector<const volume::VoxelMask*> hidden_;
   scene::Inside inside_;
   volume::ClipRegion region_;
   int clipped_ = 0;

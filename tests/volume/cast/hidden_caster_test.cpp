@@ -6,7 +6,7 @@
 
 #include "tests/support/hidden_balls.h"
 #include "tests/volume/cast/caster_checks.h"
-#include "volume/visible/hidden_voxels.h"
+#include "volume/visible/voxel_mask.h"
 
 namespace isolux::volume {
 namespace {
@@ -24,11 +24,11 @@ struct Balls {
   Balls(scene::Field field, double sign, std::vector<double> values = {0.0})
       : hidden(test::hiddenOfBalls(test::pieceBalls())),
         all(test::gridOfBalls(test::pieceBalls(), true, sign), values, field,
-            std::vector<const HiddenVoxels*>(values.size(), &hidden),
+            std::vector<const VoxelMask*>(values.size(), &hidden),
             sign > 0.0 ? scene::Inside::above : scene::Inside::below),
         shown(test::gridOfBalls(test::pieceBalls(), false, sign), values, field) {}
 
-  const HiddenVoxels hidden;
+  const VoxelMask hidden;
   const Prepared all, shown;
 };
 
@@ -87,14 +87,14 @@ TEST(HiddenCaster, GoesOnBehindACrossingAndMakesShadowsAsWithoutThem) {
 
 // One surface has hidden pieces, another crosses the same boxes with all of its own.
 TEST(HiddenCaster, HidesPiecesOfOneOfTwoSurfaces) {
-  const HiddenVoxels hidden = test::hiddenOfBalls(test::pieceBalls());
+  const VoxelMask hidden = test::hiddenOfBalls(test::pieceBalls());
   for (const scene::Field field : kFields)
     expectFirstHits({test::gridOfBalls(test::pieceBalls(), true), {0.0, 0.9}, field, {&hidden, nullptr}},
                     "one of two surfaces", 8);
 }
 
 TEST(HiddenCaster, InCellsOfTwoPiecesHitsAreOfTheShownOne) {
-  const HiddenVoxels hidden = test::SplitCells::hidden();
+  const VoxelMask hidden = test::SplitCells::hidden();
   for (const double sign : {1.0, -1.0})
     expectFirstHits({test::SplitCells::grid(sign),
                      {0.0},
@@ -107,7 +107,7 @@ TEST(HiddenCaster, InCellsOfTwoPiecesHitsAreOfTheShownOne) {
 // Two slabs, apart by samples that the spline passes over: what is seen ends within its inside.
 TEST(HiddenCaster, WhereASplineBridgesAGapTheHiddenPieceIsLeftOut) {
   constexpr glm::ivec3 dims(32, 32, 24);
-  HiddenVoxels hidden(dims);
+  VoxelMask hidden(dims);
   for (int z = 0; z < dims.z; ++z)
     for (int y = 8; y < 24; ++y) hidden.hide(0, 15, y, z);
   for (const double sign : {1.0, -1.0})
@@ -130,7 +130,7 @@ TEST(HiddenCaster, WhereASplineBridgesAGapTheHiddenPieceIsLeftOut) {
 TEST(HiddenCaster, StraysOfASplineAreHiddenWhereThePiecesShownAreNamed) {
   constexpr glm::ivec3 dims(40, 20, 20);
   const auto strays = [&](bool hides) {
-    const HiddenVoxels hidden(dims, hides);
+    const VoxelMask hidden(dims, hides);
     const Prepared volume(
         test::gridOfVoxels(test::unitGeometry(dims),
                            [](glm::dvec3 p) {
@@ -158,7 +158,7 @@ TEST(HiddenCaster, StoredValuesThatFallWithTheData) {
   const std::vector<test::PieceBall> balls = test::pieceBalls();
   const Grid grid = test::gridOfBalls(balls, true);
   const Grid falling = test::casting::quantized<std::int16_t>(grid, 1000.0, 0.0, -1.0);  // 3 - stored
-  const HiddenVoxels hidden = test::hiddenOfBalls(balls);
+  const VoxelMask hidden = test::hiddenOfBalls(balls);
   const Prepared volume(falling, {3.0 - 499.5}, scene::Field::trilinear, {&hidden});
   expectFirstHits(volume, "slope -1", 4);
 }

@@ -22,17 +22,17 @@ scene::Clip planes(std::vector<scene::ClipPlane> list) {
   return clip;
 }
 
-// The only stretch of a region without removed boxes; an empty one where none is kept.
-ClipRegion::Stretch stretchOf(const ClipRegion& region, glm::dvec3 origin, glm::dvec3 direction) {
-  const ClipRegion::Stretches all = region.stretchesOf(origin, direction);
+// The only segment of a region without removed boxes; an empty one where none is kept.
+ClipRegion::Segment segmentOf(const ClipRegion& region, glm::dvec3 origin, glm::dvec3 direction) {
+  const ClipRegion::RaySegments all = region.segmentsOf(origin, direction);
   constexpr double never = std::numeric_limits<double>::infinity();
-  return all.empty() ? ClipRegion::Stretch{never, -never} : *all.begin();
+  return all.empty() ? ClipRegion::Segment{never, -never} : *all.begin();
 }
 
 std::vector<std::pair<double, double>> endsOf(const ClipRegion& region, glm::dvec3 origin,
                                               glm::dvec3 direction) {
   std::vector<std::pair<double, double>> ends;
-  for (const auto& [begin, end] : region.stretchesOf(origin, direction)) ends.emplace_back(begin, end);
+  for (const auto& [begin, end] : region.segmentsOf(origin, direction)) ends.emplace_back(begin, end);
   return ends;
 }
 
@@ -57,28 +57,28 @@ TEST(ClipRegion, NothingKeepsEverything) {
   EXPECT_FALSE(all.cuts());
   EXPECT_EQ(all.key(), 0u);
   EXPECT_TRUE(all.contains({1e9, -1e9, 0}));
-  EXPECT_TRUE(std::isinf(stretchOf(all, {0, 0, 0}, {1, 0, 0}).end));
+  EXPECT_TRUE(std::isinf(segmentOf(all, {0, 0, 0}, {1, 0, 0}).end));
 }
 
 TEST(ClipRegion, APlaneCutsTheSideItsNormalPointsTo) {
   const ClipRegion below{planes({{{0, 0, 5}, {0, 0, 7}}})};
   EXPECT_TRUE(below.contains({100, 100, 5}));
   EXPECT_FALSE(below.contains({0, 0, 5.001}));
-  const ClipRegion::Stretch down = stretchOf(below, {1, 2, 15}, {0, 0, -2});
+  const ClipRegion::Segment down = segmentOf(below, {1, 2, 15}, {0, 0, -2});
   EXPECT_DOUBLE_EQ(down.begin, 5.0);
   EXPECT_TRUE(std::isinf(down.end));
-  EXPECT_DOUBLE_EQ(stretchOf(below, {1, 2, 1}, {0, 0, 1}).end, 4.0);
-  EXPECT_TRUE(stretchOf(below, {1, 2, 6}, {1, 0, 0}).empty());
-  EXPECT_FALSE(stretchOf(below, {1, 2, 5}, {1, 0, 0}).empty());
+  EXPECT_DOUBLE_EQ(segmentOf(below, {1, 2, 1}, {0, 0, 1}).end, 4.0);
+  EXPECT_TRUE(segmentOf(below, {1, 2, 6}, {1, 0, 0}).empty());
+  EXPECT_FALSE(segmentOf(below, {1, 2, 5}, {1, 0, 0}).empty());
 }
 
 TEST(ClipRegion, PlanesThatFaceAwayKeepTheSlabBetween) {
   const ClipRegion slab{planes({{{0, 0, 5}, {0, 0, 1}}, {{0, 0, 2}, {0, 0, -1}}})};
-  const ClipRegion::Stretch kept = stretchOf(slab, {0, 0, 0}, {0, 0, 1});
+  const ClipRegion::Segment kept = segmentOf(slab, {0, 0, 0}, {0, 0, 1});
   EXPECT_DOUBLE_EQ(kept.begin, 2.0);
   EXPECT_DOUBLE_EQ(kept.end, 5.0);
   const ClipRegion none{planes({{{0, 0, 2}, {0, 0, 1}}, {{0, 0, 5}, {0, 0, -1}}})};
-  EXPECT_TRUE(stretchOf(none, {0, 0, 0}, {0, 0, 1}).empty());
+  EXPECT_TRUE(segmentOf(none, {0, 0, 0}, {0, 0, 1}).empty());
 }
 
 TEST(ClipRegion, ABoxIsTurnedAboutItsCentre) {
@@ -92,7 +92,7 @@ TEST(ClipRegion, ABoxIsTurnedAboutItsCentre) {
     for (const double side : {-1.0, 1.0}) {
       EXPECT_TRUE(box.contains(centre + side * (half[axis] - 1e-9) * along[axis]));
       EXPECT_FALSE(box.contains(centre + side * (half[axis] + 1e-9) * along[axis]));
-      const ClipRegion::Stretch kept = stretchOf(box, centre, side * along[axis]);
+      const ClipRegion::Segment kept = segmentOf(box, centre, side * along[axis]);
       EXPECT_NEAR(kept.end, half[axis], 1e-12);
       EXPECT_NEAR(kept.begin, -half[axis], 1e-12);
     }
@@ -107,11 +107,11 @@ TEST(ClipRegion, StretchesHoldThePointsThatAreKept) {
   for (std::uint64_t i = 0; i < 3000; ++i) {
     const glm::dvec3 from = test::randomPoint(3 * i, glm::dvec3(-40), glm::dvec3(40)),
                      to = test::randomPoint(3 * i + 1, glm::dvec3(-40), glm::dvec3(40));
-    const ClipRegion::Stretch stretch = stretchOf(region, from, to - from);
+    const ClipRegion::Segment segment = segmentOf(region, from, to - from);
     const double t = test::randomVector(3 * i + 2, 7).x;
-    if (std::abs(t - stretch.begin) < 1e-9 || std::abs(t - stretch.end) < 1e-9) continue;
-    EXPECT_EQ(stretch.holds(t), region.contains(from + t * (to - from)));
-    kept += stretch.holds(t);
+    if (std::abs(t - segment.begin) < 1e-9 || std::abs(t - segment.end) < 1e-9) continue;
+    EXPECT_EQ(segment.holds(t), region.contains(from + t * (to - from)));
+    kept += segment.holds(t);
   }
   EXPECT_GT(kept, 40);
 }
@@ -175,7 +175,7 @@ TEST(ClipRegion, RaysAlongFacesFollowThePointsOnThem) {
       origin[axis] = side;
       along[(axis + 1) % 3] = 1.0;
       EXPECT_EQ(region.contains(origin), side == 4.0);
-      EXPECT_EQ(region.stretchesOf(origin, along).hold(0.0), side == 4.0);
+      EXPECT_EQ(region.segmentsOf(origin, along).hold(0.0), side == 4.0);
     }
 }
 
@@ -187,7 +187,7 @@ TEST(ClipRegion, NothingIsLeftBehindABoxThatEndsAtAPlane) {
   EXPECT_EQ(endsOf(ClipRegion(clip), {0, 0, 0}, {0, 0, 1}), (Ends{{-kEndless, 2}}));
   EXPECT_EQ(endsOf(ClipRegion(clip), {0, 0, 9}, {0, 0, -1}), (Ends{{7, kEndless}}));
   clip.planes.clear();
-  EXPECT_TRUE(ClipRegion(clip).stretchesOf({0, 0, 2}, {0, 0, 1}, {0.0, 3.0}).empty());
+  EXPECT_TRUE(ClipRegion(clip).segmentsOf({0, 0, 2}, {0, 0, 1}, {0.0, 3.0}).empty());
 }
 
 // Random boxes, planes and rays, with corners on a lattice so that many touch: a point of a ray is kept where
@@ -206,24 +206,24 @@ TEST(ClipRegion, StretchesBesideRemovedBoxesHoldThePointsThatAreKept) {
       glm::dvec3 from = test::randomPoint(n, glm::dvec3(-6), glm::dvec3(6)),
                  to = test::randomPoint(n + 1, glm::dvec3(-6), glm::dvec3(6));
       if (i % 4 == 0) from.x = to.x = std::round(from.x);  // in the planes of faces
-      const ClipRegion::Stretches stretches = region.stretchesOf(from, to - from);
+      const ClipRegion::RaySegments segments = region.segmentsOf(from, to - from);
       double before = -kEndless;
-      for (const auto& [begin, end] : stretches) {
+      for (const auto& [begin, end] : segments) {
         EXPECT_GE(begin, before);
         EXPECT_GE(end, begin);
         before = end;
       }
-      several += stretches.end() - stretches.begin() > 2;
+      several += segments.end() - segments.begin() > 2;
       for (std::uint64_t j = 0; j < 8; ++j) {
         const double t = 2.0 * test::randomVector(n + j, 7).x - 0.5;
-        const bool near = std::any_of(stretches.begin(), stretches.end(), [&](const auto& one) {
+        const bool near = std::any_of(segments.begin(), segments.end(), [&](const auto& one) {
           return std::abs(t - one.begin) < 1e-9 || std::abs(t - one.end) < 1e-9;
         });
         if (near) continue;
         glm::dvec3 at = from + t * (to - from);
         if (i % 4 == 0) at.x = from.x;
-        EXPECT_EQ(stretches.hold(t), region.contains(at)) << k << ' ' << i;
-        (stretches.hold(t) ? kept : gone) += 1;
+        EXPECT_EQ(segments.hold(t), region.contains(at)) << k << ' ' << i;
+        (segments.hold(t) ? kept : gone) += 1;
       }
     }
   }
@@ -241,9 +241,9 @@ TEST(ClipRegion, IsTheSameInVoxels) {
   for (std::uint64_t i = 0; i < 500; ++i) {
     const glm::dvec3 from = test::randomPoint(i, glm::dvec3(0), glm::dvec3(20, 30, 40));
     const glm::dvec3 direction = test::randomVector(i, 5) - 0.5;
-    const ClipRegion::Stretch own = stretchOf(voxels, from, direction);
-    const ClipRegion::Stretch expected =
-        stretchOf(world, glm::dvec3(geometry.worldFromVoxel * glm::dvec4(from, 1)),
+    const ClipRegion::Segment own = segmentOf(voxels, from, direction);
+    const ClipRegion::Segment expected =
+        segmentOf(world, glm::dvec3(geometry.worldFromVoxel * glm::dvec4(from, 1)),
                   glm::dmat3(geometry.worldFromVoxel) * direction);
     EXPECT_EQ(own.empty(), expected.empty());
     if (own.empty()) continue;

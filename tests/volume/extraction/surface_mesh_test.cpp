@@ -196,7 +196,7 @@ TEST(SurfaceMesh, MissingVoxelsAndHiddenPiecesHaveNoSurface) {
   const volume::Grid grid = gridOfWorld(unitGeometry(dims), field);
   const SurfaceMesh both = meshOf(grid, {});
   EXPECT_GT(both.openEdges, 5u);  // around the gap
-  volume::HiddenVoxels hidden(dims);
+  volume::VoxelMask hidden(dims);
   for (int z = 0; z < dims.z; ++z)
     for (int y = 0; y < dims.y; ++y)
       for (int x = 0; x < 20; ++x)

@@ -56,11 +56,11 @@ Figures measure(const std::string& name, const GridGeometry& geometry, double is
       continue;  // between true and sampled surface
     const auto t = field->firstHit(o, d, isovalue);
     if (!t) continue;
-    const glm::dvec3 truth = o + *t * d, truthVoxel(voxelFromWorld * glm::dvec4(truth, 1.0));
+    const glm::dvec3 reference = o + *t * d, truthVoxel(voxelFromWorld * glm::dvec4(reference, 1.0));
     bool inside = true;
     for (int axis = 0; axis < 3; ++axis)
       inside = inside && truthVoxel[axis] > 3.0 && truthVoxel[axis] < last[axis] - 3.0;
-    const glm::dvec3 normal = field->normal(truth);
+    const glm::dvec3 normal = field->normal(reference);
     if (!inside || std::abs(glm::dot(normal, d)) < 0.1) continue;
     const auto hit = firstHit(grid, blocks, isovalue, {start, linear * d});
     if (!hit) {

@@ -46,12 +46,12 @@ TEST(BallInvariants, GiveTheCurvatureOfABallAndATorus) {
   const Grid torus = test::phantomGrid("torus", geometry);
   const auto field = test::analyticField("torus", geometry);
   for (const glm::dvec3& point : pointsOf(torus, 10)) {
-    const test::Curvature truth =
+    const test::Curvature reference =
         field->curvature(glm::dvec3(geometry.worldFromVoxel * glm::dvec4(point, 1.0)));
     const test::BallCurvature found = test::ballCurvature(torus, 0.0, point, kRadius);
-    EXPECT_NEAR(found.mean, 0.5 * (truth.kappa1 + truth.kappa2), 0.1 * truth.kappa1);
-    EXPECT_NEAR(found.kappa1, truth.kappa1, 0.15 * truth.kappa1);
-    EXPECT_NEAR(found.kappa2, truth.kappa2, 0.15 * truth.kappa1);
+    EXPECT_NEAR(found.mean, 0.5 * (reference.kappa1 + reference.kappa2), 0.1 * reference.kappa1);
+    EXPECT_NEAR(found.kappa1, reference.kappa1, 0.15 * reference.kappa1);
+    EXPECT_NEAR(found.kappa2, reference.kappa2, 0.15 * reference.kappa1);
   }
 }
 

@@ -57,10 +57,10 @@ TEST(PrincipalCurvature, FollowsClosedFormDerivativesOfEveryShape) {
       const test::Derivatives d = field->at(p);
       if (!(glm::length(d.gradient) > 1e-6)) continue;
       const PrincipalCurvature k = principalCurvature(d.gradient, d.hessian);
-      const test::Curvature truth = field->curvature(p);
-      const double scale = std::abs(truth.kappa1) + std::abs(truth.kappa2) + 1e-6;
-      EXPECT_NEAR(k.kappa1, truth.kappa1, 1e-7 * scale) << name;
-      EXPECT_NEAR(k.kappa2, truth.kappa2, 1e-7 * scale) << name;
+      const test::Curvature reference = field->curvature(p);
+      const double scale = std::abs(reference.kappa1) + std::abs(reference.kappa2) + 1e-6;
+      EXPECT_NEAR(k.kappa1, reference.kappa1, 1e-7 * scale) << name;
+      EXPECT_NEAR(k.kappa2, reference.kappa2, 1e-7 * scale) << name;
       expectFrame(k);
       EXPECT_LT(glm::distance(k.normal, field->normal(p)), 1e-12);
     }
@@ -71,11 +71,11 @@ TEST(PrincipalCurvature, FollowsClosedFormDerivativesOfEveryShape) {
 TEST(PrincipalCurvature, FlowlinesOfXyAreHyperbolasAndOfABallStraight) {
   for (std::uint64_t i = 0; i < 1000; ++i) {
     const dvec3 p = 20.0 * (test::randomVector(i, 5) - 0.5);
-    const double r = std::hypot(p.x, p.y), truth = std::abs(p.x * p.x - p.y * p.y) / (r * r * r);
+    const double r = std::hypot(p.x, p.y), reference = std::abs(p.x * p.x - p.y * p.y) / (r * r * r);
     for (const double outward : {-1.0, 1.0}) {
       const PrincipalCurvature k =
           principalCurvature({p.y, p.x, 0.0}, dmat3(0, 1, 0, 1, 0, 0, 0, 0, 0), outward);
-      EXPECT_NEAR(k.flowline, truth, 1e-12 * (1.0 + truth));
+      EXPECT_NEAR(k.flowline, reference, 1e-12 * (1.0 + reference));
     }
     EXPECT_NEAR(principalCurvature(2.0 * p, dmat3(2.0)).flowline, 0.0, 1e-12);
   }
@@ -92,8 +92,8 @@ TEST(PrincipalCurvature, TheFlowlineCurvatureIsTheTurnOfTheGradientAlongItself) 
     const double step = 1e-5;
     const dvec3 turn = glm::normalize(field->at(p + step * along).gradient) -
                        glm::normalize(field->at(p - step * along).gradient);
-    const double truth = glm::length(turn) / (2.0 * step);
-    EXPECT_NEAR(principalCurvature(d.gradient, d.hessian).flowline, truth, 1e-5 * (1.0 + truth));
+    const double reference = glm::length(turn) / (2.0 * step);
+    EXPECT_NEAR(principalCurvature(d.gradient, d.hessian).flowline, reference, 1e-5 * (1.0 + reference));
   }
 }
 
@@ -432,7 +432,7 @@ Errors curvatureErrors(const std::string& name, const GridGeometry& geometry, do
   const Grid grid = test::phantomGrid(name, geometry);
   const Coefficients coefficients = interpolatingCoefficients(grid);
   const MinMaxBlocks blocks = MinMaxBlocks::ofCubic(coefficients, grid, 8, progress);
-  const auto truth = test::analyticField(name, geometry);
+  const auto reference = test::analyticField(name, geometry);
   const CurvatureScale scale = curvatureScale(geometry, scene::Field::cubic_interpolating, 1e-6);
   struct Sum {
     double error1 = 0, error2 = 0, size = 0, confident = 0;
@@ -451,7 +451,7 @@ Errors curvatureErrors(const std::string& name, const GridGeometry& geometry, do
           const FieldSample f = sampleCubic(coefficients, grid, hit->voxel);
           const dvec3 g = worldGradient(geometry, f.gradient);
           const PrincipalCurvature k = principalCurvature(g, worldHessian(geometry, f.hessian));
-          const test::Curvature expected = truth->curvature(toWorld(geometry, hit->voxel));
+          const test::Curvature expected = reference->curvature(toWorld(geometry, hit->voxel));
           s.error1 += std::pow(k.kappa1 - expected.kappa1, 2);
           s.error2 += std::pow(k.kappa2 - expected.kappa2, 2);
           s.size += 0.5 * (std::pow(expected.kappa1, 2) + std::pow(expected.kappa2, 2));

@@ -15,16 +15,16 @@ namespace {
 
 // Returns whether the lattice decided.
 bool checkAgainstLattice(const CellCorners& f) {
-  const test::FloodedCorners truth = test::floodedCorners(f);
+  const test::FloodedCorners reference = test::floodedCorners(f);
   const auto found = cellPieces(f);
   for (std::size_t corner = 0; corner < 8; ++corner) {
-    const auto smallest = static_cast<std::size_t>(truth.joined[corner]);
+    const auto smallest = static_cast<std::size_t>(reference.joined[corner]);
     EXPECT_EQ(found[corner] == 8, smallest == 8);
     if (smallest == 8) continue;
     EXPECT_EQ(found[corner], found[smallest]) << "corner " << corner;
-    EXPECT_EQ(truth.possible[corner], truth.possible[found[corner]]) << "corner " << corner;
+    EXPECT_EQ(reference.possible[corner], reference.possible[found[corner]]) << "corner " << corner;
   }
-  return truth.joined == truth.possible;
+  return reference.joined == reference.possible;
 }
 
 // Magnitudes over two decades push saddles to either side.

@@ -60,7 +60,7 @@ struct SplineCase {
   MinMaxBlocks blocks;
 };
 
-// An independent search in extended precision: every plane crossing of the ray sorted, every stretch between
+// An independent search in extended precision: every plane crossing of the ray sorted, every segment between
 // two of them sampled densely, and the extremum between samples found where three of them bend toward the
 // isovalue. The weights are the truncated powers of the definition. No blocks, no blossoms.
 class Oracle {
@@ -517,7 +517,7 @@ OffSurface offSurface(const std::string& name, const GridGeometry& geometry) {
   const SplineCase field(phantomGrid(name, geometry), true);
   base::Progress progress;
   const MinMaxBlocks blocks(field.grid, 8, progress);
-  const auto truth = test::analyticField(name, geometry);
+  const auto reference = test::analyticField(name, geometry);
   OffSurface sum;
   for (std::uint64_t i = 0; i < 4000; ++i) {
     const Ray ray = test::randomRay(8 * i, geometry.dims);
@@ -525,7 +525,7 @@ OffSurface offSurface(const std::string& name, const GridGeometry& geometry) {
     const auto trilinear = firstHit(field.grid, blocks, 0.0, ray);
     if (!cubic || !trilinear) continue;
     const auto off = [&](glm::dvec3 voxel) {
-      const double d = truth->at(glm::dvec3(geometry.worldFromVoxel * glm::dvec4(voxel, 1.0))).value;
+      const double d = reference->at(glm::dvec3(geometry.worldFromVoxel * glm::dvec4(voxel, 1.0))).value;
       return d * d;
     };
     sum.cubicMm += off(cubic->voxel);

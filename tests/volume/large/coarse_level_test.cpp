@@ -182,7 +182,7 @@ TEST_F(CoarseLevel, OtherVolumesOfAFileAreOffered) {
   std::ofstream(folder / ".zgroup") << R"({"zarr_format": 2})";
   scene::Source source;
   source.path = folder.string();
-  scene::Machine inFile;
+  scene::HostSettings inFile;
   inFile.voxels = scene::VoxelPlace::file;
   for (const char* series : {"", "mr"}) {
     source.series = series;
@@ -207,11 +207,11 @@ TEST_F(CoarseLevel, WhatThereIsNotIsRefused) {
   scene::Source phantom;
   phantom.path = "phantom:ball:32";
   EXPECT_THAT(refusal(phantom, 1, base::ErrorKind::usage), HasSubstr("a phantom is not a file"));
-  scene::Machine machine;
-  machine.voxels = scene::VoxelPlace::file;
+  scene::HostSettings host;
+  host.voxels = scene::VoxelPlace::file;
   scene::Source coarse = source;
   coarse.level = 1;
-  EXPECT_THROW(loadVolume(coarse, machine, progress_), base::Error);
+  EXPECT_THROW(loadVolume(coarse, host, progress_), base::Error);
 }
 
 TEST_F(CoarseLevel, TheFinestThatFitsIsNamedToWhoAsksForMore) {

@@ -58,12 +58,12 @@ void expectSameFacts(const scene::VolumeFacts& a, const scene::VolumeFacts& b) {
 // Loaded from the file, in parts and whole.
 void expectSameVolume(const scene::Source& source) {
   base::Progress progress;
-  scene::Machine machine;
-  machine.voxels = scene::VoxelPlace::file;
+  scene::HostSettings host;
+  host.voxels = scene::VoxelPlace::file;
   const auto whole = volume::loadVolume(source, progress);
   for (const char* from : {"made", "read again"}) {
     SCOPED_TRACE(from);
-    const auto parts = volume::loadVolume(source, machine, progress);
+    const auto parts = volume::loadVolume(source, host, progress);
     EXPECT_FALSE(parts->grid().isWhole());
     EXPECT_EQ(parts->volume.name, whole->volume.name);
     EXPECT_EQ(parts->volume.warnings, whole->volume.warnings);
@@ -287,9 +287,9 @@ TEST_F(Indexes, GoAroundWhatCannotBeRead) {
       base::Hasher sum;
       ASSERT_TRUE(again.read(bytes, sum));
       EXPECT_EQ(again.damaged(), index.damaged());
-      EXPECT_FALSE(volume::isMended(file, {}, again.damaged()));
+      EXPECT_FALSE(volume::isRepaired(file, {}, again.damaged()));
       file.damaged.pop_back();
-      EXPECT_TRUE(volume::isMended(file, {}, again.damaged()));
+      EXPECT_TRUE(volume::isRepaired(file, {}, again.damaged()));
     }
 }
 

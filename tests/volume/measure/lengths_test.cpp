@@ -15,7 +15,7 @@
 #include "volume/measure/points.h"
 #include "volume/measure/surface_graph.h"
 #include "volume/measure/thickness.h"
-#include "volume/read/input/length_doubt.h"
+#include "volume/read/input/spacing_reliability.h"
 
 namespace isolux::test {
 namespace {
@@ -55,19 +55,19 @@ class RandomDirections {
   std::uniform_real_distribution<double> uniform_{-1.0, 1.0};
 };
 
-void expectWithin(const Measured& measure, double truth, const std::string& what) {
-  EXPECT_LE(std::abs(measure.value - truth), measure.error)
-      << what << ": " << measure.value << " for " << truth;
+void expectWithin(const Measured& measure, double reference, const std::string& what) {
+  EXPECT_LE(std::abs(measure.value - reference), measure.error)
+      << what << ": " << measure.value << " for " << reference;
 }
 
 // Of many, the stated errors are at most ten times the true ones on average: single ones may be right by
 // luck.
 struct Honesty {
   double stated = 0.0, made = 0.0;
-  void add(const Measured& measure, double truth, const std::string& what) {
-    expectWithin(measure, truth, what);
+  void add(const Measured& measure, double reference, const std::string& what) {
+    expectWithin(measure, reference, what);
     stated += measure.error;
-    made += std::abs(measure.value - truth);
+    made += std::abs(measure.value - reference);
   }
   ~Honesty() { EXPECT_LE(stated, 10.0 * made); }
 };
@@ -135,9 +135,9 @@ TEST(GeodesicTest, GreatCirclesOfABall) {
         ASSERT_TRUE(from && to);
         const auto way = geodesic(ball.surface(), ball.graph, from->world, to->world, ball.progress);
         ASSERT_TRUE(way);
-        const double truth = radius * std::acos(glm::dot(glm::normalize(from->world - at.centre),
-                                                         glm::normalize(to->world - at.centre)));
-        honesty.add(way->lengthMm, truth, std::to_string(i));
+        const double reference = radius * std::acos(glm::dot(glm::normalize(from->world - at.centre),
+                                                             glm::normalize(to->world - at.centre)));
+        honesty.add(way->lengthMm, reference, std::to_string(i));
         for (const glm::dvec3& p : way->path)
           EXPECT_NEAR(glm::length(p - at.centre), radius, 0.1 * geometry.spacingMm().z);
       }
@@ -282,14 +282,14 @@ TEST(ThicknessTest, ABallIsStoppedByTheNearestWall) {
   expectWithin(inscribedBall(sampled.surface(), sampled.graph, *point)->diameterMm, 12.0, "ball");
 }
 
-TEST(LengthDoubt, NamesTheWarning) {
+TEST(SpacingReliability, NamesTheWarning) {
   const std::vector<std::string> fine{"the origin is not finite; 0 assumed"};
-  EXPECT_FALSE(volume::lengthDoubt(fine));
+  EXPECT_FALSE(volume::spacingDoubt(fine));
   const std::vector<std::string> assumed{fine[0], "ElementSpacing is missing; 1 mm assumed"};
-  EXPECT_EQ(volume::lengthDoubt(assumed), assumed[1]);
+  EXPECT_EQ(volume::spacingDoubt(assumed), assumed[1]);
   const std::vector<std::string> uneven{
       "slice distances are uneven (1.081 to 6.999 mm): resampled linearly from 28 onto 37 slices"};
-  EXPECT_FALSE(volume::lengthDoubt(uneven)) << "where the slices lie is stated";
+  EXPECT_FALSE(volume::spacingDoubt(uneven)) << "where the slices lie is stated";
   EXPECT_EQ(volume::widestSlicesMm(uneven), 6.999);
   EXPECT_FALSE(volume::widestSlicesMm(assumed));
 }

@@ -26,10 +26,10 @@ SurfaceMeasure measured(const volume::Grid& grid, const SurfaceQuestion& questio
 }
 
 // The stated error covers the true one, and is at most ten times as large.
-void expectHonest(const Measured& measure, double truth, const std::string& what) {
-  const double error = std::abs(measure.value - truth);
-  EXPECT_LE(error, measure.error) << what << ": " << measure.value << " for " << truth;
-  EXPECT_LE(measure.error, 10.0 * error) << what << ": " << measure.value << " for " << truth;
+void expectHonest(const Measured& measure, double reference, const std::string& what) {
+  const double error = std::abs(measure.value - reference);
+  EXPECT_LE(error, measure.error) << what << ": " << measure.value << " for " << reference;
+  EXPECT_LE(measure.error, 10.0 * error) << what << ": " << measure.value << " for " << reference;
 }
 
 void expectHonestSolids(const volume::GridGeometry& geometry, const std::string& where) {

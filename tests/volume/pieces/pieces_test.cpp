@@ -40,10 +40,10 @@ void expectRefines(const Grid& grid, const std::vector<std::uint32_t>& label, co
 // All that the flood says is joined is, and nothing else; voxels are counted; the largest comes first.
 // Returns how many pieces the flood is not sure of.
 std::size_t check(const Grid& grid, double isovalue, Inside inside) {
-  const test::FloodedBounds truth = test::floodedPieces(grid, isovalue, inside);
+  const test::FloodedBounds reference = test::floodedPieces(grid, isovalue, inside);
   const Pieces pieces = piecesOf(std::make_shared<const Grid>(grid), isovalue, inside);
   const auto found = [&](glm::ivec3 voxel) { return pieces.ofVoxel(voxel); };
-  expectRefines(grid, truth.joined.label, found);
+  expectRefines(grid, reference.joined.label, found);
   std::vector<std::uint32_t> label;
   std::vector<std::size_t> voxels(pieces.list().size());
   const glm::ivec3 n = grid.dims();
@@ -53,12 +53,13 @@ std::size_t check(const Grid& grid, double isovalue, Inside inside) {
         label.push_back(found({x, y, z}));
         if (label.back() != Pieces::kNone) ++voxels.at(label.back());
       }
-  expectRefines(grid, label, [&](glm::ivec3 v) { return truth.possible.label[grid.index(v.x, v.y, v.z)]; });
+  expectRefines(grid, label,
+                [&](glm::ivec3 v) { return reference.possible.label[grid.index(v.x, v.y, v.z)]; });
   for (std::size_t i = 0; i < voxels.size(); ++i) {
     EXPECT_EQ(pieces.list()[i].voxels, voxels[i]) << "piece " << i;
     EXPECT_GE(pieces.list()[i ? i - 1 : 0].volumeMm3, pieces.list()[i].volumeMm3);
   }
-  return truth.joined.voxels.size() - truth.possible.voxels.size();
+  return reference.joined.voxels.size() - reference.possible.voxels.size();
 }
 
 template <class T>

@@ -47,7 +47,7 @@ TEST(ShownHits, AreThoseOfAVolumeWithoutTheHiddenBalls) {
     for (const double sign : {1.0, -1.0}) {
       const Hits all(test::gridOfBalls(test::pieceBalls(), true, sign), field),
           shown(test::gridOfBalls(test::pieceBalls(), false, sign), field);
-      const HiddenVoxels voxels = test::hiddenOfBalls(test::pieceBalls());
+      const VoxelMask voxels = test::hiddenOfBalls(test::pieceBalls());
       const HiddenPieces hidden{&voxels, sign > 0.0 ? scene::Inside::above : scene::Inside::below};
       int passed = 0;
       for (std::uint64_t i = 0; i < kRays; ++i) {
@@ -64,7 +64,7 @@ TEST(ShownHits, AreThoseOfAVolumeWithoutTheHiddenBalls) {
 TEST(ShownHits, OfTheInterpolatingSplineLieWhereTheyWouldWithoutTheHiddenBalls) {
   const Hits all(test::gridOfBalls(test::pieceBalls(), true), scene::Field::cubic_interpolating),
       shown(test::gridOfBalls(test::pieceBalls(), false), scene::Field::cubic_interpolating);
-  const HiddenVoxels voxels = test::hiddenOfBalls(test::pieceBalls());
+  const VoxelMask voxels = test::hiddenOfBalls(test::pieceBalls());
   int different = 0;
   for (std::uint64_t i = 0; i < kRays; ++i) {
     const Ray ray = test::randomRay(i, voxels.dims());
@@ -80,7 +80,7 @@ TEST(ShownHits, InCellsOfTwoPiecesAreOfTheShownOne) {
   for (const double sign : {1.0, -1.0}) {
     const Grid grid = test::SplitCells::grid(sign);
     const Hits hits(grid, scene::Field::trilinear);
-    const HiddenVoxels voxels = test::SplitCells::hidden();
+    const VoxelMask voxels = test::SplitCells::hidden();
     const HiddenPieces hidden{&voxels, sign > 0.0 ? scene::Inside::above : scene::Inside::below};
     int mixed = 0, compared = 0;
     for (std::uint64_t i = 0; i < kRays; ++i) {
@@ -110,7 +110,7 @@ TEST(ShownHits, InCellsOfTwoPiecesAreOfTheShownOne) {
 // that behind it.
 TEST(ShownHits, BehindAGapWithinABlockTheSideIsThatOfTheOtherPiece) {
   const glm::ivec3 dims(20, 9, 9);
-  HiddenVoxels voxels(dims);
+  VoxelMask voxels(dims);
   for (int z = 0; z < dims.z; ++z)
     for (int y = 0; y < dims.y; ++y) voxels.hide(0, 3, y, z);
   const Ray ray{{-5.0, 4.25, 4.5}, {1.0, 0.0, 0.0}};
@@ -129,7 +129,7 @@ TEST(ShownHits, BehindAGapWithinABlockTheSideIsThatOfTheOtherPiece) {
 
 TEST(ShownCells, AscendToTheCornerOfThePiece) {
   const Grid grid = test::SplitCells::grid();
-  const HiddenVoxels voxels = test::SplitCells::hidden();
+  const VoxelMask voxels = test::SplitCells::hidden();
   const ShownCells cells(grid, &voxels, 0.0, scene::Inside::above);
   for (std::uint64_t i = 0; i < 20000; ++i) {
     const glm::dvec3 point = test::randomPoint(i, {12.0, 12.0, 0.0}, {19.0, 19.0, 23.0});

@@ -42,7 +42,7 @@ class ShownPieces : public ::testing::Test {
   glm::ivec3 voxelOf(glm::dvec3 world) const {
     return glm::ivec3(glm::round(grid->geometry().voxelFromWorld() * glm::dvec4(world, 1.0)));
   }
-  void expectNothingElseHidden(const HiddenVoxels& hidden, const std::vector<bool>& shown) const {
+  void expectNothingElseHidden(const VoxelMask& hidden, const std::vector<bool>& shown) const {
     const glm::ivec3 n = grid->dims();
     for (int z = 0; z < n.z; ++z)
       for (int y = 0; y < n.y; ++y)

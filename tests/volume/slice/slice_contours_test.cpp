@@ -267,7 +267,7 @@ TEST(SliceContours, OfHiddenPiecesAreLeftOut) {
   const Grid grid = gridOfVoxels(unitGeometry({40, 20, 20}), [](glm::dvec3 p) {
     return std::max(5.0 - glm::distance(p, {9.3, 9.4, 9.2}), 6.0 - glm::distance(p, {28.3, 9.4, 9.2}));
   });
-  volume::HiddenVoxels hidden(grid.dims());
+  volume::VoxelMask hidden(grid.dims());
   for (int z = 0; z < 20; ++z)
     for (int y = 0; y < 20; ++y)
       for (int x = 0; x < 18; ++x)

@@ -50,9 +50,9 @@ TEST(NoiseEstimate, IsWithinATenthOnTheHeadWithConstantAir) {
     for (const double deviation : {0.0, 2.0, 5.0, 20.0, 80.0}) {
       const scene::NoiseModel model =
           estimateNoise(test::roundedWithNoise(head, deviation, blur, 3, -1000.0));
-      const double truth = std::hypot(deviation, 1.0 / std::sqrt(12.0));
+      const double reference = std::hypot(deviation, 1.0 / std::sqrt(12.0));
       for (const double isovalue : {-300.0, 40.0, 300.0})
-        EXPECT_NEAR(model.at(isovalue), truth, 0.1 * truth)
+        EXPECT_NEAR(model.at(isovalue), reference, 0.1 * reference)
             << deviation << " HU, blur " << blur.x << ' ' << blur.z;
       if (deviation < 5.0) continue;  // below, rounding adds white noise
       for (int axis = 0; axis < 3; ++axis)

@@ -24,12 +24,12 @@ scene::Scene cutScene(double size) {
   return scene;
 }
 
-// In the kept stretches: the first entry, or behind a removed box the first crossing of either side.
+// In the kept segments: the first entry, or behind a removed box the first crossing of either side.
 std::optional<double> expectedEntry(const Grid& grid, const SurfaceCut& cut, const TraceRay& traced) {
   const Ray whole{glm::dvec3(traced.origin), glm::dvec3(traced.direction)};
   const auto isovalue = static_cast<double>(traced.isovalue);
   std::optional<double> first;
-  for (const auto& [begin, end] : cut.stretchesOf(isovalue, whole)) {
+  for (const auto& [begin, end] : cut.segmentsOf(isovalue, whole)) {
     Ray ray{whole.origin + begin * whole.direction, whole.direction};
     ray.tMaximum = end - begin;
     for (const scene::Inside inside : {scene::Inside::above, scene::Inside::below}) {

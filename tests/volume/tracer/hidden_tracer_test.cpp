@@ -44,7 +44,7 @@ void expectSameEntries(const IsosurfaceTracer& tracer, const IsosurfaceTracer& e
 }
 
 TEST(HiddenTracer, EntriesAreThoseOfAVolumeWithoutTheHiddenBalls) {
-  const auto hidden = std::make_shared<HiddenVoxels>(test::hiddenOfBalls(test::pieceBalls()));
+  const auto hidden = std::make_shared<VoxelMask>(test::hiddenOfBalls(test::pieceBalls()));
   const std::vector<TraceRay> rays = raysOf(hidden->dims(), {0.0f});
   base::Progress progress;
   for (const double sign : {1.0, -1.0})
@@ -59,7 +59,7 @@ TEST(HiddenTracer, EntriesAreThoseOfAVolumeWithoutTheHiddenBalls) {
 }
 
 TEST(HiddenTracer, OtherIsovaluesMeetAllPieces) {
-  const auto hidden = std::make_shared<HiddenVoxels>(test::hiddenOfBalls(test::pieceBalls()));
+  const auto hidden = std::make_shared<VoxelMask>(test::hiddenOfBalls(test::pieceBalls()));
   const Grid grid = test::gridOfBalls(test::pieceBalls(), true);
   const std::vector<TraceRay> mixed = raysOf(hidden->dims(), {0.0f, 0.5f});
   for (const TracerTarget target : IsosurfaceTracer::availableTargets()) {
@@ -87,7 +87,7 @@ TEST(HiddenTracer, InCellsOfTwoPiecesEntriesAreOfTheShownOne) {
   const Grid grid = test::SplitCells::grid();
   base::Progress progress;
   const MinMaxBlocks blocks(grid, 8, progress);
-  const auto hidden = std::make_shared<HiddenVoxels>(test::SplitCells::hidden());
+  const auto hidden = std::make_shared<VoxelMask>(test::SplitCells::hidden());
   const std::vector<TraceRay> rays = raysOf(grid.dims(), {0.0f});
   for (const TracerTarget target : IsosurfaceTracer::availableTargets()) {
     const auto tracer = tracerOf(grid, scene::Inside::above, target, {{0.0, hidden, scene::Inside::above}});

@@ -680,7 +680,7 @@ TEST_P(IsosurfaceTracerOn, ARaysAnswerDoesNotHangOnItsNeighbours) {
   for (std::uint64_t i = 0; i < 4000; ++i) {
     const auto u = [i](std::uint64_t n) { return static_cast<float>(base::uniformNoise(2, 9 * i + n)); };
     TraceRay ray{glm::vec3(u(0), u(1), u(2)) * 23.0f, glm::vec3(u(3), u(4), u(5)) - 0.5f, u(6) - 0.5f};
-    // Long stretches without and with those that want care.
+    // Long segments without and with those that want care.
     const std::uint64_t kind = i / 400 % 2 == 0 ? 0 : base::hash64(i) % 16;
     if (kind == 1) ray.origin.x -= 30.0f;
     if (kind == 2) ray.origin = glm::vec3(23.0f);

@@ -6,8 +6,8 @@
 
 #include "base/number_text.h"
 #include "volume/read/input/image_header.h"
-#include "volume/read/input/length_doubt.h"
 #include "volume/read/input/length_unit.h"
+#include "volume/read/input/spacing_reliability.h"
 #include "volume/read/input/text.h"
 
 namespace isolux::volume {

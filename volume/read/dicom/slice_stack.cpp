@@ -10,7 +10,7 @@
 #include "base/number_text.h"
 #include "base/quantiles.h"
 #include "volume/read/input/image_header.h"
-#include "volume/read/input/length_doubt.h"
+#include "volume/read/input/spacing_reliability.h"
 
 namespace isolux::volume {
 

@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
-#include "volume/read/input/length_doubt.h"
+#include "volume/read/input/spacing_reliability.h"
 #include "volume/read/input/text.h"
 
 namespace isolux::volume {

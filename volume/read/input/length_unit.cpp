@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "volume/read/input/length_doubt.h"
+#include "volume/read/input/spacing_reliability.h"
 #include "volume/read/input/text.h"
 
 namespace isolux::volume {

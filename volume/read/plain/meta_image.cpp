@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "base/error.h"
-#include "volume/read/input/length_doubt.h"
 #include "volume/read/input/length_unit.h"
 #include "volume/read/input/payload.h"
+#include "volume/read/input/spacing_reliability.h"
 #include "volume/read/input/text.h"
 
 namespace isolux::volume {

@@ -8,8 +8,8 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
-#include "volume/read/input/length_doubt.h"
 #include "volume/read/input/payload.h"
+#include "volume/read/input/spacing_reliability.h"
 #include "volume/read/input/streams.h"
 #include "volume/read/input/text.h"
 
@@ -255,13 +255,13 @@ void compareForms(const NiftiFields& fields, const glm::dvec3& sizes, double mm,
     farthest = std::max(farthest, glm::length(glm::dvec3(sform * voxel) - glm::dvec3(qform * voxel)));
   }
   const double voxel = std::max({sizes.x, sizes.y, sizes.z});
-  double stretch = 0.0;
+  double segment = 0.0;
   for (int axis = 0; axis < 3; ++axis)
-    stretch = std::max(stretch, std::abs(std::log(glm::length(glm::dvec3(sform[axis])) / sizes[axis])));
-  if (fields.sformCode == fields.qformCode ? farthest > voxel : stretch > 0.02)
+    segment = std::max(segment, std::abs(std::log(glm::length(glm::dvec3(sform[axis])) / sizes[axis])));
+  if (fields.sformCode == fields.qformCode ? farthest > voxel : segment > 0.02)
     header.warnings.push_back(
         "the sform and the qform place voxels up to " + base::shortText(farthest * mm, 3) + " mm apart" +
-        (stretch > 0.02 ? ", and state different voxel sizes" : "") + "; the sform is used");
+        (segment > 0.02 ? ", and state different voxel sizes" : "") + "; the sform is used");
 }
 
 void readGeometry(const NiftiFields& fields, ImageHeader& header) {

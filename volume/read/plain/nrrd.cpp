@@ -10,9 +10,9 @@
 #include <glm/vec4.hpp>
 
 #include "base/error.h"
-#include "volume/read/input/length_doubt.h"
 #include "volume/read/input/length_unit.h"
 #include "volume/read/input/payload.h"
+#include "volume/read/input/spacing_reliability.h"
 #include "volume/read/input/text.h"
 
 namespace isolux::volume {

@@ -10,8 +10,8 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "volume/read/input/bytes.h"
-#include "volume/read/input/length_doubt.h"
 #include "volume/read/input/length_unit.h"
+#include "volume/read/input/spacing_reliability.h"
 #include "volume/read/input/text.h"
 #include "volume/read/tiff/ome_tiff.h"
 

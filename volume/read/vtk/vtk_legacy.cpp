@@ -6,8 +6,8 @@
 
 #include "base/error.h"
 #include "volume/read/input/convert.h"
-#include "volume/read/input/length_doubt.h"
 #include "volume/read/input/payload.h"
+#include "volume/read/input/spacing_reliability.h"
 #include "volume/read/input/text.h"
 
 namespace isolux::volume {

@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "volume/read/input/image_header.h"
-#include "volume/read/input/length_doubt.h"
+#include "volume/read/input/spacing_reliability.h"
 #include "volume/read/zarr/json_fields.h"
 #include "volume/read/zarr/ome.h"
 #include "volume/read/zarr/zarr_array.h"

@@ -1,0 +1,76 @@
+#include "app/runtime/progress_bar.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+#include <system_error>
+
+#include <unistd.h>
+
+namespace isolux::app {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::chrono::milliseconds silence{400}, period{100};
+
+std::string timeText(double seconds) {
+  const auto whole = static_cast<long>(std::ceil(seconds));
+  if (whole < 60) return std::to_string(whole) + " s left";
+  if (whole < 3600) return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s left";
+  return std::to_string(whole / 3600) + " h " + std::to_string(whole % 3600 / 60) + " min left";
+}
+
+}  // namespace
+
+std::string progressLine(double fraction, const char* stage, double elapsed, int width) {
+  const double done = std::isfinite(fraction) ? std::clamp(fraction, 0.0, 1.0) : 0.0;
+  const auto filled = static_cast<std::size_t>(done * width);
+  std::string percent = std::to_string(static_cast<int>(done * 100.0));
+  percent.insert(0, 3 - std::min<std::size_t>(percent.size(), 3), ' ');
+  std::string line = "[" + std::string(filled, '#') +
+                     std::string(static_cast<std::size_t>(width) - filled, ' ') + "] " + percent + " %";
+  if (stage && *stage) line += std::string("  ") + stage;
+  if (done > 0.02 && done < 1.0) line += "  " + timeText(elapsed * (1.0 - done) / done);
+  return line;
+}
+
+ProgressBar::ProgressBar(const base::Progress& progress) {
+  const char* const terminal = std::getenv("TERM");
+  const bool isDumb = terminal && std::string_view(terminal) == "dumb";  // it cannot clear a line
+  if (isDumb || !::isatty(STDERR_FILENO)) return;
+  try {
+    thread_ = std::thread([this, &progress] { draw(progress); });
+  } catch (const std::system_error&) {
+    // The system gives no more threads: the work goes on without a bar.
+  }
+}
+
+ProgressBar::~ProgressBar() {
+  if (!thread_.joinable()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    done_ = true;
+  }
+  wake_.notify_one();
+  thread_.join();
+}
+
+void ProgressBar::draw(const base::Progress& progress) {
+  const Clock::time_point begin = Clock::now();
+  std::unique_lock lock(mutex_);
+  if (wake_.wait_for(lock, silence, [this] { return done_; })) return;
+  do {
+    const double elapsed = std::chrono::duration<double>(Clock::now() - begin).count();
+    const std::string line = progressLine(progress.fraction(), progress.stage(), elapsed);
+    std::fprintf(stderr, "\r%s\x1b[K", line.c_str());
+    std::fflush(stderr);
+  } while (!wake_.wait_for(lock, period, [this] { return done_; }));
+  std::fputs("\r\x1b[K", stderr);
+  std::fflush(stderr);
+}
+
+}  // namespace isolux::app

@@ -1,0 +1,62 @@
+#include "app/study/quality_points.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "scene/rules/needs.h"
+#include "scene/rules/relevance.h"
+#include "scene/settings/settings.h"
+
+namespace isolux::app {
+
+scene::Scene withQualitySettingAt(const QualitySetting& knob, const std::string& value, scene::Scene scene,
+                                  const scene::VolumeFacts& facts) {
+  const scene::Setting& setting = scene::setting(knob.setting);
+  if (value == defaultValue(knob))
+    setting.set(scene, setting.defaultValue());
+  else
+    setting.set(scene, setting.get(turned(knob, value, scene, facts)));
+  return scene;
+}
+
+void markFront(std::vector<QualityPoint>& points) {
+  for (QualityPoint& point : points)
+    point.onFront = std::none_of(points.begin(), points.end(), [&](const QualityPoint& other) {
+      return other.cost <= point.cost && other.error <= point.error &&
+             (other.cost < point.cost || other.error < point.error);
+    });
+}
+
+std::vector<QualityPoint> pointsOf(const QualityStudy& study, const scene::Scene& scene,
+                                   const scene::VolumeFacts& facts) {
+  const Panel& panel = panelsOf(study.knob)[0];
+  const scene::Setting& setting = scene::setting(study.knob.setting);
+  std::vector<QualityPoint> points;
+  for (const StudySetting& measured : study.settings) {
+    if (measured.comparison) continue;
+    QualityPoint point{measured.value, costOf(study.knob, measured, panel), panel.error(judged(measured)),
+                       measured.isDefault || measured.settingDefault};
+    if (!std::isfinite(point.cost) || !std::isfinite(point.error)) continue;
+    point.isPresent =
+        setting.get(scene) == setting.get(withQualitySettingAt(study.knob, measured.value, scene, facts));
+    points.push_back(std::move(point));
+  }
+  markFront(points);
+  return points;
+}
+
+std::vector<QualitySetting> actingQualitySettings(const scene::Scene& scene,
+                                                  const scene::VolumeFacts& facts) {
+  const scene::Scene resolved = scene::resolve(scene, facts);
+  std::vector<QualitySetting> acting;
+  for (const QualitySetting& knob : knobs()) {
+    if (knob.measure == Measure::light && !scene::usesGi(scene)) continue;
+    if (knob.measure == Measure::shadow) continue;  // on or off: that is a look
+    if (scene::whyInactive(knob.setting, resolved).empty()) acting.push_back(knob);
+  }
+  return acting;
+}
+
+}  // namespace isolux::app

@@ -1,0 +1,73 @@
+// The quality knobs that `isolux study` turns: each with the values it takes and what it is judged by.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "app/study/study_errors.h"
+#include "scene/rules/automatic.h"
+#include "scene/scene.h"
+
+namespace isolux::app {
+
+// What a knob trades for time or memory: where the surface is, how it is bent, what noise makes of that, how
+// it is lit, how smooth edges of the picture are, or whether the key light throws a shadow.
+enum class Measure { hits, shape, scale, light, edges, shadow };
+// What it costs: the time of passes, or of the whole frame; of light, tracing it, reading it, or keeping it.
+enum class Cost { passes, frameMilliseconds, bakeSeconds, lookupMilliseconds, gpuMegabytes };
+
+// An error that is shown against what it costs.
+struct Panel {
+  const char *key, *label;          // "depth_rms_voxels"; with unit, for tables and plots
+  std::vector<const char*> passes;  // render/graph/pass.h; of the cost that is their time
+  const char* noun;                 // what is wrong, in sentences: "depth error"
+  const char* unit;                 // "voxels", " %"
+  double shown;                     // times this in that unit
+  double (*error)(const Errors&);
+};
+struct QualitySetting;
+// What a knob is plotted by; the first decides which setting reaches an error.
+const std::array<Panel, 2>& panelsOf(const QualitySetting& knob);
+
+struct QualitySetting {
+  const char* name;     // as in --knobs
+  const char* setting;  // its path
+  const char* label;    // with unit, for tables and plots
+  Measure measure;
+  // Of the setting; near_threshold: multiples of the automatic one; derivatives_scale: of the mean spacing.
+  std::vector<std::string> values;
+  // The value, or comparison, whose picture those of the others are compared with; of the rays per pixel "",
+  // which have a picture of their own for that (app/study/picture_study.h).
+  const char* reference = "";
+  Cost cost = Cost::passes;
+  bool field = false;     // it chooses a field: also compared with cubic_interpolating
+  bool sampled = false;   // acts on hit.method sampled only
+  bool ordered = false;   // its values are numbers in order, joined by a line in plots
+  bool transfer = false;  // acts on stored transfer: turned where the environment moves
+};
+const std::vector<QualitySetting>& knobs();
+
+// A list "rate,method"; empty: all, in the order of knobs(). Throws Error{usage} with the nearest name.
+std::vector<QualitySetting> parseQualitySettings(const std::string& list);
+
+// The scene with the knob at one value. `scene` as the user gave it: what is automatic follows the knob.
+// Resolved, and with the first isosurface only; for knobs of light, litScene().
+scene::Scene turned(const QualitySetting& knob, const std::string& value, scene::Scene scene,
+                    const scene::VolumeFacts& facts);
+
+// The one of its values that the default scene has; "" for none.
+std::string defaultValue(const QualitySetting& knob);
+
+inline constexpr const char* kExactHits = "exact hits";
+
+// Why a knob of light, shadow or fetches has no effect in this scene, resolved where its scales count, as one
+// clause; "" where it has, and for others.
+std::string whyWithoutEffect(const QualitySetting& knob, const scene::Scene& scene);
+// How long studying it takes, roughly, in arbitrary units: parts of a progress bar.
+double effortOf(const QualitySetting& knob, const scene::Scene& scene);
+// The scene whose light the knob is judged by: lit by all there is, exact hits of the trilinear field, only
+// what is seen is baked.
+scene::Scene litScene(const QualitySetting& knob, scene::Scene scene);
+
+}  // namespace isolux::app

@@ -1,0 +1,71 @@
+#!/usr/bin/env python3
+"""Prints a hash of the pixels of many pictures: equal lines of two programs on one machine mean equal pictures.
+
+hashes.py PROGRAM [--only TEXT] [--size WxH] [--data DIR]: draws the sessions of docs/gallery and pictures_0_1_0, and
+the built-in presets on phantoms, by both executors. Compare two programs with `diff`. Few samples of light keep it short.
+"""
+import argparse
+import hashlib
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+PRESETS = ("ct_bone", "ct_skin", "ct_skin_bone", "mr_skin", "mr_brain", "simulation", "distance", "microscopy")
+SHORT = ("--set", "gi.samples=8", "--set", "gi.bounces=1", "--set", "picture.supersampling=1", "--context", "software")
+
+
+def subjects(data):
+    """Yields (name, arguments) of each picture."""
+    for png in sorted((ROOT / "docs/gallery").glob("*.png")) + sorted(
+            (ROOT / "tests/app/same_picture/pictures_0_1_0").glob("*.png")):
+        yield png.stem, [str(png)]
+    for preset in PRESETS:
+        for phantom in ("phantom:head:64", "phantom:torus:48"):
+            yield f"{preset} {phantom}", [phantom, "--preset", preset]
+
+
+def pixels(file):
+    """Returns the decompressed image data of a PNG, without its session."""
+    import zlib
+    bytes_, at, data = file.read_bytes(), 8, b""
+    while at < len(bytes_):
+        length, kind = int.from_bytes(bytes_[at:at + 4], "big"), bytes_[at + 4:at + 8]
+        if kind == b"IDAT":
+            data += bytes_[at + 8:at + 8 + length]
+        at += 12 + length
+    return zlib.decompress(data)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program", type=pathlib.Path)
+    parser.add_argument("--only", default="")
+    parser.add_argument("--size", default="160x128")
+    parser.add_argument("--data", type=pathlib.Path,
+                        default=pathlib.Path(os.environ.get("ISOLUX_DATA", ROOT / "../shared/data")))
+    options = parser.parse_args()
+    program = options.program.resolve()
+    with tempfile.TemporaryDirectory() as folder:
+        os.symlink(options.data.resolve(), pathlib.Path(folder, "data"))
+        out = pathlib.Path(folder, "out.png")
+        for name, arguments in subjects(options.data):
+            if options.only not in name:
+                continue
+            if arguments[0].endswith(".png"):  # a copy beside a link to the data, as the gallery's images were drawn
+                copy = pathlib.Path(folder, "in.png")
+                copy.write_bytes(pathlib.Path(arguments[0]).read_bytes())
+                arguments = [str(copy), *arguments[1:]]
+            for executor in ("cpu", "gpu"):
+                out.unlink(missing_ok=True)
+                run = subprocess.run([program, "render", *arguments, *SHORT, "--size", options.size, "--executor",
+                                      executor, "--out", out], capture_output=True, text=True, cwd=folder, check=False)
+                result = hashlib.sha256(pixels(out)).hexdigest()[:16] if run.returncode == 0 else run.stderr.strip()
+                print(f"{name} {executor}: {result}", flush=True)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

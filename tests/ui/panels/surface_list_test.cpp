@@ -1,0 +1,168 @@
+// The list of isosurfaces, and their handles on the histogram, by the widgets themselves.
+#include "ui/panels/surface_list.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QCheckBox>
+#include <QContextMenuEvent>
+#include <QLineEdit>
+#include <QMenu>
+#include <QSlider>
+#include <QTest>
+#include <QToolButton>
+
+#include "tests/support/ui/window_fixture.h"
+#include "ui/editors/histogram_slider.h"
+#include "ui/panels/isovalue_panel.h"
+#include "ui/slices/slice_board.h"
+#include "ui/slices/slice_view.h"
+#include "ui/viewport/viewport.h"
+#include "ui/widgets/number_spin_box.h"
+
+namespace isolux::test {
+
+namespace {
+
+// Of another scene than the document's, for a moment.
+QImage pictureWith(const scene::Scene& scene, ui::MainWindow& window,
+                   const std::function<QImage()>& picture) {
+  const scene::Scene before = window.document()->scene();
+  window.document()->edit({scene, "only for a picture", {}, false});
+  QImage image = picture();
+  window.document()->undo();
+  EXPECT_EQ(window.document()->scene(), before);
+  return image;
+}
+
+}  // namespace
+
+// A CT from the start: to bone by hand, then one click adds the skin around it.
+TEST_F(WindowTest, SkinOverBoneIsTwoGestures) {
+  ASSERT_TRUE(load(*window_, "phantom:head:48"));
+  ui::IsovaluePanel* const panel = window_->isovaluePanel();
+  EXPECT_TRUE(panel->spinBox()->isVisible());
+  const auto place = [&](double value) { return panel->slider()->positionOf(value).toPoint(); };
+  const scene::Scene start = window_->document()->scene();
+  QTest::mouseClick(panel->slider(), Qt::LeftButton, Qt::NoModifier, place(300.0));
+  QTest::mouseClick(panel->addButton(), Qt::LeftButton);
+  const scene::Scene both = window_->document()->scene();
+  ASSERT_TRUE(both.extraIsosurfaces[0].shown);
+  EXPECT_EQ(both.extraIsosurfaces[0].value, -300.0);
+  EXPECT_EQ(window_->document()->history().undoName(), "Add isosurface");
+
+  // Both are seen: the picture is neither that of the skin alone nor that of the bone alone.
+  const auto picture = [&] { return fullPicture(*window_); };
+  const QImage shown = picture();
+  scene::Scene boneOnly = both, skinOnly = both;
+  boneOnly.extraIsosurfaces[0].shown = false;
+  skinOnly.isosurface.opacity = 0.0;
+  EXPECT_GT(differingPixels(shown, pictureWith(boneOnly, *window_, picture), 12), 0.02);
+  EXPECT_GT(differingPixels(shown, pictureWith(skinOnly, *window_, picture), 12), 0.02);
+
+  // Two steps of undo are all that was done.
+  window_->document()->undo();
+  window_->document()->undo();
+  EXPECT_EQ(window_->document()->scene(), start);
+  EXPECT_FALSE(window_->document()->history().canUndo());
+}
+
+TEST_F(WindowTest, EveryIsosurfaceHasAHandleAndARow) {
+  ASSERT_TRUE(load(*window_, "phantom:head:32"));
+  ui::IsovaluePanel* const panel = window_->isovaluePanel();
+  ui::HistogramSlider* const slider = panel->slider();
+  const auto scene = [&] { return window_->document()->scene(); };
+  const auto at = [&](double value) { return slider->positionOf(value).toPoint(); };
+  QTest::mouseClick(slider, Qt::LeftButton, Qt::AltModifier, at(600.0));
+  ASSERT_EQ(panel->surfaces()->rows().size(), 2u);
+  EXPECT_TRUE(panel->surfaces()->isVisible() && !panel->spinBox()->isVisible());
+  const double pixel = slider->plot().shownRange() / slider->width();
+  EXPECT_NEAR(*scene().extraIsosurfaces[0].value, 600.0, pixel);
+  EXPECT_FALSE(scene().isosurface.value.has_value()) << "the first stays automatic";
+
+  // Its handle is dragged, and keys go on with it.
+  drag(slider, slider->linePosition(1).toPoint(), at(900.0));
+  EXPECT_NEAR(*scene().extraIsosurfaces[0].value, 900.0, pixel);
+  EXPECT_EQ(slider->active(), 1);
+  const double before = *scene().extraIsosurfaces[0].value;
+  QTest::keyClick(slider, Qt::Key_Right);
+  EXPECT_GT(*scene().extraIsosurfaces[0].value, before);
+  EXPECT_FALSE(scene().isosurface.value.has_value());
+  drag(slider, slider->linePosition(0).toPoint(), at(-100.0));
+  EXPECT_EQ(slider->active(), 0);
+  EXPECT_NEAR(*scene().isosurface.value, -100.0, pixel);
+  EXPECT_GT(*scene().extraIsosurfaces[0].value, before);
+
+  // By the menu of a right click: a third.
+  QContextMenuEvent ask(QContextMenuEvent::Mouse, at(200.0), slider->mapToGlobal(at(200.0)));
+  QApplication::sendEvent(slider, &ask);
+  auto* const menu = slider->findChild<QMenu*>();
+  ASSERT_NE(menu, nullptr);
+  EXPECT_TRUE(menu->actions().front()->text().startsWith("Add isosurface at 2"));
+  menu->actions().front()->trigger();
+  menu->close();
+  EXPECT_NEAR(*scene().extraIsosurfaces[1].value, 200.0, pixel);
+  EXPECT_EQ(panel->surfaces()->rows().size(), 3u);
+}
+
+TEST_F(WindowTest, RowsOfTheListEditTheirIsosurface) {
+  ASSERT_TRUE(load(*window_, "phantom:head:32"));
+  ui::IsovaluePanel* const panel = window_->isovaluePanel();
+  const auto scene = [&] { return window_->document()->scene(); };
+  QTest::mouseClick(panel->addButton(), Qt::LeftButton);
+  ASSERT_EQ(panel->surfaces()->rows().size(), 2u);
+  const auto row = [&](std::size_t i) { return panel->surfaces()->rows()[i]; };
+
+  row(1).name->setFocus();
+  row(1).name->selectAll();
+  QTest::keyClicks(row(1).name, "Skull");
+  QTest::keyClick(row(1).name, Qt::Key_Return);
+  EXPECT_EQ(scene().extraIsosurfaces[0].name, "Skull");
+  EXPECT_EQ(window_->document()->history().undoName(), "Rename isosurface");
+
+  row(1).value->setFocus();
+  row(1).value->selectAll();
+  QTest::keyClicks(row(1).value, "412.5");
+  QTest::keyClick(row(1).value, Qt::Key_Return);
+  EXPECT_EQ(scene().extraIsosurfaces[0].value, 412.5);
+
+  row(1).opacity->setFocus();
+  QTest::keyClick(row(1).opacity, Qt::Key_Left);
+  EXPECT_NEAR(scene().extraIsosurfaces[0].opacity, 0.99, 1e-12);
+  EXPECT_LT(scene().extraIsosurfaces[0].facingOpacity, 1.0) << "it was added outside";
+  QTest::mouseClick(row(1).seeThrough, Qt::LeftButton);
+  EXPECT_EQ(scene().extraIsosurfaces[0].facingOpacity, 1.0);
+
+  row(1).shown->click();
+  EXPECT_FALSE(scene().extraIsosurfaces[0].shown);
+  ASSERT_EQ(panel->surfaces()->rows().size(), 2u) << "what is hidden stays in the list";
+  row(1).shown->click();
+  EXPECT_TRUE(scene().extraIsosurfaces[0].shown);
+
+  QTest::mouseClick(row(0).remove, Qt::LeftButton);
+  EXPECT_EQ(scene().isosurface.value, 412.5);
+  EXPECT_EQ(scene().isosurface.name, "Skull");
+  EXPECT_FALSE(panel->surfaces()->isVisible());
+  EXPECT_TRUE(panel->spinBox()->isVisible());
+  window_->document()->undo();
+  EXPECT_EQ(panel->surfaces()->rows().size(), 2u);
+}
+
+TEST_F(WindowTest, ARightClickInASliceAddsTheIsosurfaceOfTheValueThere) {
+  ASSERT_TRUE(load(*window_, "phantom:head:32"));
+  window_->slices()->setFourUp(true);
+  auto* const view = window_->slices()->findChild<ui::SliceView*>();
+  ASSERT_NE(view, nullptr);
+  ASSERT_TRUE(waitUntil([&] { return view->isVisible() && view->complete(); }));
+  QTest::mouseClick(view, Qt::RightButton, Qt::NoModifier, view->rect().center());
+  auto* const menu = view->findChild<QMenu*>();
+  ASSERT_NE(menu, nullptr);
+  QAction* const add = menu->actions().front();
+  ASSERT_TRUE(add->text().startsWith("Add isosurface at this value")) << add->text().toStdString();
+  add->trigger();
+  menu->close();
+  const scene::ExtraIsosurface& added = window_->document()->scene().extraIsosurfaces[0];
+  EXPECT_TRUE(added.shown);
+  EXPECT_GT(added.value.value(), window_->document()->volume()->facts.minimum);
+}
+
+}  // namespace isolux::test

@@ -1,0 +1,68 @@
+// The isosurfaces as a compact list: a row for each with whether it is shown, colour, name, value, opacity,
+// whether it is seen through where it faces the viewer, and a button that removes it.
+#pragma once
+
+#include <vector>
+
+#include <QWidget>
+
+#include "app/surface_list/surface_list.h"
+#include "ui/document/document.h"
+#include "ui/document/edit.h"
+
+class QCheckBox;
+class QGridLayout;
+class QLineEdit;
+class QSlider;
+class QToolButton;
+
+namespace isolux::ui {
+
+class ColorButton;
+class NumberSpinBox;
+
+class SurfaceList : public QWidget {
+  Q_OBJECT
+ public:
+  explicit SurfaceList(QWidget* parent = nullptr);
+
+  void setVolume(const VolumePointer& volume);
+  void setScene(const scene::Scene& scene, const scene::Scene& resolved);
+  void setStep(double step);  // of the values' arrows
+
+  struct Row {
+    int number;
+    QCheckBox* shown;
+    ColorButton* colour;
+    QLineEdit* name;
+    NumberSpinBox* value;
+    QSlider* opacity;
+    QToolButton *seeThrough, *remove;
+  };
+  const std::vector<Row>& rows() const { return rows_; }
+
+ Q_SIGNALS:
+  void edited(const isolux::ui::Edit& edit);
+  void dragStarted();
+  void dragEnded();
+
+ private:
+  void makeRows(const std::vector<app::ListedSurface>& list);
+  Row makeRow(int number);
+  void connectRow(const Row& row);
+  static void fill(const Row& row, const app::ListedSurface& surface);
+  // change(scene) of the present one.
+  template <class Change>
+  void send(const QString& name, const QString& mergeKey, bool endsAfterPause, const Change& change);
+
+  VolumePointer volume_;
+  scene::Scene scene_;
+  std::vector<app::ListedSurface> list_;
+  std::vector<Row> rows_;
+  QGridLayout* grid_;
+};
+
+// What it is called: its name, or "Isosurface 2".
+QString surfaceName(const app::ListedSurface& surface);
+
+}  // namespace isolux::ui
