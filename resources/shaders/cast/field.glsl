@@ -35,46 +35,44 @@ float bilinear(vec4 corners, float x, float y) {
   return mix(mix(corners.x, corners.y, x), mix(corners.z, corners.w, x), y);
 }
 
-// Corner values of the cell around p, and where p is in it. False where a corner is missing.
-bool cellAround(vec3 p, out vec4 low, out vec4 high, out vec3 f) {
-  ivec3 cell = cellOf(p);
-  f = clamp(p - vec3(cell), 0.0, 1.0);
-  cellCorners(cell, low, high);
-  return !anyMissing(low, high);
-}
-
 // f - isovalue at p (voxel coordinates, clamped to the domain); huge where a corner is missing.
 float trilinearMinus(vec3 p, float isovalue) {
+  ivec3 cell = cellOf(p);
+  vec3 f = clamp(p - vec3(cell), 0.0, 1.0);
   vec4 low, high;
-  vec3 f;
-  if (!cellAround(p, low, high, f)) return missingTexel;
+  cellCorners(cell, low, high);
+  if (anyMissing(low, high)) return missingTexel;
   return bilinear(mix(low - isovalue, high - isovalue, f.z), f.x, f.y);
 }
 
-// As cellAround(), less one of the values: derivatives of values like 1e6 + small come from the small part alone.
-bool differencesAround(vec3 p, out vec4 low, out vec4 high, out vec3 f) {
-  bool known = cellAround(p, low, high, f);
+// Corner values less one of them: derivatives of values like 1e6 + small come from the small part alone.
+void toDifferences(inout vec4 low, inout vec4 high) {
   float reference = low.x;
   low -= reference;
   high -= reference;
-  return known;
 }
 
 // The trilinear field's gradient in its cell, texels per voxel; 0 where a corner is missing.
 vec3 trilinearGradient(vec3 p) {
+  ivec3 cell = cellOf(p);
+  vec3 f = clamp(p - vec3(cell), 0.0, 1.0);
   vec4 low, high;
-  vec3 f;
-  if (!differencesAround(p, low, high, f)) return vec3(0.0);
+  cellCorners(cell, low, high);
+  if (anyMissing(low, high)) return vec3(0.0);
+  toDifferences(low, high);
   vec4 c = mix(low, high, f.z);
   return vec3(mix(c.y - c.x, c.w - c.z, f.y), mix(c.z - c.x, c.w - c.y, f.x), bilinear(high - low, f.x, f.y));
 }
 
 // Its mixed second derivatives (xy, xz, yz); the others are 0. False where a corner is missing.
 bool trilinearMixed(vec3 p, out vec3 mixed) {
+  ivec3 cell = cellOf(p);
+  vec3 f = clamp(p - vec3(cell), 0.0, 1.0);
   vec4 low, high;
-  vec3 f;
+  cellCorners(cell, low, high);
   mixed = vec3(0.0);
-  if (!differencesAround(p, low, high, f)) return false;
+  if (anyMissing(low, high)) return false;
+  toDifferences(low, high);
   vec4 c = mix(low, high, f.z), rise = high - low;
   mixed = vec3(c.w - c.z - c.y + c.x, mix(rise.y - rise.x, rise.w - rise.z, f.y), mix(rise.z - rise.x, rise.w - rise.y, f.x));
   return true;
