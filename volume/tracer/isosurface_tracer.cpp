@@ -4,7 +4,8 @@
 #include <cassert>
 #include <cmath>
 
-#include "volume/tracer/hidden_table.h"
+#include "volume/hit/shown_cells.h"
+#include "volume/skip/cell_ranges.h"
 #include "volume/tracer/kernels.h"
 #include "volume/tracer/trace_tables.h"
 
@@ -63,6 +64,32 @@ View otherSideOf(View view) {
 }
 
 }  // namespace
+
+// What rays of one isovalue skip by where some of its pieces are hidden: made once for a tracer and that of
+// the other side.
+class HiddenTable {
+ public:
+  // Multithreaded. Throws Error: interrupted; memory, before anything is made.
+  HiddenTable(std::shared_ptr<const Grid> of, HiddenOfSurface hidden, base::Progress& progress)
+      : held(base::machineMemory().reserve(
+            CellRanges::bytesOf(of->dims()) + of->geometry().voxelCount(),
+            "the tables of light tracing with hidden components",
+            "a volume of fewer voxels, showing all components or gi.mode=off needs less")),
+        grid(std::move(of)),
+        surface(std::move(hidden)),
+        level(InsideLevel::of(*grid, surface.isovalue, surface.inside)),
+        ranges(*grid, progress, surface.voxels.get(), level.high),
+        shown(*grid, surface.voxels.get(), surface.isovalue, surface.inside) {
+    held.shrinkTo(ranges.bytes());
+  }
+
+  base::MemoryBudget::Held held;
+  std::shared_ptr<const Grid> grid;
+  HiddenOfSurface surface;
+  InsideLevel level;  // of rays: its level is their isovalue
+  CellRanges ranges;
+  ShownCells shown;  // refers to what stands before it
+};
 
 float enterVolume(const View& view, TraceRay& ray) {
   float begin = 0.0f;
@@ -129,17 +156,17 @@ void IsosurfaceTracer::takeHidden(std::vector<std::shared_ptr<const tracing::Hid
   hiding_.clear();
   for (std::shared_ptr<const tracing::HiddenTable>& table : tables) {
     tracing::View view = *view_;
-    view.ranges = &table->ranges();
+    view.ranges = &table->ranges;
     view.table = view.ranges->table();
-    view.shown = &table->shown();
-    view.insideIsOfPieces = inside_ == table->surface().inside;
+    view.shown = &table->shown;
+    view.insideIsOfPieces = inside_ == table->surface.inside;
     hiding_.push_back({std::move(table), view});
   }
 }
 
 std::vector<HiddenOfSurface> IsosurfaceTracer::hidden() const {
   std::vector<HiddenOfSurface> surfaces;
-  for (const HidingView& hiding : hiding_) surfaces.push_back(hiding.table->surface());
+  for (const HidingView& hiding : hiding_) surfaces.push_back(hiding.table->surface);
   return surfaces;
 }
 
@@ -162,7 +189,7 @@ std::shared_ptr<const IsosurfaceTracer> IsosurfaceTracer::withAllPieces() const 
 
 const tracing::View& IsosurfaceTracer::viewOf(float isovalue) const {
   for (const HidingView& hiding : hiding_)
-    if (hiding.table->isovalue() == isovalue) return hiding.view;
+    if (hiding.table->level.level == isovalue) return hiding.view;
   return *view_;
 }
 
@@ -276,7 +303,7 @@ void IsosurfaceTracer::gradients(std::span<const glm::vec3> voxels, std::span<gl
 
 std::size_t IsosurfaceTracer::bytes() const {
   std::size_t bytes = tables_->bytes();
-  for (const HidingView& hiding : hiding_) bytes += hiding.table->ranges().bytes();
+  for (const HidingView& hiding : hiding_) bytes += hiding.table->ranges.bytes();
   return bytes;
 }
 

@@ -19,44 +19,28 @@ std::size_t bytesToMake(const Grid& grid) {
   return CellRanges::bytesOf(grid.dims()) + std::max(voxels, widened);
 }
 
-// The tables that are alive. Each holds its grid, so that no two grids are at one place.
-class Living {
- public:
-  std::shared_ptr<const TraceTables> find(const Grid& grid) {
-    const std::lock_guard lock(mutex_);
-    return findLocked(grid);
-  }
-  // Or those that another thread has made in the meantime.
-  std::shared_ptr<const TraceTables> add(std::shared_ptr<const TraceTables> made) {
-    const std::lock_guard lock(mutex_);
-    if (std::shared_ptr<const TraceTables> others = findLocked(made->grid())) return others;
-    list_.push_back(made);
-    return made;
-  }
-
- private:
-  std::shared_ptr<const TraceTables> findLocked(const Grid& grid) {
-    std::erase_if(list_, [](const auto& tables) { return tables.expired(); });
-    for (const auto& weak : list_)
-      if (auto tables = weak.lock(); tables && &tables->grid() == &grid) return tables;
-    return nullptr;
-  }
-
-  std::mutex mutex_;
-  std::vector<std::weak_ptr<const TraceTables>> list_;
-};
-
-Living& living() {
-  static Living tables;
-  return tables;
-}
-
 }  // namespace
 
 std::shared_ptr<const TraceTables> TraceTables::of(const std::shared_ptr<const Grid>& grid,
                                                    base::Progress& progress) {
-  if (auto tables = living().find(*grid)) return tables;
-  return living().add(std::shared_ptr<const TraceTables>(new TraceTables(grid, progress)));
+  // Each holds its grid, so that no two grids are at one place.
+  static std::vector<std::weak_ptr<const TraceTables>> alive;
+  static std::mutex mutex;
+  const auto find = [&]() -> std::shared_ptr<const TraceTables> {
+    std::erase_if(alive, [](const auto& tables) { return tables.expired(); });
+    for (const auto& weak : alive)
+      if (auto tables = weak.lock(); tables && &tables->grid() == grid.get()) return tables;
+    return nullptr;
+  };
+  {
+    const std::lock_guard lock(mutex);
+    if (auto tables = find()) return tables;
+  }
+  const std::shared_ptr<const TraceTables> made(new TraceTables(grid, progress));
+  const std::lock_guard lock(mutex);
+  if (auto others = find()) return others;  // that another thread has made in the meantime
+  alive.push_back(made);
+  return made;
 }
 
 TraceTables::TraceTables(std::shared_ptr<const Grid> grid, base::Progress& progress)
