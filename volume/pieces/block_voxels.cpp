@@ -1,6 +1,5 @@
 #include "volume/pieces/block_voxels.h"
 
-#include <numeric>
 #include <utility>
 
 namespace isolux::volume {

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 #include "volume/grid.h"
 #include "volume/parallel/parallel_loops.h"
@@ -47,7 +46,8 @@ struct Nodes {
   }
 };
 
-void addSeen(const Nodes& nodes, const Flags& above, Flags& seen) {
+Flags solidOf(const Nodes& nodes, Flags above) {
+  Flags seen(above.size());
   for (int axis = 0; axis < 3; ++axis)
     nodes.alongLines(axis, [&](std::size_t first, std::size_t stride, std::size_t length) {
       for (const bool back : {false, true}) {
@@ -59,54 +59,42 @@ void addSeen(const Nodes& nodes, const Flags& above, Flags& seen) {
         }
       }
     });
-}
-
-Flags solidOf(const Nodes& nodes, Flags above) {
-  Flags seen(above.size());
-  addSeen(nodes, above, seen);
   for (std::size_t i = 0; i < above.size(); ++i)
     if (seen[i] >= kEnclosed) above[i] = 1;
   return above;
 }
 
-// The lower envelope of the parabolas d(i) + (x - i)^2 along a line: Felzenszwalb and Huttenlocher 2012.
-class Envelope {
- public:
-  explicit Envelope(std::size_t length) : values_(length), of_(length), from_(length + 1) {}
-
-  void replace(float* line, std::size_t stride, std::size_t length, double spacing) {
-    std::size_t last = 0;
-    of_[0] = 0;
-    from_[0] = -std::numeric_limits<double>::infinity();
-    from_[1] = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < length; ++i) values_[i] = static_cast<double>(line[i * stride]);
-    const auto place = [&](std::size_t i) { return static_cast<double>(i) * spacing; };
-    for (std::size_t i = 1; i < length; ++i) {
-      const auto meets = [&] {
-        const std::size_t k = of_[last];
-        return 0.5 * ((values_[i] - values_[k]) / (place(i) - place(k)) + place(i) + place(k));
-      };
-      double at = meets();
-      while (at <= from_[last]) {
-        --last;
-        at = meets();
-      }
-      of_[++last] = i;
-      from_[last] = at;
-      from_[last + 1] = std::numeric_limits<double>::infinity();
+// Replaces d(i) along a line by the lower envelope of the parabolas d(i) + (x - i)^2: Felzenszwalb and
+// Huttenlocher 2012.
+void replaceByEnvelope(float* line, std::size_t stride, std::size_t length, double spacing) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<double> values(length), from(length + 1);
+  std::vector<std::size_t> of(length);
+  std::size_t last = 0;
+  from[0] = -infinity;
+  from[1] = infinity;
+  for (std::size_t i = 0; i < length; ++i) values[i] = static_cast<double>(line[i * stride]);
+  const auto place = [&](std::size_t i) { return static_cast<double>(i) * spacing; };
+  for (std::size_t i = 1; i < length; ++i) {
+    const auto meets = [&] {
+      const std::size_t k = of[last];
+      return 0.5 * ((values[i] - values[k]) / (place(i) - place(k)) + place(i) + place(k));
+    };
+    double at = meets();
+    while (at <= from[last]) {
+      --last;
+      at = meets();
     }
-    for (std::size_t i = 0, k = 0; i < length; ++i) {
-      while (from_[k + 1] < place(i)) ++k;
-      const double apart = place(i) - place(of_[k]);
-      line[i * stride] = static_cast<float>(std::min(values_[of_[k]] + apart * apart, double{kFar}));
-    }
+    of[++last] = i;
+    from[last] = at;
+    from[last + 1] = infinity;
   }
-
- private:
-  std::vector<double> values_;
-  std::vector<std::size_t> of_;
-  std::vector<double> from_;
-};
+  for (std::size_t i = 0, k = 0; i < length; ++i) {
+    while (from[k + 1] < place(i)) ++k;
+    const double apart = place(i) - place(of[k]);
+    line[i * stride] = static_cast<float>(std::min(values[of[k]] + apart * apart, double{kFar}));
+  }
+}
 
 // From each node to the nearest one of `to`, mm^2; kFar where there is none.
 std::vector<float> squaredDistances(const Nodes& nodes, const Flags& nearest, std::uint8_t to) {
@@ -114,7 +102,7 @@ std::vector<float> squaredDistances(const Nodes& nodes, const Flags& nearest, st
   for (std::size_t i = 0; i < nearest.size(); ++i) result[i] = nearest[i] == to ? 0.0f : kFar;
   for (int axis = 0; axis < 3; ++axis)
     nodes.alongLines(axis, [&](std::size_t first, std::size_t stride, std::size_t length) {
-      Envelope(length).replace(&result[first], stride, length, nodes.spacingMm[axis]);
+      replaceByEnvelope(&result[first], stride, length, nodes.spacingMm[axis]);
     });
   return result;
 }

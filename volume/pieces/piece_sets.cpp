@@ -54,33 +54,33 @@ std::shared_ptr<const VoxelMask> PieceSets::hidden(const scene::Pieces& choice, 
 
 namespace {
 
-// A choice that hides no piece may still hide what a spline has beside all pieces.
-bool hidesOf(const scene::Scene& resolved, const std::shared_ptr<const VoxelMask>& voxels) {
-  return voxels && (voxels->any() || resolved.hit.field != scene::Field::trilinear);
+// find(isovalue, inside): the voxels that are hidden, or null.
+template <class Find>
+std::vector<HiddenOfSurface> hiddenBy(const scene::Scene& resolved, const Find& find) {
+  std::vector<HiddenOfSurface> result;
+  const scene::Inside inside = resolved.isosurface.inside;
+  for (const auto& surface : scene::shownSurfaces(resolved)) {
+    std::shared_ptr<const VoxelMask> voxels = find(*surface.value, inside);
+    // A choice that hides no piece may still hide what a spline has beside all pieces.
+    if (voxels && (voxels->any() || resolved.hit.field != scene::Field::trilinear))
+      result.push_back({*surface.value, std::move(voxels), inside});
+  }
+  return result;
 }
 
 }  // namespace
 
 std::vector<HiddenOfSurface> hiddenOf(const scene::Scene& resolved, const PieceSets& pieces,
                                       base::Progress& progress) {
-  std::vector<HiddenOfSurface> result;
-  if (!hidesPieces(resolved.pieces)) return result;
-  const scene::Inside inside = resolved.isosurface.inside;
-  for (const auto& surface : scene::shownSurfaces(resolved))
-    if (auto voxels = pieces.hidden(resolved.pieces, *surface.value, inside, progress);
-        hidesOf(resolved, voxels))
-      result.push_back({*surface.value, std::move(voxels), inside});
-  return result;
+  return hiddenBy(resolved, [&](double isovalue, scene::Inside inside) {
+    return pieces.hidden(resolved.pieces, isovalue, inside, progress);
+  });
 }
 
 std::vector<HiddenOfSurface> knownHidden(const scene::Scene& resolved, const PieceSets& pieces) {
-  std::vector<HiddenOfSurface> result;
-  const scene::Inside inside = resolved.isosurface.inside;
-  for (const auto& surface : scene::shownSurfaces(resolved))
-    if (const auto voxels = pieces.findHidden(resolved.pieces, *surface.value, inside);
-        voxels && hidesOf(resolved, *voxels))
-      result.push_back({*surface.value, *voxels, inside});
-  return result;
+  return hiddenBy(resolved, [&](double isovalue, scene::Inside inside) {
+    return pieces.findHidden(resolved.pieces, isovalue, inside).value_or(nullptr);
+  });
 }
 
 bool hiddenIsReady(const scene::Scene& resolved, const PieceSets& pieces) {

@@ -25,7 +25,7 @@ namespace isolux::volume {
 class ConcurrentUnionFind;
 
 struct Piece {
-  double volumeMm3 = 0.0;  // an estimate (piece_sizes.h); piece_measures.h has it with its error
+  double volumeMm3 = 0.0;  // an estimate; piece_measure.h has it with its error
   std::size_t voxels = 0;  // inside
 };
 

@@ -12,52 +12,35 @@ namespace {
 
 std::vector<bool> piecesAt(const Pieces& pieces, const std::vector<glm::dvec3>& pointsMm) {
   std::vector<bool> holds(pieces.list().size());
-  const glm::dmat4 voxelFromWorld = pieces.grid().geometry().voxelFromWorld();
   for (const glm::dvec3& point : pointsMm) {
-    const std::uint32_t piece = pieces.ofPoint(glm::dvec3(voxelFromWorld * glm::dvec4(point, 1.0)));
+    const std::uint32_t piece = pieces.ofPoint(pieces.grid().geometry().voxelOf(point));
     if (piece != Pieces::kNone) holds[piece] = true;
   }
   return holds;
 }
 
-// A row of blocks along x: no other row of blocks has voxels in the words of its rows.
-class RowOfHidden {
- public:
-  RowOfHidden(const Pieces& pieces, const std::vector<bool>& shown, VoxelMask& hidden)
-      : pieces_(pieces), shown_(shown), hidden_(hidden) {}
-
-  void block(glm::ivec3 b) {
-    const PieceBlocks::View block = pieces_.blocks().view(b);
-    if (!block.bits) return;
-    const glm::ivec3 first = b * kPieceBlock, end = glm::min(first + kPieceBlock, hidden_.dims());
-    const bool alike = !block.labels;
-    if (alike && isShown(block.firstNode)) return;
-    for (int z = first.z; z < end.z; ++z)
-      for (int y = first.y; y < end.y; ++y)
-        if (alike && pieces_.blocks().inside(pieces_.blocks().index(b)))
-          hidden_.hide(first.x, end.x, y, z);
-        else
-          hideRow(block, first, y, z);
-  }
-
- private:
-  bool isShown(std::uint32_t node) const { return shown_[pieces_.ofLabel(node)]; }
-
-  void hideRow(const PieceBlocks::View& block, glm::ivec3 first, int y, int z) {
-    unsigned row =
-        static_cast<unsigned>((*block.bits)[static_cast<std::size_t>(z - first.z)] >> (8 * (y - first.y))) &
-        255u;
-    for (; row != 0; row &= row - 1) {
-      const int x = std::countr_zero(row);
-      if (!isShown(block.labelOf({x, y - first.y, z - first.z})))
-        hidden_.hide(first.x + x, first.x + x + 1, y, z);
+void hideBlock(const Pieces& pieces, const std::vector<bool>& shown, glm::ivec3 b, VoxelMask& hidden) {
+  const PieceBlocks::View block = pieces.blocks().view(b);
+  if (!block.bits) return;
+  const auto isShown = [&](std::uint32_t label) { return shown[pieces.ofLabel(label)]; };
+  const bool alike = !block.labels;
+  if (alike && isShown(block.firstNode)) return;
+  const bool whole = alike && pieces.blocks().inside(pieces.blocks().index(b));
+  const glm::ivec3 first = b * kPieceBlock, end = glm::min(first + kPieceBlock, hidden.dims());
+  for (int z = first.z; z < end.z; ++z)
+    for (int y = first.y; y < end.y; ++y) {
+      if (whole) {
+        hidden.hide(first.x, end.x, y, z);
+        continue;
+      }
+      const glm::ivec3 in(0, y - first.y, z - first.z);
+      for (std::uint64_t row = (*block.bits)[static_cast<std::size_t>(in.z)] >> (8 * in.y) & 255u; row != 0;
+           row &= row - 1) {
+        const int x = std::countr_zero(row);
+        if (!isShown(block.labelOf({x, in.y, in.z}))) hidden.hide(first.x + x, first.x + x + 1, y, z);
+      }
     }
-  }
-
-  const Pieces& pieces_;
-  const std::vector<bool>& shown_;
-  VoxelMask& hidden_;
-};
+}
 
 }  // namespace
 
@@ -87,9 +70,10 @@ VoxelMask hiddenVoxels(const Pieces& pieces, const std::vector<bool>& shown, boo
   VoxelMask hidden(pieces.grid().dims(), hidesStrays);
   if (std::find(shown.begin(), shown.end(), false) == shown.end()) return hidden;
   const Extent3 blocks{pieces.blocks().dims()};
+  // No other row of blocks along x has voxels in the words of its rows.
   parallelEach(blocks.rows(), [&](std::size_t row) {
-    RowOfHidden hide(pieces, shown, hidden);
-    for (glm::ivec3 b = blocks.firstOfRow(row); b.x < blocks.dims.x; ++b.x) hide.block(b);
+    for (glm::ivec3 b = blocks.firstOfRow(row); b.x < blocks.dims.x; ++b.x)
+      hideBlock(pieces, shown, b, hidden);
   });
   return hidden;
 }
