@@ -23,9 +23,7 @@ bool axesOfWorld(const glm::dmat4& worldFromVoxel) {
 BoxWalls::BoxWalls(const GridGeometry& geometry, const WorldBox& box)
     : geometry_(geometry), box_(box), aligned_(axesOfWorld(geometry.worldFromVoxel)) {
   if (!aligned_) return;
-  const glm::dmat4 voxelFromWorld = geometry.voxelFromWorld();
-  const glm::dvec3 a(voxelFromWorld * glm::dvec4(box.lowMm, 1.0)),
-      b(voxelFromWorld * glm::dvec4(box.highMm, 1.0));
+  const glm::dvec3 a = geometry.voxelOf(box.lowMm), b = geometry.voxelOf(box.highMm);
   lowVoxel_ = glm::min(a, b);
   highVoxel_ = glm::max(a, b);
 }

@@ -1,8 +1,9 @@
 #include "volume/measure/curvature_distribution.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
+#include <set>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -14,7 +15,6 @@
 #include "scene/looks.h"
 #include "volume/derived/shape_field.h"
 #include "volume/field/curvature.h"
-#include "volume/measure/surface_patches.h"
 #include "volume/measure/surface_sums.h"
 
 namespace isolux::volume {
@@ -27,8 +27,80 @@ constexpr LookMode kMeasures[] = {LookMode::kappa1,         LookMode::kappa2,
                                   LookMode::mean_curvature, LookMode::gaussian_curvature,
                                   LookMode::shape_index,    LookMode::curvedness};
 constexpr double kClearDeviations = 3.0;
+constexpr double kInward = 1e-3;  // voxels from the surface: where its piece is asked for
 constexpr double kTails = 0.025;  // of the area that counts, at each end, is beyond the bins
 constexpr double kBins = 60.0;    // about so many
+
+// A point of the surface that stands for the area about it: one in each cell, or for each piece in it.
+struct SurfacePatch {
+  glm::dvec3 voxel{0.0};  // on the trilinear surface
+  double areaMm2 = 0.0;
+  std::uint32_t piece = Pieces::kNone;
+};
+
+// The piece of all inside corners; kNone where there are several.
+std::uint32_t onlyPiece(const Pieces& pieces, glm::ivec3 cell, const CellCorners& corners) {
+  std::uint32_t one = Pieces::kNone;
+  for (std::size_t i = 0; i < 8; ++i) {
+    if (!(corners[i] >= 0.0)) continue;
+    const std::uint32_t id = pieces.ofVoxel(cell + cornerStep(i));
+    if (one != Pieces::kNone && id != one) return Pieces::kNone;
+    one = id;
+  }
+  return one;
+}
+
+// Of the points of one piece: that nearest to their middle, with the area of all.
+SurfacePatch patchOf(const std::vector<CellPoint>& points, const std::vector<std::uint32_t>& pieceOfPoint,
+                     std::uint32_t piece) {
+  SurfacePatch patch{{}, 0.0, piece};
+  glm::dvec3 middle(0.0);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (pieceOfPoint[i] == piece) {
+      middle += points[i].area * points[i].local;
+      patch.areaMm2 += points[i].area;
+    }
+  middle /= patch.areaMm2;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const glm::dvec3 away = points[i].local - middle;
+    if (pieceOfPoint[i] != piece || !(glm::dot(away, away) < nearest)) continue;
+    nearest = glm::dot(away, away);
+    patch.voxel = points[i].local;
+  }
+  return patch;
+}
+
+// Returns those of the blocks with these y and z, in the order of their cells.
+std::vector<SurfacePatch> patchesOfRow(const Pieces& pieces, const MinMaxBlocks& blocks, int blockY,
+                                       int blockZ) {
+  const CellMetric metric{glm::dmat3(pieces.grid().geometry().worldFromVoxel)};
+  const double sign = pieces.inside() == scene::Inside::above ? 1.0 : -1.0;
+  std::vector<SurfacePatch> patches;
+  std::vector<CellPoint> points;
+  std::vector<std::uint32_t> pieceOfPoint;
+  const auto addCell = [&](glm::ivec3 cell, const CellCorners& corners) {
+    points.clear();
+    measureCell(corners, metric, &points);
+    std::erase_if(points, [](const CellPoint& point) { return !(point.area > 0.0); });
+    if (points.empty()) return;
+    pieceOfPoint.assign(points.size(), onlyPiece(pieces, cell, corners));
+    if (pieceOfPoint[0] == Pieces::kNone)
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const glm::dvec3& gradient = points[i].gradient;
+        const double length = glm::length(gradient);
+        const glm::dvec3 inward = length > 0.0 ? gradient * (kInward / length) : glm::dvec3(0.0);
+        const glm::dvec3 local = glm::clamp(points[i].local + inward, 0.0, 1.0);
+        pieceOfPoint[i] = pieces.ofPoint(glm::dvec3(cell) + local);
+      }
+    for (const std::uint32_t piece : std::set(pieceOfPoint.begin(), pieceOfPoint.end())) {
+      patches.push_back(patchOf(points, pieceOfPoint, piece));
+      patches.back().voxel += glm::dvec3(cell);
+    }
+  };
+  visitCrossedCells(pieces.grid(), blocks, pieces.isovalue(), sign, blockY, blockZ, addCell);
+  return patches;
+}
 
 struct CurvedArea {
   double areaMm2 = 0.0, kappa1 = 0.0, kappa2 = 0.0,
@@ -164,8 +236,7 @@ CurvatureHistogram histogramOf(LookMode measure, const std::vector<CurvedArea>& 
   for (const WeightedValue& entry : values)
     squares += entry.areaMm2 * (entry.value - histogram.mean) * (entry.value - histogram.mean);
   histogram.deviation = std::sqrt(squares / histogram.areaMm2);
-  std::sort(values.begin(), values.end(),
-            [](const WeightedValue& a, const WeightedValue& b) { return a.value < b.value; });
+  std::ranges::sort(values, {}, &WeightedValue::value);
   const auto quantile = [&](double part) { return weightedQuantile(values, histogram.areaMm2, part); };
   histogram.low5 = quantile(0.05);
   histogram.low25 = quantile(0.25);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <unordered_map>
 
 #include <glm/common.hpp>
@@ -18,18 +17,7 @@ constexpr int kParts = 4;  // along each axis, of a cell that holds several piec
 
 struct PieceSums {
   SurfaceSums sums;
-  glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
-
-  void reach(glm::dvec3 world) {
-    low = glm::min(low, world);
-    high = glm::max(high, world);
-  }
-  PieceSums& operator+=(const PieceSums& other) {
-    sums += other.sums;
-    low = glm::min(low, other.low);
-    high = glm::max(high, other.high);
-    return *this;
-  }
+  Bounds<glm::dvec3> worldMm;
 };
 
 using SumsOfPieces = std::unordered_map<std::uint32_t, PieceSums>;
@@ -89,7 +77,7 @@ void PieceRow::addBlock(glm::ivec3 block) {
 
 // Voxels inside lie within the piece, and where they are the volume's last ones it goes on beyond.
 void PieceRow::addInside(glm::ivec3 voxel, PieceSums& piece) {
-  piece.reach(world(voxel));
+  piece.worldMm.add(world(voxel));
   for (int axis = 0; axis < 3; ++axis)
     if (voxel[axis] == 0 || voxel[axis] == grid_.dims()[axis] - 1) piece.sums.meetsBorder = true;
 }
@@ -108,7 +96,7 @@ void PieceRow::addCorners(glm::ivec3 cell, const CellCorners& corners, bool meet
       const std::size_t other = i ^ std::size_t{1} << axis;
       if (!(corners[other] < 0.0)) continue;
       const glm::dvec3 from(voxel), to(cell + cornerStep(other));
-      piece.reach(world(from + (to - from) * (corners[i] / (corners[i] - corners[other]))));
+      piece.worldMm.add(world(from + (to - from) * (corners[i] / (corners[i] - corners[other]))));
     }
   }
 }
@@ -179,13 +167,18 @@ PieceMeasures measurePieces(const Pieces& pieces, const MinMaxBlocks& blocks, co
   };
   std::vector<PieceSums> sums(pieces.list().size() + 1);  // the last: of voxels that float levels put outside
   for (const SumsOfPieces& row : ofBlockRows(blocks, "measuring pieces", progress, measured))
-    for (const auto& [id, found] : row) sums[std::min<std::size_t>(id, sums.size() - 1)] += found;
+    for (const auto& [id, found] : row) {
+      PieceSums& piece = sums[std::min<std::size_t>(id, sums.size() - 1)];
+      piece.sums += found.sums;
+      piece.worldMm.add(found.worldMm);
+    }
   SurfaceSums whole;
   for (std::size_t i = 0; i < sums.size(); ++i)
     if (shown.empty() || (i < shown.size() && shown[i])) whole += sums[i].sums;
   result.whole = concluded(grid, question, whole);
   for (std::size_t i = 0; i < pieces.list().size(); ++i)
-    result.pieces.push_back({concluded(grid, question, sums[i].sums), {sums[i].low, sums[i].high}});
+    result.pieces.push_back(
+        {concluded(grid, question, sums[i].sums), {sums[i].worldMm.low, sums[i].worldMm.high}});
   return result;
 }
 

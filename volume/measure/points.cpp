@@ -45,10 +45,6 @@ bool onALine(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
   return !(glm::length(glm::cross(u, v)) > kOnALine * glm::length(u) * glm::length(v));
 }
 
-double shortest(std::initializer_list<double> lengths) {
-  return std::min(lengths);
-}
-
 double circumradius(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
   const double twiceArea = glm::length(glm::cross(b - a, c - a));
   return glm::length(b - a) * glm::length(c - b) * glm::length(a - c) / (2.0 * twiceArea);
@@ -62,7 +58,7 @@ Measured straightDistance(const UncertainPoint& a, const UncertainPoint& b) {
 
 std::optional<Measured> angleDegrees(const UncertainPoint& a, const UncertainPoint& b,
                                      const UncertainPoint& c) {
-  const double size = shortest({glm::length(a.world - b.world), glm::length(c.world - b.world)});
+  const double size = std::min({glm::length(a.world - b.world), glm::length(c.world - b.world)});
   if (!(size > 0.0)) return std::nullopt;
   return propagated(std::array{a, b, c}, size,
                     [](const auto& p) { return between(p[0] - p[1], p[2] - p[1]); });
@@ -70,7 +66,7 @@ std::optional<Measured> angleDegrees(const UncertainPoint& a, const UncertainPoi
 
 std::optional<Measured> lineAngleDegrees(const UncertainPoint& a, const UncertainPoint& b,
                                          const UncertainPoint& c, const UncertainPoint& d) {
-  const double size = shortest({glm::length(b.world - a.world), glm::length(d.world - c.world)});
+  const double size = std::min({glm::length(b.world - a.world), glm::length(d.world - c.world)});
   if (!(size > 0.0)) return std::nullopt;
   return propagated(std::array{a, b, c, d}, size,
                     [](const auto& p) { return between(p[1] - p[0], p[3] - p[2]); });
@@ -79,7 +75,7 @@ std::optional<Measured> lineAngleDegrees(const UncertainPoint& a, const Uncertai
 std::optional<Measured> dihedralDegrees(const UncertainPoint& a, const UncertainPoint& b,
                                         const UncertainPoint& c, const UncertainPoint& d) {
   if (onALine(a.world, b.world, c.world) || onALine(b.world, c.world, d.world)) return std::nullopt;
-  const double size = shortest(
+  const double size = std::min(
       {glm::length(a.world - b.world), glm::length(c.world - b.world), glm::length(d.world - c.world)});
   return propagated(std::array{a, b, c, d}, size, [](const auto& p) {
     const glm::dvec3 axis = p[2] - p[1];
@@ -96,7 +92,7 @@ std::optional<Circle> circleThrough(const UncertainPoint& a, const UncertainPoin
   circle.centre =
       a.world + (glm::dot(u, u) * glm::cross(v, across) + glm::dot(v, v) * glm::cross(across, u)) /
                     (2.0 * glm::dot(across, across));
-  const double size = shortest({glm::length(u), glm::length(v), glm::length(u - v)});
+  const double size = std::min({glm::length(u), glm::length(v), glm::length(u - v)});
   circle.radiusMm =
       propagated(std::array{a, b, c}, size, [](const auto& p) { return circumradius(p[0], p[1], p[2]); });
   return circle;

@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
-
-#include <glm/common.hpp>
 
 #include "base/error.h"
 #include "volume/hit/bernstein_cubic.h"

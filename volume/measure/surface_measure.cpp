@@ -25,7 +25,6 @@ class BlockRow {
   }
 
   SurfaceSums measure(int blockY, int blockZ) {
-    sums_ = {};
     for (int x = 0; x < blocks_.dims().x; ++x) addBlock({x, blockY, blockZ});
     return sums_;
   }

@@ -5,7 +5,6 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 
 #include "volume/field/reconstruct.h"
 #include "volume/hit/nearest_point.h"

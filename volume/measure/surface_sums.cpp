@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 
 #include "base/random.h"
 #include "volume/field/noise_gain.h"

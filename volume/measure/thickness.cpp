@@ -5,7 +5,6 @@
 #include <limits>
 
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 
 #include "volume/hit/exact_hit.h"
 
@@ -50,6 +49,21 @@ Ball ballTouching(const SurfacePoint& p, glm::dvec3 q, const Tolerance& toleranc
   return {radius, radius * aside / deep};
 }
 
+struct Touch {
+  Ball ball;
+  glm::dvec3 at{0.0};
+};
+
+// The smallest ball of all that touch a corner of the graph.
+Touch smallestTouch(const SurfaceGraph& graph, const SurfacePoint& point, const Tolerance& tolerance) {
+  Touch touch;
+  for (const glm::dvec3& q : graph.points) {
+    const Ball ball = ballTouching(point, q, tolerance);
+    if (ball.radius < touch.ball.radius) touch = {ball, q};
+  }
+  return touch;
+}
+
 }  // namespace
 
 std::optional<ThicknessByRay> thicknessByRay(const SurfaceOf& surface, const MinMaxBlocks& blocks,
@@ -74,25 +88,6 @@ std::optional<ThicknessByRay> thicknessByRay(const SurfaceOf& surface, const Min
   }
   return std::nullopt;
 }
-
-namespace {
-
-struct Touch {
-  Ball ball;
-  glm::dvec3 at{0.0};
-};
-
-// The smallest ball of all that touch a corner of the graph.
-Touch smallestTouch(const SurfaceGraph& graph, const SurfacePoint& point, const Tolerance& tolerance) {
-  Touch touch;
-  for (const glm::dvec3& q : graph.points) {
-    const Ball ball = ballTouching(point, q, tolerance);
-    if (ball.radius < touch.ball.radius) touch = {ball, q};
-  }
-  return touch;
-}
-
-}  // namespace
 
 std::optional<InscribedBall> inscribedBall(const SurfaceOf& surface, const SurfaceGraph& graph,
                                            const SurfacePoint& point) {
