@@ -93,11 +93,8 @@ BoxBounds::BoxBounds(glm::ivec3 voxels, const base::Progress& progress) {
   resizeStoppably(bounds_, blocks, progress);
 }
 
-BoxBounds::BoxBounds(const Grid& grid, base::Progress& progress) : BoxBounds(grid.dims(), progress) {
-  const Range range = rangeOf(grid);
-  std::visit([&](const auto& voxels) { fill(voxels, range.low, range.high, grid.dims(), 0, progress); },
-             grid.voxels());
-}
+BoxBounds::BoxBounds(const Grid& grid, base::Progress& progress)
+    : BoxBounds(ofPart(grid.voxels(), grid.dims(), grid, progress)) {}
 
 BoxBounds BoxBounds::ofCubic(const Grid& grid, base::Progress& progress) {
   BoxBounds result(grid.dims(), progress);

@@ -171,6 +171,10 @@ void fillLargeBlocks(std::uint8_t* words, glm::ivec3 dims, base::Progress& progr
   });
 }
 
+glm::ivec3 blocksOf(glm::ivec3 dims) {
+  return dims.x < 2 || dims.y < 2 || dims.z < 2 ? glm::ivec3(0) : (dims + 2) / 4;
+}
+
 }  // namespace
 
 ValueBins::ValueBins(const Grid& grid) : table_(static_cast<std::size_t>(last_) + 1) {
@@ -192,14 +196,6 @@ ValueBins::ValueBins(const Grid& grid) : table_(static_cast<std::size_t>(last_) 
     before += weights[i];
   }
 }
-
-namespace {
-
-glm::ivec3 blocksOf(glm::ivec3 dims) {
-  return dims.x < 2 || dims.y < 2 || dims.z < 2 ? glm::ivec3(0) : (dims + 2) / 4;
-}
-
-}  // namespace
 
 std::size_t CellRanges::bytesOf(glm::ivec3 dims) {
   const std::size_t blocks = Extent3{blocksOf(dims)}.count();

@@ -63,20 +63,6 @@ ShownRows::ShownRows(const Grid& grid, const VoxelMask& hidden, InsideLevel leve
   std::visit(fill, grid.voxels());
 }
 
-// Calls change(block index, block, rows) for blocks that something hidden is in or around; wanted(index):
-// others are left out.
-template <class Wanted, class Change>
-void forBlocksWithHidden(const Grid& grid, const VoxelMask& hidden, InsideLevel level, int apron,
-                         glm::ivec3 blocks, const Wanted& wanted, const Change& change) {
-  parallelEach(Extent3{blocks}.rows(), [&](std::size_t row) {
-    for (glm::ivec3 block = Extent3{blocks}.firstOfRow(row); block.x < blocks.x; ++block.x) {
-      if (!wanted(block)) continue;
-      const ShownRows rows(grid, hidden, level, apron, block);
-      if (rows.anyHidden()) change(block, rows);
-    }
-  });
-}
-
 // The bits x + 4 y + 16 z of `mask` that stay: boxes of `size`^3 cells from `first` on.
 std::uint64_t shownOf(std::uint64_t mask, const ShownRows& rows, glm::ivec3 first, int size) {
   std::uint64_t kept = 0;
@@ -87,39 +73,21 @@ std::uint64_t shownOf(std::uint64_t mask, const ShownRows& rows, glm::ivec3 firs
   return kept;
 }
 
-void keepShownBoxes(const Grid& grid, const PartlyShown& surface, bool cubic, glm::ivec3 blocks,
-                    std::vector<std::uint64_t>& masks) {
-  forBlocksWithHidden(
-      grid, *surface.hidden, surface.level, cubic ? 1 : 0, blocks,
-      [&](glm::ivec3 block) { return masks[Extent3{blocks}.index(block)] != 0; },
-      [&](glm::ivec3 block, const ShownRows& rows) {
-        std::uint64_t& mask = masks[Extent3{blocks}.index(block)];
-        mask = shownOf(mask, rows, glm::ivec3(0), 2);
-      });
-}
-
-// Calls use(first cell in the block, mask) for the groups of 4^3 cells of a block.
-template <class Use>
-void forGroups(glm::ivec3 blocks, glm::ivec3 block, std::vector<std::uint64_t>& bits, const Use& use) {
-  for (int i = 0; i < 8; ++i) {
-    const glm::ivec3 group = cornerStep(i);
-    use(4 * group, bits[Extent3{2 * blocks}.index(2 * block + group)]);
-  }
-}
-
-void keepShownCells(const Grid& grid, const PartlyShown& surface, glm::ivec3 blocks,
-                    std::vector<std::uint64_t>& bits) {
-  forBlocksWithHidden(
-      grid, *surface.hidden, surface.level, 0, blocks,
-      [&](glm::ivec3 block) {
-        std::uint64_t any = 0;
-        forGroups(blocks, block, bits, [&](glm::ivec3, std::uint64_t mask) { any |= mask; });
-        return any != 0;
-      },
-      [&](glm::ivec3 block, const ShownRows& rows) {
-        forGroups(blocks, block, bits,
-                  [&](glm::ivec3 first, std::uint64_t& mask) { mask = shownOf(mask, rows, first, 1); });
-      });
+// Calls masksOf(block, use) for each block, which calls use(first cell in the block, mask) for its masks: of
+// boxes of `size`^3 cells, of which only what is shown stays.
+template <class MasksOf>
+void keepShown(const Grid& grid, const PartlyShown& surface, int apron, int size, glm::ivec3 blocks,
+               const MasksOf& masksOf) {
+  parallelEach(Extent3{blocks}.rows(), [&](std::size_t row) {
+    for (glm::ivec3 block = Extent3{blocks}.firstOfRow(row); block.x < blocks.x; ++block.x) {
+      std::uint64_t any = 0;
+      masksOf(block, [&](glm::ivec3, std::uint64_t mask) { any |= mask; });
+      if (any == 0) continue;
+      const ShownRows rows(grid, *surface.hidden, surface.level, apron, block);
+      if (!rows.anyHidden()) continue;
+      masksOf(block, [&](glm::ivec3 first, std::uint64_t& mask) { mask = shownOf(mask, rows, first, size); });
+    }
+  });
 }
 
 // What each surface alone makes of it, together. make(surface, masks).
@@ -138,7 +106,10 @@ void shownBoxes(const Grid& grid, const BoxBounds& boxes, std::span<const Partly
                 const std::vector<std::uint8_t>& flags, std::vector<std::uint64_t>& masks) {
   unite(surfaces, masks, [&](const PartlyShown& surface, std::vector<std::uint64_t>& own) {
     boxes.masks({&surface.isovalue, 1}, flags, own);
-    if (surface.hidden) keepShownBoxes(grid, surface, cubic, boxes.blockDims(), own);
+    if (!surface.hidden) return;
+    const Extent3 blocks{boxes.blockDims()};
+    keepShown(grid, surface, cubic ? 1 : 0, 2, blocks.dims,
+              [&](glm::ivec3 block, const auto& use) { use(glm::ivec3(0), own[blocks.index(block)]); });
   });
 }
 
@@ -146,7 +117,11 @@ void shownCellBits(const Grid& grid, glm::ivec3 blocks, std::span<const std::uin
                    std::span<const PartlyShown> surfaces, std::vector<std::uint64_t>& bits) {
   unite(surfaces, bits, [&](const PartlyShown& surface, std::vector<std::uint64_t>& own) {
     cellBits(grid, blocks, boxMasks, {&surface.isovalue, 1}, own);
-    if (surface.hidden) keepShownCells(grid, surface, blocks, own);
+    if (!surface.hidden) return;
+    keepShown(grid, surface, 0, 1, blocks, [&](glm::ivec3 block, const auto& use) {
+      for (int i = 0; i < 8; ++i)  // groups of 4^3 cells
+        use(4 * cornerStep(i), own[Extent3{2 * blocks}.index(2 * block + cornerStep(i))]);
+    });
   });
 }
 
