@@ -28,6 +28,17 @@ double share(const Histogram& histogram, double low, double high) {
   return all > 0.0 ? inside / all : 0.0;
 }
 
+// Programs that know nothing of a patient write such files too: unit voxels round the origin.
+bool isBoxRoundTheOrigin(const GridGeometry& geometry) {
+  const glm::dmat4& m = geometry.worldFromVoxel;
+  const glm::dvec3 middle(m * glm::dvec4(0.5 * glm::dvec3(geometry.dims - 1), 1.0));
+  bool alongAxes = true;
+  for (int column = 0; column < 3; ++column)
+    for (int row = 0; row < 3; ++row)
+      alongAxes = alongAxes && std::abs(m[column][row]) == (row == column ? 1.0 : 0.0);
+  return alongAxes && glm::all(glm::lessThanEqual(glm::abs(middle), glm::dvec3(1.5)));
+}
+
 }  // namespace
 
 bool looksOffsetBy1024(const Histogram& histogram, double minimum) {
@@ -62,21 +73,6 @@ std::optional<double> softTissueOf(const Histogram& histogram) {
   if (rest <= 0.0 || most < enough * rest || !low) return std::nullopt;
   return histogram.binCentre(at);
 }
-
-namespace {
-
-// Programs that know nothing of a patient write such files too: unit voxels round the origin.
-bool isBoxRoundTheOrigin(const GridGeometry& geometry) {
-  const glm::dmat4& m = geometry.worldFromVoxel;
-  const glm::dvec3 middle(m * glm::dvec4(0.5 * glm::dvec3(geometry.dims - 1), 1.0));
-  bool alongAxes = true;
-  for (int column = 0; column < 3; ++column)
-    for (int row = 0; row < 3; ++row)
-      alongAxes = alongAxes && std::abs(m[column][row]) == (row == column ? 1.0 : 0.0);
-  return alongAxes && glm::all(glm::lessThanEqual(glm::abs(middle), glm::dvec3(1.5)));
-}
-
-}  // namespace
 
 FoundKind dataKindOf(const Volume& volume, const Histogram& histogram, const scene::NoiseModel& noise) {
   using Kind = scene::DataKind;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <type_traits>
 #include <utility>
@@ -31,23 +32,22 @@ double between(double low, double high, double t) {
   return std::isfinite(range) ? low + t * range : (1.0 - t) * low + t * high;
 }
 
-// Calls binOf(voxel) for every voxel that is not missing, on all cores, and adds up the bins.
-template <class T, class BinOf>
-Counts countVoxels(const std::vector<T>& voxels, std::size_t bins, base::Progress& progress,
-                   const BinOf& binOf) {
-  tbb::combinable<Counts> partial([bins] { return Counts(bins, 0); });
+// Counts the voxels that are not missing, on all cores.
+template <class T>
+Counts countVoxels(const std::vector<T>& voxels, const HistogramBinning& bins, base::Progress& progress) {
+  tbb::combinable<Counts> partial([&] { return Counts(bins.count, 0); });
   parallelPieces(voxels.size(), std::size_t{1} << 18, progress, {}, [&](std::size_t begin, std::size_t end) {
     Counts& counts = partial.local();
     for (std::size_t i = begin; i != end; ++i) {
       if constexpr (std::is_floating_point_v<T>) {
         if (std::isnan(voxels[i])) continue;
       }
-      ++counts[std::min(binOf(voxels[i]), bins - 1)];
+      ++counts[std::min(bins.binOf(voxels[i]), bins.count - 1)];
     }
   });
-  Counts sum(bins, 0);
+  Counts sum(bins.count, 0);
   partial.combine_each([&](const Counts& counts) {
-    for (std::size_t i = 0; i < bins; ++i) sum[i] += counts[i];
+    for (std::size_t i = 0; i < bins.count; ++i) sum[i] += counts[i];
   });
   return sum;
 }
@@ -101,8 +101,7 @@ std::vector<Peak> findPeaks(const std::vector<double>& height) {
     const double prominence = height[i] - std::max(left, right);
     if (prominence >= kPeakProminence) peaks.push_back({(i + end) / 2, prominence});
   }
-  std::stable_sort(peaks.begin(), peaks.end(),
-                   [](const Peak& a, const Peak& b) { return a.prominence > b.prominence; });
+  std::ranges::stable_sort(peaks, std::greater{}, &Peak::prominence);
   return peaks;
 }
 
@@ -293,14 +292,8 @@ Histogram histogramOf(const HistogramBinning& bins, std::vector<std::uint64_t> c
 Histogram makeHistogram(const Grid& grid, int bins, base::Progress& progress) {
   const HistogramBinning binning =
       HistogramBinning::of(grid.storedType(), grid.storedMinimum(), grid.storedMaximum(), bins);
-  return std::visit(
-      [&](const auto& voxels) {
-        using T = typename std::decay_t<decltype(voxels)>::value_type;
-        return histogramOf(
-            binning,
-            countVoxels(voxels, binning.count, progress, [&binning](T v) { return binning.binOf(v); }), grid);
-      },
-      grid.voxels());
+  const auto count = [&](const auto& voxels) { return countVoxels(voxels, binning, progress); };
+  return histogramOf(binning, std::visit(count, grid.voxels()), grid);
 }
 
 ValueClasses threeClasses(const Histogram& histogram) {

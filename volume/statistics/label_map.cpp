@@ -80,9 +80,7 @@ std::optional<LabelMap> labelMapOf(const Grid& grid, bool asked, const base::Pro
   ValueCounts counts;
   if (!eachRow(stride, [&](int y, int z) { return addRow(grid, y, z, counts); })) return std::nullopt;
   if (counts.size() < (asked ? 2 : 3)) return std::nullopt;
-  const double background = std::max_element(counts.begin(), counts.end(), [](const auto& a, const auto& b) {
-                              return a.second < b.second;
-                            })->first;
+  const double background = std::ranges::max_element(counts, {}, &ValueCounts::value_type::second)->first;
   std::vector<double> values;
   for (const auto& [value, count] : counts) values.push_back(value);
 

@@ -76,8 +76,7 @@ ValueRange rangeOf(const NoiseSamples& all, std::span<NoiseSample> places, doubl
   ValueRange range;
   range.value = places[places.size() / 2].value;
   const auto flat = static_cast<std::ptrdiff_t>(std::ceil(kFlat * static_cast<double>(places.size())));
-  std::nth_element(places.begin(), places.begin() + (flat - 1), places.end(),
-                   [](const NoiseSample& a, const NoiseSample& b) { return a.steepness < b.steepness; });
+  std::ranges::nth_element(places, places.begin() + (flat - 1), {}, &NoiseSample::steepness);
   range.places = all.differencesAt(places.first(static_cast<std::size_t>(flat)), progress);
   range.size = sizeOf(range.places, 0);
   if (!(range.size > least)) return range;
@@ -92,8 +91,7 @@ ValueRange rangeOf(const NoiseSamples& all, std::span<NoiseSample> places, doubl
 
 std::vector<ValueRange> rangesOf(const NoiseSamples& all, std::vector<NoiseSample>& places, double least,
                                  base::Progress& progress) {
-  std::sort(places.begin(), places.end(),
-            [](const NoiseSample& a, const NoiseSample& b) { return a.value < b.value; });
+  std::ranges::sort(places, {}, &NoiseSample::value);
   const std::size_t count = std::clamp(places.size() / kFewestPlaces, std::size_t{1}, kRanges);
   std::vector<ValueRange> ranges;
   for (std::size_t i = 0; i < count; ++i) {
@@ -119,22 +117,19 @@ void leaveOutUnusual(std::vector<ValueRange>& ranges, double ValueRange::*measur
 // are bent more than others (the middle of a sheet is flat, too), or more along one axis.
 std::vector<ValueRange> believable(std::vector<ValueRange> ranges) {
   constexpr double mostSteep = 3.0;  // 1: noise alone
-  std::sort(ranges.begin(), ranges.end(),
-            [](const ValueRange& a, const ValueRange& b) { return a.steepness < b.steepness; });
+  std::ranges::sort(ranges, {}, &ValueRange::steepness);
   const std::size_t fewest = (ranges.size() + 3) / 4;
   while (ranges.size() > fewest && !(ranges.back().steepness <= mostSteep)) ranges.pop_back();
   leaveOutUnusual(ranges, &ValueRange::growth);
   leaveOutUnusual(ranges, &ValueRange::unlike);
-  std::sort(ranges.begin(), ranges.end(),
-            [](const ValueRange& a, const ValueRange& b) { return a.value < b.value; });
+  std::ranges::sort(ranges, {}, &ValueRange::value);
   return ranges;
 }
 
 // The half that is bent the least, of those that are not constant.
 std::vector<ValueRange> smoothest(std::vector<ValueRange> ranges) {
   std::erase_if(ranges, [](const ValueRange& range) { return range.constant(); });
-  std::sort(ranges.begin(), ranges.end(),
-            [](const ValueRange& a, const ValueRange& b) { return a.growth < b.growth; });
+  std::ranges::sort(ranges, {}, &ValueRange::growth);
   ranges.resize((ranges.size() + 1) / 2);
   return ranges;
 }

@@ -142,8 +142,7 @@ double mostFrequentConstant(const Grid& grid) {
     const double value = grid.stored(at);
     if (value == grid.stored(at.x + 1, at.y, at.z)) ++counts[value];
   }
-  const auto most = std::max_element(counts.begin(), counts.end(),
-                                     [](const auto& a, const auto& b) { return a.second < b.second; });
+  const auto most = std::ranges::max_element(counts, {}, &std::pair<const double, int>::second);
   return most == counts.end() ? kNotANumber : most->first;
 }
 

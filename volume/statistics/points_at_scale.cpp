@@ -1,6 +1,5 @@
 #include "volume/statistics/points_at_scale.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <variant>

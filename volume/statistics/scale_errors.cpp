@@ -35,12 +35,6 @@ double leastNoise(std::span<const ScaleStep> steps) {
   return least;
 }
 
-double believedNoise(std::span<const ScaleStep> steps, double estimated) {
-  const double most = mostNoise(steps);
-  if (most < kClearlyLess * estimated) return most;
-  return std::max(estimated, std::min(leastNoise(steps), most));
-}
-
 // Of shape alone, coarse scales first: the measured one and the one expected, by their uncertainties.
 std::vector<double> changesOfShape(std::span<const ScaleStep> steps, double noise) {
   std::vector<double> changes(steps.size(), 0.0);
@@ -61,14 +55,17 @@ std::vector<double> changesOfShape(std::span<const ScaleStep> steps, double nois
 }  // namespace
 
 double surfaceNoise(std::span<const ScaleStep> steps, double estimated) {
-  return steps.size() < 2 ? estimated : believedNoise(steps, estimated);
+  if (steps.size() < 2) return estimated;
+  const double most = mostNoise(steps);
+  if (most < kClearlyLess * estimated) return most;
+  return std::max(estimated, std::min(leastNoise(steps), most));
 }
 
 ScaleErrors scaleErrors(std::span<const ScaleStep> steps, double noiseVariance) {
   ScaleErrors errors;
   if (steps.empty()) return errors;
   errors.noiseVariance = noiseVariance;
-  const std::vector<double> changes = changesOfShape(steps, errors.noiseVariance);
+  const std::vector<double> changes = changesOfShape(steps, noiseVariance);
   double lost = 0.0;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     errors.noise.push_back(errors.noiseVariance * steps[i].noise);

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 
 #include "volume/hit/cell_walk.h"
 #include "volume/hit/exact_hit.h"
