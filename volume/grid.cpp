@@ -8,14 +8,11 @@
 #include <variant>
 #include <vector>
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
-
 #include "base/error.h"
 #include "base/hash.h"
 #include "volume/bricks/brick_source.h"
 #include "volume/parallel/parallel_steps.h"
+#include "volume/voxels/stored_type.h"
 
 namespace isolux::volume {
 
@@ -64,24 +61,8 @@ std::vector<HashedPart> scanPieces(std::vector<T>& voxels, base::Progress& progr
 }
 
 // An array of this type, without voxels.
-void setVoxelType(VoxelArray& voxels, VoxelType type) {
-  switch (type) {
-    case VoxelType::int8:
-      voxels = std::vector<std::int8_t>();
-      break;
-    case VoxelType::uint8:
-      voxels = std::vector<std::uint8_t>();
-      break;
-    case VoxelType::int16:
-      voxels = std::vector<std::int16_t>();
-      break;
-    case VoxelType::uint16:
-      voxels = std::vector<std::uint16_t>();
-      break;
-    default:
-      assert(type == VoxelType::float32);
-      voxels = std::vector<float>();
-  }
+VoxelArray emptyArray(VoxelType type) {
+  return withStoredType(type, [](auto voxel) { return VoxelArray(std::vector<decltype(voxel)>()); });
 }
 
 }  // namespace
@@ -117,9 +98,7 @@ std::uint64_t Grid::hashOf(const GridGeometry& geometry, double slope, double in
   base::Hasher hash;
   hash.addWords(&geometry.dims, sizeof geometry.dims);
   hash.addWords(&geometry.worldFromVoxel, sizeof geometry.worldFromVoxel);
-  VoxelArray ofType;
-  setVoxelType(ofType, stored);
-  const double numbers[] = {slope, intercept, static_cast<double>(ofType.index())};
+  const double numbers[] = {slope, intercept, static_cast<double>(emptyArray(stored).index())};
   hash.addWords(numbers, sizeof numbers);
   for (const std::uint64_t piece : pieces) hash.addWords(&piece, sizeof piece);
   return hash;
@@ -128,13 +107,13 @@ std::uint64_t Grid::hashOf(const GridGeometry& geometry, double slope, double in
 Grid::Grid(const GridGeometry& geometry, const VoxelFacts& facts, double slope, double intercept,
            std::shared_ptr<BrickSource> source)
     : geometry_(geometry),
+      voxels_(emptyArray(facts.storedType)),
       slope_(slope),
       intercept_(intercept),
       missing_(facts.missing),
       hash_(facts.hash),
       source_(std::move(source)) {
   assert(source_ && std::isfinite(slope) && slope != 0.0 && std::isfinite(intercept));
-  setVoxelType(voxels_, facts.storedType);
   if (missing_ < geometry_.voxelCount()) setRange(facts.storedMinimum, facts.storedMaximum);
 }
 

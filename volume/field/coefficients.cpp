@@ -61,12 +61,15 @@ class Prefilter {
   std::vector<double> c_;  // sample k of line r at k * kLines + r
 };
 
-std::vector<float> differencesFrom(double offset, const Grid& grid, base::Progress& progress,
-                                   base::ProgressRange share) {
-  std::vector<float> values;
-  resizeStoppably(values, grid.geometry().voxelCount(), progress);
+}  // namespace
+
+Coefficients samplesApart(const Grid& grid, base::Progress& progress, base::ProgressRange share) {
+  Coefficients result;
+  const double middle = 0.5 * grid.storedMinimum() + 0.5 * grid.storedMaximum();
+  if (std::abs(middle) > grid.storedMaximum() - grid.storedMinimum()) result.offset = middle;
+  resizeStoppably(result.values, grid.geometry().voxelCount(), progress);
   std::visit(
-      [&](const auto& voxels) {
+      [&, offset = result.offset, values = result.values.data()](const auto& voxels) {
         parallelPieces(voxels.size(), std::size_t{1} << 18, progress, share,
                        [&](std::size_t begin, std::size_t end) {
                          for (std::size_t i = begin; i < end; ++i)
@@ -74,16 +77,6 @@ std::vector<float> differencesFrom(double offset, const Grid& grid, base::Progre
                        });
       },
       grid.voxels());
-  return values;
-}
-
-}  // namespace
-
-Coefficients samplesApart(const Grid& grid, base::Progress& progress, base::ProgressRange share) {
-  Coefficients result;
-  const double middle = 0.5 * grid.storedMinimum() + 0.5 * grid.storedMaximum();
-  if (std::abs(middle) > grid.storedMaximum() - grid.storedMinimum()) result.offset = middle;
-  result.values = differencesFrom(result.offset, grid, progress, share);
   return result;
 }
 

@@ -26,29 +26,19 @@ HalfKernel secondDifference(const HalfKernel& s) {
   return d;
 }
 
-// Centred B-splines of odd degrees at whole numbers.
+// Centred B-splines of odd degrees at whole numbers: times these divisors.
 HalfKernel splineOfDegree(int degree) {
-  HalfKernel values;
-  double divisor = 1.0;
-  switch (degree) {
-    case 1:
-      values = {1.0};
-      break;
-    case 3:
-      values = {4.0, 1.0}, divisor = 6.0;
-      break;
-    case 5:
-      values = {66.0, 26.0, 1.0}, divisor = 120.0;
-      break;
-    case 7:
-      values = {2416.0, 1191.0, 120.0, 1.0}, divisor = 5040.0;
-      break;
-    case 9:
-      values = {156190.0, 88234.0, 14608.0, 502.0, 1.0}, divisor = 362880.0;
-      break;
-    default:
-      values = {15724248.0, 9738114.0, 2203488.0, 152637.0, 2036.0, 1.0}, divisor = 39916800.0;
-  }
+  struct Spline {
+    double divisor;
+    HalfKernel values;
+  };
+  static const Spline splines[] = {{1.0, {1.0}},
+                                   {6.0, {4.0, 1.0}},
+                                   {120.0, {66.0, 26.0, 1.0}},
+                                   {5040.0, {2416.0, 1191.0, 120.0, 1.0}},
+                                   {362880.0, {156190.0, 88234.0, 14608.0, 502.0, 1.0}},
+                                   {39916800.0, {15724248.0, 9738114.0, 2203488.0, 152637.0, 2036.0, 1.0}}};
+  auto [divisor, values] = splines[degree / 2];
   for (double& value : values) value /= divisor;
   return values;
 }

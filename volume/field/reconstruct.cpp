@@ -37,16 +37,28 @@ AxisTaps<kQuinticTaps> quinticTapsAt(double coordinate, int n) {
   return taps;
 }
 
-template <class Fetch>
-FieldSample tensorCubic(glm::ivec3 dims, glm::dvec3 voxel, const Fetch& fetch) {
-  return tensorProduct(cubicTapsAt(voxel.x, dims.x), cubicTapsAt(voxel.y, dims.y),
-                       cubicTapsAt(voxel.z, dims.z), fetch);
+// Sums values, one for each voxel of the grid, with the weights that tapsAt(coordinate, voxels) has on an
+// axis.
+template <class T, class TapsAt>
+FieldSample sumAt(const Grid& grid, const std::vector<T>& values, glm::dvec3 voxel, const TapsAt& tapsAt) {
+  const glm::ivec3 dims = grid.dims();
+  return tensorProduct(tapsAt(voxel.x, dims.x), tapsAt(voxel.y, dims.y), tapsAt(voxel.z, dims.z),
+                       [&](int x, int y, int z) { return static_cast<double>(values[grid.index(x, y, z)]); });
 }
 
 void toDataUnits(FieldSample& sample, const Grid& grid) {
   sample.value = grid.valueOfStored(sample.value);
   sample.gradient *= grid.slope();
   sample.hessian *= grid.slope();
+}
+
+template <class TapsAt>
+FieldSample sampleSpline(const Coefficients& coefficients, const Grid& grid, glm::dvec3 voxel,
+                         const TapsAt& tapsAt) {
+  FieldSample out = sumAt(grid, coefficients.values, voxel, tapsAt);
+  out.value += coefficients.offset;  // the weights sum to 1, their derivatives to 0
+  toDataUnits(out, grid);
+  return out;
 }
 
 }  // namespace
@@ -97,35 +109,18 @@ FieldSample sampleTrilinear(const Grid& grid, glm::dvec3 voxel) {
 }
 
 FieldSample sampleCubic(const Grid& grid, glm::dvec3 voxel) {
-  FieldSample out = std::visit(
-      [&](const auto& voxels) {
-        return tensorCubic(grid.dims(), voxel, [&](int x, int y, int z) {
-          return static_cast<double>(voxels[grid.index(x, y, z)]);
-        });
-      },
-      grid.voxels());
+  const auto sum = [&](const auto& voxels) { return sumAt(grid, voxels, voxel, cubicTapsAt); };
+  FieldSample out = std::visit(sum, grid.voxels());
   toDataUnits(out, grid);
   return out;
 }
 
 FieldSample sampleCubic(const Coefficients& coefficients, const Grid& grid, glm::dvec3 voxel) {
-  FieldSample out = tensorCubic(grid.dims(), voxel, [&](int x, int y, int z) {
-    return static_cast<double>(coefficients.values[grid.index(x, y, z)]);
-  });
-  out.value += coefficients.offset;  // the weights sum to 1, their derivatives to 0
-  toDataUnits(out, grid);
-  return out;
+  return sampleSpline(coefficients, grid, voxel, cubicTapsAt);
 }
 
 FieldSample sampleScaled(const ScaledField& scaled, const Grid& grid, glm::dvec3 voxel) {
-  const glm::ivec3 dims = grid.dims();
-  const std::vector<float>& values = scaled.coefficients.values;
-  FieldSample out = tensorProduct(
-      quinticTapsAt(voxel.x, dims.x), quinticTapsAt(voxel.y, dims.y), quinticTapsAt(voxel.z, dims.z),
-      [&](int x, int y, int z) { return static_cast<double>(values[grid.index(x, y, z)]); });
-  out.value += scaled.coefficients.offset;
-  toDataUnits(out, grid);
-  return out;
+  return sampleSpline(scaled.coefficients, grid, voxel, quinticTapsAt);
 }
 
 FieldSample sampleField(const Grid& grid, scene::Field field, const Coefficients* coefficients,

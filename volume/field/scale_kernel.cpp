@@ -18,15 +18,6 @@ double sumOf(const HalfKernel& kernel) {
   return sum;
 }
 
-HalfKernel sampledGaussian(double parameter) {
-  HalfKernel kernel(static_cast<std::size_t>(std::ceil(kGaussianReach * parameter)) + 1);
-  for (std::size_t k = 0; k < kernel.size(); ++k) {
-    const double x = static_cast<double>(k) / parameter;
-    kernel[k] = std::exp(-0.5 * x * x);
-  }
-  return cutToSumOne(std::move(kernel));
-}
-
 double sampledVariance(double parameter) {
   double sum = 1.0, square = 0.0;
   for (int k = 1; k <= static_cast<int>(std::ceil(9.0 * parameter)); ++k) {
@@ -63,7 +54,13 @@ double gaussianParameter(double variance) {
 
 HalfKernel gaussianKernel(double deviation) {
   if (!(deviation > 0.0)) return {1.0};
-  return sampledGaussian(gaussianParameter(deviation * deviation));
+  const double parameter = gaussianParameter(deviation * deviation);
+  HalfKernel kernel(static_cast<std::size_t>(std::ceil(kGaussianReach * parameter)) + 1);
+  for (std::size_t k = 0; k < kernel.size(); ++k) {
+    const double x = static_cast<double>(k) / parameter;
+    kernel[k] = std::exp(-0.5 * x * x);
+  }
+  return cutToSumOne(std::move(kernel));
 }
 
 HalfKernel smoothingKernel(scene::Field field, double deviation) {
