@@ -1,7 +1,5 @@
 #include "volume/same_geometry.h"
 
-#include <algorithm>
-
 #include <glm/geometric.hpp>
 
 namespace isolux::volume {

@@ -13,11 +13,6 @@
 
 namespace isolux::volume {
 
-const char* SurfaceCaster::target() {
-  const casting::CastKernels* const kernels = casting::castKernels(TracerTarget::automatic);
-  return kernels ? kernels->set.name : nullptr;
-}
-
 namespace {
 
 // How samples become texels (render/volume/volume_texture.h).
@@ -37,6 +32,40 @@ void takeCoefficients(const Coefficients& coefficients, const Grid& grid, castin
   view.scale = std::ldexp(
       1.0f, -exponentOf(static_cast<double>(coefficients.least), static_cast<double>(coefficients.most)));
   if (view.gaps) view.gapsOf = std::get<std::vector<float>>(grid.voxels()).data();
+}
+
+void addHits(const CrossingImage& crossings, const Rectangle& part, PictureArea& area) {
+  const auto hit = [](const glm::vec4& point) { return point.w >= 0.0f; };
+  const glm::ivec2 end = part.low + part.size;
+  for (int y = part.low.y; y < end.y; ++y) {
+    const auto row = crossings.points.begin() + static_cast<std::ptrdiff_t>(y) * crossings.area.size().x;
+    const auto begin = row + part.low.x, stop = row + end.x;
+    const auto first = std::find_if(begin, stop, hit);
+    if (first == stop) continue;
+    const auto last = std::find_if(std::make_reverse_iterator(stop), std::make_reverse_iterator(first), hit);
+    area.add(y, static_cast<int>(first - row), static_cast<int>(last.base() - row));
+  }
+}
+
+bool anyBlock(const StartDepths& depths, const Rectangle& part) {
+  const glm::ivec2 begin = part.low / StartDepths::kTile,
+                   end = (part.low + part.size + (StartDepths::kTile - 1)) / StartDepths::kTile;
+  for (int y = begin.y; y < end.y; ++y)
+    for (int x = begin.x; x < end.x; ++x)
+      if (depths.at(x, y).first <= depths.at(x, y).last) return true;
+  return false;
+}
+
+// Calls draw(square) for squares of all pixels, on all threads; for some once a stop is asked for.
+template <class Draw>
+void forPieces(glm::ivec2 size, const std::stop_token& stop, const Draw& draw) {
+  constexpr int piece = 32;  // pixels
+  const glm::ivec2 pieces = (size + (piece - 1)) / piece;
+  parallelEach(pieces.x * pieces.y, [&](int i) {
+    if (stop.stop_requested()) return;
+    const glm::ivec2 begin = piece * glm::ivec2(i % pieces.x, i / pieces.x);
+    draw(Rectangle{begin, glm::min(begin + piece, size) - begin});
+  });
 }
 
 }  // namespace
@@ -65,6 +94,11 @@ VisibleCrossing visibleCrossing(const CastView& view, glm::ivec3 cell, const glm
 }
 
 }  // namespace casting
+
+const char* SurfaceCaster::target() {
+  const casting::CastKernels* const kernels = casting::castKernels(TracerTarget::automatic);
+  return kernels ? kernels->set.name : nullptr;
+}
 
 SurfaceCaster::SurfaceCaster(const CastField& field, std::span<const double> storedIsovalues,
                              glm::ivec3 blocks, std::span<const std::uint64_t> masks, TracerTarget wanted)
@@ -127,44 +161,6 @@ CrossingImage::CrossingImage(glm::ivec2 size)
     : area(size),
       points(Extent2{size}.count(), {0.0f, 0.0f, 0.0f, -1.0f}),
       infos(points.size(), glm::vec2(0.0f)) {}
-
-namespace {
-
-void addHits(const CrossingImage& crossings, const Rectangle& part, PictureArea& area) {
-  const auto hit = [](const glm::vec4& point) { return point.w >= 0.0f; };
-  const glm::ivec2 end = part.low + part.size;
-  for (int y = part.low.y; y < end.y; ++y) {
-    const auto row = crossings.points.begin() + static_cast<std::ptrdiff_t>(y) * crossings.area.size().x;
-    const auto begin = row + part.low.x, stop = row + end.x;
-    const auto first = std::find_if(begin, stop, hit);
-    if (first == stop) continue;
-    const auto last = std::find_if(std::make_reverse_iterator(stop), std::make_reverse_iterator(first), hit);
-    area.add(y, static_cast<int>(first - row), static_cast<int>(last.base() - row));
-  }
-}
-
-bool anyBlock(const StartDepths& depths, const Rectangle& part) {
-  const glm::ivec2 begin = part.low / StartDepths::kTile,
-                   end = (part.low + part.size + (StartDepths::kTile - 1)) / StartDepths::kTile;
-  for (int y = begin.y; y < end.y; ++y)
-    for (int x = begin.x; x < end.x; ++x)
-      if (depths.at(x, y).first <= depths.at(x, y).last) return true;
-  return false;
-}
-
-// Calls draw(square) for squares of all pixels, on all threads; for some once a stop is asked for.
-template <class Draw>
-void forPieces(glm::ivec2 size, const std::stop_token& stop, const Draw& draw) {
-  constexpr int piece = 32;  // pixels
-  const glm::ivec2 pieces = (size + (piece - 1)) / piece;
-  parallelEach(pieces.x * pieces.y, [&](int i) {
-    if (stop.stop_requested()) return;
-    const glm::ivec2 begin = piece * glm::ivec2(i % pieces.x, i / pieces.x);
-    draw(Rectangle{begin, glm::min(begin + piece, size) - begin});
-  });
-}
-
-}  // namespace
 
 // Calls cast(target) for what may hit or has hit.
 template <class MayHit, class Cast>

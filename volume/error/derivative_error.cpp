@@ -7,7 +7,6 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 
 #include "volume/error/hit_error.h"
 #include "volume/field/curvature.h"

@@ -9,7 +9,6 @@
 #include "volume/field/reconstruct.h"
 #include "volume/field/value_scaling.h"
 #include "volume/hit/exact_cubic_hit.h"
-#include "volume/hit/exact_hit.h"
 
 namespace isolux::volume {
 

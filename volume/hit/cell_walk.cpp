@@ -8,8 +8,23 @@
 namespace isolux::volume {
 
 namespace {
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+std::optional<Side> sideOfField(const MinMaxBlocks& blocks, std::size_t block, const Grid& grid,
+                                double isovalue) {
+  const double a = static_cast<double>(blocks.minimum(block)), b = static_cast<double>(blocks.maximum(block));
+  if (a > b) return Side::unknown;
+  double low = grid.valueOfStored(a), high = grid.valueOfStored(b);
+  if (grid.slope() < 0.0) std::swap(low, high);
+  const bool gaps = grid.missingCount() > 0;
+  if (high < isovalue) return gaps ? Side::unknown : Side::outside;
+  if (low > isovalue || (low == isovalue && high == isovalue && !gaps))
+    return gaps ? Side::unknown : Side::inside;
+  return std::nullopt;
 }
+
+}  // namespace
 
 bool Ray::valid() const {
   for (int axis = 0; axis < 3; ++axis)
@@ -119,23 +134,6 @@ std::optional<CellWalk::Segment> CellWalk::segment() const {
   }
   return segment;
 }
-
-namespace {
-
-std::optional<Side> sideOfField(const MinMaxBlocks& blocks, std::size_t block, const Grid& grid,
-                                double isovalue) {
-  const double a = static_cast<double>(blocks.minimum(block)), b = static_cast<double>(blocks.maximum(block));
-  if (a > b) return Side::unknown;
-  double low = grid.valueOfStored(a), high = grid.valueOfStored(b);
-  if (grid.slope() < 0.0) std::swap(low, high);
-  const bool gaps = grid.missingCount() > 0;
-  if (high < isovalue) return gaps ? Side::unknown : Side::outside;
-  if (low > isovalue || (low == isovalue && high == isovalue && !gaps))
-    return gaps ? Side::unknown : Side::inside;
-  return std::nullopt;
-}
-
-}  // namespace
 
 std::optional<Side> sideOfBlock(const MinMaxBlocks& blocks, glm::ivec3 block, const Grid& grid,
                                 double isovalue, const ShownCells* shown) {

@@ -239,11 +239,10 @@ CubicHit firstHitOfField(const Grid& grid, scene::Field field, const Coefficient
                          const MinMaxBlocks& blocks, double isovalue, const Ray& ray,
                          const HiddenPieces& hidden) {
   if (field == scene::Field::trilinear) return {firstHit(grid, blocks, isovalue, ray, hidden)};
-  std::optional<ShownCells> shown;
-  if (hidden.voxels) shown.emplace(grid, hidden.voxels, isovalue, hidden.inside, field, coefficients);
+  const ShownCells shown(grid, hidden.voxels, isovalue, hidden.inside, field, coefficients);
   const bool gaps = coefficients && grid.missingCount() > 0;
   return visitSpline(grid, coefficients, isovalue, [&](const auto& stored, double level) {
-    return firstHitCubic(stored, grid, blocks, level, ray, shown ? &*shown : nullptr, gaps);
+    return firstHitCubic(stored, grid, blocks, level, ray, hidden.voxels ? &shown : nullptr, gaps);
   });
 }
 

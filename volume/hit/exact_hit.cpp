@@ -1,7 +1,6 @@
 #include "volume/hit/exact_hit.h"
 
 #include <array>
-#include <cmath>
 
 #include "volume/hit/bernstein_cubic.h"
 #include "volume/hit/cross_cell.h"
@@ -57,9 +56,8 @@ struct CornerValues {
 
 std::optional<RayHit> firstHit(const Grid& grid, const MinMaxBlocks& blocks, double isovalue, const Ray& ray,
                                const HiddenPieces& hidden) {
-  std::optional<ShownCells> cells;
-  if (hidden.voxels) cells.emplace(grid, hidden.voxels, isovalue, hidden.inside);
-  const ShownCells* const shown = cells ? &*cells : nullptr;
+  const ShownCells cells(grid, hidden.voxels, isovalue, hidden.inside);
+  const ShownCells* const shown = hidden.voxels ? &cells : nullptr;
   return std::visit(
       [&](const auto& voxels) {
         const auto cross = [&](const CellWalk& walk, Side& side) {

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <variant>
 
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 #include "volume/hit/cell_walk.h"
 #include "volume/hit/exact_cubic_hit.h"

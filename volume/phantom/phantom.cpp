@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 
 #include "base/random.h"
 #include "base/words.h"
