@@ -8,7 +8,6 @@
 #include <mutex>
 #include <new>
 #include <optional>
-#include <span>
 #include <stop_token>
 #include <thread>
 

@@ -51,7 +51,7 @@ std::string reasonOf(const char* text) {
     reason.erase(0, line + 1);
   if (reason.starts_with("vtk"))
     if (const std::size_t colon = reason.find("): "); colon != std::string::npos) reason.erase(0, colon + 3);
-  std::replace(reason.begin(), reason.end(), '\n', ' ');
+  std::ranges::replace(reason, '\n', ' ');
   return std::string(trimmed(reason));
 }
 

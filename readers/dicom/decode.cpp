@@ -1,6 +1,5 @@
-#include "readers/dicom/decode.h"
+#include "readers/dicom/dicom.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 

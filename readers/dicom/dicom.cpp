@@ -4,16 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <memory>
-#include <optional>
-
-#include <glm/geometric.hpp>
 
 #include <vtkDataArray.h>
 
 #include "base/error.h"
 #include "base/number_text.h"
-#include "readers/dicom/decode.h"
 #include "readers/dicom/series.h"
 #include "readers/limits.h"
 #include "readers/serve.h"
@@ -31,6 +26,43 @@ namespace fs = std::filesystem;
 using base::throwInput;
 
 namespace {
+
+// Headers of all DICOM files in `folder` and its subfolders, to that depth, folder by folder; also objects
+// that are no scans. One scan at least.
+std::vector<DicomFile> scanDicomFolder(const fs::path& folder, int depth, base::Progress& progress,
+                                       std::vector<std::string>& warnings) {
+  std::vector<DicomFile> files;
+  int broken = 0, others = 0;
+  std::string firstReason, firstOther;
+  const std::vector<fs::path> paths = dicomFilesIn(folder, depth);
+  std::uint64_t bytes = 0;
+  for (const fs::path& path : paths) bytes += FileBytes(path).size();
+  allowHeaders(paths.size(), bytes);
+  for (const fs::path& path : paths) {
+    progress.throwIfStopped();
+    nowReading(path);
+    try {
+      DicomFile file = readWholeHeader(path);
+      if (!file.notAScan.empty() && others++ == 0) firstOther = path.string() + " " + file.notAScan;
+      if (!file.frames.empty()) files.push_back(std::move(file));
+    } catch (const base::Error& error) {
+      if (error.kind() != base::ErrorKind::input) throw;
+      if (broken++ == 0) firstReason = error.what();
+    }
+  }
+  const bool hasScans =
+      std::ranges::any_of(files, [](const DicomFile& file) { return file.notAScan.empty(); });
+  if (!hasScans && broken > 0) throwInput(folder.string(), "", "no usable DICOM image; " + firstReason);
+  if (!hasScans && others > 0) throwInput(folder.string(), "", "has no DICOM scan; " + firstOther);
+  if (!hasScans) throwInput(folder.string(), "", "has no DICOM images");
+  if (broken > 0)
+    warnings.push_back(std::to_string(broken) +
+                       " DICOM files are unreadable and left out; the first: " + firstReason);
+  if (others > 0)
+    warnings.push_back(std::to_string(others) +
+                       " DICOM objects are not scans and are skipped; the first: " + firstOther);
+  return files;
+}
 
 // The series asked for, else the one with most slices; and the list of all.
 std::vector<DicomFile> chooseSeries(std::vector<DicomFile> files, const std::string& wanted,
@@ -66,35 +98,10 @@ std::vector<DicomFile> chooseSeries(std::vector<DicomFile> files, const std::str
   std::erase_if(files, [&](const DicomFile& file) { return file.series != chosen; });
   files = onlyScans(std::move(files));
   // The order of acquisition, before the positions decide.
-  std::stable_sort(files.begin(), files.end(),
-                   [](const DicomFile& a, const DicomFile& b) { return a.instance < b.instance; });
+  std::ranges::stable_sort(files,
+                           [](const DicomFile& a, const DicomFile& b) { return a.instance < b.instance; });
   return files;
 }
-
-}  // namespace
-
-std::optional<VoxelType> voxelTypeOf(vtkDataArray* array) {
-  static constexpr std::pair<int, VoxelType> types[] = {{VTK_CHAR, VoxelType::int8},
-                                                        {VTK_SIGNED_CHAR, VoxelType::int8},
-                                                        {VTK_UNSIGNED_CHAR, VoxelType::uint8},
-                                                        {VTK_SHORT, VoxelType::int16},
-                                                        {VTK_UNSIGNED_SHORT, VoxelType::uint16},
-                                                        {VTK_INT, VoxelType::int32},
-                                                        {VTK_UNSIGNED_INT, VoxelType::uint32},
-                                                        {VTK_FLOAT, VoxelType::float32},
-                                                        {VTK_DOUBLE, VoxelType::float64}};
-  for (const auto& [known, type] : types)
-    if (known == array->GetDataType()) return type;
-  return std::nullopt;
-}
-
-std::optional<VoxelType> voxelTypeOf(const DicomFile& file) {
-  if (file.bitsAllocated == 64) return VoxelType::float64;
-  if (file.bitsAllocated != 1 && file.bitsAllocated % 8 != 0) return std::nullopt;
-  return integerType(static_cast<std::size_t>(file.bitsAllocated + 7) / 8, file.isSigned);
-}
-
-namespace {
 
 // One value of `slice` blended with the next one of the stack.
 template <typename T>
@@ -185,8 +192,8 @@ std::vector<DicomSource> stepOf(const std::vector<DicomSource>& sources, const S
 bool setMeaning(const std::vector<DicomSource>& slices, ImageHeader& header,
                 std::vector<std::string>& warnings) {
   const auto agree = [&](const auto& value) {
-    return std::all_of(slices.begin(), slices.end(),
-                       [&](const DicomSource& slice) { return value(slice) == value(slices.front()); });
+    return std::ranges::all_of(
+        slices, [&](const DicomSource& slice) { return value(slice) == value(slices.front()); });
   };
   if (agree([](const DicomSource& slice) { return slice.frame().unit; }))
     header.unit = slices.front().frame().unit;
@@ -194,8 +201,7 @@ bool setMeaning(const std::vector<DicomSource>& slices, ImageHeader& header,
     warnings.emplace_back("the slices state different units of their values; none is shown");
   if (!agree([](const DicomSource& slice) -> const auto& { return slice.file->lut.values; }))
     warnings.emplace_back("the modality LUT differs from slice to slice; applied, values stored as float32");
-  if (std::any_of(slices.begin(), slices.end(),
-                  [](const DicomSource& slice) { return !slice.file->lut.values.empty(); }))
+  if (std::ranges::any_of(slices, [](const DicomSource& slice) { return !slice.file->lut.values.empty(); }))
     return true;
   if (!agree(
           [](const DicomSource& slice) { return std::pair(slice.frame().slope, slice.frame().intercept); })) {
@@ -208,6 +214,27 @@ bool setMeaning(const std::vector<DicomSource>& slices, ImageHeader& header,
 }
 
 }  // namespace
+
+std::optional<VoxelType> voxelTypeOf(vtkDataArray* array) {
+  static constexpr std::pair<int, VoxelType> types[] = {{VTK_CHAR, VoxelType::int8},
+                                                        {VTK_SIGNED_CHAR, VoxelType::int8},
+                                                        {VTK_UNSIGNED_CHAR, VoxelType::uint8},
+                                                        {VTK_SHORT, VoxelType::int16},
+                                                        {VTK_UNSIGNED_SHORT, VoxelType::uint16},
+                                                        {VTK_INT, VoxelType::int32},
+                                                        {VTK_UNSIGNED_INT, VoxelType::uint32},
+                                                        {VTK_FLOAT, VoxelType::float32},
+                                                        {VTK_DOUBLE, VoxelType::float64}};
+  for (const auto& [known, type] : types)
+    if (known == array->GetDataType()) return type;
+  return std::nullopt;
+}
+
+std::optional<VoxelType> voxelTypeOf(const DicomFile& file) {
+  if (file.bitsAllocated == 64) return VoxelType::float64;
+  if (file.bitsAllocated != 1 && file.bitsAllocated % 8 != 0) return std::nullopt;
+  return integerType(static_cast<std::size_t>(file.bitsAllocated + 7) / 8, file.isSigned);
+}
 
 DecodedVolume decodeDicom(const fs::path& path, const ReadOptions& options, base::Progress& progress) {
   progress.report(0.0, "reading");

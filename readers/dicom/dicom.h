@@ -19,6 +19,7 @@
 #include <utility>
 #include <vector>
 
+#include <vtkSmartPointer.h>
 #include <glm/vec3.hpp>
 
 #include "base/progress.h"
@@ -57,7 +58,7 @@ struct DicomFile : volume::DicomStatements {
   std::string notAScan;  // why a DICOM object without slices is not read (dicom_object.h); "": it may be
   std::string transferSyntax, instanceUid, frameOfReference, photometric;
   int columns = 0, rows = 0, samples = 1, bitsAllocated = 0;  // columns, rows: of a slice
-  int tilesAcross = 1, tilesDown = 1;  // more: one image holds the frames as tiles, row by row (mosaics.h)
+  int tilesAcross = 1, tilesDown = 1;  // more: one image holds the frames as tiles, row by row (frames.h)
   std::uint64_t pixelDataAt = 0;       // where the pixel data begin, bytes
   bool isSigned = false;
   bool isCine = false;                           // frames are moments
@@ -82,14 +83,15 @@ DicomFile readHeader(const std::filesystem::path& file);
 // Throws also for what vtk-dicom finds damaged.
 DicomFile readWholeHeader(const std::filesystem::path& file);
 
-// Headers of all DICOM files in `folder` and its subfolders, to that depth, folder by folder; also objects
-// that are no scans. One scan at least.
-std::vector<DicomFile> scanDicomFolder(const std::filesystem::path& folder, int depth,
-                                       base::Progress& progress, std::vector<std::string>& warnings);
-
 // The voxels of a file; of what was decoded. Nothing: a type that is not supported.
 std::optional<volume::VoxelType> voxelTypeOf(const DicomFile& file);
 std::optional<volume::VoxelType> voxelTypeOf(vtkDataArray* array);
+
+// Returns the pixels of all files, in their order, by vtk-dicom, which knows the transfer syntaxes (through
+// GDCM). RGB of JPEG is what the file says that it is. `name`: of all of them, for messages. Throws
+// base::Error: input for pixels that cannot be decoded, with the file; interrupted.
+vtkSmartPointer<vtkDataArray> decodeFiles(const std::vector<DicomFile>& files, const std::string& name,
+                                          const VtkMessages& messages, base::Progress& progress);
 
 // `path` is a folder or a file.
 volume::DecodedVolume decodeDicom(const std::filesystem::path& path, const volume::ReadOptions& options,

@@ -49,16 +49,13 @@ class FrameElements {
 
 // A unit as people write it.
 std::string unitNamed(const std::string& stated) {
-  struct Name {
-    const char *stated, *written;
-  };
-  constexpr Name names[] = {{"US", ""},         {"normalized", ""}, {"RELATIVE", ""}, {"BQML", "Bq/ml"},
-                            {"CNTS", "counts"}, {"GML", "g/ml"},    {"GY", "Gy"},     {"NONE", ""},
-                            {"1", ""},          {"[hnsf'U]", "HU"}};
-  for (const Name& name : names)
-    if (stated == name.stated) return name.written;
-  const bool isPlain = stated.size() <= 16 &&
-                       std::all_of(stated.begin(), stated.end(), [](char c) { return c > ' ' && c < 127; });
+  constexpr std::pair<const char*, const char*> names[] = {
+      {"US", ""},      {"normalized", ""}, {"RELATIVE", ""}, {"BQML", "Bq/ml"}, {"CNTS", "counts"},
+      {"GML", "g/ml"}, {"GY", "Gy"},       {"NONE", ""},     {"1", ""},         {"[hnsf'U]", "HU"}};
+  for (const auto& [known, written] : names)
+    if (stated == known) return written;
+  const bool isPlain =
+      stated.size() <= 16 && std::ranges::all_of(stated, [](char c) { return c > ' ' && c < 127; });
   return isPlain ? stated : std::string();
 }
 

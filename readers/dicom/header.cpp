@@ -1,6 +1,5 @@
 // Headers of DICOM files: what a file holds, compared with its size before anything is decoded.
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <string_view>
 
@@ -16,7 +15,7 @@
 #include "readers/dicom/dicom_object.h"
 #include "readers/dicom/elements.h"
 #include "readers/dicom/frames.h"
-#include "readers/dicom/mosaics.h"
+#include "readers/vtk_messages.h"
 #include "volume/read/input/bytes.h"
 
 namespace isolux::readers {
@@ -219,6 +218,13 @@ DicomFile readHeader(const fs::path& path) {
   const std::string imageType = text(meta, DC::ImageType);
   if (imageType.find("MOSAIC") != std::string::npos) splitSiemensMosaic(meta, file);
   if (imageType.find("VFRAME") != std::string::npos) splitUnitedMosaic(meta, file);
+  return file;
+}
+
+DicomFile readWholeHeader(const fs::path& path) {
+  const VtkMessages messages;
+  DicomFile file = readHeader(path);
+  if (!messages.errors().empty()) throwInput(path.string(), "header", messages.errors().front());
   return file;
 }
 

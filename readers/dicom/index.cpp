@@ -56,8 +56,8 @@ void describeGrid(const std::vector<DicomFile>& files, DicomSeries& series) {
 
 DicomSeries describeSeries(std::vector<DicomFile> files) {
   // As when it is opened: in the order of acquisition.
-  std::stable_sort(files.begin(), files.end(),
-                   [](const DicomFile& a, const DicomFile& b) { return a.instance < b.instance; });
+  std::ranges::stable_sort(files,
+                           [](const DicomFile& a, const DicomFile& b) { return a.instance < b.instance; });
   const DicomFile& first = files.front();
   DicomSeries series;
   static_cast<DicomStatements&>(series) = first;
@@ -125,7 +125,7 @@ DicomIndexEnd indexDicomFolder(const fs::path& folder, const std::vector<std::st
     progress.report(static_cast<double>(i) / static_cast<double>(paths.size()), "reading");
     if (path.parent_path() != at) index.tell();
     at = path.parent_path();
-    if (!isDicomFile(path) || std::find(skip.begin(), skip.end(), path.string()) != skip.end()) continue;
+    if (!isDicomFile(path) || std::ranges::find(skip, path.string()) != skip.end()) continue;
     ++end.dicomFiles;
     try {
       if (auto file = lookAt(path)) index.add(std::move(*file));

@@ -6,10 +6,8 @@
 
 int main() {
   using namespace isolux;
-  readers::Abilities abilities;
-  abilities.volume = readers::decodeDicom;
-  abilities.index = readers::indexDicomFolder;
-  abilities.preview = readers::previewDicomFile;
-  abilities.versions = [] { return std::string("vtk-dicom ") + DICOM_SHORT_VERSION; };
-  return readers::serve(abilities);
+  return readers::serve({.volume = readers::decodeDicom,
+                         .index = readers::indexDicomFolder,
+                         .preview = readers::previewDicomFile,
+                         .versions = [] { return std::string("vtk-dicom ") + DICOM_SHORT_VERSION; }});
 }

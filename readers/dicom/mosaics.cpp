@@ -1,5 +1,3 @@
-#include "readers/dicom/mosaics.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

@@ -82,9 +82,8 @@ void dropCopies(std::vector<DicomFile>& files, std::vector<std::string>& warning
 
 // Without positions, several files over time are clips, each by itself.
 void keepOneClip(std::vector<DicomFile>& files, std::vector<std::string>& warnings) {
-  const auto clip = std::find_if(files.begin(), files.end(), [](const DicomFile& file) {
-    return file.isCine && !file.frames.front().hasPosition;
-  });
+  const auto clip = std::ranges::find_if(
+      files, [](const DicomFile& file) { return file.isCine && !file.frames.front().hasPosition; });
   if (clip == files.end() || files.size() == 1) return;
   warnings.push_back(
       std::to_string(files.size() - 1) +
@@ -103,8 +102,8 @@ void noteRemarks(const std::vector<DicomFile>& files, std::vector<std::string>& 
                                              : remark + " (" + std::to_string(count) + " of " +
                                                    std::to_string(files.size()) + " files)");
   const auto differ = [&](const auto& value) {
-    return std::any_of(files.begin(), files.end(),
-                       [&](const DicomFile& file) { return !(value(file) == value(files.front())); });
+    return std::ranges::any_of(files,
+                               [&](const DicomFile& file) { return !(value(file) == value(files.front())); });
   };
   if (files.front().series == kNoSeries && files.size() > 1)
     warnings.emplace_back("its files state no SeriesInstanceUID; they may not belong together");
@@ -124,8 +123,8 @@ struct Kind {
 std::vector<Kind> kindsOf(const std::vector<DicomSource>& sources, std::vector<std::size_t>& kindOfSource) {
   std::vector<Kind> kinds;
   for (const DicomSource& source : sources) {
-    auto kind = std::find_if(kinds.begin(), kinds.end(),
-                             [&](const Kind& known) { return differences(known.first, source).empty(); });
+    auto kind = std::ranges::find_if(
+        kinds, [&](const Kind& known) { return differences(known.first, source).empty(); });
     if (kind == kinds.end()) {
       if (kinds.size() == mostKinds)
         throwInput(source.file->path.string(), "",
@@ -143,8 +142,8 @@ void keepLargestKind(std::vector<DicomFile>& files, std::vector<std::string>& wa
   std::vector<std::size_t> kindOfSource;
   const std::vector<Kind> kinds = kindsOf(sources, kindOfSource);
   if (kinds.size() == 1) return;
-  const auto most = std::max_element(kinds.begin(), kinds.end(),
-                                     [](const Kind& a, const Kind& b) { return a.count < b.count; });
+  const auto most =
+      std::ranges::max_element(kinds, [](const Kind& a, const Kind& b) { return a.count < b.count; });
   std::set<std::string> names;
   for (const Kind& kind : kinds)
     for (std::string& name : differences(most->first, kind.first)) names.insert(std::move(name));

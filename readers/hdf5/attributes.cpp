@@ -79,8 +79,7 @@ Attributes attributesOf(hid_t object) {
     value.numbers = numbersOfAttribute(object, name.c_str());
     value.whole = !value.numbers.empty() && ::H5Tget_class(open.type.get()) == H5T_INTEGER;
     const std::vector<std::string> texts = textsOfAttribute(object, name.c_str());
-    const bool letters =
-        std::all_of(texts.begin(), texts.end(), [](const std::string& text) { return text.size() <= 1; });
+    const bool letters = std::ranges::all_of(texts, [](const std::string& text) { return text.size() <= 1; });
     if (texts.size() == 1 || letters)
       for (const std::string& text : texts) value.text += text;
     if (!value.numbers.empty() || !value.text.empty()) attributes[name] = std::move(value);

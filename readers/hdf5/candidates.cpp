@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <memory>
-#include <optional>
 #include <set>
 
 #include "base/error.h"
 #include "base/words.h"
 #include "readers/hdf5/hdf5_handles.h"
+#include "volume/read/input/convert.h"
 #include "volume/read/input/text.h"
 
 namespace isolux::readers {
@@ -118,9 +118,8 @@ std::optional<Candidate> candidateOf(hid_t dataset, const std::string& path) {
   const Hdf5Handle type(::H5Dget_type(dataset));
   const auto number = type ? numberOf(type.get()) : std::nullopt;
   const std::vector<std::uint64_t> dims = dimsOf(dataset);
-  const auto wide = std::count_if(dims.begin(), dims.end(), [](std::uint64_t n) { return n > 1; });
-  if (!number || dims.size() < 2 || wide < 2 || std::count(dims.begin(), dims.end(), 0u) > 0)
-    return std::nullopt;
+  const auto wide = std::ranges::count_if(dims, [](std::uint64_t n) { return n > 1; });
+  if (!number || dims.size() < 2 || wide < 2 || std::ranges::count(dims, 0u) > 0) return std::nullopt;
   Candidate candidate{path, dims, *number};
   candidate.voxels = 1.0;
   for (const std::uint64_t n : dims) candidate.voxels *= static_cast<double>(n);
@@ -140,8 +139,8 @@ std::vector<Candidate> candidatesOf(hid_t file, const std::string& name) {
   search.run();
   if (search.found.empty() && !search.external.empty())
     throwInput(name, "", "holds no volume itself; " + base::joined(search.external) + ": open that file");
-  std::stable_sort(search.found.begin(), search.found.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.voxels > b.voxels; });
+  std::ranges::stable_sort(search.found,
+                           [](const Candidate& a, const Candidate& b) { return a.voxels > b.voxels; });
   return std::move(search.found);
 }
 

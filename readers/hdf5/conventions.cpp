@@ -6,7 +6,6 @@
 #include <limits>
 #include <optional>
 #include <regex>
-#include <string>
 
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
@@ -155,7 +154,7 @@ void readNeXus(hid_t file, const Candidate& chosen, ArrayStatements& statements)
 void readMincAxis(hid_t file, AxisStatement& axis) {
   const Hdf5Handle dimension = openedObject(file, "/minc-2.0/dimensions/" + axis.name);
   static constexpr std::array<const char*, 3> names = {"xspace", "yspace", "zspace"};
-  const auto found = std::find(names.begin(), names.end(), axis.name);
+  const auto found = std::ranges::find(names, axis.name);
   if (!dimension || found == names.end()) return;
   const auto step = numbersOfAttribute(dimension.get(), "step"),
              start = numbersOfAttribute(dimension.get(), "start");
@@ -217,8 +216,8 @@ void readMinc(hid_t file, hid_t dataset, const Candidate& chosen, const std::str
       // Lower resolutions have steps of their own, which the file does not state.
       if (chosen.path.starts_with(std::string(kMincImages) + "0/")) readMincAxis(file, statements.axes[i]);
     }
-  statements.anatomical = std::any_of(statements.axes.begin(), statements.axes.end(),
-                                      [](const AxisStatement& axis) { return axis.step.has_value(); });
+  statements.anatomical =
+      std::ranges::any_of(statements.axes, [](const AxisStatement& axis) { return axis.step.has_value(); });
   readMincScaling(file, dataset, chosen, name, statements);
 }
 

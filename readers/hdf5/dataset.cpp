@@ -1,18 +1,14 @@
 #include "readers/hdf5/dataset.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <cstring>
 #include <memory>
 #include <utility>
 
 #include "base/error.h"
 #include "readers/hdf5/candidates.h"
 #include "readers/hdf5/conventions.h"
-#include "readers/hdf5/hdf5_handles.h"
 #include "readers/hdf5/recording_driver.h"
-#include "readers/hdf5/storage.h"
 #include "readers/limits.h"
 
 namespace isolux::readers {

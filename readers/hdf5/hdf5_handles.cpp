@@ -42,10 +42,6 @@ const std::string& externalTarget() {
   return lastTarget();
 }
 
-Hdf5Handle::~Hdf5Handle() {
-  if (id_ >= 0) ::H5Idec_ref(id_);
-}
-
 std::string hdf5Complaint() {
   std::string text;
   ::H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, noteComplaint, &text);

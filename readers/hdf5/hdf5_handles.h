@@ -11,7 +11,9 @@ namespace isolux::readers {
 class Hdf5Handle {
  public:
   explicit Hdf5Handle(hid_t id = H5I_INVALID_HID) : id_(id) {}
-  ~Hdf5Handle();
+  ~Hdf5Handle() {
+    if (id_ >= 0) ::H5Idec_ref(id_);
+  }
   Hdf5Handle(Hdf5Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)) {}
   Hdf5Handle& operator=(Hdf5Handle&& other) noexcept {
     std::swap(id_, other.id_);

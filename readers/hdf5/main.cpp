@@ -16,8 +16,5 @@ std::string versions() {
 
 int main() {
   using namespace isolux;
-  readers::Abilities abilities;
-  abilities.chunks = readers::describeDataset;
-  abilities.versions = versions;
-  return readers::serve(abilities);
+  return readers::serve({.chunks = readers::describeDataset, .versions = versions});
 }

@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "readers/hdf5/candidates.h"
-#include "readers/hdf5/storage.h"
+#include "readers/hdf5/dataset.h"
 
 namespace isolux::readers {
 
@@ -117,8 +117,8 @@ class Assembly {
   hid_t fileNamed(const std::string& name) {
     if (const auto found = files_.find(name); found != files_.end()) return found->second.get();
     const fs::path path(name);
-    const bool leaves = path.is_absolute() ||
-                        std::any_of(path.begin(), path.end(), [](const auto& part) { return part == ".."; });
+    const bool leaves =
+        path.is_absolute() || std::ranges::any_of(path, [](const auto& part) { return part == ".."; });
     if (leaves)
       throwInput(name_, table_.layout.dataset, "its source " + name + " is outside the folder of the file");
     table_.layout.files.push_back(name);
@@ -165,10 +165,9 @@ class Assembly {
   void copyChunks(const Source& source, const Hdf5Table& stored, const Box& from, const Axes& count) {
     const Hdf5Layout& whole = table_.layout;
     const std::uint64_t file =
-        source.file.empty()
-            ? 0
-            : 1 + static_cast<std::uint64_t>(std::find(whole.files.begin(), whole.files.end(), source.file) -
-                                             whole.files.begin());
+        source.file.empty() ? 0
+                            : 1 + static_cast<std::uint64_t>(std::ranges::find(whole.files, source.file) -
+                                                             whole.files.begin());
     const std::uint64_t all =
         std::accumulate(count.begin(), count.end(), std::uint64_t{1}, std::multiplies<>());
     for (std::uint64_t i = 0; i < all; ++i) {

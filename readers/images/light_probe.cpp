@@ -2,7 +2,6 @@
 #include <array>
 #include <filesystem>
 #include <memory>
-#include <new>
 
 #include <OpenImageIO/imageio.h>
 
@@ -20,7 +19,7 @@ using base::throwInput;
 namespace {
 
 std::string reason(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
+  std::ranges::replace(text, '\n', ' ');
   return text.empty() ? "cannot be read as an image" : text;
 }
 

@@ -24,9 +24,5 @@ std::string versions() {
 int main() {
   using namespace isolux;
   OIIO::attribute("threads", 1);  // rows are decoded one after the other
-  readers::Abilities abilities;
-  abilities.volume = readers::decodeTiff;
-  abilities.image = readers::decodeImage;
-  abilities.versions = versions;
-  return readers::serve(abilities);
+  return readers::serve({.volume = readers::decodeTiff, .image = readers::decodeImage, .versions = versions});
 }

@@ -113,7 +113,7 @@ void keepComplaint(const char* /*module*/, const char* format, va_list values) {
   char text[400];
   std::vsnprintf(text, sizeof text, format, values);
   complaint() = text;
-  std::replace(complaint().begin(), complaint().end(), '\n', ' ');
+  std::ranges::replace(complaint(), '\n', ' ');
 }
 
 // Pixels as stored: no palette, no sense of white, no stretching to full bytes. One open file at a time.
@@ -278,8 +278,8 @@ Pages pagesOf(const std::vector<fs::path>& files, base::Progress& progress,
     TiffFile read = tiffPages(FileBytes(file), progress);
     for (const TiffPage& page : read.pages) {
       pages.all.push_back({file, page});
-      const auto known = std::find_if(layouts.begin(), layouts.end(),
-                                      [&](const auto& layout) { return page.sameLayoutAs(layout.first); });
+      const auto known =
+          std::ranges::find_if(layouts, [&](const auto& layout) { return page.sameLayoutAs(layout.first); });
       if (known == layouts.end() && layouts.size() < 1000)
         layouts.emplace_back(page, 1);
       else if (known != layouts.end())
@@ -287,7 +287,7 @@ Pages pagesOf(const std::vector<fs::path>& files, base::Progress& progress,
     }
     if (file == files.front()) pages.first = std::move(read);
   }
-  const TiffPage kept = std::max_element(layouts.begin(), layouts.end(), [](const auto& a, const auto& b) {
+  const TiffPage kept = std::ranges::max_element(layouts, [](const auto& a, const auto& b) {
                           return a.second < b.second;
                         })->first;
   const std::size_t before = pages.all.size();
@@ -328,7 +328,7 @@ void leaveOutNoData(double noData, FileVoxels& voxels, std::vector<std::string>&
   std::visit(
       [&]<typename T>(std::vector<T>& values) {
         const auto marked = [&](T value) { return static_cast<double>(value) == noData; };
-        if (std::none_of(values.begin(), values.end(), marked)) return;
+        if (std::ranges::none_of(values, marked)) return;
         using Real = std::conditional_t<(sizeof(T) < 4) || std::is_same_v<T, float>, float, double>;
         std::vector<Real> reals(values.size());
         std::transform(values.begin(), values.end(), reals.begin(), [&](T value) {

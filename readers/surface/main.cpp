@@ -6,8 +6,6 @@
 
 int main() {
   using namespace isolux;
-  readers::Abilities abilities;
-  abilities.contour = readers::flyingEdges;
-  abilities.versions = [] { return std::string("VTK ") + vtkVersion::GetVTKVersion() + " (flying edges)"; };
-  return readers::serve(abilities);
+  const auto versions = [] { return std::string("VTK ") + vtkVersion::GetVTKVersion() + " (flying edges)"; };
+  return readers::serve({.contour = readers::flyingEdges, .versions = versions});
 }

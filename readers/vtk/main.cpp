@@ -6,9 +6,7 @@
 
 int main() {
   using namespace isolux;
-  readers::Abilities abilities;
-  abilities.volume = readers::decodeVti;
-  abilities.mesh = readers::decodePolyData;
-  abilities.versions = [] { return std::string("VTK ") + vtkVersion::GetVTKVersion(); };
-  return readers::serve(abilities);
+  return readers::serve({.volume = readers::decodeVti, .mesh = readers::decodePolyData, .versions = [] {
+                           return std::string("VTK ") + vtkVersion::GetVTKVersion();
+                         }});
 }

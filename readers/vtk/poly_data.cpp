@@ -1,5 +1,4 @@
 // VTK XML PolyData (.vtp), read by VTK, which knows all its encodings, after a check of what it claims.
-#include <algorithm>
 #include <array>
 
 #include <vtkCallbackCommand.h>

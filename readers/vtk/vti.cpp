@@ -13,7 +13,6 @@
 #include "readers/vtk/vtk_files.h"
 #include "readers/vtk_messages.h"
 #include "volume/read/input/payload.h"
-#include "volume/read/input/text.h"
 #include "volume/read/vtk/vti.h"
 
 namespace isolux::readers {
