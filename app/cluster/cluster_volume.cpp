@@ -29,7 +29,7 @@ std::string headOf(const volume::Volume& volume) {
   const volume::Grid& grid = *volume.grid;
   volume::WireWriter out;
   for (int a = 0; a < 3; ++a) out.put(static_cast<std::uint64_t>(grid.dims()[a]));
-  out.put(grid.geometry().worldFromVoxel);
+  out.passFinite(grid.geometry().worldFromVoxel);
   out.put(grid.slope());
   out.put(grid.intercept());
   out.put(std::uint64_t{grid.voxels().index()});
@@ -59,7 +59,7 @@ std::shared_ptr<const volume::PreparedVolume> broadcastVolume(
   volume::GridGeometry geometry;
   constexpr std::uint64_t longest = std::uint64_t{1} << 30;
   for (int a = 0; a < 3; ++a) geometry.dims[a] = static_cast<int>(in.number(1, longest));
-  geometry.worldFromVoxel = in.finiteMatrix();
+  in.passFinite(geometry.worldFromVoxel);
   const double slope = in.finite(), intercept = in.finite();
   const std::uint64_t type = in.number(0, std::variant_size_v<volume::VoxelArray> - 1);
   volume::Volume received;

@@ -8,7 +8,6 @@
 #include <mutex>
 #include <optional>
 #include <thread>
-#include <tuple>
 #include <unordered_map>
 
 #include <glm/common.hpp>
@@ -52,6 +51,37 @@ struct Key {
 struct KeyHash {
   std::size_t operator()(const Key& key) const { return key.brick * 31 + key.level; }
 };
+
+// A run of voxels on an axis that lies in one brick; coordinates may be beyond the border.
+struct Run {
+  int brick, from, behind;
+};
+
+// One brick where it holds all of it, else as the edges of bricks say.
+std::vector<Run> runsOf(const Cut& cut, int axis, int first, int size) {
+  const int n = cut.dims[axis], edge = cut.edge[axis];
+  const int low = std::clamp(first, 0, n - 1), high = std::clamp(first + size - 1, 0, n - 1);
+  const int middle = std::clamp(first + size / 2, 0, n - 1) / edge;
+  if (low >= cut.low(glm::ivec3(middle))[axis] && high < cut.behindLast(glm::ivec3(middle))[axis])
+    return {{middle, first, first + size}};
+  std::vector<Run> runs;
+  for (int at = first; at < first + size;) {
+    const int brick = std::clamp(at, 0, n - 1) / edge;
+    const int behind = brick == (n - 1) / edge ? first + size : std::min((brick + 1) * edge, first + size);
+    runs.push_back({brick, at, behind});
+    at = behind;
+  }
+  return runs;
+}
+
+// One line of a box out of a row of voxels; beyond the border the border voxel repeats.
+template <class T>
+void copyLine(const T* row, int rowLow, int n, Run run, T* out) {
+  for (int x = run.from; x < std::min(run.behind, 0); ++x) *out++ = row[0 - rowLow];
+  const int from = std::clamp(run.from, 0, n), behind = std::clamp(run.behind, 0, n);
+  if (behind > from) out = std::copy(row + (from - rowLow), row + (behind - rowLow), out);
+  for (int x = std::max(run.from, n); x < run.behind; ++x) *out++ = row[n - 1 - rowLow];
+}
 
 }  // namespace
 
@@ -232,41 +262,6 @@ BrickSource::Request BrickSource::request(std::size_t level, glm::ivec3 index, i
   return Request(wanted);
 }
 
-namespace {
-
-// A run of voxels on an axis that lies in one brick; coordinates may be beyond the border.
-struct Run {
-  int brick, from, behind;
-};
-
-// One brick where it holds all of it, else as the edges of bricks say.
-std::vector<Run> runsOf(const Cut& cut, int axis, int first, int size) {
-  const int n = cut.dims[axis], edge = cut.edge[axis];
-  const int low = std::clamp(first, 0, n - 1), high = std::clamp(first + size - 1, 0, n - 1);
-  const int middle = std::clamp(first + size / 2, 0, n - 1) / edge;
-  if (low >= cut.low(glm::ivec3(middle))[axis] && high < cut.behindLast(glm::ivec3(middle))[axis])
-    return {{middle, first, first + size}};
-  std::vector<Run> runs;
-  for (int at = first; at < first + size;) {
-    const int brick = std::clamp(at, 0, n - 1) / edge;
-    const int behind = brick == (n - 1) / edge ? first + size : std::min((brick + 1) * edge, first + size);
-    runs.push_back({brick, at, behind});
-    at = behind;
-  }
-  return runs;
-}
-
-// One line of a box out of a row of voxels; beyond the border the border voxel repeats.
-template <class T>
-void copyLine(const T* row, int rowLow, int n, Run run, T* out) {
-  for (int x = run.from; x < std::min(run.behind, 0); ++x) *out++ = row[0 - rowLow];
-  const int from = std::clamp(run.from, 0, n), behind = std::clamp(run.behind, 0, n);
-  if (behind > from) out = std::copy(row + (from - rowLow), row + (behind - rowLow), out);
-  for (int x = std::max(run.from, n); x < run.behind; ++x) *out++ = row[n - 1 - rowLow];
-}
-
-}  // namespace
-
 void BrickSource::copyBox(std::size_t level, glm::ivec3 first, glm::ivec3 size, std::span<std::byte> voxels,
                           std::vector<DamagedPart>* unknown) {
   const Cut& cut = state_->cuts[level];
@@ -286,7 +281,7 @@ void BrickSource::copyBox(std::size_t level, glm::ivec3 first, glm::ivec3 size, 
         }
     });
   };
-  if (unknown) std::fill(voxels.begin(), voxels.end(), std::byte{0});
+  if (unknown) std::ranges::fill(voxels, std::byte{0});
   for (const Run& z : runsZ)
     for (const Run& y : runsY)
       for (const Run& x : runsX) {

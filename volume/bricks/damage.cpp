@@ -7,7 +7,6 @@
 #include <glm/common.hpp>
 
 #include "base/error.h"
-#include "volume/voxels/stored_type.h"
 
 namespace isolux::volume {
 
@@ -84,7 +83,7 @@ std::size_t readAround(const ChunkedVolume& file, VolumePart part, std::size_t l
 }
 
 void recordDamage(const std::string& file, DamagedPart&& part, std::vector<DamagedPart>& damaged) {
-  if (std::find(damaged.begin(), damaged.end(), part) != damaged.end()) return;
+  if (std::ranges::find(damaged, part) != damaged.end()) return;
   if (damaged.size() == kMostDamagedParts)
     base::throwInput(file, "",
                      "more than " + std::to_string(kMostDamagedParts) +
@@ -99,7 +98,7 @@ std::string damageText(const std::vector<DamagedPart>& damaged) {
 }
 
 bool isRepaired(const ChunkedVolume& file, VolumePart part, const std::vector<DamagedPart>& damaged) {
-  return std::any_of(damaged.begin(), damaged.end(), [&](const DamagedPart& one) {
+  return std::ranges::any_of(damaged, [&](const DamagedPart& one) {
     std::vector<std::byte> voxels(Extent3{one.size}.count() * bytesOf(file.facts().storedType));
     std::size_t bytes = 0;
     return triedToRead(file, part, 0, {one.low, one.size}, voxels, bytes).empty();

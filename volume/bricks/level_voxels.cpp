@@ -152,10 +152,10 @@ LevelVoxels readMeans(const ChunkedVolume& file, VolumePart part, const LevelOri
     read.unknown.insert(read.unknown.end(), unknown.begin(), unknown.end());
   });
   // Independent of which thread was first.
-  std::sort(read.damaged.begin(), read.damaged.end(), [](const DamagedPart& a, const DamagedPart& b) {
+  std::ranges::sort(read.damaged, [](const DamagedPart& a, const DamagedPart& b) {
     return std::tie(a.low.z, a.low.y, a.low.x) < std::tie(b.low.z, b.low.y, b.low.x);
   });
-  std::sort(read.unknown.begin(), read.unknown.end());
+  std::ranges::sort(read.unknown);
   read.voxels = std::move(voxels);
   return read;
 }

@@ -15,7 +15,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "volume/extraction/surface_projection.h"
+#include "volume/field/reconstruct.h"
 #include "volume/mesh/mesh_edges.h"
 #include "volume/parallel/parallel_loops.h"
 #include "volume/read/process/foreign.h"
@@ -44,6 +44,45 @@ void fillSamples(const Grid& grid, const SurfaceMeshRequest& request, int pad, s
       samples[extent.index(at)] = depthOf(grid, request, at - pad) >= 0.0 ? 1.0f : -1.0f;
   });
 }
+
+// The point of an isosurface that lies straight below or above a point near it.
+class SurfaceProjection {
+ public:
+  // coefficients: of cubic_interpolating, else null. isovalue: data units. Keeps references.
+  SurfaceProjection(const Grid& grid, scene::Field field, const Coefficients* coefficients, double isovalue)
+      : grid_(grid), field_(field), coefficients_(coefficients), isovalue_(isovalue) {
+    const glm::dmat3 inverse = glm::inverse(glm::dmat3(grid.geometry().worldFromVoxel));
+    metric_ = inverse * glm::transpose(inverse);
+  }
+
+  // By Newton's steps along the gradient of the world, to 1e-9 voxel; voxel coordinates. Nothing where they
+  // do not come to the surface within two voxels.
+  std::optional<glm::dvec3> of(const glm::dvec3& voxel) const {
+    constexpr int steps = 24;
+    constexpr double near = 1e-9, farthest = 2.0, longest = 0.5;  // voxels
+    const glm::dvec3 last(grid_.dims() - 1);
+    glm::dvec3 point = voxel;
+    for (int i = 0; i < steps; ++i) {
+      const FieldSample sample = sampleField(grid_, field_, coefficients_, point);
+      const glm::dvec3 across = metric_ * sample.gradient;
+      const double slope = glm::dot(sample.gradient, across);
+      if (!(slope > 0.0)) return std::nullopt;  // NaN too
+      glm::dvec3 step = (isovalue_ - sample.value) / slope * across;
+      if (const double length = glm::length(step); length > longest) step *= longest / length;
+      point = glm::clamp(point + step, glm::dvec3(0.0), last);
+      if (glm::distance(point, voxel) > farthest) return std::nullopt;
+      if (glm::length(step) < near) return point;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  const Grid& grid_;
+  scene::Field field_;
+  const Coefficients* coefficients_;
+  double isovalue_;
+  glm::dmat3 metric_;  // A^-1 A^-T: turns a gradient of voxel space into the direction across in the world
+};
 
 // A crossed edge of the grid, from its voxel inside to the one outside.
 struct CrossedEdge {
@@ -150,7 +189,7 @@ class Maker {
       else
         astray[i] = 1;
     });
-    astray_ = static_cast<std::size_t>(std::count(astray.begin(), astray.end(), 1));
+    astray_ = static_cast<std::size_t>(std::ranges::count(astray, 1));
     for (std::size_t i = 0; i < middles.size(); ++i)
       if (atVoxel[i])
         atVoxels_[voxelAt(mesh_.points[i])].push_back({i, 2.0 * (middles[i] - mesh_.points[i])});
@@ -195,10 +234,10 @@ class Maker {
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
       const Triangle& triangle = mesh_.triangles[t];
       std::array<int, 3> corners{triangle[0], triangle[1], triangle[2]};
-      if (!std::all_of(corners.begin(), corners.end(),
-                       [&](int c) { return isVoxel(mesh_.points[static_cast<std::size_t>(c)]); }))
+      if (!std::ranges::all_of(corners,
+                               [&](int c) { return isVoxel(mesh_.points[static_cast<std::size_t>(c)]); }))
         continue;
-      std::sort(corners.begin(), corners.end());
+      std::ranges::sort(corners);
       const auto [place, isNew] = first.emplace(corners, t);
       if (isNew) continue;
       folded[t] = folded[place->second] = 1;
@@ -285,7 +324,7 @@ class Maker {
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
       if (middles_[t].distanceMm > request_.toleranceMm)
         if (const auto edge = longestEdge(t)) splitAt(*edge);
-    if (std::all_of(split.begin(), split.end(), [](int s) { return s < 0; })) return false;
+    if (std::ranges::all_of(split, [](int s) { return s < 0; })) return false;
     mesh_.triangles = splitTriangles(mesh_, edges_, split);
     return true;
   }
@@ -306,9 +345,7 @@ class Maker {
   SurfaceMesh finished() {
     SurfaceMesh result;
     // Where all is inside there is no surface, only the border.
-    if (std::all_of(mesh_.triangles.begin(), mesh_.triangles.end(),
-                    [&](const Triangle& t) { return isCap(t); }))
-      return result;
+    if (std::ranges::all_of(mesh_.triangles, [&](const Triangle& t) { return isCap(t); })) return result;
     result.largestDistanceMm = apartMm_;
     result.toleranceMm = request_.toleranceMm;
     const auto look = [&](const Foot& foot, const auto& place) {

@@ -1,12 +1,9 @@
 #include "volume/large/coarse_level.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <utility>
 #include <variant>
-#include <vector>
 
-#include <glm/common.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "base/error.h"
@@ -37,10 +34,6 @@ std::string timesText(glm::dvec3 n) {
 }
 
 // Before all that the header says.
-void putFirst(std::string warning, ImageHeader& header) {
-  header.warnings.insert(header.warnings.begin(), std::move(warning));
-}
-
 // Where any are missing, of a type that knows missing ones.
 FileVoxels voxelsOf(LevelVoxels&& read, const scene::Source& source, const ReadOptions& options,
                     base::Progress& progress) {
@@ -49,10 +42,6 @@ FileVoxels voxelsOf(LevelVoxels&& read, const scene::Source& source, const ReadO
   checkBudget(count * sizeof(float), "voxels some of which are missing", "a higher source.level needs less",
               source.path, options);
   return withMissing(read, progress);
-}
-
-bool isAllMissing(const Grid& grid) {
-  return grid.missingCount() == grid.geometry().voxelCount();
 }
 
 }  // namespace
@@ -119,11 +108,13 @@ Volume readLevel(const VolumeFile& file, const scene::Source& source, base::Prog
   const LevelOrigin origin = originOf(facts, source.level);
   LevelVoxels read = readLevelVoxels(*file.parts, part, origin, geometry.dims, source.aroundDamage, progress);
   const std::string damage = read.damaged.empty() ? "" : damageText(read.damaged);
-  if (source.level > 0) putFirst(levelNote(facts, source.level), header);
-  if (!damage.empty()) putFirst(damage + "; its voxels count as missing", header);
+  if (source.level > 0) header.warnings.insert(header.warnings.begin(), levelNote(facts, source.level));
+  if (!damage.empty())
+    header.warnings.insert(header.warnings.begin(), damage + "; its voxels count as missing");
   Volume volume =
       finishVolume(header, voxelsOf(std::move(read), source, options, progress), options, progress);
-  if (!damage.empty() && isAllMissing(*volume.grid)) base::throwInput(source.path, "", damage);
+  if (!damage.empty() && volume.grid->missingCount() == geometry.voxelCount())
+    base::throwInput(source.path, "", damage);
   volume.damage = damage;
   volume.coarsestLevel = coarsestLevel(facts);
   takeNames(volume, facts);

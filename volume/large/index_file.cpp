@@ -29,7 +29,7 @@ std::string identityOf(const std::string& path, const ReadOptions& options) {
                      std::to_string(options.timeStep) + '\n';
   std::vector<fs::path> files = filesOfVolume(path);
   if (std::error_code ignored; fs::is_directory(path, ignored)) files.emplace_back(path);
-  std::sort(files.begin(), files.end());
+  std::ranges::sort(files);
   const fs::path folder = fs::path(path).parent_path();
   base::Hasher hash;
   for (const fs::path& file : files) {
@@ -83,7 +83,7 @@ std::vector<fs::path> IndexFile::partFiles() const {
   std::error_code failed;
   for (const auto& entry : fs::directory_iterator(folder, failed))
     if (entry.path().filename().string().starts_with(start)) found.push_back(entry.path());
-  std::sort(found.begin(), found.end());
+  std::ranges::sort(found);
   return found;
 }
 

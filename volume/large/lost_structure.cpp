@@ -1,9 +1,6 @@
 #include "volume/large/lost_structure.h"
 
-#include <algorithm>
 #include <atomic>
-#include <cmath>
-#include <string>
 
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
@@ -57,23 +54,22 @@ LostStructure::LostStructure(const IndexedVolume& whole, const Grid& level, std:
   std::atomic<std::size_t> count{0};
   parallelSteps(static_cast<std::size_t>(blocks.z), progress, {0.0, 1.0, "comparing levels"},
                 [&](std::size_t z) {
-                  for (int y = 0; y < blocks.y; ++y)
-                    for (int x = 0; x < blocks.x; ++x) {
-                      const glm::ivec3 block(x, y, static_cast<int>(z)),
-                          low = block * cells, high = glm::min(low + cells, dims_ - 1);
-                      const std::size_t index = blocks_->index(block);
-                      const auto inLevel = [&](glm::ivec3 voxel) {
-                        return glm::dvec3(levelFromWhole * glm::dvec4(voxel, 1.0));
-                      };
-                      for (const double isovalue : isovalues) {
-                        const double stored = (isovalue - level.intercept()) / level.slope();
-                        if (!blocks_->active(index, static_cast<float>(stored))) continue;
-                        if (levelCrosses(level, inLevel(low), inLevel(high), stored)) continue;
-                        gaps_[index] = 1;
-                        ++count;
-                        break;
-                      }
+                  const int layer = static_cast<int>(z);
+                  forEachIn({0, 0, layer}, {blocks.x, blocks.y, layer + 1}, [&](glm::ivec3 block) {
+                    const glm::ivec3 low = block * cells, high = glm::min(low + cells, dims_ - 1);
+                    const std::size_t index = blocks_->index(block);
+                    const auto inLevel = [&](glm::ivec3 voxel) {
+                      return glm::dvec3(levelFromWhole * glm::dvec4(voxel, 1.0));
+                    };
+                    for (const double isovalue : isovalues) {
+                      const double stored = (isovalue - level.intercept()) / level.slope();
+                      if (!blocks_->active(index, static_cast<float>(stored))) continue;
+                      if (levelCrosses(level, inLevel(low), inLevel(high), stored)) continue;
+                      gaps_[index] = 1;
+                      ++count;
+                      break;
                     }
+                  });
                 });
   count_ = count;
 }

@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
 #include <type_traits>
 #include <utility>
 
 #include <tbb/combinable.h>
 
 #include "base/error.h"
-#include "base/hash.h"
 #include "volume/bricks/slice_reader.h"
 #include "volume/parallel/parallel_steps.h"
 #include "volume/statistics/typical_step.h"
@@ -55,11 +53,7 @@ VolumeIndex::VolumeIndex(const ChunkedFacts& facts, VolumePart part)
 }
 
 std::size_t VolumeIndex::unitsDone() const {
-  return static_cast<std::size_t>(std::count(done_.begin(), done_.end(), std::uint8_t{1}));
-}
-
-void VolumeIndex::note(DamagedPart&& damaged) {
-  recordDamage(facts_.name, std::move(damaged), damaged_);
+  return static_cast<std::size_t>(std::ranges::count(done_, std::uint8_t{1}));
 }
 
 // Of each voxel of these slices whether it could not be read; nothing: all of them could.
@@ -166,7 +160,7 @@ void VolumeIndex::scan(const ChunkedVolume& file, IndexPart part, base::Progress
   const std::size_t from = units() * (i - 1) / n, to = units() * i / n;
   const int ofPiece = static_cast<int>(pieceVoxels_ / Extent3{dims()}.slice());
   SliceReader reader(file, part_, slicesOfUnit() + ofPiece + 2,
-                     [this](DamagedPart&& damaged) { note(std::move(damaged)); });
+                     [this](DamagedPart&& part) { recordDamage(facts_.name, std::move(part), damaged_); });
   for (std::size_t unit = from; unit < to; ++unit) {
     progress.throwIfStopped();
     progress.report(static_cast<double>(unit - from) / static_cast<double>(to - from), "indexing");
@@ -201,7 +195,7 @@ void VolumeIndex::join(const VolumeIndex& other) {
       blocks_->set(block, other.blocks_->minimum(block), other.blocks_->maximum(block));
   }
   for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += other.counts_[i];
-  for (DamagedPart damaged : other.damaged_) note(std::move(damaged));
+  for (DamagedPart part : other.damaged_) recordDamage(facts_.name, std::move(part), damaged_);
 }
 
 double VolumeIndex::stepOf(const ChunkedVolume& file, double slope, double intercept,

@@ -81,7 +81,6 @@ class VolumeIndex {
 
   template <class T>
   void scanUnit(SliceReader& reader, std::size_t unit, base::Progress& progress);
-  void note(DamagedPart&& damaged);
   std::vector<std::uint8_t> unknownVoxels(int first, int slices) const;
   void openBlocks(int first, int slices);
   void countFloats(const ChunkedVolume& file, base::Progress& progress);

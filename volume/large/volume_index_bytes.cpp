@@ -119,7 +119,7 @@ bool VolumeIndex::transfer(Io& io) {
     for (std::size_t i = 0; i < minima.size(); ++i) blocks_->set(i, minima[i], maxima[i]);
   isFinished_ = finished != 0;
   // Nothing of a file is believed that memory depends on.
-  return std::all_of(done_.begin(), done_.end(), [](std::uint8_t d) { return d <= 1; });
+  return std::ranges::all_of(done_, [](std::uint8_t d) { return d <= 1; });
 }
 
 void VolumeIndex::write(const std::function<void(const void*, std::size_t)>& put) const {

@@ -1,10 +1,7 @@
 #include "volume/large/volume_preview.h"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <memory>
-#include <string>
 #include <utility>
 #include <vector>
 

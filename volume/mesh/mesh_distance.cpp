@@ -120,7 +120,7 @@ class Slices {
 
 // Makes the values of one x line negative where the winding number is 0.
 void signLine(std::vector<Crossing>& crossings, float* values, int count) {
-  std::sort(crossings.begin(), crossings.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
+  std::ranges::sort(crossings, [](const auto& a, const auto& b) { return a.x < b.x; });
   int winding = 0;
   std::size_t next = 0;
   for (int x = 0; x < count; ++x) {

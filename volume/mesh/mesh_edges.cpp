@@ -43,7 +43,7 @@ std::vector<Triangle> splitTriangles(const TriangleMesh& mesh, const MeshEdges& 
     Triangle c = mesh.triangles[t];
     std::array<int, 3> m{};
     for (int i = 0; i < 3; ++i) m[static_cast<std::size_t>(i)] = split[edges.of(t, i)];
-    const auto count = std::count_if(m.begin(), m.end(), [](int point) { return point >= 0; });
+    const auto count = std::ranges::count_if(m, [](int point) { return point >= 0; });
     if (count == 0) {
       out.push_back(c);
       continue;

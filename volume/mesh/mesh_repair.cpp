@@ -258,10 +258,9 @@ TriangleMesh closedMesh(TriangleMesh mesh, std::vector<std::string>& warnings,
   constexpr std::size_t longestSpanned = 400;
   const std::size_t before = mesh.triangles.size();
   mergePoints(mesh, progress);
-  const auto flat = static_cast<std::size_t>(
-      std::count_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
-        return areaOf(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)) == 0.0;
-      }));
+  const auto flat = static_cast<std::size_t>(std::ranges::count_if(mesh.triangles, [&](const Triangle& t) {
+    return areaOf(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)) == 0.0;
+  }));
   if (const std::size_t degenerate = before - mesh.triangles.size() + flat; degenerate > 0)
     warnings.push_back(counted(degenerate, "triangle") + " without area");
 

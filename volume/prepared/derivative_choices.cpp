@@ -235,6 +235,20 @@ DerivativeChoice choiceWithoutVoxels(const DerivativeQuestion& question) {
   return choice;
 }
 
+DerivativeQuestion questionOf(const scene::Scene& scene) {
+  return {scene.isosurface.value.value(), scene.derivatives.field, scene.derivatives.noise};
+}
+
+void fillIn(scene::Derivatives& derivatives, const DerivativeChoice& choice) {
+  if (!derivatives.noise) derivatives.noise = choice.noise;
+  if (!derivatives.scale) derivatives.scale = choice.scaleMm;
+  if (!derivatives.normalScale) derivatives.normalScale = choice.normalScaleMm;
+}
+
+bool isComplete(const scene::Derivatives& derivatives) {
+  return derivatives.noise && derivatives.scale && derivatives.normalScale;
+}
+
 }  // namespace
 
 scene::NoiseModel DerivativeChoices::noise(base::Progress& progress) const {
@@ -284,24 +298,6 @@ DerivativeChoice DerivativeChoices::measured(const DerivativeQuestion& question,
   }
   return choice;
 }
-
-namespace {
-
-DerivativeQuestion questionOf(const scene::Scene& scene) {
-  return {scene.isosurface.value.value(), scene.derivatives.field, scene.derivatives.noise};
-}
-
-void fillIn(scene::Derivatives& derivatives, const DerivativeChoice& choice) {
-  if (!derivatives.noise) derivatives.noise = choice.noise;
-  if (!derivatives.scale) derivatives.scale = choice.scaleMm;
-  if (!derivatives.normalScale) derivatives.normalScale = choice.normalScaleMm;
-}
-
-bool isComplete(const scene::Derivatives& derivatives) {
-  return derivatives.noise && derivatives.scale && derivatives.normalScale;
-}
-
-}  // namespace
 
 bool DerivativeChoices::completeIfChosen(scene::Scene& scene) const {
   if (isComplete(scene.derivatives)) return true;

@@ -40,7 +40,7 @@ double standingOn(std::span<const OutlineSample> samples, glm::dvec3 up) {
   double lowest = std::numeric_limits<double>::infinity();
   for (const OutlineSample& sample : samples) lowest = std::min(lowest, glm::dot(up, sample.positionMm));
   const double reach = lowest + kFlatDepth * glm::length(boxOf(samples).size());
-  const auto onGround = std::count_if(samples.begin(), samples.end(), [&](const OutlineSample& sample) {
+  const auto onGround = std::ranges::count_if(samples, [&](const OutlineSample& sample) {
     return glm::dot(up, sample.positionMm) < reach && glm::dot(up, sample.normal) < -kFlatFacing;
   });
   return static_cast<double>(onGround) / static_cast<double>(samples.size());

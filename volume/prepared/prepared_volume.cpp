@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <iterator>
 #include <optional>
 #include <vector>
@@ -60,7 +59,7 @@ BlockBox boxOfBlocks(const MinMaxBlocks& blocks, const IsWanted& isWanted, base:
 }
 
 double mostFrequent(const Histogram& histogram) {
-  const auto most = std::max_element(histogram.counts.begin(), histogram.counts.end());
+  const auto most = std::ranges::max_element(histogram.counts);
   return histogram.binCentre(static_cast<std::size_t>(std::distance(histogram.counts.begin(), most)));
 }
 
@@ -90,10 +89,9 @@ void setBounds(PreparedVolume& prepared, base::Progress& progress) {
                  blocks.maximum(i) - blocks.minimum(i) > contrast;
         },
         progress);
-    const glm::ivec3 first = box.first, last = box.last;
-    if (last.x >= 0) {
-      low = first * blocks.blockCells();
-      high = glm::min((last + 1) * blocks.blockCells(), high);
+    if (box.last.x >= 0) {
+      low = box.first * blocks.blockCells();
+      high = glm::min((box.last + 1) * blocks.blockCells(), high);
     }
   }
   Bounds<glm::dvec3> bounds;
@@ -270,17 +268,10 @@ std::shared_ptr<PreparedVolume> prepareFile(const std::shared_ptr<const ChunkedV
                                             base::Progress& progress) {
   const Clock::time_point start = Clock::now();
   const ChunkedFacts& facts = file->facts();
-  Volume volume;
+  const GridGeometry& geometry = facts.levels.front().geometry;
+  Volume volume = volumeOf(chunkedHeader(facts, geometry, facts.storedType), readOptions(source));
   takeNames(volume, facts);
-  volume.format = facts.format;
-  volume.fileType = facts.storedType;
-  volume.unit = facts.unit;
-  volume.axes = facts.axes;
   volume.kind = source.kind;
-  volume.components = facts.channels;
-  volume.timeSteps = facts.times;
-  volume.warnings = facts.warnings;
-  noteChoices(volume, readOptions(source));
   noteStep(volume, source.timeStep);
   const VolumeIndex index = indexOf(*file, source, volume.warnings, progress);
   const double readSeconds = secondsSince(start);
@@ -288,8 +279,7 @@ std::shared_ptr<PreparedVolume> prepareFile(const std::shared_ptr<const ChunkedV
       std::make_shared<BrickSource>(file, VolumePart{static_cast<int>(source.timeStep), source.component},
                                     brickBudget(ramBudgetMb, *index.blocks()));
   const auto gridOf = [&](double slope, double intercept) {
-    return std::make_shared<Grid>(facts.levels.front().geometry, index.voxelFacts(slope, intercept), slope,
-                                  intercept, bricks);
+    return std::make_shared<Grid>(geometry, index.voxelFacts(slope, intercept), slope, intercept, bricks);
   };
   std::shared_ptr<Grid> grid = gridOf(facts.slope, facts.intercept);
   bool scaled = facts.slope != 1.0 || facts.intercept != 0.0;

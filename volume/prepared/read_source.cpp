@@ -1,6 +1,9 @@
 #include "volume/prepared/read_source.h"
 
-#include <cmath>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,14 +11,112 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "volume/large/coarse_level.h"
-#include "volume/prepared/time_steps.h"
+#include "volume/parallel/parallel_steps.h"
+#include "volume/read/input/patient.h"
 #include "volume/read/input/payload.h"
+#include "volume/read/plain_file.h"
 #include "volume/read/reader.h"
 #include "volume/read/step_files.h"
+#include "volume/same_geometry.h"
 
 namespace isolux::volume {
 
 namespace {
+
+struct Layout {
+  GridGeometry geometry;
+  VoxelType type = VoxelType::uint8;
+};
+
+std::optional<Layout> layoutInHeader(const scene::Source& source) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(source.path, ignored)) return std::nullopt;
+  FileFormat format = FileFormat::unknown;
+  const auto file = describedFile(source.path, readOptions(source), format);
+  if (!file) return std::nullopt;
+  return Layout{file->header.geometry(), file->header.type};
+}
+
+Layout layoutOf(const scene::Source& source, base::Progress& progress) {
+  if (const auto layout = layoutInHeader(source)) return *layout;
+  const VolumeFile file = openSource(source, progress);
+  if (file.parts) return {file.parts->facts().levels.front().geometry, file.parts->facts().storedType};
+  const Volume volume = file.readWhole(readOptions(source), progress);
+  return {volume.grid->geometry(), volume.fileType};
+}
+
+std::string sizeText(glm::ivec3 dims) {
+  return std::to_string(dims.x) + "x" + std::to_string(dims.y) + "x" + std::to_string(dims.z);
+}
+
+void checkSame(const std::string& first, const Layout& layout, const std::string& file, const Layout& its) {
+  std::string differs;
+  if (its.geometry.dims != layout.geometry.dims)
+    differs = "size (" + sizeText(its.geometry.dims) + ", not " + sizeText(layout.geometry.dims) + ")";
+  else if (its.type != layout.type)
+    differs = "type (" + std::string(nameOf(its.type)) + ", not " + std::string(nameOf(layout.type)) + ")";
+  else if (!sameGeometry(its.geometry, layout.geometry))
+    differs = "spacing or position";
+  else
+    return;
+  base::throwInput(file, "",
+                   "is no time step of " + std::filesystem::path(first).filename().string() +
+                       ": its voxels differ in " + differs);
+}
+
+// (1 - fraction) first + fraction second, voxel by voxel, in data values and float32; missing where either
+// is. What the file states of the values of one step (noise) is not known of the blend. Both have the same
+// geometry. Throws Error{memory}, Error{interrupted}.
+Volume blendedSteps(Volume first, const Volume& second, double fraction, base::Progress& progress) {
+  const Grid &from = *first.grid, &to = *second.grid;
+  base::machineMemory().check(from.geometry().voxelCount() * sizeof(float), "the blend of two time steps",
+                              "a whole source.time_step needs none");
+  std::vector<float> values;
+  resizeStoppably(values, from.geometry().voxelCount(), progress);
+  parallelSteps(from.extent().rows(), progress, {0.0, 1.0, "blending time steps"}, [&](std::size_t row) {
+    // NaN, missing, in either is NaN in the sum.
+    for (glm::ivec3 at = from.extent().firstOfRow(row); at.x < from.dims().x; ++at.x)
+      values[from.index(at)] =
+          static_cast<float>((1.0 - fraction) * from.value(at) + fraction * to.value(at));
+  });
+  const auto grid = std::make_shared<Grid>(from.geometry(), std::move(values), 1.0, 0.0, progress);
+  rememberPatient(grid, patientOf(first.grid));
+  first.grid = grid;
+  first.noise.reset();
+  if (first.damage.empty()) first.damage = second.damage;
+  for (const std::string& warning : second.warnings)
+    if (std::ranges::find(first.warnings, warning) == first.warnings.end()) first.warnings.push_back(warning);
+  return first;
+}
+
+// Throws Error{input} naming the first file whose voxels differ in number, spacing, position or type from
+// those of step 0. `read` is the volume of `step`, at the level of `source`; of step 0, those files are
+// compared that say so in a header.
+void checkFits(const scene::Source& source, int step, const Volume& read, base::Progress& progress) {
+  const auto layoutOfRead = [&] {
+    return source.level == 0 ? Layout{read.grid->geometry(), read.fileType}
+                             : layoutOf(sourceOfStep(source, step), progress);
+  };
+  const std::string first = sourceOfStep(source, 0).path;
+  if (step > 0) {
+    checkSame(first, layoutOf(sourceOfStep(source, 0), progress), sourceOfStep(source, step).path,
+              layoutOfRead());
+    return;
+  }
+  const Layout layout = layoutOfRead();
+  for (int other = 1; other < read.timeSteps; ++other) {
+    const scene::Source file = sourceOfStep(source, other);
+    if (const auto its = layoutInHeader(file)) checkSame(first, layout, file.path, *its);
+  }
+}
+
+// "time step 7 does not exist; ...", where it does not. A fraction needs the next step, too.
+void checkStep(const scene::Source& source, int steps) {
+  if (source.timeStep >= 0.0 && source.timeStep <= steps - 1) return;
+  throw base::Error(base::ErrorKind::usage, source.path, "source.time_step",
+                    "time step " + base::shortestText(source.timeStep) + " does not exist; the file has " +
+                        std::to_string(steps) + " (0 is the first)");
+}
 
 // Whole files are read around damage only where there is some: it takes longer.
 Volume readLevelOrWhole(const scene::Source& source, const VolumeFile& file, const ReadOptions& options,

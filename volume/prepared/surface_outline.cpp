@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <mutex>
 #include <numbers>
 #include <tuple>
 
@@ -43,7 +42,7 @@ const std::vector<glm::dvec3>& outlineDirections() {
 // Clears the flags of groups (by faces, edges and corners) that are small.
 void dropSpecks(const MinMaxBlocks& blocks, std::vector<std::uint8_t>& active) {
   const Extent3 extent{blocks.dims()};
-  const auto all = static_cast<double>(std::count(active.begin(), active.end(), 1));
+  const auto all = static_cast<double>(std::ranges::count(active, 1));
   std::vector<std::uint8_t> seen(active.size(), 0);
   std::vector<std::vector<std::size_t>> groups;
   for (std::size_t first = 0; first < active.size(); ++first) {
@@ -78,18 +77,14 @@ struct Extreme {
 using Extremes = std::vector<Extreme>;
 
 // The gradient at a voxel, world, by differences of neighbours; of any length.
-template <class T>
-glm::dvec3 gradientAt(const std::vector<T>& stored, const Grid& grid, const glm::dmat3& worldOfGradient,
-                      glm::ivec3 at) {
+glm::dvec3 gradientAt(const Grid& grid, const glm::dmat3& worldOfGradient, glm::ivec3 at) {
   glm::dvec3 gradient(0.0);
   for (int axis = 0; axis < 3; ++axis) {
     glm::ivec3 low = at, high = at;
     low[axis] = std::max(at[axis] - 1, 0);
     high[axis] = std::min(at[axis] + 1, grid.dims()[axis] - 1);
     if (high[axis] == low[axis]) continue;
-    gradient[axis] =
-        (static_cast<double>(stored[grid.index(high)]) - static_cast<double>(stored[grid.index(low)])) /
-        (high[axis] - low[axis]);
+    gradient[axis] = (grid.stored(high) - grid.stored(low)) / (high[axis] - low[axis]);
   }
   return worldOfGradient * gradient;
 }
@@ -97,7 +92,8 @@ glm::dvec3 gradientAt(const std::vector<T>& stored, const Grid& grid, const glm:
 class OutlineSearch {
  public:
   OutlineSearch(const PreparedVolume& volume, const scene::Scene& resolved)
-      : grid_(volume.grid()),
+      : volume_(volume),
+        grid_(volume.grid()),
         blocks_(*volume.blocks),
         inside_(resolved.isosurface.inside),
         cut_(resolved, grid_.geometry()),
@@ -112,7 +108,7 @@ class OutlineSearch {
     std::vector<std::uint8_t> active;
     blocks_.activeBlocks(grid_.storedIsovalue(surface.isovalue), active);
     dropSpecks(blocks_, active);
-    const auto count = static_cast<std::size_t>(std::count(active.begin(), active.end(), 1));
+    const auto count = static_cast<std::size_t>(std::ranges::count(active, 1));
     const std::size_t every = withSamples ? std::max<std::size_t>(1, count * kOfBlock / kSamplesWanted) : 0;
     samples_.resize(active.size());
     parallelSteps(active.size(), progress, {}, [&](std::size_t block) {
@@ -136,34 +132,28 @@ class OutlineSearch {
  private:
   void addBlock(const ShownSurface& surface, std::size_t block, std::size_t every) {
     const glm::ivec3 low = Extent3{blocks_.dims()}.at(block) * blocks_.blockCells();
-    const glm::ivec3 high = glm::min(low + blocks_.blockCells(), grid_.dims() - 1);
     Extremes& extremes = extremes_.local();
     const glm::dvec3 centre(world_ * glm::dvec4(glm::dvec3(low + low + blocks_.blockCells()) * 0.5, 1.0));
     std::vector<std::size_t> open;  // directions in which this block may be the farthest
     for (std::size_t i = 0; i < extremes.size(); ++i)
       if (glm::dot(outlineDirections()[i], centre) + radius_ >= extremes[i].reach) open.push_back(i);
     if (open.empty() && every == 0) return;
-    std::visit(
-        [&](const auto& stored) {
-          std::size_t found = block;  // not the same of each block's
-          eachCrossing(stored, grid_, surface, inside_, low, high,
-                       [&](glm::ivec3 voxel, glm::dvec3 crossing) {
-                         const glm::dvec3 point(world_ * glm::dvec4(crossing, 1.0));
-                         if (!cut_.keeps(surface.isovalue, crossing)) return;
-                         const std::size_t number = grid_.index(voxel);
-                         for (const std::size_t i : open)
-                           extremes[i].take({glm::dot(outlineDirections()[i], point), number, point});
-                         if (every == 0 || found++ % every != 0) return;
-                         const glm::dvec3 gradient = gradientAt(stored, grid_, worldOfGradient_, voxel);
-                         const double length = glm::length(gradient);
-                         const bool rises = (inside_ == scene::Inside::above) == (grid_.slope() > 0.0);
-                         if (length > 0.0)
-                           samples_[block].push_back({point, gradient * ((rises ? -1.0 : 1.0) / length)});
-                       });
-        },
-        grid_.voxels());
+    std::size_t found = block;  // not the same of each block's
+    eachCrossing(volume_, surface, inside_, block, [&](glm::ivec3 voxel, glm::dvec3 crossing) {
+      const glm::dvec3 point(world_ * glm::dvec4(crossing, 1.0));
+      if (!cut_.keeps(surface.isovalue, crossing)) return;
+      const std::size_t number = grid_.index(voxel);
+      for (const std::size_t i : open)
+        extremes[i].take({glm::dot(outlineDirections()[i], point), number, point});
+      if (every == 0 || found++ % every != 0) return;
+      const glm::dvec3 gradient = gradientAt(grid_, worldOfGradient_, voxel);
+      const double length = glm::length(gradient);
+      const bool rises = (inside_ == scene::Inside::above) == (grid_.slope() > 0.0);
+      if (length > 0.0) samples_[block].push_back({point, gradient * ((rises ? -1.0 : 1.0) / length)});
+    });
   }
 
+  const PreparedVolume& volume_;
   const Grid& grid_;
   const MinMaxBlocks& blocks_;
   scene::Inside inside_;

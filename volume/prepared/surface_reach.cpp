@@ -32,20 +32,13 @@ bool foldCrossings(const PreparedVolume& volume, const scene::Scene& resolved, V
     blocks.activeBlocks(grid.storedIsovalue(surface.isovalue), active);
     parallelSteps(blocks.count(), progress, {}, [&](std::size_t index) {
       if (!active[index]) return;
-      const glm::ivec3 low = Extent3{blocks.dims()}.at(index) * blocks.blockCells();
-      const glm::ivec3 high = glm::min(low + blocks.blockCells(), grid.dims() - 1);
       Value part = nothing;
       bool found = false;
-      const auto each = [&](glm::ivec3, glm::dvec3 point) {
+      eachCrossing(volume, surface, resolved.isosurface.inside, index, [&](glm::ivec3, glm::dvec3 point) {
         if (!cut.keeps(surface.isovalue, point)) return;
         fold(part, point);
         found = true;
-      };
-      std::visit(
-          [&](const auto& stored) {
-            eachCrossing(stored, grid, surface, resolved.isosurface.inside, low, high, each);
-          },
-          grid.voxels());
+      });
       if (!found) return;
       const std::lock_guard lock(mutex);
       join(all, part);

@@ -7,7 +7,6 @@
 #include "volume/read/mesh/mesh.h"
 #include "volume/read/plain/meta_image.h"
 #include "volume/read/plain/nifti.h"
-#include "volume/read/process/foreign.h"
 #include "volume/read/tiff/tiff_pages.h"
 
 namespace isolux::volume {

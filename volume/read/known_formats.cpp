@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <span>
-#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "volume/read/file_format.h"
@@ -134,12 +134,7 @@ bool looksLikeCube(std::string_view head) {
 
 // --- by name
 
-struct Ending {
-  std::string_view ending;
-  Known known;
-};
-
-constexpr Ending kEndings[] = {
+constexpr std::pair<std::string_view, Known> kEndings[] = {
     {".mgz", kFreeSurfer},
     {".mgh", kFreeSurfer},
     {".head", kAfni},
@@ -191,7 +186,7 @@ constexpr Ending kEndings[] = {
 bool isPicture(const fs::path& file) {
   const std::string ending = lowered(file.extension().string());
   constexpr std::array pictures = {".png", ".jpg", ".jpeg", ".bmp", ".jp2", ".gif", ".webp"};
-  return std::find(pictures.begin(), pictures.end(), ending) != pictures.end();
+  return std::ranges::find(pictures, ending) != pictures.end();
 }
 
 // Letters, digits and line breaks all through. Files named as raw voxels are believed.
@@ -199,7 +194,7 @@ bool looksLikeText(std::string_view head, const std::string& ending) {
   for (const char* raw : {".raw", ".bin", ".dat", ".img", ".vol"})
     if (ending == raw) return false;
   if (head.starts_with("\xef\xbb\xbf")) head.remove_prefix(3);
-  return head.find('\n') != std::string_view::npos && std::all_of(head.begin(), head.end(), [](char c) {
+  return head.find('\n') != std::string_view::npos && std::ranges::all_of(head, [](char c) {
            const auto byte = static_cast<unsigned char>(c);
            return byte >= 32 ? byte != 127 : c == '\n' || c == '\r' || c == '\t' || c == '\f';
          });
@@ -219,8 +214,8 @@ std::optional<std::string> knownButNotRead(const Bytes& bytes, const fs::path& p
   const std::string head = bytes.head(headBytes);
   if (const auto known = byContent(head)) return sentence(*known);
   const std::string name = lowered(path.filename().string());
-  for (const Ending& ending : kEndings)
-    if (name.ends_with(ending.ending)) return sentence(ending.known);
+  for (const auto& [ending, known] : kEndings)
+    if (name.ends_with(ending)) return sentence(known);
   if (head.starts_with("\x1f\x8b")) {
     const std::string inside = inflatedHead(bytes, headBytes);
     if (const auto known = byContent(inside)) return sentence(*known);

@@ -61,8 +61,8 @@ std::optional<glm::ivec3> dimsInName(const std::string& name) {
 // "be" and the like as a word of the name.
 bool bigEndianInName(const std::string& name) {
   const auto words = splitAt(name, "_.-");
-  return std::any_of(words.begin(), words.end(),
-                     [](std::string_view word) { return word == "be" || word == "big" || word == "msb"; });
+  return std::ranges::any_of(
+      words, [](std::string_view word) { return word == "be" || word == "big" || word == "msb"; });
 }
 
 }  // namespace
@@ -88,7 +88,7 @@ std::vector<RawDescription> guessRaw(const std::string& fileName, std::uint64_t 
     if (needed > fileBytes || fileBytes - needed > header) return;
     guess.headerBytes = static_cast<std::size_t>(fileBytes - needed);
     const auto same = [&](const RawDescription& g) { return g.dims == guess.dims && g.type == guess.type; };
-    if (std::none_of(guesses.begin(), guesses.end(), same)) guesses.push_back(guess);
+    if (std::ranges::none_of(guesses, same)) guesses.push_back(guess);
   };
   const auto dims = dimsInName(name);
   const auto type = typeInName(name);

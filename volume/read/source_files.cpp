@@ -1,7 +1,5 @@
 #include "volume/read/source_files.h"
 
-#include <string_view>
-
 #include "base/error.h"
 #include "volume/read/dicom/dicom_files.h"
 #include "volume/read/hdf5/hdf5.h"

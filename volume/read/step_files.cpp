@@ -38,7 +38,7 @@ std::vector<std::string> namesLike(const fs::path& folder, const std::string& pa
     const std::string name = entry->path().filename().string();
     if (!name.starts_with('.') && matches(name, pattern)) names.push_back(name);
   }
-  std::sort(names.begin(), names.end(), naturalLess);
+  std::ranges::sort(names, naturalLess);
   return names;
 }
 
@@ -85,7 +85,7 @@ std::string pathOfSteps(const std::vector<std::string>& files) {
     if (fs::path(file).parent_path() != folder || fs::path(file).extension() != ending) return {};
     names.push_back(fs::path(file).filename().string());
   }
-  std::sort(names.begin(), names.end(), naturalLess);
+  std::ranges::sort(names, naturalLess);
   const std::string &first = names.front(), &last = names.back();
   const auto before = static_cast<std::size_t>(
       std::mismatch(first.begin(), first.end(), last.begin(), last.end()).first - first.begin());

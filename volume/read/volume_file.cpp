@@ -62,16 +62,9 @@ Volume readPhantom(const std::string& text, const ReadOptions& options, base::Pr
 
 // Of formats without a header that is parsed here.
 ReadFunction readerOf(FileFormat format) {
-  switch (format) {
-    case FileFormat::mesh:
-      return readMesh;
-    case FileFormat::tiff:
-      return readTiff;
-    case FileFormat::dicom:
-      return readDicom;
-    default:
-      return refuseUnknown;
-  }
+  if (format == FileFormat::mesh) return readMesh;
+  if (format == FileFormat::tiff) return readTiff;
+  return format == FileFormat::dicom ? readDicom : refuseUnknown;
 }
 
 VolumeFile readWholeBy(ReadFunction read, const fs::path& path, std::string why) {

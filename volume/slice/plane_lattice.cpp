@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "volume/slice/slice_values.h"
@@ -37,11 +36,11 @@ PlaneLattice::PlaneLattice(const GridGeometry& geometry, const SlicePlane& plane
   squares_ = {geometry.dims[a_] - 1, geometry.dims[b_] - 1};
 }
 
-glm::dvec3 PlaneLattice::fromAbc(double a, double b, double c) const {
+glm::dvec3 PlaneLattice::voxel(glm::dvec2 ab) const {
   glm::dvec3 voxel;
-  voxel[a_] = a;
-  voxel[b_] = b;
-  voxel[c_] = c;
+  voxel[a_] = ab.x;
+  voxel[b_] = ab.y;
+  voxel[c_] = c(ab);
   return voxel;
 }
 

@@ -28,7 +28,7 @@ class PlaneLattice {
   bool hasSquares() const { return squares_.x > 0 && squares_.y > 0; }
   glm::ivec2 squares() const { return squares_; }
   double c(glm::dvec2 ab) const { return c0_ + cA_ * ab.x + cB_ * ab.y; }
-  glm::dvec3 voxel(glm::dvec2 ab) const { return fromAbc(ab.x, ab.y, c(ab)); }
+  glm::dvec3 voxel(glm::dvec2 ab) const;
   glm::ivec3 voxelIndex(int a, int b, int c) const;
   // The cells k that the plane passes above a square: first to last; none where first > last.
   struct Cells {
@@ -39,7 +39,6 @@ class PlaneLattice {
   void part(glm::ivec2 square, int k, std::vector<glm::dvec2>& corners) const;
 
  private:
-  glm::dvec3 fromAbc(double a, double b, double c) const;
   glm::dvec2 crossing(glm::dvec2 p, glm::dvec2 q, double level) const;
 
   int a_ = 0, b_ = 1, c_ = 2;  // voxel axes

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 namespace isolux::volume {
 
@@ -45,10 +44,6 @@ SlicePlane planeAbout(const SliceFrame& frame, glm::dvec3 pointMm, const Outline
 
 }  // namespace
 
-glm::dvec3 SliceFrame::normal() const {
-  return glm::cross(right, down);
-}
-
 SliceFrame sliceFrame(SliceDirection direction, scene::WorldAxes axes, scene::Convention convention) {
   if (direction == SliceDirection::sagittal) return {{0.0, 1.0, 0.0}, {0.0, 0.0, -1.0}};
   const bool turned = axes == scene::WorldAxes::anatomical && convention == scene::Convention::neurological;
@@ -73,14 +68,6 @@ glm::dvec2 SlicePlane::pixelOf(glm::dvec3 world) const {
   const glm::dvec3 from = world - originMm;
   return {glm::dot(from, rightMm) / glm::dot(rightMm, rightMm),
           glm::dot(from, downMm) / glm::dot(downMm, downMm)};
-}
-
-double SlicePlane::pixelMm() const {
-  return glm::length(rightMm);
-}
-
-SliceFrame SlicePlane::frame() const {
-  return {glm::normalize(rightMm), glm::normalize(downMm)};
 }
 
 SlicePlane nativeSlice(const GridGeometry& geometry, const SliceFrame& frame, glm::dvec3 pointMm) {

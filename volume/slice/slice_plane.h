@@ -7,6 +7,7 @@
 // lies are shown as the radiological convention has it.
 #pragma once
 
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -26,7 +27,7 @@ constexpr int axisOf(SliceDirection direction) {
 // Unit vectors of a picture; right x down is where the viewer looks.
 struct SliceFrame {
   glm::dvec3 right{1.0, 0.0, 0.0}, down{0.0, 1.0, 0.0};
-  glm::dvec3 normal() const;
+  glm::dvec3 normal() const { return glm::cross(right, down); }
   bool operator==(const SliceFrame&) const = default;
 };
 SliceFrame sliceFrame(SliceDirection direction, scene::WorldAxes axes, scene::Convention convention);
@@ -40,8 +41,8 @@ struct SlicePlane {
   glm::ivec2 size{0};                                        // pixels
   glm::dvec3 at(glm::dvec2 pixel) const { return originMm + pixel.x * rightMm + pixel.y * downMm; }
   glm::dvec2 pixelOf(glm::dvec3 world) const;  // of its foot on the plane
-  double pixelMm() const;
-  SliceFrame frame() const;
+  double pixelMm() const { return glm::length(rightMm); }
+  SliceFrame frame() const { return {glm::normalize(rightMm), glm::normalize(downMm)}; }
   bool operator==(const SlicePlane&) const = default;
 };
 

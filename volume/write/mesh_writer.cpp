@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstring>
 
 #include <glm/geometric.hpp>
 
@@ -58,8 +57,7 @@ void putStl(const TriangleMesh& mesh, GatheredBytes& out) {
 }
 
 const PointArray* normalsOf(const std::vector<PointArray>& arrays) {
-  const auto found =
-      std::find_if(arrays.begin(), arrays.end(), [](const PointArray& a) { return a.name == kNormalsName; });
+  const auto found = std::ranges::find_if(arrays, [](const PointArray& a) { return a.name == kNormalsName; });
   return found == arrays.end() ? nullptr : &*found;
 }
 

@@ -1,9 +1,7 @@
 #include "volume/write/writer.h"
 
 #include <cmath>
-#include <cstdio>
 #include <cstring>
-#include <memory>
 #include <vector>
 
 #include "base/error.h"

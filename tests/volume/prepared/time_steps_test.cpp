@@ -1,6 +1,4 @@
 // Blends of two time steps, and files that are time steps, against values written out.
-#include "volume/prepared/time_steps.h"
-
 #include <cmath>
 #include <fstream>
 #include <limits>

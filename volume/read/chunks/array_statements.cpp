@@ -1,7 +1,6 @@
 #include "volume/read/chunks/array_statements.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "base/number_text.h"
@@ -95,7 +94,7 @@ class StatedNumbers final : public ChunkedArray {
 
   bool isMissing(double number) const {
     if (!(number >= missing_.least && number <= missing_.greatest)) return true;
-    return std::find(missing_.values.begin(), missing_.values.end(), number) != missing_.values.end();
+    return std::ranges::find(missing_.values, number) != missing_.values.end();
   }
 
   // Of the row that begins at `at`, a place in the chunk.
@@ -141,8 +140,8 @@ class StatedNumbers final : public ChunkedArray {
 }  // namespace
 
 void setPositions(AxisStatement& axis, std::span<const double> positions) {
-  const bool usable = positions.size() >= 2 && std::all_of(positions.begin(), positions.end(),
-                                                           [](double p) { return std::isfinite(p); });
+  const bool usable =
+      positions.size() >= 2 && std::ranges::all_of(positions, [](double p) { return std::isfinite(p); });
   if (!usable) return;
   axis.first = positions.front();
   axis.step = (positions.back() - positions.front()) / static_cast<double>(positions.size() - 1);
@@ -151,10 +150,6 @@ void setPositions(AxisStatement& axis, std::span<const double> positions) {
     const double even = axis.first + static_cast<double>(i) * *axis.step;
     axis.deviation = std::max(axis.deviation, std::abs((positions[i] - even) / *axis.step));
   }
-}
-
-bool MissingNumbers::any() const {
-  return !values.empty() || std::isfinite(least) || std::isfinite(greatest);
 }
 
 std::vector<std::string> namesOf(const std::vector<AxisStatement>& axes) {

@@ -2,6 +2,7 @@
 // numbers that stand for missing voxels.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -10,7 +11,6 @@
 #include <string>
 #include <vector>
 
-#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
 #include "volume/read/chunks/array_volume.h"
@@ -38,7 +38,7 @@ struct MissingNumbers {
   double least = -std::numeric_limits<double>::infinity();
   double greatest = std::numeric_limits<double>::infinity();
 
-  bool any() const;
+  bool any() const { return !values.empty() || std::isfinite(least) || std::isfinite(greatest); }
 };
 
 // value = slope * stored + intercept, with numbers of their own for each place on the first `axes` axes, in

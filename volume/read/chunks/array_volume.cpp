@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <mutex>
 #include <span>
 #include <type_traits>
 
@@ -21,14 +20,6 @@ namespace {
 
 std::uint64_t along(const std::optional<std::size_t>& axis, const std::vector<std::uint64_t>& values) {
   return axis ? values[*axis] : 1;
-}
-
-template <class From, class To>
-To asVoxel(From value) {
-  if constexpr (std::is_same_v<From, To>)
-    return value;
-  else
-    return static_cast<To>(value);
 }
 
 // A box of numbers, three strides on each side.
@@ -46,7 +37,7 @@ void copyBox(const From* from, std::array<std::uint64_t, 3> fromStrides, To* to,
           continue;
         }
       }
-      for (std::size_t x = 0; x < nx; ++x) out[x] = asVoxel<From, To>(row[x * fromStrides[0]]);
+      for (std::size_t x = 0; x < nx; ++x) out[x] = static_cast<To>(row[x * fromStrides[0]]);
     }
 }
 

@@ -1,6 +1,5 @@
 #include "volume/read/chunks/chunk_format.h"
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 #include <string>
 
 #include <blosc.h>
@@ -197,13 +196,13 @@ PackedBytes summed(CodecKind kind, PackedBytes bytes) {
   return bytes.first(bytes.size() - 4);
 }
 
-Unpacked checkedCrc(PackedBytes packed) {
+Unpacked checkedCrc(PackedBytes packed, std::size_t) {
   const PackedBytes bytes = summed(CodecKind::crc32c, packed);
   if (crc32c(bytes) != number32(packed, bytes.size())) damaged(CodecKind::crc32c, "the checksum is wrong");
   return {bytes.begin(), bytes.end()};
 }
 
-Unpacked checkedFletcher(PackedBytes packed) {
+Unpacked checkedFletcher(PackedBytes packed, std::size_t) {
   const PackedBytes bytes = summed(CodecKind::fletcher32, packed);
   const std::uint32_t sum = fletcher32(bytes), stored = number32(packed, bytes.size());
   // HDF5 up to 1.6.2 wrote the bytes of each half the other way round on little-endian machines.
@@ -212,38 +211,27 @@ Unpacked checkedFletcher(PackedBytes packed) {
   return {bytes.begin(), bytes.end()};
 }
 
+struct KnownCodec {
+  std::string_view name;
+  Unpacked (*unpack)(PackedBytes packed, std::size_t sizeOrMost);  // the size is that of a shuffled number
+};
+
+constexpr KnownCodec kCodecs[] = {  // of the kinds
+    {"deflate", inflated},  {"zstd", unzstd},
+    {"bzip2", unbzip2},     {"lz4", unlz4},
+    {"lz4", unlz4Blocks},   {"lzf", unlzf},
+    {"blosc", unblosc},     {"shuffle", unshuffled},
+    {"crc32c", checkedCrc}, {"fletcher32", checkedFletcher}};
+
 }  // namespace
 
 std::string_view nameOf(CodecKind kind) {
-  static constexpr std::string_view names[] = {"deflate", "zstd",  "bzip2",   "lz4",    "lz4",
-                                               "lzf",     "blosc", "shuffle", "crc32c", "fletcher32"};
-  return names[static_cast<int>(kind)];
+  return kCodecs[static_cast<int>(kind)].name;
 }
 
 std::vector<std::byte> unpacked(const Codec& codec, std::span<const std::byte> packed, std::size_t atMost) {
-  switch (codec.kind) {
-    case CodecKind::deflate:
-      return inflated(packed, atMost);
-    case CodecKind::zstd:
-      return unzstd(packed, atMost);
-    case CodecKind::bzip2:
-      return unbzip2(packed, atMost);
-    case CodecKind::lz4:
-      return unlz4(packed, atMost);
-    case CodecKind::lz4Blocks:
-      return unlz4Blocks(packed, atMost);
-    case CodecKind::lzf:
-      return unlzf(packed, atMost);
-    case CodecKind::blosc:
-      return unblosc(packed, atMost);
-    case CodecKind::shuffle:
-      return unshuffled(packed, codec.elementBytes);
-    case CodecKind::crc32c:
-      return checkedCrc(packed);
-    case CodecKind::fletcher32:
-      break;
-  }
-  return checkedFletcher(packed);
+  const std::size_t sizeOrMost = codec.kind == CodecKind::shuffle ? codec.elementBytes : atMost;
+  return kCodecs[static_cast<int>(codec.kind)].unpack(packed, sizeOrMost);
 }
 
 std::size_t longestPacked(std::size_t bytes) {

@@ -34,10 +34,9 @@ bool visitFiles(const fs::path& folder, int depth, const Use& use, std::size_t& 
   }
   if (error && top) throwInput(folder.string(), "", "cannot be listed: " + error.message());
   count += files.size();
-  std::sort(files.begin(), files.end());
-  std::sort(folders.begin(), folders.end());
-  return std::all_of(files.begin(), files.end(), use) &&
-         std::all_of(folders.begin(), folders.end(), [&](const fs::path& below) {
+  std::ranges::sort(files);
+  std::ranges::sort(folders);
+  return std::ranges::all_of(files, use) && std::ranges::all_of(folders, [&](const fs::path& below) {
            return depth == 0 || visitFiles(below, depth - 1, use, count, false);
          });
 }
@@ -59,7 +58,7 @@ bool beginsWithElements(std::string_view head) {
     if ((count == 0 && group != 2 && group != 8) || (count > 0 && tag <= last)) return false;
     last = tag;
     const std::string_view vr = head.substr(at + 4, 2);
-    const bool isExplicit = std::all_of(vr.begin(), vr.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
+    const bool isExplicit = std::ranges::all_of(vr, [](char c) { return c >= 'A' && c <= 'Z'; });
     if (isBig && !isExplicit) return false;
     const bool isLong = isExplicit && (vr == "OB" || vr == "OW" || vr == "SQ" || vr == "UN" || vr == "UT");
     const std::size_t value = isLong ? at + 12 : at + 8;

@@ -27,18 +27,15 @@ class TagOrder {
   TagOrder(const Positions& positions, const std::vector<ImageTags>& tags) : tags_(tags) {
     if (tags.empty()) return;
     for (std::size_t tag = 0; tag < kImageTags.size(); ++tag)
-      if (std::any_of(positions.begin(), positions.end(), [&](const auto& slices) {
-            return std::any_of(slices.begin(), slices.end(), [&](std::size_t slice) {
-              return tags[slice][tag] != tags[slices.front()][tag];
-            });
+      if (std::ranges::any_of(positions, [&](const auto& slices) {
+            return std::ranges::any_of(
+                slices, [&](std::size_t slice) { return tags[slice][tag] != tags[slices.front()][tag]; });
           }))
         varying_.push_back(tag);
   }
 
   const std::vector<std::size_t>& varying() const { return varying_; }
-  bool varies(std::size_t tag) const {
-    return std::find(varying_.begin(), varying_.end(), tag) != varying_.end();
-  }
+  bool varies(std::size_t tag) const { return std::ranges::find(varying_, tag) != varying_.end(); }
   bool operator()(std::size_t a, std::size_t b) const { return precedes(a, b, kImageTags.size()); }
 
   // By the tags before `end` only.
@@ -104,7 +101,7 @@ void checkInstances(const TagOrder& order, const Positions& given, const Positio
                     TimeSteps& steps) {
   const auto rankOf = [&](std::size_t position, std::size_t step) {
     const auto& slices = given[position];
-    return std::find(slices.begin(), slices.end(), sorted[position][step]) - slices.begin();
+    return std::ranges::find(slices, sorted[position][step]) - slices.begin();
   };
   for (std::size_t position = 0; position < sorted.size(); ++position)
     for (std::size_t step = 0; step < steps.count; ++step)
@@ -122,9 +119,9 @@ TimeSteps evenSteps(const TagOrder& order, const Positions& given, const Positio
   steps.count = sorted.front().size();
   for (std::size_t step = 0; step < steps.count; ++step)
     for (const auto& slices : sorted) steps.order.push_back(slices[step]);
-  steps.stated = std::all_of(sorted.begin(), sorted.end(), [&](const auto& slices) {
-    return std::adjacent_find(slices.begin(), slices.end(),
-                              [&](std::size_t a, std::size_t b) { return !order(a, b); }) == slices.end();
+  steps.stated = std::ranges::all_of(sorted, [&](const auto& slices) {
+    return std::ranges::adjacent_find(slices, [&](std::size_t a, std::size_t b) { return !order(a, b); }) ==
+           slices.end();
   });
   if (!steps.stated)
     steps.warnings.push_back(
@@ -149,7 +146,7 @@ TimeSteps completeSteps(const TagOrder& order, const Positions& sorted, const st
     const bool whole =
         slices.size() == sorted.size() &&
         std::equal(slices.begin(), slices.end(), sorted.begin(), [](std::size_t slice, const auto& at) {
-          return std::find(at.begin(), at.end(), slice) != at.end();
+          return std::ranges::find(at, slice) != at.end();
         });
     if (!whole) continue;
     chosen.push_back(first);
@@ -176,9 +173,9 @@ TimeSteps completeSteps(const TagOrder& order, const Positions& sorted, const st
 TimeSteps separateRepeats(const Positions& positions, const std::vector<ImageTags>& tags) {
   const TagOrder order(positions, tags);
   Positions sorted = positions;
-  for (auto& slices : sorted) std::stable_sort(slices.begin(), slices.end(), order);
-  const bool even = std::all_of(sorted.begin(), sorted.end(),
-                                [&](const auto& slices) { return slices.size() == sorted.front().size(); });
+  for (auto& slices : sorted) std::ranges::stable_sort(slices, order);
+  const bool even =
+      std::ranges::all_of(sorted, [&](const auto& slices) { return slices.size() == sorted.front().size(); });
   TimeSteps steps = even ? evenSteps(order, positions, sorted, tags) : completeSteps(order, sorted, tags);
   checkKinds(order, tags, steps);
   return steps;

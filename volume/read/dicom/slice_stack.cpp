@@ -37,7 +37,7 @@ void separateTimeSteps(const SlicePlanes& planes, const std::vector<double>& alo
     else
       groups.back().push_back(slice);
   }
-  for (auto& group : groups) std::sort(group.begin(), group.end());  // as given, not by their last digits
+  for (auto& group : groups) std::ranges::sort(group);  // as given, not by their last digits
   TimeSteps steps = separateRepeats(groups, planes.tags);
   if (steps.count > 1 && groups.size() == 1 && !steps.stated)
     throwInput(file, "slice positions",
@@ -80,7 +80,7 @@ std::vector<double> blocksOf(const std::vector<double>& gaps) {
 
 // What distances well above the median mean: another distance for a part of the series, or missing slices.
 std::string wideGapsText(const std::vector<double>& gaps, double median) {
-  const auto wide = std::count_if(gaps.begin(), gaps.end(), [&](double gap) { return gap > 1.5 * median; });
+  const auto wide = std::ranges::count_if(gaps, [&](double gap) { return gap > 1.5 * median; });
   if (wide == 0) return {};
   if (const std::vector<double> blocks = blocksOf(gaps); blocks.size() > 1 && blocks.size() < 6) {
     std::string text = "slice distance changes from " + fourDigits(blocks[0]);
@@ -105,8 +105,7 @@ SliceStack stackSlices(const SlicePlanes& planes, const std::string& file) {
   }
   stack.order.resize(positions.size());
   std::iota(stack.order.begin(), stack.order.end(), std::size_t{0});
-  std::stable_sort(stack.order.begin(), stack.order.end(),
-                   [&](std::size_t a, std::size_t b) { return along[a] < along[b]; });
+  std::ranges::stable_sort(stack.order, [&](std::size_t a, std::size_t b) { return along[a] < along[b]; });
   separateTimeSteps(planes, along, stack, file);
 
   const std::size_t count = stack.sourceSlices();
@@ -148,7 +147,7 @@ SliceStack stackSlices(const SlicePlanes& planes, const std::string& file) {
     stack.warnings.push_back("a slice is " + fourDigits(lateral) + " mm off the line of the others");
 
   if (uneven > toleratedUnevenness * median) {
-    const auto [least, most] = std::minmax_element(gaps.begin(), gaps.end());
+    const auto [least, most] = std::ranges::minmax_element(gaps);
     const double wanted = std::round(length / median) + 1.0;
     if (wanted > widestFill * static_cast<double>(count) || wanted > 65535.0)
       throwInput(file, "slice positions",

@@ -5,7 +5,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "base/progress.h"
 #include "volume/read/chunks/array_volume.h"

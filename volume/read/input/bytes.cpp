@@ -1,8 +1,6 @@
 #include "volume/read/input/bytes.h"
 
-#include <algorithm>
 #include <cerrno>
-#include <cstring>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -94,7 +92,7 @@ OpenBeside openBeside(const fs::path& header) {
     std::error_code ignored;
     if (!fs::exists(header.parent_path() / relative, ignored)) {  // as headers of Windows name files
       std::string slashes = name;
-      std::replace(slashes.begin(), slashes.end(), '\\', '/');
+      std::ranges::replace(slashes, '\\', '/');
       relative = slashes;
     }
     const std::string place = "data file \"" + name + "\"";
@@ -103,7 +101,7 @@ OpenBeside openBeside(const fs::path& header) {
     if (relative.is_absolute())
       throwInput(header.string(), place,
                  "path leaves the folder of the header: absolute paths are not allowed");
-    if (std::any_of(relative.begin(), relative.end(), [](const fs::path& part) { return part == ".."; }))
+    if (std::ranges::any_of(relative, [](const fs::path& part) { return part == ".."; }))
       throwInput(header.string(), place, "path leaves the folder of the header: \"..\" is not allowed");
     const fs::path file = header.parent_path() / relative;
     if (!fs::exists(file, ignored)) throwInput(header.string(), place, "no such file");

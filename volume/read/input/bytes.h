@@ -15,7 +15,6 @@
 #include <memory>
 #include <span>
 #include <string>
-#include <vector>
 
 namespace isolux::volume {
 
@@ -24,7 +23,7 @@ template <class T>
 T numberAt(const void* at, bool big) {
   std::array<std::byte, sizeof(T)> bytes;
   std::memcpy(bytes.data(), at, sizeof(T));
-  if (big != (std::endian::native == std::endian::big)) std::reverse(bytes.begin(), bytes.end());
+  if (big != (std::endian::native == std::endian::big)) std::ranges::reverse(bytes);
   return std::bit_cast<T>(bytes);
 }
 // Reverses the bytes of each number of `width` bytes.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 
 #include "volume/bricks/chunked_volume.h"
 #include "volume/read/input/image_header.h"

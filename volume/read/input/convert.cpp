@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <iterator>
 #include <limits>
-#include <optional>
 #include <type_traits>
 #include <utility>
 

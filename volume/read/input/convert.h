@@ -32,29 +32,11 @@ inline FileVoxels fileVoxels(VoxelArray&& voxels) {
 // Calls f with a value of the C++ type of `type`.
 template <typename F>
 auto withType(VoxelType type, F&& f) {
-  switch (type) {
-    case VoxelType::int8:
-      return f(std::int8_t{});
-    case VoxelType::uint8:
-      return f(std::uint8_t{});
-    case VoxelType::int16:
-      return f(std::int16_t{});
-    case VoxelType::uint16:
-      return f(std::uint16_t{});
-    case VoxelType::int32:
-      return f(std::int32_t{});
-    case VoxelType::uint32:
-      return f(std::uint32_t{});
-    case VoxelType::int64:
-      return f(std::int64_t{});
-    case VoxelType::uint64:
-      return f(std::uint64_t{});
-    case VoxelType::float32:
-      return f(float{});
-    case VoxelType::float64:
-      break;
-  }
-  return f(double{});
+  static constexpr std::variant<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t,
+                                std::uint32_t, std::int64_t, std::uint64_t, float, double>
+      zeros[] = {std::int8_t{},   std::uint8_t{}, std::int16_t{},  std::uint16_t{}, std::int32_t{},
+                 std::uint32_t{}, std::int64_t{}, std::uint64_t{}, float{},         double{}};
+  return std::visit([&](auto zero) { return f(zero); }, zeros[static_cast<int>(type)]);
 }
 
 // Returns the integer type of 1, 2, 4 or 8 bytes; none for other sizes.

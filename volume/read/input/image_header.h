@@ -61,6 +61,7 @@ struct ImageHeader {
   std::vector<std::string> warnings;
 
   // After checkDims(): exact, no overflow.
+  GridGeometry geometry() const { return {glm::ivec3(dims[0], dims[1], dims[2]), worldFromVoxel}; }
   std::uint64_t voxels() const;
   std::uint64_t elements() const;  // voxels * components * slow components * time steps
 };

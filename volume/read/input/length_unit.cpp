@@ -38,7 +38,7 @@ double millimetresOr1(std::string_view unit, std::string_view statement, std::ve
     warning = "the unit of length " + inQuotes(unit) +
               (statement.empty() ? "" : " (" + std::string(statement) + ")") + " is not known: ";
   warning += kSpacingAssumed;
-  if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
+  if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
   return 1.0;
 }
 

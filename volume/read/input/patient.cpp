@@ -1,7 +1,6 @@
 #include "volume/read/input/patient.h"
 
 #include <map>
-#include <memory>
 #include <mutex>
 
 namespace isolux::volume {

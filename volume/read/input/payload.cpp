@@ -4,13 +4,11 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "base/error.h"
 #include "base/number_text.h"
 #include "volume/parallel/parallel_steps.h"
 #include "volume/read/input/streams.h"
-#include "volume/read/input/text.h"
 
 namespace isolux::volume {
 
@@ -332,13 +330,22 @@ bool scalingIsUsable(const Grid& grid) {
   return std::isfinite(range) && (range > 0.0 || grid.storedMinimum() == grid.storedMaximum());
 }
 
-void noteChoices(Volume& volume, const ReadOptions& options) {
+Volume volumeOf(const ImageHeader& header, const ReadOptions& options) {
+  Volume volume;
+  volume.format = header.format;
+  volume.fileType = header.type;
+  volume.unit = header.unit;
+  volume.axes = header.axes;
+  volume.components = static_cast<int>(header.components * header.slowComponents);
+  volume.timeSteps = static_cast<int>(header.timeSteps);
+  volume.warnings = header.warnings;
   if (volume.components > 1) {
     const std::string shown =
         options.component < 0 ? "their magnitude" : "component " + std::to_string(options.component);
     volume.warnings.push_back(std::to_string(volume.components) + " components per voxel, " + shown +
                               " is shown; source.component chooses another, -1 the magnitude");
   }
+  return volume;
 }
 
 void noteStep(Volume& volume, double step) {
@@ -359,16 +366,7 @@ void noteMissing(Volume& volume, const Grid& grid) {
 
 Volume finishVolume(const ImageHeader& header, FileVoxels&& voxels, const ReadOptions& options,
                     base::Progress& progress) {
-  Volume volume;
-  volume.format = header.format;
-  volume.fileType = header.type;
-  volume.unit = header.unit;
-  volume.axes = header.axes;
-  volume.components = static_cast<int>(header.components * header.slowComponents);
-  volume.timeSteps = static_cast<int>(header.timeSteps);
-  volume.warnings = header.warnings;
-  noteChoices(volume, options);
-
+  Volume volume = volumeOf(header, options);
   StoredVoxels stored = toStored(std::move(voxels), progress, volume.warnings);
   double slope = header.slope, intercept = header.intercept;
   if (!std::isfinite(slope) || slope == 0.0 || !std::isfinite(intercept)) {
@@ -387,17 +385,13 @@ Volume finishVolume(const ImageHeader& header, FileVoxels&& voxels, const ReadOp
     combinedIntercept = stored.intercept;
   }
   progress.throwIfStopped();
-  GridGeometry geometry;
-  geometry.dims = {static_cast<int>(header.dims[0]), static_cast<int>(header.dims[1]),
-                   static_cast<int>(header.dims[2])};
-  geometry.worldFromVoxel = header.worldFromVoxel;
-  auto grid =
-      std::make_shared<Grid>(geometry, std::move(stored.voxels), combinedSlope, combinedIntercept, progress);
+  auto grid = std::make_shared<Grid>(header.geometry(), std::move(stored.voxels), combinedSlope,
+                                     combinedIntercept, progress);
   const bool scaled = combinedSlope != stored.slope || combinedIntercept != stored.intercept;
   if (scaled && !scalingIsUsable(*grid)) {
     volume.warnings.emplace_back(kScalingLeftOut);
-    grid = std::make_shared<Grid>(geometry, std::move(*grid).takeVoxels(), stored.slope, stored.intercept,
-                                  progress);
+    grid = std::make_shared<Grid>(header.geometry(), std::move(*grid).takeVoxels(), stored.slope,
+                                  stored.intercept, progress);
   }
   noteMissing(volume, *grid);
   volume.grid = std::move(grid);

@@ -36,8 +36,11 @@ std::vector<PlainBytes> plainBytes(const ImageHeader& header, const Bytes& own, 
 bool scalingIsUsable(const Grid& grid);
 inline constexpr std::string_view kScalingLeftOut = "slope and intercept are too extreme to apply; left out";
 
+// A Volume without voxels, with what the header states and, as a warning, that it has more components than
+// are shown.
+Volume volumeOf(const ImageHeader& header, const ReadOptions& options);
+
 // What a user should know: that the file has more than is shown, that voxels are missing.
-void noteChoices(Volume& volume, const ReadOptions& options);
 void noteStep(Volume& volume, double step);
 void noteMissing(Volume& volume, const Grid& grid);
 

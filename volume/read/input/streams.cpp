@@ -5,9 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <memory>
 #include <new>
-#include <optional>
 #include <utility>
 #include <vector>
 

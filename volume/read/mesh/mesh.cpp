@@ -36,8 +36,7 @@ void checkMesh(const TriangleMesh& mesh, const std::string& file) {
   constexpr std::size_t most = std::size_t{1} << 29;  // sides are counted in int
   if (mesh.triangles.empty()) throwInput(file, "", "the mesh has no triangles");
   if (mesh.triangles.size() > most) throwInput(file, "", "the mesh has more than 2^29 triangles");
-  const BoxMm box = boundsOf(mesh);
-  const glm::dvec3 extent = box.high - box.low;
+  const glm::dvec3 extent = boundsOf(mesh).size();
   if (!(std::max({extent.x, extent.y, extent.z}) > 1e-9))
     throwInput(file, "", "all triangles coincide in one point");
 }
@@ -48,16 +47,11 @@ MeshFile readTriangles(const std::filesystem::path& path, const ReadOptions& opt
   const FileBytes bytes(path);
   // Points, triangles and their sides take about ten times the bytes of the densest file.
   checkBudget(10 * bytes.size(), "this mesh", "", bytes.name(), options);
-  switch (formatOf(bytes.head(4096), lowered(path.extension().string())).value_or(MeshFormat::stl)) {
-    case MeshFormat::obj:
-      return {readObjMesh(bytes, progress), "OBJ mesh"};
-    case MeshFormat::ply:
-      return {readPlyMesh(bytes, progress), "PLY mesh"};
-    case MeshFormat::polyData:
-      return {readPolyDataMesh(path, options.budgetBytes, progress), "VTK PolyData mesh"};
-    case MeshFormat::stl:
-      break;
-  }
+  const auto format = formatOf(bytes.head(4096), lowered(path.extension().string()));
+  if (format == MeshFormat::obj) return {readObjMesh(bytes, progress), "OBJ mesh"};
+  if (format == MeshFormat::ply) return {readPlyMesh(bytes, progress), "PLY mesh"};
+  if (format == MeshFormat::polyData)
+    return {readPolyDataMesh(path, options.budgetBytes, progress), "VTK PolyData mesh"};
   return {readStlMesh(bytes, progress), "STL mesh"};
 }
 

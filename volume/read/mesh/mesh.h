@@ -5,7 +5,7 @@
 // interrupted).
 #pragma once
 
-#include <optional>
+#include <filesystem>
 #include <string>
 
 #include "volume/mesh/mesh_distance.h"

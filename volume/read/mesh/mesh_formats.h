@@ -8,9 +8,7 @@
 // range. Errors: base::Error{input} with line or byte.
 #pragma once
 
-#include <filesystem>
 #include <string>
-#include <string_view>
 
 #include "base/progress.h"
 #include "volume/mesh/triangle_mesh.h"

@@ -195,8 +195,8 @@ std::array<std::size_t, 3> coordinatesOf(const Element& vertex, const std::strin
   std::array<std::size_t, 3> indices{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::string name(1, "xyz"[axis]);
-    const auto found = std::find_if(vertex.properties.begin(), vertex.properties.end(),
-                                    [&](const Property& p) { return p.name == name && !p.countType; });
+    const auto found = std::ranges::find_if(
+        vertex.properties, [&](const Property& p) { return p.name == name && !p.countType; });
     if (found == vertex.properties.end()) throwInput(file, "element vertex", "has no property " + name);
     indices[axis] = static_cast<std::size_t>(found - vertex.properties.begin());
   }

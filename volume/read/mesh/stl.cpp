@@ -11,10 +11,6 @@ namespace {
 
 constexpr std::uint64_t kHeaderBytes = 84, kFacetBytes = 50;
 
-float littleEndianFloat(const char* bytes) {
-  return numberAt<float>(bytes, false);
-}
-
 TriangleMesh readBinary(const std::string& data, const std::string& file, const base::Progress& progress) {
   if (data.size() < kHeaderBytes) throwInput(file, "byte 80", "truncated: the number of facets is missing");
   const std::uint64_t facets = numberAt<std::uint32_t>(data.data() + 80, false);
@@ -30,9 +26,10 @@ TriangleMesh readBinary(const std::string& data, const std::string& file, const 
     const auto first = static_cast<std::int64_t>(mesh.points.size());
     const std::string place = "facet " + std::to_string(facet);
     for (std::uint64_t corner = 0; corner < 3; ++corner) {
-      const char* const bytes = data.data() + at + 12 * (corner + 1);  // behind the normal
-      addPoint(mesh, {littleEndianFloat(bytes), littleEndianFloat(bytes + 4), littleEndianFloat(bytes + 8)},
-               file, place);
+      const auto number = [&](std::uint64_t axis) {  // behind the normal
+        return numberAt<float>(data.data() + at + 12 * (corner + 1) + 4 * axis, false);
+      };
+      addPoint(mesh, {number(0), number(1), number(2)}, file, place);
     }
     addPolygon(mesh, {first, first + 1, first + 2}, file, place);
   }

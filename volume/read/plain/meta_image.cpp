@@ -1,12 +1,10 @@
 #include "volume/read/plain/meta_image.h"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 
 #include "base/error.h"
 #include "volume/read/input/length_unit.h"
-#include "volume/read/input/payload.h"
 #include "volume/read/input/spacing_reliability.h"
 #include "volume/read/input/text.h"
 

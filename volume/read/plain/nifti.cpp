@@ -8,7 +8,6 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
-#include "volume/read/input/payload.h"
 #include "volume/read/input/spacing_reliability.h"
 #include "volume/read/input/streams.h"
 #include "volume/read/input/text.h"
@@ -220,19 +219,11 @@ scene::WorldAxes axesOfCode(int code) {
 }
 
 double millimetresOf(const NiftiFields& fields, std::vector<std::string>& warnings) {
-  switch (fields.units & 7) {
-    case 1:
-      return 1000.0;
-    case 2:
-      return 1.0;
-    case 3:
-      return 0.001;
-    case 0:  // not said: mm, as all programs take it
-      return 1.0;
-    default:
-      warnings.push_back("xyzt_units names no known unit of length; mm is taken, as other programs do");
-      return 1.0;
-  }
+  constexpr double units[] = {1.0, 1000.0, 1.0, 0.001};  // the first: not said: mm, as all programs take it
+  const int unit = fields.units & 7;
+  if (unit < 4) return units[unit];
+  warnings.push_back("xyzt_units names no known unit of length; mm is taken, as other programs do");
+  return 1.0;
 }
 
 // Both stated, and not the same: a mirrored one makes left and right uncertain. Two of different codes may
@@ -279,11 +270,7 @@ void readGeometry(const NiftiFields& fields, ImageHeader& header) {
   // x and y change sign from RAS to LPS; the fourth row stays.
   const auto lps = [mm](const glm::dmat4& ras) {
     glm::dmat4 m = ras;
-    for (int column = 0; column < 4; ++column) {
-      m[column].x *= -mm;
-      m[column].y *= -mm;
-      m[column].z *= mm;
-    }
+    for (int column = 0; column < 4; ++column) m[column] *= glm::dvec4(-mm, -mm, mm, 1.0);
     return m;
   };
   if (fields.sformCode > 0) {

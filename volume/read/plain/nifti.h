@@ -11,9 +11,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "volume/read/input/bytes.h"
 #include "volume/read/input/image_header.h"
-#include "volume/volume.h"
 
 namespace isolux::volume {
 

@@ -4,14 +4,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
-
-#include <glm/vec4.hpp>
+#include <utility>
 
 #include "base/error.h"
 #include "volume/read/input/length_unit.h"
-#include "volume/read/input/payload.h"
 #include "volume/read/input/spacing_reliability.h"
 #include "volume/read/input/text.h"
 
@@ -86,17 +83,14 @@ class Header : private HeaderFields {
 // The synonyms of the definition, without spaces around the name.
 std::string canonicalName(std::string_view name) {
   std::string lower = lowered(trimmed(name));
-  struct Synonym {
-    std::string_view other, name;
-  };
-  static constexpr Synonym synonyms[] = {
+  static constexpr std::pair<std::string_view, std::string_view> synonyms[] = {
       {"datafile", "data file"},       {"lineskip", "line skip"},
       {"byteskip", "byte skip"},       {"axismins", "axis mins"},
       {"axismaxs", "axis maxs"},       {"centerings", "centers"},
       {"sampleunits", "sample units"}, {"oldmin", "old min"},
       {"oldmax", "old max"},           {"spacedimension", "space dimension"}};
-  for (const auto& synonym : synonyms)
-    if (lower == synonym.other) return std::string(synonym.name);
+  for (const auto& [other, known] : synonyms)
+    if (lower == other) return std::string(known);
   return lower;
 }
 
@@ -127,11 +121,7 @@ Header::Header(std::string_view text, const std::string& file) : HeaderFields(fi
 }
 
 std::optional<VoxelType> nrrdType(std::string_view name) {
-  struct Names {
-    VoxelType type;
-    std::array<std::string_view, 8> names;
-  };
-  static constexpr Names all[] = {
+  static constexpr std::pair<VoxelType, std::array<std::string_view, 8>> all[] = {
       {VoxelType::int8, {"signed char", "int8", "int8_t"}},
       {VoxelType::uint8, {"uchar", "unsigned char", "uint8", "uint8_t"}},
       {VoxelType::int16, {"short", "short int", "signed short", "signed short int", "int16", "int16_t"}},
@@ -145,9 +135,9 @@ std::optional<VoxelType> nrrdType(std::string_view name) {
        {"ulonglong", "unsigned long long", "unsigned long long int", "uint64", "uint64_t"}},
       {VoxelType::float32, {"float"}},
       {VoxelType::float64, {"double"}}};
-  for (const Names& entry : all)
-    for (std::string_view known : entry.names)
-      if (!known.empty() && sameIgnoringCase(known, name)) return entry.type;
+  for (const auto& [type, names] : all)
+    for (std::string_view known : names)
+      if (!known.empty() && sameIgnoringCase(known, name)) return type;
   return std::nullopt;
 }
 
@@ -277,7 +267,7 @@ glm::dvec3 Header::vectorOf(std::string_view text, const HeaderField& field) con
   if (text.size() < 2 || text.front() != '(' || text.back() != ')')
     throwInput(file_, field.place(), inQuotes(text) + " is not a vector like (1,0,0)");
   std::string inner(text.substr(1, text.size() - 2));
-  std::replace(inner.begin(), inner.end(), ',', ' ');
+  std::ranges::replace(inner, ',', ' ');
   const auto values = realsOf(inner);
   if (!values || values->size() != static_cast<std::size_t>(spaceDimension_))
     throwInput(file_, field.place(),
@@ -364,8 +354,7 @@ void Header::readValues(ImageHeader& header) {
 }
 
 void Header::noteContradictions() {
-  const bool placed =
-      std::any_of(axes_.begin(), axes_.end(), [](const Axis& axis) { return axis.direction.has_value(); });
+  const bool placed = std::ranges::any_of(axes_, [](const Axis& axis) { return axis.direction.has_value(); });
   bool differ = false;
   for (const Axis& axis : axes_)
     if (axis.direction && !std::isnan(axis.spacing)) {
@@ -414,8 +403,8 @@ void Header::readGeometry(ImageHeader& header) {
   }
   header.worldFromVoxel = checkedGeometry(directions, spacing, origin, file_, warnings_);
   // The space names the world's axes, the directions say how the voxels' axes lie among them: it takes both.
-  const bool placed = std::all_of(spatial_.begin(), spatial_.end(),
-                                  [this](std::size_t a) { return axes_[a].direction.has_value(); });
+  const bool placed =
+      std::ranges::all_of(spatial_, [this](std::size_t a) { return axes_[a].direction.has_value(); });
   if (patientSpace_ && placed && usableDirections(directions)) header.axes = scene::WorldAxes::anatomical;
 }
 

@@ -10,9 +10,7 @@
 
 #include <string_view>
 
-#include "volume/read/input/bytes.h"
 #include "volume/read/input/image_header.h"
-#include "volume/volume.h"
 
 namespace isolux::volume {
 

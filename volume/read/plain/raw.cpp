@@ -1,12 +1,9 @@
 #include "volume/read/plain/raw.h"
 
-#include <algorithm>
-#include <cstdio>
 #include <optional>
 
 #include "base/error.h"
 #include "base/number_text.h"
-#include "volume/read/input/payload.h"
 #include "volume/read/input/text.h"
 
 namespace isolux::volume {

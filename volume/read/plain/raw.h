@@ -4,9 +4,7 @@
 // neither.
 #pragma once
 
-#include "volume/read/input/bytes.h"
 #include "volume/read/input/image_header.h"
-#include "volume/volume.h"
 
 namespace isolux::volume {
 

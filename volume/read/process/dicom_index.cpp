@@ -37,9 +37,7 @@ DicomIndexEnd indexDicomBy(const fs::path& program, const fs::path& folder,
                            const std::function<void(DicomSeries)>& found, base::Progress& progress,
                            double patienceSeconds) {
   progress.report(0.0, "looking for series");
-  Request request;
-  request.task = Task::index;
-  request.path = folder.string();
+  Request request{.task = Task::index, .path = folder.string()};
   std::string firstReason;
   for (;;) {
     try {
@@ -49,8 +47,7 @@ DicomIndexEnd indexDicomBy(const fs::path& program, const fs::path& folder,
       return end;
     } catch (const base::Error& error) {
       const bool ofAFile = error.kind() == base::ErrorKind::input || error.kind() == base::ErrorKind::memory;
-      const bool again =
-          std::find(request.skip.begin(), request.skip.end(), error.file()) != request.skip.end();
+      const bool again = std::ranges::find(request.skip, error.file()) != request.skip.end();
       if (!ofAFile || again || request.skip.size() >= mostSkipped || !liesBelow(error.file(), folder)) throw;
       if (firstReason.empty()) firstReason = error.what();
       request.skip.push_back(error.file());
@@ -64,9 +61,7 @@ DicomIndexEnd indexDicom(const fs::path& folder, const std::function<void(DicomS
 }
 
 DecodedImage previewDicom(const fs::path& file, int frame, base::Progress& progress) {
-  Request request;
-  request.task = Task::preview;
-  request.path = file.string();
+  Request request{.task = Task::preview, .path = file.string()};
   request.options.timeStep = frame;
   ReaderProcess reader(readerProgram(indexReader), request, progress);
   return receivedImage(reader);

@@ -19,9 +19,7 @@ constexpr const char* surfaceReader = "isolux-reader-surface";
 constexpr const char* hdf5Reader = "isolux-reader-hdf5";
 
 Request requestFor(Task task, const fs::path& path, const ReadOptions& options) {
-  Request request;
-  request.task = task;
-  request.path = path.string();
+  Request request{.task = task, .path = path.string()};
   request.options.series = options.series;
   request.options.component = options.component;
   request.options.timeStep = options.timeStep;
@@ -41,6 +39,19 @@ void checkMesh(const TriangleMesh& mesh, const fs::path& path) {
     for (int i = 0; i < 3; ++i)
       if (t[i] < 0 || t[i] >= count)
         base::throwInput(path.string(), "triangles", "a corner is not a point of the mesh");
+}
+
+TriangleMesh receiveMesh(ReaderProcess& reader, const fs::path& path) {
+  const MeshCounts counts = reader.announced(MessageKind::mesh, decodeMesh);
+  reader.receive(bulkBytes(counts));
+  TriangleMesh mesh;
+  mesh.points.resize(static_cast<std::size_t>(counts.points));
+  mesh.triangles.resize(static_cast<std::size_t>(counts.triangles));
+  const auto points = std::as_writable_bytes(std::span(mesh.points));
+  reader.read(0, points);
+  reader.read(points.size(), std::as_writable_bytes(std::span(mesh.triangles)));
+  checkMesh(mesh, path);
+  return mesh;
 }
 
 }  // namespace
@@ -65,23 +76,6 @@ Volume readVolumeBy(const fs::path& program, const fs::path& path, const ReadOpt
   rememberPatient(volume.grid, decoded.patient);
   return volume;
 }
-
-namespace {
-
-TriangleMesh receiveMesh(ReaderProcess& reader, const fs::path& path) {
-  const MeshCounts counts = reader.announced(MessageKind::mesh, decodeMesh);
-  reader.receive(bulkBytes(counts));
-  TriangleMesh mesh;
-  mesh.points.resize(static_cast<std::size_t>(counts.points));
-  mesh.triangles.resize(static_cast<std::size_t>(counts.triangles));
-  const auto points = std::as_writable_bytes(std::span(mesh.points));
-  reader.read(0, points);
-  reader.read(points.size(), std::as_writable_bytes(std::span(mesh.triangles)));
-  checkMesh(mesh, path);
-  return mesh;
-}
-
-}  // namespace
 
 TriangleMesh readMeshBy(const fs::path& program, const fs::path& path, std::size_t budgetBytes,
                         base::Progress& progress) {

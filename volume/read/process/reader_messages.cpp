@@ -43,8 +43,7 @@ constexpr auto passVolume = [](auto& wire, auto& volume) {
   for (auto& axis : header.dims) wire.pass(axis, 1, 65535);
   wire.pass(header.components, 1, kMostSteps);
   wire.pass(header.timeSteps, 1, kMostSteps);
-  for (int column = 0; column < 4; ++column)
-    for (int row = 0; row < 4; ++row) wire.passFinite(header.worldFromVoxel[column][row]);
+  wire.passFinite(header.worldFromVoxel);
   wire.pass(header.axes, 0, static_cast<std::uint64_t>(scene::WorldAxes::anatomical));
   wire.pass(header.slope);  // 0 and NaN have a meaning
   wire.pass(header.intercept);

@@ -91,29 +91,15 @@ pid_t spawn(const std::string& program, int socket, int memory) {
 }
 
 std::string signalText(int signal) {
-  switch (signal) {
-    case SIGSEGV:
-      return "a segmentation fault";
-    case SIGBUS:
-      return "a bus error";
-    case SIGABRT:
-      return "an abort";
-    case SIGFPE:
-      return "an arithmetic error";
-    case SIGILL:
-      return "an illegal instruction";
-    default:
-      return "signal " + std::to_string(signal);
-  }
+  static constexpr std::pair<int, const char*> known[] = {{SIGSEGV, "a segmentation fault"},
+                                                          {SIGBUS, "a bus error"},
+                                                          {SIGABRT, "an abort"},
+                                                          {SIGFPE, "an arithmetic error"},
+                                                          {SIGILL, "an illegal instruction"}};
+  for (const auto& [number, text] : known)
+    if (number == signal) return text;
+  return "signal " + std::to_string(signal);
 }
-
-}  // namespace
-
-Descriptor::~Descriptor() {
-  if (number_ >= 0) ::close(number_);
-}
-
-namespace {
 
 fs::path& otherFolder() {
   static fs::path folder;
@@ -121,6 +107,10 @@ fs::path& otherFolder() {
 }
 
 }  // namespace
+
+Descriptor::~Descriptor() {
+  if (number_ >= 0) ::close(number_);
+}
 
 void setReaderFolder(fs::path folder) {
   otherFolder() = std::move(folder);
@@ -151,10 +141,6 @@ ReaderProcess::ReaderProcess(const fs::path& program, Request request, base::Pro
   request_.parent = ::getpid();
   pid_ = spawn(program_, theirs.get(), memory_.get());
   send(MessageKind::request, encode(request_));
-}
-
-ReaderProcess::~ReaderProcess() {
-  end();
 }
 
 int ReaderProcess::end() {
@@ -228,16 +214,11 @@ bool ReaderProcess::takeMessage(Message& message) {
   return true;
 }
 
-ReaderProcess::Message ReaderProcess::next() {
-  Message message{};
-  while (!takeMessage(message)) waitForBytes();
-  return message;
-}
-
 ReaderProcess::Message ReaderProcess::expectEither(MessageKind one, MessageKind other) {
   return named([&]() -> Message {
     for (;;) {
-      Message message = next();
+      Message message{};
+      while (!takeMessage(message)) waitForBytes();
       if (message.kind == MessageKind::progress) {
         WireReader wire(message.body);
         progress_.report(std::clamp(wire.finite(), 0.0, 1.0), "reading");

@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -56,7 +55,7 @@ class ReaderProcess {
   // ended.
   ReaderProcess(const std::filesystem::path& program, Request request, base::Progress& progress,
                 double patienceSeconds = 30.0);
-  ~ReaderProcess();  // ends the reader if it still runs
+  ~ReaderProcess() { end(); }  // ends the reader if it still runs
   ReaderProcess(const ReaderProcess&) = delete;
   ReaderProcess& operator=(const ReaderProcess&) = delete;
 
@@ -91,7 +90,6 @@ class ReaderProcess {
     }
   }
   [[noreturn]] void fail(base::ErrorKind kind, const std::string& reason) const;
-  Message next();
   bool takeMessage(Message& message);
   void waitForBytes();
   void send(MessageKind kind, std::string_view body);

@@ -1,6 +1,5 @@
 #include "volume/read/process/wire.h"
 
-#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -18,11 +17,7 @@ void WireWriter::put(std::uint64_t number) {
   bytes_.append(raw, sizeof raw);
 }
 
-void WireWriter::put(double number) {
-  put(std::bit_cast<std::uint64_t>(number));
-}
-
-void WireWriter::put(const glm::dmat4& matrix) {
+void WireWriter::passFinite(const glm::dmat4& matrix) {
   for (int column = 0; column < 4; ++column)
     for (int row = 0; row < 4; ++row) put(matrix[column][row]);
 }
@@ -30,11 +25,6 @@ void WireWriter::put(const glm::dmat4& matrix) {
 void WireWriter::put(std::string_view text) {
   put(static_cast<std::uint64_t>(text.size()));
   bytes_.append(text);
-}
-
-void WireWriter::put(const std::vector<std::string>& texts) {
-  put(static_cast<std::uint64_t>(texts.size()));
-  for (const std::string& text : texts) put(std::string_view(text));
 }
 
 std::string_view WireReader::take(std::uint64_t count) {
@@ -56,32 +46,15 @@ std::uint64_t WireReader::number(std::uint64_t low, std::uint64_t high) {
   return value;
 }
 
-double WireReader::real() {
-  return std::bit_cast<double>(number());
-}
-
 double WireReader::finite() {
   const double value = real();
   if (!std::isfinite(value)) throwBadAnswer("a number is not finite");
   return value;
 }
 
-glm::dmat4 WireReader::finiteMatrix() {
-  glm::dmat4 matrix(0.0);
+void WireReader::passFinite(glm::dmat4& matrix) {
   for (int column = 0; column < 4; ++column)
     for (int row = 0; row < 4; ++row) matrix[column][row] = finite();
-  return matrix;
-}
-
-std::string WireReader::text() {
-  return std::string(take(number()));
-}
-
-std::vector<std::string> WireReader::texts(std::size_t most) {
-  const std::uint64_t count = number(0, most);
-  std::vector<std::string> all;
-  for (std::uint64_t i = 0; i < count; ++i) all.push_back(text());
-  return all;
 }
 
 void WireReader::end() const {

@@ -4,9 +4,9 @@
 // is missing, left over or out of range throws base::Error{input}.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,16 +19,17 @@ class WireWriter {
  public:
   void put(std::uint64_t number);
   void put(std::int64_t number) { put(static_cast<std::uint64_t>(number)); }
-  void put(double number);
-  void put(const glm::dmat4& matrix);
+  void put(double number) { put(std::bit_cast<std::uint64_t>(number)); }
   void put(std::string_view text);
-  void put(const std::vector<std::string>& texts);
 
   // As WireReader::pass(), in the other direction.
   void pass(double number) { put(number); }
   void pass(const std::string& text) { put(std::string_view(text)); }
-  void pass(const std::vector<std::string>& texts, std::size_t) { put(texts); }
+  void pass(const std::vector<std::string>& texts, std::size_t most) {
+    passEach(texts, 0, most, [this](const std::string& text) { pass(text); });
+  }
   void passFinite(double number) { put(number); }
+  void passFinite(const glm::dmat4& matrix);
   template <class T>
   void pass(T number, std::uint64_t, std::uint64_t) {
     put(static_cast<std::uint64_t>(number));
@@ -52,17 +53,18 @@ class WireReader {
 
   std::uint64_t number();
   std::uint64_t number(std::uint64_t low, std::uint64_t high);  // within [low, high]
-  double real();                                                // any, NaN too
+  double real() { return std::bit_cast<double>(number()); }     // any, NaN too
   double finite();
-  glm::dmat4 finiteMatrix();
-  std::string text();
-  std::vector<std::string> texts(std::size_t most);
+  std::string text() { return std::string(take(number())); }
   void end() const;  // throws unless everything was taken
 
   void pass(double& number) { number = real(); }
   void pass(std::string& text) { text = this->text(); }
-  void pass(std::vector<std::string>& texts, std::size_t most) { texts = this->texts(most); }
+  void pass(std::vector<std::string>& texts, std::size_t most) {
+    passEach(texts, 0, most, [this](std::string& text) { pass(text); });
+  }
   void passFinite(double& number) { number = finite(); }
+  void passFinite(glm::dmat4& matrix);
   // A whole number, an enumerator or a flag within [low, high].
   template <class T>
   void pass(T& number, std::uint64_t low, std::uint64_t high) {

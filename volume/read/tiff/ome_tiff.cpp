@@ -64,7 +64,7 @@ class OmeParser {
     ome_.frames = number(tag, "SizeT", 1);
     if (const auto order = tag.find("DimensionOrder")) ome_.order = *order;
     std::string sorted = ome_.order;
-    std::sort(sorted.begin(), sorted.end());
+    std::ranges::sort(sorted);
     if (sorted != "CTXYZ" || !ome_.order.starts_with("XY"))
       throwInput(file_, kOmeXml, "DimensionOrder " + inQuotes(ome_.order) + " is not known");
     for (std::size_t axis = 0; axis < 3; ++axis) {

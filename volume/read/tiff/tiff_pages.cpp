@@ -315,7 +315,7 @@ std::vector<fs::path> tiffFilesIn(const fs::path& folder) {
       files.push_back(entry.path());
   }
   if (error) throwInput(folder.string(), "", "cannot be listed: " + error.message());
-  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+  std::ranges::sort(files, [](const fs::path& a, const fs::path& b) {
     return naturalLess(a.filename().string(), b.filename().string());
   });
   return files;

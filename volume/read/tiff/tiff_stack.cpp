@@ -23,6 +23,7 @@ using base::throwInput;
 namespace {
 
 constexpr const char* kDescription = "ImageDescription";
+constexpr const char* kImageJAxes = "TZCYX";  // and of its copies: channel fastest, then slice, then frame
 constexpr std::int64_t kMostPlanes = std::int64_t{1} << 31;
 
 bool usableSpacing(double size) {
@@ -58,11 +59,6 @@ class Statements {
     stack_.slices = count;
     stack_.planes.resize(static_cast<std::size_t>(count));
     for (std::size_t i = 0; i < stack_.planes.size(); ++i) stack_.planes[i] = i;
-  }
-
-  // ImageJ's order and that of its copies: channel fastest, then slice, then frame.
-  void takeHyperstack(std::int64_t channels, std::int64_t slices, std::int64_t frames) {
-    takeAxes("TZCYX", {frames, slices, channels, 1, 1});
   }
 
   // Planes behind one another, of which the directory describes the first only.
@@ -118,7 +114,7 @@ class Statements {
       ignore("ImageJ announces " + std::to_string(images) + " images, but " + std::to_string(channels) +
              " channels, " + std::to_string(slices) + " slices and " + std::to_string(frames) + " frames");
     else
-      takeHyperstack(channels, slices, frames);
+      takeAxes(kImageJAxes, {frames, slices, channels, 1, 1});
     readImageJSpacing(text("unit"), text("yunit"), text("zunit"), realOf(text("spacing")));
     readCalibration(keys.contains("cf")   ? text("cf")
                     : keys.contains("c0") ? "0"
@@ -237,7 +233,7 @@ class Statements {
       ignore("the LSM record announces " + std::to_string(slices) + " slices and " + std::to_string(frames) +
              " frames, the file has " + std::to_string(pages) + " pages");
     else
-      takeHyperstack(1, slices, frames);
+      takeAxes(kImageJAxes, {frames, slices, 1, 1, 1});
     place(1e3 * glm::dvec3(at(40, 0.0), at(48, 0.0), at(56, 0.0)));
   }
 

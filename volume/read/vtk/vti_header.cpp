@@ -236,8 +236,7 @@ const Array& Check::chosenArray() {
   if (!chosen) throwInput(file_, "PointData", "has no named array");
   header_.array = chosen->name;
   header_.cells = chosen->cells;
-  if (std::count_if(arrays_.begin(), arrays_.end(),
-                    [&](const Array& array) { return array.cells == chosen->cells; }) > 1)
+  if (std::ranges::count_if(arrays_, [&](const Array& array) { return array.cells == chosen->cells; }) > 1)
     header_.image.warnings.push_back("the file has several arrays; " + inQuotes(header_.array) + " is shown");
   const auto voxelType = vtiType(chosen->type);
   if (!voxelType)

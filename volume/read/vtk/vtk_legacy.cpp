@@ -1,12 +1,10 @@
 #include "volume/read/vtk/vtk_legacy.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "base/error.h"
 #include "volume/read/input/convert.h"
-#include "volume/read/input/payload.h"
 #include "volume/read/input/spacing_reliability.h"
 #include "volume/read/input/text.h"
 

@@ -6,8 +6,6 @@
 // data (else of the cell data) is read. Throws base::Error{input} with the line.
 #pragma once
 
-#include <string_view>
-
 #include "volume/read/input/bytes.h"
 #include "volume/read/input/image_header.h"
 

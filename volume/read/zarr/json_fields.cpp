@@ -1,6 +1,5 @@
 #include "volume/read/zarr/json_fields.h"
 
-#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <limits>
@@ -46,10 +45,6 @@ std::vector<JsonField> JsonField::entries() const {
 std::string JsonField::text() const {
   if (!value_->is_string()) refuse("is not text");
   return value_->get<std::string>();
-}
-
-std::string JsonField::text(const char* key, const std::string& otherwise) const {
-  return has(key) ? at(key).text() : otherwise;
 }
 
 double JsonField::number() const {

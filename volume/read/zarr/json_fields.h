@@ -24,7 +24,9 @@ class JsonField {
   JsonField at(const char* key) const;
   std::vector<JsonField> entries() const;
   std::string text() const;
-  std::string text(const char* key, const std::string& otherwise) const;
+  std::string text(const char* key, const std::string& otherwise) const {
+    return has(key) ? at(key).text() : otherwise;
+  }
   double number() const;  // any number, also "NaN", "Infinity", "-Infinity"
   std::vector<double> numbers(std::size_t count) const;
   std::vector<std::uint64_t> counts() const;  // 1 to 8 whole numbers, at least 1

@@ -52,7 +52,7 @@ void placeSpace(const std::vector<OmeAxis>& list, const std::vector<std::size_t>
   if (space.size() < 2 || space.size() > 3) field.refuse("has not two or three axes of space");
   std::array<std::optional<std::size_t>*, 3> slots = {&axes.x, &axes.y, &axes.z};
   const auto slotNamed = [&](std::size_t axis) { return std::string("xyz").find(lowered(list[axis].name)); };
-  const bool named = std::all_of(space.begin(), space.end(), [&](std::size_t axis) {
+  const bool named = std::ranges::all_of(space, [&](std::size_t axis) {
     return list[axis].name.size() == 1 && slotNamed(axis) != std::string::npos;
   });
   for (std::size_t i = 0; i < space.size(); ++i) {
@@ -124,7 +124,7 @@ std::string channelNames(const JsonField& root) {
 std::string safePath(const JsonField& field) {
   const std::string text = field.text();
   const std::filesystem::path path(text);
-  const bool out = std::any_of(path.begin(), path.end(), [](const auto& part) { return part == ".."; });
+  const bool out = std::ranges::any_of(path, [](const auto& part) { return part == ".."; });
   if (path.is_absolute() || out || text.find('\0') != std::string::npos)
     field.refuse("leaves the folder of the image");
   return text == "." ? "" : text;
@@ -193,7 +193,7 @@ ArrayAxes axesNamed(const std::vector<std::string>& names, const std::vector<std
   for (std::size_t i = 0; i < dims.size(); ++i) {
     const std::string name = i < names.size() ? lowered(names[i]) : "";
     const auto found = std::find_if(std::begin(known), std::end(known), [&](const auto& row) {
-      return std::find(row.first.begin(), row.first.end(), name) != row.first.end();
+      return std::ranges::find(row.first, name) != row.first.end();
     });
     if (found == std::end(known) || *found->second)
       others.push_back(i);

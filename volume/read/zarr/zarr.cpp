@@ -7,7 +7,6 @@
 
 #include "base/error.h"
 #include "volume/read/input/image_header.h"
-#include "volume/read/input/spacing_reliability.h"
 #include "volume/read/zarr/json_fields.h"
 #include "volume/read/zarr/ome.h"
 #include "volume/read/zarr/zarr_array.h"
@@ -83,10 +82,7 @@ std::unique_ptr<ArrayVolume> volumeOfArray(const std::shared_ptr<const ZarrStore
 }
 
 // The outer faces of the outermost voxels.
-struct Faces {
-  glm::dvec3 low, high;
-};
-Faces facesOf(const OmeLevel& level, glm::dvec3 dims) {
+Bounds<glm::dvec3> facesOf(const OmeLevel& level, glm::dvec3 dims) {
   const glm::dvec3 low = level.originMm - 0.5 * level.spacingMm;
   return {low, low + dims * level.spacingMm};
 }
@@ -94,7 +90,7 @@ Faces facesOf(const OmeLevel& level, glm::dvec3 dims) {
 // Empty where a coarser level lies where the finest does, to a voxel of its own; else what is wrong.
 std::string misplacedBy(const OmeLevel& finest, glm::dvec3 finestDims, const OmeLevel& level,
                         glm::dvec3 dims) {
-  const Faces wanted = facesOf(finest, finestDims), got = facesOf(level, dims);
+  const Bounds<glm::dvec3> wanted = facesOf(finest, finestDims), got = facesOf(level, dims);
   for (int axis = 0; axis < 3; ++axis) {
     const double voxel = std::abs(level.spacingMm[axis]) * 1.01;
     if (dims[axis] > finestDims[axis]) return "it is finer than level 0";
@@ -210,8 +206,7 @@ std::vector<std::string> imagesIn(const std::shared_ptr<const ZarrStore>& store,
   for (const std::string& name : store->folders(key))
     if (const std::ptrdiff_t wide = wideAxesOf(store, joinedKey(key, name)); wide > 0)
       found.emplace_back(name, wide);
-  std::stable_sort(found.begin(), found.end(),
-                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::ranges::stable_sort(found, [](const auto& a, const auto& b) { return a.second > b.second; });
   if (!found.empty() && found.front().second >= 2)
     std::erase_if(found, [](const auto& entry) { return entry.second < 2; });
   std::vector<std::string> names;
@@ -257,7 +252,7 @@ std::unique_ptr<ArrayVolume> openZarr(std::shared_ptr<const ZarrStore> store, co
   if (images.empty())
     throwInput(name, "", "the Zarr group holds no image and no array; open a folder in it that does");
   const std::string chosen = series.empty() ? images.front() : series;
-  if (std::find(images.begin(), images.end(), chosen) == images.end())
+  if (std::ranges::find(images, chosen) == images.end())
     throw base::Error(base::ErrorKind::usage, name, "source.series", "unknown image \"" + chosen + "\"");
   auto volume = openZarr(store, joinedKey(key, chosen), name, "");
   if (images.size() == 1) return volume;

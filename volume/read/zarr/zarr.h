@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "volume/read/chunks/array_volume.h"
 #include "volume/read/zarr/zarr_store.h"

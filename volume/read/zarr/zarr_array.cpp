@@ -1,6 +1,5 @@
 #include "volume/read/zarr/zarr_array.h"
 
-#include <algorithm>
 #include <utility>
 
 #include <nlohmann/json.hpp>

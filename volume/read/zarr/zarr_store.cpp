@@ -39,12 +39,8 @@ std::vector<std::string> FolderStore::folders(const std::string& key) const {
     std::error_code ignored;
     if (entry->is_directory(ignored)) names.push_back(entry->path().filename().string());
   }
-  std::sort(names.begin(), names.end(), naturalLess);
+  std::ranges::sort(names, naturalLess);
   return names;
-}
-
-std::string FolderStore::nameOf(const std::string& key) const {
-  return key.empty() ? root_.string() : (root_ / key).string();
 }
 
 }  // namespace isolux::volume

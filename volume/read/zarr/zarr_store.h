@@ -1,7 +1,6 @@
 // The files of a Zarr hierarchy by their keys ("0/c/1/2/3"): a folder, or what tests put there.
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -32,7 +31,9 @@ class FolderStore final : public ZarrStore {
   explicit FolderStore(std::filesystem::path root) : root_(std::move(root)) {}
   std::unique_ptr<Bytes> open(const std::string& key) const override;
   std::vector<std::string> folders(const std::string& key) const override;
-  std::string nameOf(const std::string& key) const override;
+  std::string nameOf(const std::string& key) const override {
+    return key.empty() ? root_.string() : (root_ / key).string();
+  }
 
  private:
   std::filesystem::path root_;

@@ -72,7 +72,7 @@ ZarrMetadata parseZarrV2(const nlohmann::json& json, const std::string& file) {
   std::iota(format.order.begin(), format.order.end(), std::size_t{0});
   const JsonField order = root.at("order");
   if (order.text() == "F")
-    std::reverse(format.order.begin(), format.order.end());
+    std::ranges::reverse(format.order);
   else if (order.text() != "C")
     order.refuse("must be C or F");
   if (root.has("compressor")) format.codecs.push_back(codecOfV2(root.at("compressor")));

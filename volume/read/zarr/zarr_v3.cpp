@@ -4,7 +4,6 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <numeric>
 #include <string_view>
 #include <utility>
@@ -86,7 +85,7 @@ void transpose(const Extension& codec, std::vector<std::size_t>& order) {
     turned.push_back(order[static_cast<std::size_t>(axis)]);
   }
   for (const std::size_t axis : order)
-    if (std::count(turned.begin(), turned.end(), axis) != 1)
+    if (std::ranges::count(turned, axis) != 1)
       codec.configuration.at("order").refuse("is not an order of the axes");
   order = std::move(turned);
 }
@@ -170,7 +169,7 @@ void readCodecs(const JsonField& field, ZarrMetadata& metadata) {
     }
   }
   if (!asBytes) field.refuse("the codec bytes is missing");
-  std::reverse(format.codecs.begin(), format.codecs.end());
+  std::ranges::reverse(format.codecs);
 }
 
 void readKeys(const JsonField& root, ZarrMetadata& metadata) {
