@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
-#include <cstring>
 #include <stdexcept>
 #include <utility>
 
@@ -12,7 +10,6 @@
 #include <pybind11/pybind11.h>
 
 #include "app/documents/picture_scene.h"
-#include "app/documents/session.h"
 #include "app/files/files.h"
 #include "app/light/light_picture.h"
 #include "app/light/light_report.h"
@@ -23,9 +20,7 @@
 #include "app/study/study.h"
 #include "app/study_report/study_report.h"
 #include "base/error.h"
-#include "base/numbers.h"
 #include "scene/rules/automatic.h"
-#include "scene/rules/relevance.h"
 #include "scene/settings/assignment.h"
 #include "volume/read/input/convert.h"
 #include "volume/read/input/payload.h"

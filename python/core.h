@@ -16,7 +16,6 @@
 #include "app/options/scene_options.h"
 #include "python/volume_thread.h"
 #include "render/offscreen_renderer.h"
-#include "render/still_picture.h"
 #include "volume/prepared/prepared_volume.h"
 
 namespace isolux::python {

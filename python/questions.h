@@ -4,7 +4,6 @@
 // Points and directions are rows of x, y, z in world mm; answers are in their order, NaN where there is none.
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 

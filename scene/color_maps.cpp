@@ -9,7 +9,6 @@
 #include <span>
 
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
 #include "app/accuracy/overlay_painter.h"
 #include "app/ready/give_way.h"

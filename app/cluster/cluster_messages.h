@@ -3,12 +3,8 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
-
-#include <glm/vec3.hpp>
 
 #include "app/cluster/tile_baker.h"
 #include "base/error.h"

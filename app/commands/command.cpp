@@ -17,7 +17,6 @@
 #include "base/error.h"
 #include "base/memory_budget.h"
 #include "scene/named_camera.h"
-#include "scene/rules/automatic.h"
 #include "scene/rules/quality.h"
 #include "scene/settings/assignment.h"
 #include "scene/settings/settings.h"

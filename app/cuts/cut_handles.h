@@ -8,7 +8,6 @@
 #pragma once
 
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include <glm/vec2.hpp>

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "scene/settings/scene_diff.h"
-#include "scene/settings/settings.h"
 
 namespace isolux::app {
 

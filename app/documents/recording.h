@@ -13,7 +13,6 @@
 
 #include "scene/rules/flow_clock.h"
 #include "scene/settings/scene_diff.h"
-#include "scene/settings/settings.h"
 
 namespace isolux::app {
 

@@ -9,7 +9,6 @@
 #include "app/files/image_io.h"
 #include "app/version.h"
 #include "base/error.h"
-#include "scene/settings/settings.h"
 
 namespace isolux::app {
 

@@ -11,7 +11,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,7 +21,6 @@
 #include "app/study/surface_reference.h"
 #include "base/task.h"
 #include "render/renderer.h"
-#include "scene/settings/host_settings.h"
 
 namespace isolux::app {
 

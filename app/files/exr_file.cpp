@@ -1,14 +1,8 @@
 #include "app/files/exr_file.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdint>
-#include <cstdio>
-#include <cstring>
 #include <exception>
-#include <stdexcept>
-
-#include <sys/types.h>
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -19,8 +13,8 @@
 #include <ImfThreading.h>
 #include <tbb/global_control.h>
 
-#include "app/files/files.h"
 #include "base/error.h"
+#include "base/pending_file.h"
 
 namespace isolux::app {
 
@@ -40,40 +34,29 @@ int compressionThreads() {
   }
 }
 
-// OpenEXR's own stream loses what fails when the last buffer is written; this one keeps count of errors.
-class CheckedStream final : public Imf::OStream {
+// Writes into a file. OpenEXR loses what fails when its last table is written: throwIfFailed() throws it.
+class FileStream final : public Imf::OStream {
  public:
-  explicit CheckedStream(const std::filesystem::path& path)
-      : OStream(path.c_str()), stream_(std::fopen(path.c_str(), "wb")) {
-    if (!stream_) throwSystemReason();
-  }
-  ~CheckedStream() override {
-    if (stream_) std::fclose(stream_);
-  }
-  CheckedStream(const CheckedStream&) = delete;
-  CheckedStream& operator=(const CheckedStream&) = delete;
+  explicit FileStream(base::OutputFile& file) : OStream(file.path().c_str()), file_(file) {}
 
   void write(const char bytes[], int count) override {
-    const auto size = static_cast<std::size_t>(count);
-    if (std::fwrite(bytes, 1, size, stream_) != size) throwSystemReason();
+    try {
+      file_.write(bytes, static_cast<std::size_t>(count));
+    } catch (...) {
+      failure_ = std::current_exception();
+      throw;
+    }
   }
-  std::uint64_t tellp() override { return static_cast<std::uint64_t>(::ftello(stream_)); }
-  void seekp(std::uint64_t position) override {
-    if (::fseeko(stream_, static_cast<::off_t>(position), SEEK_SET) != 0) throwSystemReason();
-  }
-  // To be called when the picture is written: an error of any write so far is thrown here at the latest.
-  void close() {
-    const bool failed = std::ferror(stream_) != 0;
-    std::FILE* const stream = std::exchange(stream_, nullptr);
-    if (std::fclose(stream) != 0 || failed) throwSystemReason();
+  std::uint64_t tellp() override { return file_.at(); }
+  void seekp(std::uint64_t position) override { file_.go(position); }
+
+  void throwIfFailed() const {
+    if (failure_) std::rethrow_exception(failure_);
   }
 
  private:
-  [[noreturn]] static void throwSystemReason() {
-    throw std::runtime_error(errno != 0 ? std::strerror(errno) : "input/output error");
-  }
-
-  std::FILE* stream_;
+  base::OutputFile& file_;
+  std::exception_ptr failure_;
 };
 
 Imf::FrameBuffer frameBufferOf(glm::ivec2 size, const std::vector<ExrChannel>& channels) {
@@ -93,24 +76,26 @@ Imf::FrameBuffer frameBufferOf(glm::ivec2 size, const std::vector<ExrChannel>& c
 void writeExrFile(glm::ivec2 size, const std::vector<ExrChannel>& channels,
                   const std::vector<std::pair<std::string, std::string>>& attributes,
                   const std::filesystem::path& file) {
-  PendingFile pending(file);
+  base::OutputFile written(file);
   try {
     Imf::Header header(size.x, size.y);
     header.compression() = Imf::ZIP_COMPRESSION;
     for (const ExrChannel& channel : channels)
       header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
     for (const auto& [name, text] : attributes) header.insert(name, Imf::StringAttribute(text));
-    CheckedStream stream(pending.path());
+    FileStream stream(written);
     {
       Imf::OutputFile output(stream, header, compressionThreads());
       output.setFrameBuffer(frameBufferOf(size, channels));
       output.writePixels(size.y);
     }  // which writes the table of lines
-    stream.close();
+    stream.throwIfFailed();
+  } catch (const base::Error&) {
+    throw;
   } catch (const std::exception& error) {
     base::throwInput(file.string(), "", std::string("cannot be written: ") + error.what());
   }
-  pending.commit();
+  written.commit();
 }
 
 }  // namespace isolux::app

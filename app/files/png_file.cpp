@@ -1,18 +1,17 @@
 // The PNG files of image_io.h, by libpng.
 #include "app/files/image_io.h"
 
-#include <cerrno>
 #include <csetjmp>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
-#include <cstring>
+#include <exception>
+#include <functional>
 #include <memory>
+#include <new>
 
 #include <png.h>
 
-#include "app/files/files.h"
 #include "base/error.h"
+#include "base/pending_file.h"
 #include "volume/read/input/streams.h"
 
 namespace isolux::app {
@@ -26,19 +25,19 @@ constexpr std::uint32_t largestAxis = 32768;  // pixels
 
 // Everything a writer holds, so that the function that libpng leaves by longjmp has nothing to destroy.
 struct PngWriter {
-  std::FILE* stream = nullptr;
+  using Sink = std::function<void(std::string_view bytes)>;
+
+  Sink sink;
   png_structp png = nullptr;
   png_infop info = nullptr;
   const std::vector<std::pair<std::string, std::string>> texts;
   std::vector<png_text> chunks;
-  std::string failure;
-  int systemError = 0;
+  std::string failure = "libpng cannot be set up";
+  std::exception_ptr thrown;  // by the sink
 
-  PngWriter(std::FILE* opened, const std::string& session) : stream(opened), texts(pictureTexts(session)) {
-    systemError = stream ? 0 : errno;
+  PngWriter(Sink to, const std::string& session) : sink(std::move(to)), texts(pictureTexts(session)) {
     png = png_create_write_struct(PNG_LIBPNG_VER_STRING, this, failed, [](png_structp, png_const_charp) {});
     info = png ? png_create_info_struct(png) : nullptr;
-    if (!info) failure = "libpng cannot be set up";
     for (const auto& [keyword, text] : texts) {
       png_text chunk{};
       chunk.compression = PNG_TEXT_COMPRESSION_NONE;
@@ -48,30 +47,23 @@ struct PngWriter {
       chunks.push_back(chunk);
     }
   }
-  ~PngWriter() {
-    png_destroy_write_struct(&png, &info);
-    if (stream) std::fclose(stream);
-  }
+  ~PngWriter() { png_destroy_write_struct(&png, &info); }
   PngWriter(const PngWriter&) = delete;
   PngWriter& operator=(const PngWriter&) = delete;
 
-  bool close() {
-    const bool closed = std::fclose(stream) == 0;
-    if (!closed) systemError = errno;
-    stream = nullptr;
-    return closed;
-  }
-
-  std::string reason() const {
-    if (systemError != 0) return std::strerror(systemError);
-    return failure.empty() ? "unknown reason" : failure;
+  static void put(png_structp png, png_bytep bytes, std::size_t count) {
+    auto& self = *static_cast<PngWriter*>(png_get_io_ptr(png));
+    try {
+      self.sink({reinterpret_cast<const char*>(bytes), count});
+    } catch (...) {
+      self.thrown = std::current_exception();
+    }
+    if (self.thrown) png_error(png, "not written");
   }
 
  private:
   static void failed(png_structp png, png_const_charp message) {
-    auto& self = *static_cast<PngWriter*>(png_get_error_ptr(png));
-    self.systemError = std::ferror(self.stream) ? errno : 0;
-    self.failure = message;
+    static_cast<PngWriter*>(png_get_error_ptr(png))->failure = message;
     png_longjmp(png, 1);
   }
 };
@@ -80,7 +72,7 @@ struct PngWriter {
 bool encode(PngWriter& writer, const render::ColorImage& image) {
   const png_structp png = writer.png;
   if (setjmp(png_jmpbuf(png)) != 0) return false;
-  png_init_io(png, writer.stream);
+  png_set_write_fn(png, &writer, PngWriter::put, [](png_structp) {});
   png_set_IHDR(png, writer.info, static_cast<png_uint_32>(image.size.x),
                static_cast<png_uint_32>(image.size.y), 8,
                image.transparent ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
@@ -95,6 +87,15 @@ bool encode(PngWriter& writer, const render::ColorImage& image) {
     png_write_row(png, image.rgba.data() + 4 * volume::Extent2{image.size}.index(0, y));
   png_write_end(png, nullptr);
   return true;
+}
+
+// Throws what `sink` throws; Error{input} naming `file` where libpng fails.
+void encodeInto(PngWriter::Sink sink, const render::ColorImage& image, const std::string& session,
+                const std::string& file) {
+  PngWriter writer(std::move(sink), session);
+  if (writer.info && encode(writer, image)) return;
+  if (writer.thrown) std::rethrow_exception(writer.thrown);
+  throwInput(file, "", "cannot be written: " + writer.failure);
 }
 
 [[noreturn]] void cannotRead(const fs::path& file, png_image& image) {
@@ -113,24 +114,19 @@ bool canHold(const fs::path& file, const png_image& image) {
 }  // namespace
 
 void writePng(const render::ColorImage& image, const fs::path& file, const std::string& session) {
-  PendingFile pending(file);
-  PngWriter writer(std::fopen(pending.path().c_str(), "wb"), session);
-  if (!writer.stream || !writer.info || !encode(writer, image) || !writer.close())
-    throwInput(file.string(), "", "cannot be written: " + writer.reason());
-  pending.commit();
+  base::OutputFile output(file);
+  encodeInto([&](std::string_view bytes) { output.write(bytes); }, image, session, file.string());
+  output.commit();
 }
 
 std::string pngBytes(const render::ColorImage& image, const std::string& session) {
-  char* bytes = nullptr;
-  std::size_t length = 0;
-  bool written = false;
-  {
-    PngWriter writer(::open_memstream(&bytes, &length), session);
-    written = writer.stream && writer.info && encode(writer, image) && writer.close();
+  std::string all;
+  try {
+    encodeInto([&](std::string_view bytes) { all += bytes; }, image, session, "");
+  } catch (const std::bad_alloc&) {
+    throw base::Error(base::ErrorKind::memory, "", "", "no memory for the bytes of a picture");
   }
-  const std::unique_ptr<char, decltype(&std::free)> freed(bytes, &std::free);
-  if (!written) throw base::Error(base::ErrorKind::memory, "", "", "no memory for the bytes of a picture");
-  return {bytes, length};
+  return all;
 }
 
 render::ColorImage readPng(const fs::path& file) {

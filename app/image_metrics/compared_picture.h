@@ -1,7 +1,6 @@
 // A picture as comparisons take it: linear colours, opaque, as a screen shows them.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include <glm/vec2.hpp>

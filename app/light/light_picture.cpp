@@ -1,12 +1,10 @@
 #include "app/light/light_picture.h"
 
 #include <algorithm>
-#include <utility>
 
 #include <glm/common.hpp>
 
 #include "scene/rules/needs.h"
-#include "scene/rules/relevance.h"
 
 namespace isolux::app {
 

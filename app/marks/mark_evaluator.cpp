@@ -7,7 +7,6 @@
 #include "app/marks/mark_kinds.h"
 #include "base/decimal_text.h"
 #include "base/number_text.h"
-#include "volume/measure/points.h"
 #include "volume/measure/voxel_noise.h"
 #include "volume/read/input/spacing_reliability.h"
 

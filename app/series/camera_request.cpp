@@ -4,7 +4,6 @@
 #include <glm/trigonometric.hpp>
 
 #include "app/overlay_text/free_rooms.h"
-#include "base/error.h"
 #include "scene/framing.h"
 #include "scene/named_camera.h"
 #include "volume/prepared/surface_outline.h"

@@ -4,8 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <utility>
-#include <vector>
 
 #include "scene/scene.h"
 #include "volume/slice/slice_plane.h"

@@ -1,7 +1,6 @@
 #include "app/study/light_study.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <stop_token>
 #include <string_view>

@@ -8,8 +8,6 @@
 #pragma once
 
 #include <map>
-#include <memory>
-#include <string>
 #include <vector>
 
 #include "app/light/light_controller.h"

@@ -6,13 +6,10 @@
 // trades their accuracy, so what is told is what it costs and what it changes.
 #pragma once
 
-#include <memory>
-
 #include "app/image_metrics/compared_picture.h"
 #include "app/study/study_results.h"
 #include "base/progress.h"
 #include "render/renderer.h"
-#include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
 

@@ -1,7 +1,6 @@
 #include "app/study/study.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "app/ready/give_way.h"
 #include "app/ready/ready_fields.h"

@@ -6,20 +6,15 @@
 // drawn in turns within one run, so that their times compare.
 #pragma once
 
-#include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "app/image_metrics/compared_picture.h"
 #include "app/study/study_results.h"
 #include "app/study/surface_reference.h"
 #include "base/task.h"
 #include "render/renderer.h"
-#include "scene/settings/host_settings.h"
 
 namespace isolux::app {
 

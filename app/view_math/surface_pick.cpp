@@ -1,8 +1,5 @@
 #include "app/view_math/surface_pick.h"
 
-#include <algorithm>
-#include <vector>
-
 #include <glm/geometric.hpp>
 
 #include "render/passes/view_uniforms.h"
