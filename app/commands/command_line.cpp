@@ -89,7 +89,7 @@ void checkWord(const std::string& word, const Program& program) {
 }
 
 std::string firstLine(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
+  std::ranges::replace(text, '\n', ' ');
   text = base::printable(std::move(text));
   while (!text.empty() && text.back() == ' ') text.pop_back();
   return text;
@@ -103,7 +103,7 @@ std::string mistypedOption(const CLI::App& used, int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     std::string word = argv[i];
     word.resize(std::min(word.find('='), word.size()));
-    if (!word.starts_with("--") || std::find(known.begin(), known.end(), word) != known.end()) continue;
+    if (!word.starts_with("--") || std::ranges::find(known, word) != known.end()) continue;
     if (const std::string hint = base::didYouMean(word, known, ""); !hint.empty())
       return "unknown option " + word + hint;
   }
@@ -173,8 +173,7 @@ int openWindowOn(const WindowOptions& options, const Program& program, const Ope
     };
   hostSettingsOf(*options.scene);  // throws here, not in the window
   const auto& assignments = options.scene->assignments;
-  std::copy_if(assignments.begin(), assignments.end(), std::back_inserter(request.host),
-               scene::isHostSetting);
+  std::ranges::copy_if(assignments, std::back_inserter(request.host), scene::isHostSetting);
   OutputGuard guard = outputGuard(options.path, *options.scene, request.scene);
   checkOutput(guard, options.record, "--record");
   if (!options.record.empty()) checkMayRecordInto(options.record);
@@ -244,14 +243,14 @@ int runCommandLine(int argc, char** argv, const OpenWindow& openWindow,
           checkStandardOutput();
           return 0;
         }
-        const auto chosen = std::find_if(program.commands.begin(), program.commands.end(),
-                                         [](const Command& command) { return command.parser->parsed(); });
+        const auto chosen = std::ranges::find_if(
+            program.commands, [](const Command& command) { return command.parser->parsed(); });
         if (chosen == program.commands.end()) return openWindowOn(program.window, program, openWindow);
 
         base::Progress progress;
         InterruptWatcher watcher(progress);
-        const ThreadShare share;
-        if (!share.note().empty()) std::fprintf(stderr, "isolux: note: %s\n", share.note().c_str());
+        const ThreadShare share = shareThreads();
+        if (!share.note.empty()) std::fprintf(stderr, "isolux: note: %s\n", share.note.c_str());
         return guarded(
             [&] {
               chosen->run(progress);

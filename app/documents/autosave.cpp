@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <functional>
 #include <random>
 #include <system_error>
 #include <utility>
@@ -194,15 +195,6 @@ AutosaveFile::AutosaveFile(fs::path folder)
       file_(folder_ / (uniqueName() + autosaveSuffix)),
       lockFile_(lockOf(file_)) {}
 
-AutosaveFile::~AutosaveFile() {
-  {
-    const std::lock_guard lock(mutex_);
-    ends_ = true;
-  }
-  changed_.notify_all();
-  if (worker_.joinable()) worker_.join();
-}
-
 void AutosaveFile::write(OpenDocument document) {
   request(std::move(document));
 }
@@ -220,7 +212,7 @@ void AutosaveFile::request(std::optional<OpenDocument> document) {
   changed_.notify_all();
   if (worker_.joinable()) return;
   try {
-    worker_ = std::thread([this] { work(); });
+    worker_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
   } catch (
       const std::system_error& error) {  // the system grants no thread: nothing is kept, and that is said
     const std::lock_guard lock(mutex_);
@@ -239,11 +231,9 @@ std::optional<base::Error> AutosaveFile::problem() {
   return problem_;
 }
 
-void AutosaveFile::work() {
+void AutosaveFile::work(const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
-  for (;;) {
-    changed_.wait(lock, [this] { return requested_ || ends_; });
-    if (!requested_) return;
+  while (changed_.wait(lock, stop, [this] { return requested_; })) {
     const std::optional<OpenDocument> wanted = std::exchange(wanted_, std::nullopt);
     requested_ = false;
     working_ = true;
@@ -275,9 +265,9 @@ void AutosaveFile::fulfil(const std::optional<OpenDocument>& document) {
 
 void LostAutosave::discard() {
   std::error_code ignored;
-  fs::remove(file_, ignored);
-  removeUnfinished(file_);
-  fs::remove(lockOf(file_), ignored);
+  fs::remove(file, ignored);
+  removeUnfinished(file);
+  fs::remove(lockOf(file), ignored);
 }
 
 LostAutosaves takeLostAutosaves(const fs::path& folder) {
@@ -294,8 +284,8 @@ LostAutosaves takeLostAutosaves(const fs::path& folder) {
       continue;
     }
     try {
-      lost.found.emplace_back(parseAutosave(readTextFile(file, longestAutosave), file.string()), file,
-                              std::move(lock));
+      lost.found.push_back(
+          {parseAutosave(readTextFile(file, longestAutosave), file.string()), file, std::move(lock)});
     } catch (const std::exception&) {
       fs::path aside = file;
       aside += damagedSuffix;
@@ -304,8 +294,7 @@ LostAutosaves takeLostAutosaves(const fs::path& folder) {
       lost.damaged.push_back(std::move(aside));
     }
   }
-  std::sort(lost.found.begin(), lost.found.end(),
-            [](const LostAutosave& a, const LostAutosave& b) { return a.content().time > b.content().time; });
+  std::ranges::sort(lost.found, std::greater(), [](const LostAutosave& one) { return one.content.time; });
   return lost;
 }
 

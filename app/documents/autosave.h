@@ -16,6 +16,7 @@
 #include <filesystem>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <thread>
 #include <vector>
@@ -49,13 +50,11 @@ Autosave parseAutosave(const std::string& text, const std::string& file);
 // "20 s ago", "5 min ago", "3 h ago", "2 days ago".
 std::string agoText(std::chrono::system_clock::duration age);
 
-// The autosave of one window. Called on the window's thread; files are written on a thread of its own.
+// The autosave of one window. Called on the window's thread; files are written on a thread of its own. Its
+// end waits for what is being written; the file stays.
 class AutosaveFile {
  public:
   explicit AutosaveFile(std::filesystem::path folder);  // makes nothing yet
-  ~AutosaveFile();                                      // waits for what is being written; the file stays
-  AutosaveFile(const AutosaveFile&) = delete;
-  AutosaveFile& operator=(const AutosaveFile&) = delete;
 
   void write(OpenDocument document);  // soon; of several that wait, only the newest is written
   void remove();                      // nothing needs to be kept (any more)
@@ -66,31 +65,26 @@ class AutosaveFile {
 
  private:
   void request(std::optional<OpenDocument> document);
-  void work();
+  void work(const std::stop_token& stop);
   void fulfil(const std::optional<OpenDocument>& document);
 
   std::filesystem::path folder_, file_, lockFile_;
   FileLock lock_;  // the worker's
   std::mutex mutex_;
-  std::condition_variable changed_;
-  bool requested_ = false, working_ = false, ends_ = false;
+  std::condition_variable_any changed_;
+  bool requested_ = false, working_ = false;
   std::optional<OpenDocument> wanted_;  // what the file should hold; nothing: no file
   std::optional<base::Error> problem_;
-  std::thread worker_;
+  std::jthread worker_;  // last: it ends before the rest goes
 };
 
 // An autosave whose window is gone, ours alone until this object goes. It stays on disk unless discarded.
-class LostAutosave {
- public:
-  LostAutosave(Autosave content, std::filesystem::path file, FileLock lock)
-      : content_(std::move(content)), file_(std::move(file)), lock_(std::move(lock)) {}
-  const Autosave& content() const { return content_; }
-  void discard();  // removes it from the disk
+struct LostAutosave {
+  Autosave content;
+  std::filesystem::path file;
+  FileLock lock;
 
- private:
-  Autosave content_;
-  std::filesystem::path file_;
-  FileLock lock_;
+  void discard();  // removes it from the disk
 };
 
 struct LostAutosaves {

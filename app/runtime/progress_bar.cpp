@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <condition_variable>
 #include <cstdio>
 #include <cstdlib>
+#include <mutex>
+#include <stop_token>
 #include <string_view>
 #include <system_error>
 
@@ -22,6 +25,25 @@ std::string timeText(double seconds) {
   if (whole < 60) return std::to_string(whole) + " s left";
   if (whole < 3600) return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s left";
   return std::to_string(whole / 3600) + " h " + std::to_string(whole % 3600 / 60) + " min left";
+}
+
+void drawBar(const base::Progress& progress, const std::stop_token& stop) {
+  const Clock::time_point begin = Clock::now();
+  std::mutex mutex;
+  std::condition_variable_any wake;
+  std::unique_lock lock(mutex);
+  const auto endsWithin = [&](std::chrono::milliseconds time) {
+    return wake.wait_for(lock, stop, time, [&] { return stop.stop_requested(); });
+  };
+  if (endsWithin(silence)) return;
+  do {
+    const double elapsed = std::chrono::duration<double>(Clock::now() - begin).count();
+    const std::string line = progressLine(progress.fraction(), progress.stage(), elapsed);
+    std::fprintf(stderr, "\r%s\x1b[K", line.c_str());
+    std::fflush(stderr);
+  } while (!endsWithin(period));
+  std::fputs("\r\x1b[K", stderr);
+  std::fflush(stderr);
 }
 
 }  // namespace
@@ -43,34 +65,10 @@ ProgressBar::ProgressBar(const base::Progress& progress) {
   const bool isDumb = terminal && std::string_view(terminal) == "dumb";  // it cannot clear a line
   if (isDumb || !::isatty(STDERR_FILENO)) return;
   try {
-    thread_ = std::thread([this, &progress] { draw(progress); });
+    thread_ = std::jthread([&progress](const std::stop_token& stop) { drawBar(progress, stop); });
   } catch (const std::system_error&) {
     // The system gives no more threads: the work goes on without a bar.
   }
-}
-
-ProgressBar::~ProgressBar() {
-  if (!thread_.joinable()) return;
-  {
-    const std::lock_guard lock(mutex_);
-    done_ = true;
-  }
-  wake_.notify_one();
-  thread_.join();
-}
-
-void ProgressBar::draw(const base::Progress& progress) {
-  const Clock::time_point begin = Clock::now();
-  std::unique_lock lock(mutex_);
-  if (wake_.wait_for(lock, silence, [this] { return done_; })) return;
-  do {
-    const double elapsed = std::chrono::duration<double>(Clock::now() - begin).count();
-    const std::string line = progressLine(progress.fraction(), progress.stage(), elapsed);
-    std::fprintf(stderr, "\r%s\x1b[K", line.c_str());
-    std::fflush(stderr);
-  } while (!wake_.wait_for(lock, period, [this] { return done_; }));
-  std::fputs("\r\x1b[K", stderr);
-  std::fflush(stderr);
 }
 
 }  // namespace isolux::app

@@ -1,8 +1,6 @@
 // Draws a progress bar with the time left on stderr, if that is a terminal.
 #pragma once
 
-#include <condition_variable>
-#include <mutex>
 #include <string>
 #include <thread>
 
@@ -13,22 +11,14 @@ namespace isolux::app {
 // Returns "[#####     ]  45 %  reading  3 s left". `elapsed` in seconds; the bar has `width` columns.
 std::string progressLine(double fraction, const char* stage, double elapsed, int width = 24);
 
-// Draws during its lifetime; the destructor erases the line. Appears only after a moment: short work prints
+// Draws during its lifetime; its end erases the line. Appears only after a moment: short work prints
 // nothing.
 class ProgressBar {
  public:
   explicit ProgressBar(const base::Progress& progress);
-  ~ProgressBar();
-  ProgressBar(const ProgressBar&) = delete;
-  ProgressBar& operator=(const ProgressBar&) = delete;
 
  private:
-  void draw(const base::Progress& progress);
-
-  std::mutex mutex_;
-  std::condition_variable wake_;
-  bool done_ = false;
-  std::thread thread_;
+  std::jthread thread_;
 };
 
 }  // namespace isolux::app

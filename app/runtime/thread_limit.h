@@ -16,17 +16,10 @@ bool refusesThreads(const std::exception& error) noexcept;
 
 // Where the system gives fewer threads than every library taking one for each core needs, all get their share
 // while this lives; else nothing changes. Throws Error{memory} where the system gives none at all.
-class ThreadShare {
- public:
-  ThreadShare();
-  ThreadShare(const ThreadShare&) = delete;
-  ThreadShare& operator=(const ThreadShare&) = delete;
-
-  const std::string& note() const { return note_; }  // for stderr; empty: there are enough
-
- private:
-  std::shared_ptr<void> limit_;
-  std::string note_;
+struct ThreadShare {
+  std::shared_ptr<void> limit;
+  std::string note;  // for stderr; empty: there are enough
 };
+ThreadShare shareThreads();
 
 }  // namespace isolux::app

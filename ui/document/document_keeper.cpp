@@ -59,7 +59,7 @@ void DocumentKeeper::tellProblem() {
 }
 
 const app::Autosave* DocumentKeeper::lost() const {
-  return lost_.found.empty() ? nullptr : &lost_.found.front().content();
+  return lost_.found.empty() ? nullptr : &lost_.found.front().content;
 }
 
 void DocumentKeeper::restoreLost() {

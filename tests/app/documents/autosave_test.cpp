@@ -103,8 +103,8 @@ TEST(Autosave, IsOfferedAfterAKillOnceAndToOneOnly) {
     LostAutosaves lost = takeLostAutosaves(folder);
     ASSERT_EQ(lost.found.size(), 1u);
     EXPECT_TRUE(lost.damaged.empty());
-    expectSame(lost.found[0].content().document, document);
-    EXPECT_LT(std::chrono::system_clock::now() - lost.found[0].content().time, seconds(600));
+    expectSame(lost.found[0].content.document, document);
+    EXPECT_LT(std::chrono::system_clock::now() - lost.found[0].content.time, seconds(600));
     EXPECT_TRUE(takeLostAutosaves(folder).found.empty()) << "offered to two windows at once";
   }
   LostAutosaves again = takeLostAutosaves(folder);  // not answered: offered at the next start too

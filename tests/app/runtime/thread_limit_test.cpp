@@ -27,7 +27,7 @@ std::filesystem::path programForEverybody() {
 
 TEST(ThreadLimit, WithoutALimitAllAreGivenAndNothingChanges) {
   EXPECT_EQ(app::threadsAvailable(7), 7);
-  EXPECT_EQ(app::ThreadShare().note(), "");
+  EXPECT_EQ(app::shareThreads().note, "");
 }
 
 TEST(ThreadLimit, WhereTheSystemRefusesThreadsFewerDoTheWork) {
