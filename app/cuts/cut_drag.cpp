@@ -35,7 +35,7 @@ double alongAxis(const scene::Ray& ray, const glm::dvec3& point, const glm::dvec
 // How far a drag goes along an axis through a point, mm.
 double draggedAlong(const CutStage& stage, const glm::dvec3& point, const glm::dvec3& axis, glm::dvec2 from,
                     glm::dvec2 to) {
-  const CutProjection place = projectedOn(stage, point);
+  const ProjectedPoint place = projectedOn(stage, point);
   const glm::dvec3 sight = rayAt(stage, place.pixel).direction;
   const double farthest = 2.0 * diagonalMm(stage);
   double moved = 0.0;
@@ -88,11 +88,11 @@ scene::ClipPlane movedBy(const scene::ClipPlane& plane, const CutStage& stage, d
 scene::ClipPlane turnedBy(const scene::ClipPlane& plane, const glm::dvec3& knob, const CutStage& stage,
                           glm::dvec2 by, bool constrained) {
   const glm::dvec3 normal = glm::normalize(plane.normal);
-  const CutProjection place = projectedOn(stage, knob);
+  const ProjectedPoint place = projectedOn(stage, knob);
   const double radius = kCutArrow * place.mmPerPixel;
   const glm::dvec3 toEye =
       stage.frame.projection == scene::Projection::orthographic ? stage.frame.back : stage.frame.eye - knob;
-  const CutProjection tip = projectedOn(stage, knob + radius * normal);
+  const ProjectedPoint tip = projectedOn(stage, knob + radius * normal);
   if (!tip.before) return plane;
   const glm::dvec3 turned =
       directionOnBall(stage, knob, radius, tip.pixel + by, glm::dot(normal, toEye) >= 0.0);
@@ -138,7 +138,7 @@ void turnBox(scene::Clip& clip, const CutStage& stage, int corner, glm::dvec2 by
   const TurnedBox box = turnedBox(clip);
   const glm::dvec3 arm = box.corner(corner) - box.middle;
   const double radius = glm::length(arm);
-  const CutProjection place = projectedOn(stage, box.corner(corner));
+  const ProjectedPoint place = projectedOn(stage, box.corner(corner));
   if (!(radius > 0.0) || !place.before) return;
   const glm::dvec3 sight = rayAt(stage, place.pixel).direction;
   const glm::dvec3 to =

@@ -115,8 +115,7 @@ std::vector<glm::dvec3> outlineOf(const scene::ClipPlane& plane, const BoxCorner
   const auto angle = [&](const glm::dvec3& p) {
     return std::atan2(glm::dot(p - mean, v), glm::dot(p - mean, u));
   };
-  std::sort(points.begin(), points.end(),
-            [&](const glm::dvec3& p, const glm::dvec3& q) { return angle(p) < angle(q); });
+  std::ranges::sort(points, [&](const glm::dvec3& p, const glm::dvec3& q) { return angle(p) < angle(q); });
   return points;
 }
 

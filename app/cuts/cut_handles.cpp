@@ -13,7 +13,7 @@ namespace {
 constexpr double knobReach = 11.0, outlineReach = 5.0;  // pixels
 constexpr double knobMargin = 14.0;                     // pixels between a knob and the picture's edge
 
-bool onPicture(const CutProjection& place, const CutStage& stage) {
+bool onPicture(const ProjectedPoint& place, const CutStage& stage) {
   return place.before && place.pixel.x >= knobMargin && place.pixel.y >= knobMargin &&
          place.pixel.x <= stage.pixels.x - knobMargin && place.pixel.y <= stage.pixels.y - knobMargin;
 }
@@ -54,9 +54,9 @@ CutShape planeShape(const scene::Clip& clip, std::size_t plane, const CutStage& 
       shape.outline.push_back(*line);
   const glm::dvec3 knob = qualitySettingOf(clip, plane, stage),
                    normal = glm::normalize(clip.planes[plane].normal);
-  const CutProjection place = projectedOn(stage, knob);
+  const ProjectedPoint place = projectedOn(stage, knob);
   if (!onPicture(place, stage)) return shape;
-  const CutProjection tip = projectedOn(stage, knob + kCutArrow * place.mmPerPixel * normal);
+  const ProjectedPoint tip = projectedOn(stage, knob + kCutArrow * place.mmPerPixel * normal);
   glm::dvec2 arrow = tip.before ? tip.pixel - place.pixel : glm::dvec2(0.0);
   const double length = glm::length(arrow);
   if (length < kCutArrowLeast)
@@ -81,7 +81,7 @@ CutShape boxShape(const scene::Clip& clip, int number, const CutStage& stage) {
         shape.outline.push_back(*line);
     }
   const auto add = [&](CutPart part, int index, const glm::dvec3& at, bool far) {
-    const CutProjection place = projectedOn(stage, at);
+    const ProjectedPoint place = projectedOn(stage, at);
     if (onPicture(place, stage)) shape.knobs.push_back({{number, part, index}, place.pixel, far});
   };
   for (int i = 0; i < 8 && number == 0; ++i)
@@ -97,11 +97,11 @@ CutStage cutStageOf(const scene::Scene& resolved, const volume::GridGeometry& ge
   return {scene::frameOf(resolved.camera), glm::max(pixels, glm::dvec2(1.0)), geometry.corners()};
 }
 
-CutProjection projectedOn(const CutStage& stage, const glm::dvec3& world) {
+ProjectedPoint projectedOn(const CutStage& stage, const glm::dvec3& world) {
   const scene::CameraFrame& frame = stage.frame;
   const glm::dvec3 v = world - frame.eye;
   const bool perspective = frame.projection == scene::Projection::perspective;
-  CutProjection place;
+  ProjectedPoint place;
   place.depthMm = -glm::dot(v, frame.back);
   place.before = !perspective || place.depthMm > 1e-6 * frame.distance;
   place.mmPerPixel = 2.0 * frame.halfHeight / stage.pixels.y *

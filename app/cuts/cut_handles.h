@@ -63,12 +63,12 @@ std::optional<CutGrip> cutAt(const std::vector<CutShape>& shapes, glm::dvec2 pix
 inline constexpr double kCutArrow = 62.0, kCutArrowLeast = 30.0;
 
 // How a point of the world lies on the picture.
-struct CutProjection {
+struct ProjectedPoint {
   glm::dvec2 pixel{0.0};
   double depthMm = 0.0, mmPerPixel = 1.0;
   bool before = true;  // the eye; else the pixel means nothing
 };
-CutProjection projectedOn(const CutStage& stage, const glm::dvec3& world);
+ProjectedPoint projectedOn(const CutStage& stage, const glm::dvec3& world);
 // Where planes[plane] has its knob: middleOfFace(), or, where that is not on the picture, what of the plane
 // lies in the picture's middle.
 glm::dvec3 qualitySettingOf(const scene::Clip& clip, std::size_t plane, const CutStage& stage);

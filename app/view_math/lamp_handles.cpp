@@ -5,7 +5,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "scene/rules/relevance.h"
+#include "app/cuts/cut_handles.h"
+#include "scene/rules/needs.h"
 
 namespace isolux::app {
 
@@ -16,31 +17,13 @@ constexpr double grabReach = 12.0;   // pixels about a handle
 constexpr double ringReach = 5.0;    // pixels to both sides of an outline
 constexpr double farthestMm = 1e13;  // the range of a lamp's position
 
-struct Projection {
-  glm::dvec2 pixel{0.0};  // of what is before the eye
-  double depthMm = 0.0;   // along the view
-  double mmPerPixel = 1.0;
-  glm::dvec2 offset{0.0};  // direction from the picture's centre, y down
-  bool before = true;      // the eye
-};
-
 double unitPerPixel(const LampStage& stage) {
   return 2.0 * stage.frame.halfHeight / std::max(1.0, stage.pixels.y);
 }
 
-Projection project(glm::dvec3 world, const LampStage& stage) {
-  const scene::CameraFrame& frame = stage.frame;
-  const glm::dvec3 v = world - frame.eye;
-  Projection p;
-  p.depthMm = -glm::dot(v, frame.back);
-  const glm::dvec2 side(glm::dot(v, frame.right), -glm::dot(v, frame.up));
-  const bool perspective = frame.projection == scene::Projection::perspective;
-  p.before = !perspective || p.depthMm > 1e-6 * frame.distance;
-  // A lamp behind the eye moves in the plane through what is looked at.
-  p.mmPerPixel = unitPerPixel(stage) * (!perspective ? 1.0 : p.before ? p.depthMm : frame.distance);
-  p.pixel = 0.5 * stage.pixels + side / p.mmPerPixel;
-  p.offset = p.before ? p.pixel - 0.5 * stage.pixels : side;
-  return p;
+// A lamp behind the eye moves in the plane through what is looked at.
+ProjectedPoint project(const glm::dvec3& world, const LampStage& stage) {
+  return projectedOn({stage.frame, stage.pixels}, world);
 }
 
 glm::dvec3 placeOf(const scene::Lamp& lamp, const LampStage& stage) {
@@ -63,7 +46,7 @@ glm::dvec2 atEdge(glm::dvec2 direction, glm::dvec2 pixels) {
 }
 
 // Of a ball's outline; in perspective its rim is nearer than its middle.
-double outlinePixels(double radiusMm, const Projection& place, const LampStage& stage) {
+double outlinePixels(double radiusMm, const ProjectedPoint& place, const LampStage& stage) {
   if (stage.frame.projection == scene::Projection::orthographic) return radiusMm / place.mmPerPixel;
   const double d = place.depthMm, behind = d * d - radiusMm * radiusMm;
   if (!place.before || !(behind > 0.0)) return 0.0;  // the eye is in it
@@ -97,12 +80,9 @@ glm::dvec3 clamped(glm::dvec3 position) {
 }  // namespace
 
 LampStage lampStageOf(const scene::Scene& resolved, const scene::VolumeFacts& facts, glm::dvec2 pixels) {
-  LampStage stage;
-  stage.frame = scene::frameOf(resolved.camera);
-  stage.pixels = glm::max(pixels, glm::dvec2(1.0));
-  stage.centreMm = 0.5 * (facts.boundsMinMm + facts.boundsMaxMm);
-  stage.reachMm = std::max(0.5 * glm::length(facts.boundsMaxMm - facts.boundsMinMm), 1e-9);
-  return stage;
+  return {scene::frameOf(resolved.camera), glm::max(pixels, glm::dvec2(1.0)),
+          0.5 * (facts.boundsMinMm + facts.boundsMaxMm),
+          std::max(0.5 * glm::length(facts.boundsMaxMm - facts.boundsMinMm), 1e-9)};
 }
 
 const scene::Lamp& lampOf(const scene::Scene& scene, int lamp) {
@@ -116,18 +96,22 @@ scene::Lamp& lampOf(scene::Scene& scene, int lamp) {
 std::vector<LampHandle> lampHandles(const scene::Scene& resolved, const LampStage& stage) {
   std::vector<LampHandle> handles;
   if (scene::shadingOf(resolved) != scene::Shading::gi) return handles;
-  const Projection centre = project(stage.centreMm, stage);
+  const ProjectedPoint centre = project(stage.centreMm, stage);
   for (int number = 1; number <= scene::kLamps; ++number) {
     const scene::Lamp& lamp = lampOf(resolved, number);
     if (!lamp.shown) continue;
-    const Projection place = project(placeOf(lamp, stage), stage);
+    const glm::dvec3 world = placeOf(lamp, stage);
+    const ProjectedPoint place = project(world, stage);
     LampHandle handle;
     handle.lamp = number;
     handle.kind = lamp.kind;
     handle.color = lamp.color;
     handle.outside = !place.before || !inside(place.pixel, stage.pixels);
-    const double length = glm::length(place.offset);
-    handle.toward = length > 0.0 ? place.offset / length : glm::dvec2(0.0, -1.0);
+    const glm::dvec3 v = world - stage.frame.eye;
+    const glm::dvec2 side(glm::dot(v, stage.frame.right), -glm::dot(v, stage.frame.up));
+    const glm::dvec2 offset = place.before ? place.pixel - 0.5 * stage.pixels : side;
+    const double length = glm::length(offset);
+    handle.toward = length > 0.0 ? offset / length : glm::dvec2(0.0, -1.0);
     handle.pixel = handle.outside ? atEdge(handle.toward, stage.pixels) : place.pixel;
     handle.far = place.depthMm > centre.depthMm;
     if (lamp.kind == scene::LampKind::sphere)
@@ -162,7 +146,7 @@ scene::Lamp lampMovedTo(const scene::Lamp& lamp, const LampStage& stage, glm::dv
   const scene::CameraFrame& frame = stage.frame;
   scene::Lamp moved = lamp;
   if (lamp.kind != scene::LampKind::directional) {
-    const Projection place = project(placeOf(lamp, stage), stage);
+    const ProjectedPoint place = project(placeOf(lamp, stage), stage);
     const glm::dvec2 side = (pixel - 0.5 * stage.pixels) * place.mmPerPixel;
     const double depth = place.before ? place.depthMm : frame.distance;
     moved.position = clamped(frame.eye + frame.right * side.x - frame.up * side.y - frame.back * depth);
@@ -186,7 +170,7 @@ scene::Lamp lampMovedAway(const scene::Lamp& lamp, const LampStage& stage, doubl
     return moved;
   }
   const glm::dvec3 position = placeOf(lamp, stage);
-  const Projection place = project(position, stage);
+  const ProjectedPoint place = project(position, stage);
   if (frame.projection == scene::Projection::perspective && place.before) {
     moved.position = clamped(frame.eye + (position - frame.eye) * std::exp(2.0 * fraction));
   } else {  // also toward the eye from behind it
@@ -197,7 +181,7 @@ scene::Lamp lampMovedAway(const scene::Lamp& lamp, const LampStage& stage, doubl
 
 scene::Lamp lampResizedTo(const scene::Lamp& lamp, const LampStage& stage, glm::dvec2 pixel) {
   scene::Lamp resized = lamp;
-  const Projection place = project(placeOf(lamp, stage), stage);
+  const ProjectedPoint place = project(placeOf(lamp, stage), stage);
   double radius = glm::distance(place.pixel, pixel) * place.mmPerPixel;
   if (stage.frame.projection == scene::Projection::perspective) {  // the inverse of outlinePixels()
     const double tangent = radius / place.depthMm;

@@ -1,5 +1,6 @@
 #include "app/view_math/linked_camera.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace isolux::app {
@@ -11,9 +12,7 @@ glm::dvec3 middleOf(const scene::VolumeFacts& facts) {
 }
 
 bool holds(const scene::VolumeFacts& facts, glm::dvec3 pointMm) {
-  for (int axis = 0; axis < 3; ++axis)
-    if (pointMm[axis] < facts.boundsMinMm[axis] || pointMm[axis] > facts.boundsMaxMm[axis]) return false;
-  return true;
+  return glm::clamp(pointMm, facts.boundsMinMm, facts.boundsMaxMm) == pointMm;
 }
 
 }  // namespace

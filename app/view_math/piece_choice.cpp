@@ -29,8 +29,7 @@ scene::Pieces withShown(scene::Pieces choice, const volume::Pieces& pieces, std:
     return pieces.ofPoint(glm::dvec3(voxelFromWorld * glm::dvec4(pointMm, 1.0))) == id;
   };
   std::erase_if(choice.hidden, namesIt);
-  if (!choice.only.empty() && std::none_of(choice.only.begin(), choice.only.end(), namesIt))
-    choice.only.push_back(seedMm);
+  if (!choice.only.empty() && std::ranges::none_of(choice.only, namesIt)) choice.only.push_back(seedMm);
   return choice;
 }
 

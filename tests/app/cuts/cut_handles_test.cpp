@@ -144,7 +144,7 @@ TEST(CutHandles, TheArrowsTipComesUnderThePointerAndThePlaneTurnsAboutItsKnob) {
     const CutStage stage = stageOf(scene);
     const scene::Clip clip = onePlane();
     const glm::dvec3 middle = qualitySettingOf(clip, 0, stage);
-    const CutProjection place = projectedOn(stage, middle);
+    const ProjectedPoint place = projectedOn(stage, middle);
     const glm::dvec2 from = knob(cutShapes(clip, stage), kTurnPlane).pixel;
     const glm::dvec2 to = place.pixel + glm::dvec2(-30.0, 12.0);
     const scene::Clip turned = draggedCut(clip, kTurnPlane, stage, from, to, false);
