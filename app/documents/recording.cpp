@@ -122,10 +122,6 @@ void Recorder::write(const std::string& text) {
   if (!stream_) base::throwCannotWrite(file_, errno);
 }
 
-scene::Scene Recording::sceneAt(double seconds) const {
-  return Playback(*this).at(seconds);
-}
-
 Playback::Playback(const Recording& recording)
     : recording_(recording), scene_(recording.start), clock_(recording.start) {}
 

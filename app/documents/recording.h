@@ -44,11 +44,9 @@ struct Recording {
   std::vector<Step> steps;
   std::vector<std::string> warnings;  // a last line that was cut short
   double duration() const { return steps.empty() ? 0.0 : steps.back().seconds; }
-  // As the window showed it then: an animated flow has moved on.
-  scene::Scene sceneAt(double seconds) const;
 };
-// The same for times that do not decrease, such as the frames of a movie: each step is applied once. The
-// recording must live as long.
+// The scene as the window showed it then: an animated flow has moved on. Times do not decrease, as of the
+// frames of a movie: each step is applied once. The recording must live as long.
 class Playback {
  public:
   explicit Playback(const Recording& recording);

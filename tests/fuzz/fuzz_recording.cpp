@@ -10,7 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const app::Recording recording = app::loadRecording(file.path());
     const double duration = recording.duration();
     if (!(duration >= 0.0)) std::abort();
-    for (const double part : {0.0, 0.5, 1.0}) recording.sceneAt(part * duration);
+    for (const double part : {0.0, 0.5, 1.0}) app::Playback(recording).at(part * duration);
   } catch (const base::Error& error) {
     if (error.kind() != base::ErrorKind::input) std::abort();
   }

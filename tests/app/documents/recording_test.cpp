@@ -57,9 +57,9 @@ TEST(Recording, RoundTrips) {
   EXPECT_EQ(recording.steps[1].diff, second);
   EXPECT_EQ(recording.duration(), 1.5);
 
-  EXPECT_TRUE(recording.sceneAt(0.2) == start);
-  EXPECT_TRUE(recording.sceneAt(0.25) == scene::applied(start, first));
-  EXPECT_TRUE(recording.sceneAt(9) == scene::applied(scene::applied(start, first), second));
+  EXPECT_TRUE(Playback(recording).at(0.2) == start);
+  EXPECT_TRUE(Playback(recording).at(0.25) == scene::applied(start, first));
+  EXPECT_TRUE(Playback(recording).at(9) == scene::applied(scene::applied(start, first), second));
 }
 
 TEST(Recording, OfBeforeBuiltInLightsKeepsItsSkyAndItsExposure) {
@@ -69,7 +69,7 @@ TEST(Recording, OfBeforeBuiltInLightsKeepsItsSkyAndItsExposure) {
   const Recording recording = loadRecording(file);
   EXPECT_EQ(recording.start.light.environment.constant, glm::dvec3(1.0));
   EXPECT_EQ(recording.start.picture.metering, scene::Metering::lights);
-  EXPECT_EQ(recording.sceneAt(2).light.environment.constant, glm::dvec3(0.5, 1.0, 2.0));
+  EXPECT_EQ(Playback(recording).at(2).light.environment.constant, glm::dvec3(0.5, 1.0, 2.0));
   std::ofstream(file) << "{\"isolux_recording\": 2}\n";
   EXPECT_FALSE(loadRecording(file).start.light.environment.constant);
 }
@@ -105,10 +105,10 @@ TEST(Recording, AnAnimatedFlowMovesOn) {
   recording.steps = {{0.5, {"Animate", {{"flow.animate", true}}}},
                      {2.0, {"Rotate", {{"camera.fov", 40.0}}}},
                      {3.0, {"Pause", {{"flow.animate", false}, {"flow.time", 3.5}}}}};
-  EXPECT_EQ(recording.sceneAt(0.4).flow.time, 1.0);
-  EXPECT_EQ(recording.sceneAt(0.75).flow.time, 1.25);
-  EXPECT_EQ(recording.sceneAt(2.5).flow.time, 3.0);
-  EXPECT_EQ(recording.sceneAt(9.0).flow.time, 3.5);
+  EXPECT_EQ(Playback(recording).at(0.4).flow.time, 1.0);
+  EXPECT_EQ(Playback(recording).at(0.75).flow.time, 1.25);
+  EXPECT_EQ(Playback(recording).at(2.5).flow.time, 3.0);
+  EXPECT_EQ(Playback(recording).at(9.0).flow.time, 3.5);
 }
 
 TEST(Recording, MovesWithItsFolder) {
@@ -126,10 +126,10 @@ TEST(Recording, MovesWithItsFolder) {
   fs::rename(folder / "old", folder / "new");
   const Recording recording = loadRecording(folder / "new" / "r.jsonl");
   EXPECT_EQ(recording.start.source.path, (folder / "new" / "ct.nii").string());
-  EXPECT_EQ(recording.sceneAt(1).source.path, (folder / "new" / "b.nii").string());
-  EXPECT_EQ(recording.sceneAt(2).source.csgPath, (folder / "new" / "c.stl").string());
-  EXPECT_EQ(recording.sceneAt(2).light.environment.file, (folder / "new" / "a.hdr").string());
-  EXPECT_EQ(recording.sceneAt(3).light.environment.file, (folder / "new" / "b.hdr").string());
+  EXPECT_EQ(Playback(recording).at(1).source.path, (folder / "new" / "b.nii").string());
+  EXPECT_EQ(Playback(recording).at(2).source.csgPath, (folder / "new" / "c.stl").string());
+  EXPECT_EQ(Playback(recording).at(2).light.environment.file, (folder / "new" / "a.hdr").string());
+  EXPECT_EQ(Playback(recording).at(3).light.environment.file, (folder / "new" / "b.hdr").string());
 }
 
 TEST(Recording, EveryStepIsOnDiskAtOnce) {

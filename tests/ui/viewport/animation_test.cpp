@@ -113,8 +113,8 @@ TEST_F(AnimationTest, ARecordingBeginsAtTheTimeShownAndEndsWhereItWasPaused) {
   document()->stopRecording();
   const app::Recording recording = app::loadRecording(file.toStdString());
   EXPECT_EQ(recording.start.flow.time, begin);
-  EXPECT_EQ(recording.sceneAt(1e3), document()->scene());
-  const double half = recording.sceneAt(0.5 * recording.duration()).flow.time;
+  EXPECT_EQ(app::Playback(recording).at(1e3), document()->scene());
+  const double half = app::Playback(recording).at(0.5 * recording.duration()).flow.time;
   EXPECT_NEAR(half, begin + 0.5 * recording.duration(), 1e-6);
 }
 

@@ -223,7 +223,7 @@ TEST_F(WindowTest, RecordingHoldsEveryChangeAndEndsWithTheSameScene) {
   const app::Recording recording = app::loadRecording(file.toStdString());
   EXPECT_EQ(recording.start, start);
   EXPECT_GE(recording.steps.size(), 3U);
-  EXPECT_EQ(recording.sceneAt(recording.duration() + 1.0), end);
+  EXPECT_EQ(app::Playback(recording).at(recording.duration() + 1.0), end);
   EXPECT_NE(end, start);
 }
 
@@ -291,7 +291,7 @@ TEST_F(WindowTest, TheCommandLinesSceneIsShownAndRecorded) {
   EXPECT_EQ(window_->document()->scene().look.mode, scene::LookMode::depth);
   EXPECT_EQ(window_->document()->scene().camera.projection, scene::Projection::orthographic);
   EXPECT_TRUE(window_->document()->recording());
-  EXPECT_EQ(app::loadRecording(request.recordFile).sceneAt(1e9), window_->document()->scene());
+  EXPECT_EQ(app::Playback(app::loadRecording(request.recordFile)).at(1e9), window_->document()->scene());
 }
 
 }  // namespace isolux::test
