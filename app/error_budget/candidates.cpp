@@ -20,7 +20,7 @@ using Values = std::vector<double>;
 constexpr double kLargestLight = 1100.0;  // paths per texel times texels: beyond it nobody waits
 
 bool isFixed(const Turning& turning, const char* path) {
-  return std::find(turning.fixed.begin(), turning.fixed.end(), path) != turning.fixed.end();
+  return std::ranges::find(turning.fixed, path) != turning.fixed.end();
 }
 
 // The values of a knob, or the scene's own where it is fixed.
@@ -140,8 +140,7 @@ std::vector<Candidate> lightCandidates(const Turning& turning, const Candidate& 
       candidate.cost += lightWork(changes.scene().gi);
       list.push_back(std::move(candidate));
     }
-  std::stable_sort(list.begin(), list.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
+  std::ranges::stable_sort(list, [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
   return list;
 }
 

@@ -76,8 +76,8 @@ bool keeps(const TargetErrors& errors, std::span<const Limit> limits) {
 }
 
 bool mayKeep(const TargetErrors& errors, std::span<const Limit> limits) {
-  return std::all_of(limits.begin(), limits.end(),
-                     [&](const Limit& limit) { return errors[indexOf(limit.quantity)].least <= limit.most; });
+  return std::ranges::all_of(
+      limits, [&](const Limit& limit) { return errors[indexOf(limit.quantity)].least <= limit.most; });
 }
 
 std::optional<std::size_t> cheapestThatKeeps(std::span<const MeasuredCandidate> measured,
@@ -101,8 +101,8 @@ std::vector<std::size_t> byAccuracy(std::span<const MeasuredCandidate> measured,
                                     std::span<const Limit> units) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < measured.size(); ++i)
-    if (std::none_of(measured.begin(), measured.end(),
-                     [&](const MeasuredCandidate& other) { return beats(other, measured[i], units); }))
+    if (std::ranges::none_of(
+            measured, [&](const MeasuredCandidate& other) { return beats(other, measured[i], units); }))
       order.push_back(i);
   const auto rank = [&](std::size_t i) {
     const MeasuredCandidate& one = measured[i];
@@ -111,7 +111,7 @@ std::vector<std::size_t> byAccuracy(std::span<const MeasuredCandidate> measured,
     const double classOfTwo = std::ceil(std::log2(std::max(ratio, 0.5)));
     return std::tuple(classOfTwo, -one.candidate.supersampling, ratio, one.candidate.cost, i);
   };
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
+  std::ranges::sort(order, [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
   return order;
 }
 

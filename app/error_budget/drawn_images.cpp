@@ -28,8 +28,7 @@ std::vector<std::vector<float>> drawnImages(render::Renderer& renderer, const sc
       const render::AovImage strip = renderer.readAov(aovs[i]);
       images[i].resize(volume::Extent2{size}.count() * static_cast<std::size_t>(strip.channels));
       const int above = size.y - below - request.tile->size.y;  // tiles count rows from below
-      std::copy(strip.values.begin(), strip.values.end(),
-                images[i].begin() + std::ptrdiff_t{above} * size.x * strip.channels);
+      std::ranges::copy(strip.values, images[i].begin() + std::ptrdiff_t{above} * size.x * strip.channels);
     }
   }
   return images;

@@ -40,7 +40,7 @@ bool isOfShape(const Limit& limit) {
 }
 
 bool hasName(std::span<const Limit> limits, Quantity quantity) {
-  return std::any_of(limits.begin(), limits.end(), [&](const Limit& limit) {
+  return std::ranges::any_of(limits, [&](const Limit& limit) {
     return std::string_view(nameOf(limit.quantity)) == nameOf(quantity);
   });
 }
@@ -78,10 +78,7 @@ scene::Scene TargetSearch::sceneOf(const Candidate& candidate, base::Progress& p
 bool TargetSearch::prepare(base::Progress& progress) {
   progress.report(0.0, "choosing settings");
   if (!reference_) reference_ = wholeSurface(sceneOf({}, progress));
-  const TrueSurface reference =
-      referenceAt(size_).of(reference_->hit.field, reference_->derivatives, progress);
-  return std::any_of(reference.hits.begin(), reference.hits.end(),
-                     [](const TrueHit& hit) { return hit.hit; });
+  return std::ranges::any_of(referenceAt(size_).hitsOf(reference_->hit.field, progress), &TrueHit::hit);
 }
 
 SurfaceReference& TargetSearch::referenceAt(glm::ivec2 size) {
@@ -139,7 +136,7 @@ TargetErrors TargetSearch::measureLight(const Candidate& candidate, Measuring me
                                         base::Progress& progress) {
   if (!light_) {
     const glm::ivec2 size = measuredSize(question_.picture.size, kMostPixels);
-    light_ = std::make_unique<LightEvaluator>(renderer_, referenceAt(size), question_, size, lightNoise_);
+    light_.emplace(renderer_, referenceAt(size), question_, size, lightNoise_);
   }
   TargetErrors errors;
   errors[indexOf(Quantity::light)] =
@@ -166,7 +163,7 @@ std::vector<Limit> TargetSearch::actingLimits(const std::vector<Limit>& asked, T
 
 // What is kept though nobody asked for it: limits of ours, or what the most exact settings reach.
 void TargetSearch::addUnasked(TargetAnswer& answer) const {
-  const bool shapes = std::any_of(answer.limits.begin(), answer.limits.end(), isOfShape);
+  const bool shapes = std::ranges::any_of(answer.limits, isOfShape);
   const TargetErrors& exact = answer.measured.front().errors;
   for (const Limit& limit : kUnasked) {
     if (hasName(answer.limits, limit.quantity) || !acts(limit.quantity) || (isOfShape(limit) && !shapes))
@@ -177,7 +174,7 @@ void TargetSearch::addUnasked(TargetAnswer& answer) const {
 }
 
 void TargetSearch::addSurface(TargetAnswer& answer, base::Progress& progress) {
-  const bool shapes = std::any_of(answer.limits.begin(), answer.limits.end(), isOfShape);
+  const bool shapes = std::ranges::any_of(answer.limits, isOfShape);
   const std::vector<Candidate> list = surfaceCandidates(turning(shapes));
   answer.measured.push_back({list.front(), measure(list.front(), Measuring::few, progress)});
   std::erase_if(answer.limits, [&](const Limit& limit) {
@@ -192,8 +189,8 @@ void TargetSearch::addSurface(TargetAnswer& answer, base::Progress& progress) {
   answer.asked = answer.limits.size();
   addUnasked(answer);
   std::vector<Limit> limits;
-  std::copy_if(answer.limits.begin(), answer.limits.end(), std::back_inserter(limits),
-               [](const Limit& limit) { return !isOfLight(limit); });
+  std::ranges::copy_if(answer.limits, std::back_inserter(limits),
+                       [](const Limit& limit) { return !isOfLight(limit); });
   const std::optional<std::size_t> chosen = chooseSurface(
       list, limits,
       [&](const Candidate& candidate, Measuring measuring) {
@@ -218,7 +215,7 @@ void TargetSearch::addSurface(TargetAnswer& answer, base::Progress& progress) {
 
 void TargetSearch::addLight(TargetAnswer& answer, const MeasuredCandidate& surface,
                             base::Progress& progress) {
-  const auto limit = std::find_if(answer.limits.begin(), answer.limits.end(), isOfLight);
+  const auto limit = std::ranges::find_if(answer.limits, isOfLight);
   if (limit == answer.limits.end()) return;
   // Noise is taken out of an error, but what it leaves uncertain is not small against a smaller error.
   if (!light_) lightNoise_ = std::min(lightNoise_, 0.5 * limit->most);
@@ -257,7 +254,7 @@ std::optional<TargetAnswer> TargetSearch::keepErrors(const std::vector<Limit>& a
   answer.asked = answer.limits.size();
   if (answer.limits.empty()) return answer;
   MeasuredCandidate surface{asGiven(), {}};
-  if (!std::all_of(answer.limits.begin(), answer.limits.end(), isOfLight)) {
+  if (!std::ranges::all_of(answer.limits, isOfLight)) {
     addSurface(answer, progress);
     surface = answer.measured[answer.chosen];
   }

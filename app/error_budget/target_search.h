@@ -75,7 +75,7 @@ class TargetSearch {
   std::optional<scene::Scene> reference_;  // resolved and complete, its hits those at rest
   std::map<std::pair<int, int>, SurfaceReference> references_;  // by size
   double lightNoise_ = 0.01;  // of the truth: app/error_budget/light_evaluator.h
-  std::unique_ptr<LightEvaluator> light_;
+  std::optional<LightEvaluator> light_;
 };
 
 // Searches the settings that keep an error or a time for the view on show, on a background thread that gives

@@ -62,7 +62,7 @@ std::optional<TargetAnswer> TargetSearch::keepTime(double milliseconds, base::Pr
     if (acts(unit.quantity)) answer.limits.push_back(unit);
   const std::vector<Candidate> list = surfaceCandidates(turning(acts(Quantity::normal)));
   const auto stays = [&](const char* path) {
-    return std::find(question_.fixed.begin(), question_.fixed.end(), path) != question_.fixed.end();
+    return std::ranges::find(question_.fixed, path) != question_.fixed.end();
   };
   const int most = question_.given.picture.supersampling;
   const int least = !question_.picture.aovs.empty() || stays("picture.supersampling") ? most : 1;

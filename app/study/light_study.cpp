@@ -42,7 +42,7 @@ LightStudyRunner::LightStudyRunner(render::Renderer& renderer, SurfaceReference&
 
 void LightStudyRunner::prepareHits(base::Progress& progress) {
   if (!hits_.empty()) return;
-  hits_ = reference_.of(scene::Field::trilinear, scene::Field::cubic, progress).hits;
+  hits_ = reference_.hitsOf(scene::Field::trilinear, progress);
   for (const TrueHit& hit : hits_)
     hitVoxels_.push_back(hit.hit ? glm::vec3(hit.voxel) : glm::vec3(std::numeric_limits<float>::quiet_NaN()));
 }
@@ -148,9 +148,8 @@ QualityStudy LightStudyRunner::study(const QualitySetting& knob, base::Progress&
     }
   renderer_.setLight(nullptr);
 
-  const auto reference = std::find_if(alternatives.begin(), alternatives.end(), [&](const Alternative& a) {
-    return a.setting.value == knob.reference;
-  });
+  const auto reference = std::ranges::find_if(
+      alternatives, [&](const Alternative& a) { return a.setting.value == knob.reference; });
   for (Alternative& alternative : alternatives) {
     StudySetting& setting = alternative.setting;
     LightCost& cost = alternative.cost();

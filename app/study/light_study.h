@@ -12,7 +12,9 @@
 
 #include "app/light/light_controller.h"
 #include "app/study/light_reference.h"
-#include "app/study/study.h"
+#include "app/study/study_results.h"
+#include "app/study/surface_reference.h"
+#include "render/renderer.h"
 
 namespace isolux::app {
 

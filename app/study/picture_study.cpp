@@ -101,8 +101,7 @@ QualityStudy PictureStudyRunner::study(const QualitySetting& knob, base::Progres
     setting.errors.pixels = alternative.picture.linear.size();
     setting.errors.picture = pictureErrorsOf(alternative.picture, reference);
     if (!edges.empty()) {
-      setting.errors.picture.edgePixels =
-          static_cast<std::size_t>(std::count(edges.begin(), edges.end(), true));
+      setting.errors.picture.edgePixels = static_cast<std::size_t>(std::ranges::count(edges, true));
       setting.errors.picture.edgeRms = rmsDifference(alternative.picture, reference, edges);
     }
     result.settings.push_back(std::move(setting));

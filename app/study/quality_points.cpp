@@ -23,7 +23,7 @@ scene::Scene withQualitySettingAt(const QualitySetting& knob, const std::string&
 
 void markFront(std::vector<QualityPoint>& points) {
   for (QualityPoint& point : points)
-    point.onFront = std::none_of(points.begin(), points.end(), [&](const QualityPoint& other) {
+    point.onFront = std::ranges::none_of(points, [&](const QualityPoint& other) {
       return other.cost <= point.cost && other.error <= point.error &&
              (other.cost < point.cost || other.error < point.error);
     });

@@ -5,9 +5,6 @@
 #include "app/ready/give_way.h"
 #include "app/ready/ready_fields.h"
 #include "app/study/light_reference.h"
-#include "app/study/light_study.h"
-#include "app/study/picture_study.h"
-#include "app/study/scale_study.h"
 #include "base/error.h"
 #include "render/gl/gl.h"
 #include "render/gl/gl_context.h"
@@ -30,8 +27,6 @@ StudyRunner::StudyRunner(const std::shared_ptr<const render::Gl>& gl, StudySubje
   renderer_.setHostSettings(subject_.host);
   renderer_.setVolume(subject_.volume);
 }
-
-StudyRunner::~StudyRunner() = default;
 
 // The look's picture with every pass; then a frame with second derivatives, after the same passes: those that
 // run alone find the volume in the caches.
@@ -94,8 +89,7 @@ void StudyRunner::measure(std::vector<Alternative>& alternatives, base::Progress
 }
 
 void StudyRunner::requireSurface(const scene::Scene& scene, base::Progress& progress) {
-  const TrueSurface truth = reference_.of(scene.hit.field, scene.derivatives, progress);
-  if (std::none_of(truth.hits.begin(), truth.hits.end(), [](const TrueHit& h) { return h.hit; }))
+  if (std::ranges::none_of(reference_.hitsOf(scene.hit.field, progress), &TrueHit::hit))
     throw base::Error(base::ErrorKind::usage, "", "isosurface.value",
                       "no pixel of this view shows the surface");
 }
@@ -104,14 +98,13 @@ void StudyRunner::judgeScale(const Alternative& alternative, StudySetting& setti
                              base::Progress& progress) {
   const scene::Scene& scene = alternative.scene;
   if (!scale_) {
-    const TrueSurface truth = reference_.of(scene.hit.field, scene.derivatives.field, progress);
+    const std::vector<TrueHit>& hits = reference_.hitsOf(scene.hit.field, progress);
     std::vector<bool> isHit;
-    for (const TrueHit& hit : truth.hits) isHit.push_back(hit.hit);
+    for (const TrueHit& hit : hits) isHit.push_back(hit.hit);
     std::vector<glm::dvec3> points;
-    for (const std::size_t pixel : chosenPixels(isHit, kScalePoints))
-      points.push_back(truth.hits[pixel].voxel);
-    scale_ = std::make_unique<ScaleStudyRunner>(subject_.volume, scene, std::move(points),
-                                                subject_.volume->derivativeChoices->noise(progress));
+    for (const std::size_t pixel : chosenPixels(isHit, kScalePoints)) points.push_back(hits[pixel].voxel);
+    scale_.emplace(subject_.volume, scene, std::move(points),
+                   subject_.volume->derivativeChoices->noise(progress));
   }
   const double scaleMm = scene.derivatives.scale.value_or(0.0);
   const ScaleFindings findings = scale_->at(scaleMm, progress);
@@ -171,8 +164,8 @@ QualityStudy StudyRunner::study(const QualitySetting& knob, base::Progress& prog
   if (!light && knob.measure != Measure::edges && knob.measure != Measure::shadow)
     return studySurface(knob, progress, from, to);
   drawnField_.reset();
-  if (!light_ && light) light_ = std::make_unique<LightStudyRunner>(renderer_, reference_, subject_);
-  if (!picture_ && !light) picture_ = std::make_unique<PictureStudyRunner>(renderer_, software_, subject_);
+  if (!light_ && light) light_.emplace(renderer_, reference_, subject_);
+  if (!picture_ && !light) picture_.emplace(renderer_, software_, subject_);
   return light ? light_->study(knob, progress, from, to) : picture_->study(knob, progress, from, to);
 }
 
@@ -190,9 +183,8 @@ QualityStudy StudyRunner::studySurface(const QualitySetting& knob, base::Progres
   measure(alternatives, progress, from, measured);
   QualityStudy result{.knob = knob};
   result.eightBitVoxels = volume::bytesOf(subject_.volume->grid().storedType()) == 1;
-  const auto reference = std::find_if(alternatives.begin(), alternatives.end(), [&](const Alternative& a) {
-    return a.setting.value == knob.reference;
-  });
+  const auto reference = std::ranges::find_if(
+      alternatives, [&](const Alternative& a) { return a.setting.value == knob.reference; });
   for (const Alternative& alternative : alternatives) {
     result.settings.push_back(judge(knob, alternative, progress));
     if (knob.measure == Measure::shape && result.settings.back().isDefault) {

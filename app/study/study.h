@@ -11,6 +11,9 @@
 #include <optional>
 #include <vector>
 
+#include "app/study/light_study.h"
+#include "app/study/picture_study.h"
+#include "app/study/scale_study.h"
 #include "app/study/study_results.h"
 #include "app/study/surface_reference.h"
 #include "base/task.h"
@@ -18,15 +21,10 @@
 
 namespace isolux::app {
 
-class LightStudyRunner;
-class PictureStudyRunner;
-class ScaleStudyRunner;
-
 class StudyRunner {
  public:
   // `gl` stays current. Throws Error{usage} where no pixel of the view shows the surface.
   StudyRunner(const std::shared_ptr<const render::Gl>& gl, StudySubject subject);
-  ~StudyRunner();
 
   // Studies one knob after the other; `each` takes a study as soon as it is finished. Throws
   // Error{interrupted}.
@@ -49,10 +47,10 @@ class StudyRunner {
   bool software_;  // the processor draws
   render::Renderer renderer_;
   SurfaceReference reference_;
-  std::optional<scene::Field> drawnField_;       // of the hits of the last frame
-  std::unique_ptr<ScaleStudyRunner> scale_;      // once asked for
-  std::unique_ptr<LightStudyRunner> light_;      // the same
-  std::unique_ptr<PictureStudyRunner> picture_;  // the same
+  std::optional<scene::Field> drawnField_;     // of the hits of the last frame
+  std::optional<ScaleStudyRunner> scale_;      // once asked for
+  std::optional<LightStudyRunner> light_;      // the same
+  std::optional<PictureStudyRunner> picture_;  // the same
 };
 
 // Studies knobs in the view of a scene on a background thread that gives way, with a renderer of its own.

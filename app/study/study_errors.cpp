@@ -40,7 +40,7 @@ Spread spreadOf(std::vector<double> errors) {
     spread.median = spread.rms = spread.most99 = spread.maximum = std::numeric_limits<double>::quiet_NaN();
     return spread;
   }
-  std::sort(errors.begin(), errors.end());
+  std::ranges::sort(errors);
   double squares = 0.0;
   for (const double error : errors) squares += error * error;
   spread.maximum = errors.back();

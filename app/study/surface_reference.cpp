@@ -9,7 +9,7 @@
 #include "render/passes/view_uniforms.h"
 #include "volume/field/curvature.h"
 #include "volume/field/reconstruct.h"
-#include "volume/parallel/parallel_loops.h"
+#include "volume/parallel/parallel_steps.h"
 
 namespace isolux::app {
 
@@ -19,22 +19,10 @@ namespace {
 
 constexpr double kFloatRounding = 4.0 * 0x1p-24;  // of a few operations in single precision, relative
 constexpr double kBehindVoxels = 1e-6;            // where the search for the crossing behind a hit begins
-constexpr std::size_t kGrain = 64;                // pixels that a thread takes at least
+constexpr std::size_t kGrain = 64;                // pixels at a time: a stop is heard between
 
 std::size_t indexOf(Field field) {
   return static_cast<std::size_t>(field);
-}
-
-// Calls body(i) for 0 .. count-1 on all threads.
-template <class Body>
-void forEachPixel(std::size_t count, const base::Progress& progress, const Body& body) {
-  volume::parallelRanges(count, kGrain, [&](const volume::Indices<std::size_t>& range) {
-    for (std::size_t i = range.begin(); i != range.end(); ++i) {
-      if (progress.stopRequested()) return;
-      body(i);
-    }
-  });
-  progress.throwIfStopped();
 }
 
 }  // namespace
@@ -97,7 +85,9 @@ const std::vector<TrueHit>& SurfaceReference::hitsOf(Field field, base::Progress
   if (!hits.empty()) return hits;
   prepare(field, progress);
   Hits found(volume::Extent2{size_}.count());
-  forEachPixel(found.size(), progress, [&](std::size_t i) { found[i] = hitOf(field, i); });
+  volume::parallelPieces(found.size(), kGrain, progress, {}, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) found[i] = hitOf(field, i);
+  });
   hits = std::move(found);
   return hits;
 }
@@ -145,12 +135,6 @@ TrueShape SurfaceReference::shapeAt(const ShapeSource& source, const glm::dvec3&
   return shape;
 }
 
-TrueSurface SurfaceReference::of(Field hitField, Field shapeField, base::Progress& progress) {
-  scene::Derivatives derivatives;
-  derivatives.field = shapeField;
-  return of(hitField, derivatives, progress);
-}
-
 TrueSurface SurfaceReference::of(Field hitField, const scene::Derivatives& derivatives,
                                  base::Progress& progress) {
   const Hits& hits = hitsOf(hitField, progress);
@@ -159,8 +143,9 @@ TrueSurface SurfaceReference::of(Field hitField, const scene::Derivatives& deriv
                             derivatives.normalScale.value_or(0.0)}];
   if (shapes.empty()) {
     Shapes found(hits.size());
-    forEachPixel(found.size(), progress, [&](std::size_t i) {
-      if (hits[i].hit) found[i] = shapeAt(source, hits[i].voxel);
+    volume::parallelPieces(found.size(), kGrain, progress, {}, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        if (hits[i].hit) found[i] = shapeAt(source, hits[i].voxel);
     });
     shapes = std::move(found);
   }

@@ -29,9 +29,8 @@ class SurfaceReference {
                    glm::ivec2 size);
 
   // Valid as long as this. Throws Error{interrupted}. Normals are at derivatives.normal_scale, curvature at
-  // derivatives.scale; where they are empty, and of a field alone, at 0.
+  // derivatives.scale; where they are empty, at 0.
   TrueSurface of(scene::Field hitField, const scene::Derivatives& derivatives, base::Progress& progress);
-  TrueSurface of(scene::Field hitField, scene::Field shapeField, base::Progress& progress);
 
   // Hits alone. Valid as long as this. Throws Error{interrupted}.
   const std::vector<TrueHit>& hitsOf(scene::Field field, base::Progress& progress);

@@ -67,8 +67,7 @@ class LightBoundsGlTest : public test::RenderGlTest {
   // `count` pixels of outer sides, traced with `replicate` paths kReplicates times.
   JudgedLight judge(const Lit& lit, std::size_t count, std::uint32_t replicate) {
     SurfaceReference surface(lit.volume, lit.scene, lit.errors.size);
-    const std::vector<TrueHit> hits =
-        surface.of(scene::Field::trilinear, scene::Field::cubic, progress_).hits;
+    const std::vector<TrueHit> hits = surface.hitsOf(scene::Field::trilinear, progress_);
     Scene still = lit.scene;
     still.gi.mode = scene::GiMode::irradiance;
     still.light.environment.moves = false;

@@ -21,15 +21,15 @@ TEST(SurfaceReference, CurvatureAndNormalsHaveTheScalesOfTheScene) {
   scene = scene::resolve(scene, volume->facts);
   SurfaceReference reference(volume, scene, {24, 24});
   base::Progress progress;
-  const auto shapesAt = [&](double scale, double normalScale) {
+  const auto shapesAt = [&](std::optional<double> scale, std::optional<double> normalScale) {
     scene::Derivatives derivatives;
     derivatives.field = scene::Field::cubic;
     derivatives.scale = scale;
     derivatives.normalScale = normalScale;
     return reference.of(scene::Field::trilinear, derivatives, progress);
   };
-  const TrueSurface plain = reference.of(scene::Field::trilinear, scene::Field::cubic, progress),
-                    zero = shapesAt(0.0, 0.0), both = shapesAt(3.0, 3.0), curved = shapesAt(3.0, 0.0);
+  const TrueSurface plain = shapesAt({}, {}), zero = shapesAt(0.0, 0.0), both = shapesAt(3.0, 3.0),
+                    curved = shapesAt(3.0, 0.0);
   const double kappa = 1.0 / (0.35 * 47.0);
   double plainOff = 0.0, scaledOff = 0.0;
   int hits = 0;
