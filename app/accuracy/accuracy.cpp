@@ -29,7 +29,7 @@ BoundSpread boundSpreadOf(const std::vector<float>& image, const std::vector<std
 }  // namespace
 
 bool castsOnProcessor(const render::FrameReport& report) {
-  return std::any_of(report.passes.begin(), report.passes.end(), [](const render::PassReport& pass) {
+  return std::ranges::any_of(report.passes, [](const render::PassReport& pass) {
     return pass.name == render::pass::cast && pass.onProcessor;
   });
 }
@@ -86,7 +86,7 @@ std::unique_ptr<AccuracyTask> accuracyTask(AccuracySubject asked) {
     ShownPicture shown = subject;
     completeFields(shown.scene, *shown.volume, true, progress);
     shown.scene = atRest(std::move(shown.scene), *shown.volume, progress);
-    PictureErrors errors = measureErrors(quiet.renderer(), std::move(shown), progress, subject.onProcessor);
+    PictureErrors errors = measureErrors(*quiet, std::move(shown), progress, subject.onProcessor);
     MeasuredPicture measured{accuracyOf(errors), nullptr};
     if (subject.keepImages) measured.images = std::make_shared<const PictureErrors>(std::move(errors));
     return measured;

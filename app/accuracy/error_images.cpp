@@ -21,8 +21,7 @@ const std::vector<ErrorImageInfo>& errorImages() {
 }
 
 const ErrorImageInfo& errorImage(ErrorImage image) {
-  return *std::find_if(errorImages().begin(), errorImages().end(),
-                       [&](const ErrorImageInfo& info) { return info.image == image; });
+  return *std::ranges::find(errorImages(), image, &ErrorImageInfo::image);
 }
 
 std::string imageNames() {
@@ -37,13 +36,13 @@ WantedImages parseImageList(const std::string& text) {
   std::string others, name;
   for (std::istringstream list(text); std::getline(list, name, ',');) {
     const auto isNamed = [&](const auto& info) { return name == info.name; };
-    const auto found = std::find_if(errorImages().begin(), errorImages().end(), isNamed);
+    const auto found = std::ranges::find_if(errorImages(), isNamed);
     if (found == errorImages().end()) {
-      if (std::none_of(render::aovs().begin(), render::aovs().end(), isNamed))
+      if (std::ranges::none_of(render::aovs(), isNamed))
         throw base::Error(base::ErrorKind::usage, "", "--aov",
                           "unknown image '" + name + "'; known: " + imageNames());
       others += (others.empty() ? "" : ",") + name;
-    } else if (std::find(wanted.errors.begin(), wanted.errors.end(), found->image) == wanted.errors.end()) {
+    } else if (std::ranges::find(wanted.errors, found->image) == wanted.errors.end()) {
       wanted.errors.push_back(found->image);
     }
   }
@@ -53,9 +52,7 @@ WantedImages parseImageList(const std::string& text) {
 
 std::vector<render::Aov> drawnFor(const WantedImages& wanted) {
   std::vector<render::Aov> aovs = wanted.aovs;
-  const auto has = [](const auto& list, auto image) {
-    return std::find(list.begin(), list.end(), image) != list.end();
-  };
+  const auto has = [](const auto& list, auto image) { return std::ranges::find(list, image) != list.end(); };
   if (has(wanted.errors, ErrorImage::light) && !has(aovs, render::Aov::irradiance))
     aovs.push_back(render::Aov::irradiance);
   if (aovs.empty()) aovs.push_back(render::Aov::hit);
@@ -66,9 +63,8 @@ std::vector<FloatChannel> channelsOf(const std::vector<render::AovImage>& drawn,
                                      const PictureErrors& errors) {
   std::vector<FloatChannel> channels;
   for (const render::AovImage& image : drawn) {
-    if (std::find(wanted.aovs.begin(), wanted.aovs.end(), image.aov) == wanted.aovs.end()) continue;
-    const auto info = std::find_if(render::aovs().begin(), render::aovs().end(),
-                                   [&](const render::AovInfo& known) { return known.aov == image.aov; });
+    if (std::ranges::find(wanted.aovs, image.aov) == wanted.aovs.end()) continue;
+    const auto info = std::ranges::find(render::aovs(), image.aov, &render::AovInfo::aov);
     const auto count = static_cast<std::size_t>(image.channels);
     for (std::size_t c = 0; c < count; ++c) {
       const std::string suffix = info->channels.at(c);

@@ -54,7 +54,7 @@ std::vector<std::string> namesOfQuantities() {
 
 void requireQuantity(const std::string& name) {
   const std::vector<std::string> known = namesOfQuantities();
-  if (std::find(known.begin(), known.end(), name) != known.end()) return;
+  if (std::ranges::find(known, name) != known.end()) return;
   refuse("--error", "unknown error \"" + name + '"' +
                         base::didYouMean(name, known, "; there are " + base::joined(known, " ")));
 }

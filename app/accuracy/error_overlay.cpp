@@ -38,8 +38,7 @@ const std::vector<Overlaid>& overlays() {
 }
 
 const Overlaid& overlaidOf(ErrorImage image) {
-  return *std::find_if(overlays().begin(), overlays().end(),
-                       [&](const Overlaid& info) { return info.image == image; });
+  return *std::ranges::find(overlays(), image, &Overlaid::image);
 }
 
 std::vector<double> shownBounds(const PictureErrors& errors, ErrorImage image) {
@@ -79,8 +78,8 @@ Limited limitedBy(const Limit& limit, const PictureErrors& errors, double shorte
 // 0.
 std::optional<glm::dvec2> rangeOf(const std::vector<double>& bounds) {
   std::vector<double> known;
-  std::copy_if(bounds.begin(), bounds.end(), std::back_inserter(known),
-               [](double bound) { return bound > 0.0 && std::isfinite(bound); });
+  std::ranges::copy_if(bounds, std::back_inserter(known),
+                       [](double bound) { return bound > 0.0 && std::isfinite(bound); });
   if (known.empty()) return std::nullopt;
   glm::dvec2 range(base::niceBelow(base::quantile(known, kLowEnd)),
                    base::niceAbove(base::quantile(known, kHighEnd)));
@@ -88,18 +87,31 @@ std::optional<glm::dvec2> rangeOf(const std::vector<double>& bounds) {
   return range;
 }
 
+// Without numbers and colours.
+render::Legend emptyLegend(const OverlayRequest& request) {
+  render::Legend legend;
+  legend.quantity = request.colors ? overlaidOf(*request.colors).title : "Errors";
+  legend.unit = request.colors ? overlaidOf(*request.colors).unit : "";
+  legend.logarithmic = request.colors.has_value();
+  return legend;
+}
+
+std::string hatchedLine(const OverlayRequest& request, const Limit& limit) {
+  return (request.colors ? "above " : std::string(nameOf(limit.quantity)) + " above ") +
+         errorText(limit.quantity, limit.most);
+}
+
 std::vector<std::string> hatchedLines(const OverlayRequest& request, const PictureErrors& errors,
                                       const std::vector<std::uint8_t>& hatched) {
   std::vector<std::string> lines;
-  if (std::find(hatched.begin(), hatched.end(), 1) == hatched.end()) return lines;
+  if (std::ranges::find(hatched, 1) == hatched.end()) return lines;
   for (const Limit& limit : request.limits) {
     const Limited limited = limitedBy(limit, errors, 1.0);
     if (!limited.bounds || limited.bounds->empty() || (request.colors && limited.image != *request.colors))
       continue;
-    lines.push_back((request.colors ? "above " : std::string(nameOf(limit.quantity)) + " above ") +
-                    errorText(limit.quantity, limit.most));
+    lines.push_back(hatchedLine(request, limit));
   }
-  if (std::find(errors.certain.begin(), errors.certain.end(), 0) != errors.certain.end())
+  if (std::ranges::find(errors.certain, 0) != errors.certain.end())
     lines.emplace_back(lines.empty() ? "not certain" : "or not certain");
   return lines;
 }
@@ -119,13 +131,12 @@ OverlayRequest parseOverlay(const std::string& text, std::vector<Limit> limits) 
     throw base::Error(base::ErrorKind::usage, "", "--error-overlay", why);
   };
   if (text == kLimits) {
-    if (std::none_of(request.limits.begin(), request.limits.end(),
-                     [](const Limit& limit) { return limit.quantity != Quantity::missed; }))
+    if (std::ranges::none_of(request.limits,
+                             [](const Limit& limit) { return limit.quantity != Quantity::missed; }))
       refuse("limits are those of --error, which names none of depth, normal, curvature or light");
     return request;
   }
-  const auto found = std::find_if(overlays().begin(), overlays().end(),
-                                  [&](const Overlaid& overlay) { return text == overlay.name; });
+  const auto found = std::ranges::find(overlays(), text, &Overlaid::name);
   if (found == overlays().end()) refuse("unknown error '" + text + "'; known: " + overlayNames());
   request.colors = found->image;
   return request;
@@ -146,19 +157,13 @@ std::vector<std::uint8_t> hatchedPixels(const PictureErrors& errors, const Overl
 
 glm::ivec2 overlayReserve(const OverlayRequest& request, glm::ivec2 picture) {
   if (!request.asked) return glm::ivec2(0);
-  render::Legend legend;
-  legend.quantity = "Errors";
+  render::Legend legend = emptyLegend(request);
   if (request.colors) {  // over three decades: numbers are no wider over others
-    legend.quantity = overlaidOf(*request.colors).title;
-    legend.unit = overlaidOf(*request.colors).unit;
-    legend.logarithmic = true;
     legend.low = 0.002;
     legend.high = 2.0;
     legend.colors = {glm::vec3(0.0F), glm::vec3(1.0F)};
   }
-  for (const Limit& limit : request.limits)
-    legend.hatched.push_back((request.colors ? "above " : std::string(nameOf(limit.quantity)) + " above ") +
-                             errorText(limit.quantity, limit.most));
+  for (const Limit& limit : request.limits) legend.hatched.push_back(hatchedLine(request, limit));
   legend.hatched.emplace_back("or not certain");
   return render::legendSizeFor(legend, picture);
 }
@@ -171,16 +176,11 @@ std::optional<render::Tile> paintErrors(const PictureErrors& errors, const Overl
         base::ErrorKind::usage, "", "--error-overlay",
         "light: this image has no baked light, or a surface is transparent; --look gi bakes light");
   OverlayPainter painter(image);
-  render::Legend legend;
-  legend.quantity = "Errors";
+  render::Legend legend = emptyLegend(request);
   if (request.colors) {
     const std::vector<double> bounds = shownBounds(errors, *request.colors);
     const std::optional<glm::dvec2> range = rangeOf(bounds);
     painter.color(bounds, range.value_or(glm::dvec2(0.1, 1.0)));
-    const Overlaid& overlaid = overlaidOf(*request.colors);
-    legend.quantity = overlaid.title;
-    legend.unit = overlaid.unit;
-    legend.logarithmic = true;
     if (range) {
       legend.low = range->x;
       legend.high = range->y;

@@ -32,8 +32,7 @@ std::string thinText(double mm) {
 
 double HiddenStructure::share() const {
   if (hides.empty()) return 0.0;
-  return static_cast<double>(std::count(hides.begin(), hides.end(), std::uint8_t{1})) /
-         static_cast<double>(hides.size());
+  return static_cast<double>(std::ranges::count(hides, std::uint8_t{1})) / static_cast<double>(hides.size());
 }
 
 HiddenStructure hiddenStructure(render::Renderer& renderer, const ShownPicture& drawn,
@@ -128,7 +127,7 @@ FoundStructure lookFor(const StructureSubject& subject, base::Progress& progress
     known.isovalues = std::move(isovalues);
   }
   QuietRenderer quiet(shown.volume, nullptr);
-  found.structure = hiddenStructure(quiet.renderer(), shown, *known.whole, *known.gaps, progress);
+  found.structure = hiddenStructure(*quiet, shown, *known.whole, *known.gaps, progress);
   found.marked.legend =
       paintStructure(*found.structure, shown.scene.look.legendCorner, subject.taken, found.marked.image);
   return found;

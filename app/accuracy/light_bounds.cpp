@@ -174,7 +174,7 @@ double binomialAtMost(std::size_t k, std::size_t n, double p) {
 
 double toleranceLimit(std::span<double> scores, bool all) {
   const std::size_t n = scores.size();
-  std::sort(scores.begin(), scores.end());
+  std::ranges::sort(scores);
   if (all && n > 0)
     return scores[static_cast<std::size_t>(std::ceil(kLightLevel * static_cast<double>(n))) - 1];
   // More than `above` of n exceed what kLightLevel of all do not in this share of draws.
@@ -227,7 +227,7 @@ void boundLight(render::Renderer& renderer, const ShownPicture& picture, Picture
     offs.push_back(off);
     scores.push_back(off == 0.0 ? 0.0 : off / usual);
   }
-  const auto every = static_cast<std::size_t>(std::count(judged.begin(), judged.end(), true));
+  const auto every = static_cast<std::size_t>(std::ranges::count(judged, true));
   const double factor = toleranceLimit(scores, scores.size() == every);
   errors.lightWithin = toleranceLimit(offs, offs.size() == every);
   double sum = 0.0;
@@ -237,7 +237,7 @@ void boundLight(render::Renderer& renderer, const ShownPicture& picture, Picture
     bounds[i] = judged[i] ? static_cast<float>(bound) : std::numeric_limits<float>::infinity();
     sum += static_cast<double>(shown[3 * i] + shown[3 * i + 1] + shown[3 * i + 2]) / 3.0;
   }
-  const auto lit = std::count_if(bounds.begin(), bounds.end(), [](float b) { return !std::isnan(b); });
+  const auto lit = std::ranges::count_if(bounds, [](float b) { return !std::isnan(b); });
   errors.light = std::move(bounds);
   errors.meanIrradiance = sum / static_cast<double>(lit);
 }

@@ -22,7 +22,7 @@
 #include "volume/field/curvature.h"
 #include "volume/measure/surface_point.h"
 #include "volume/measure/voxel_noise.h"
-#include "volume/parallel/parallel_loops.h"
+#include "volume/parallel/parallel_steps.h"
 
 namespace isolux::app {
 
@@ -36,15 +36,6 @@ constexpr double kNoiseDeviations = 1.960, kNoiseDeviationsOfPlane = 2.448;
 constexpr double kUsualError = 0.99;  // of the fields' errors at hits: what is taken where nothing is hit
 
 std::atomic<std::size_t> runs{0};
-
-template <class Body>
-void forPixels(std::size_t count, const base::Progress& progress, const Body& body) {
-  volume::parallelRanges(count, kPixelGrain, [&](const volume::Indices<std::size_t>& range) {
-    if (progress.stopRequested()) return;
-    for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
-  });
-  progress.throwIfStopped();
-}
 
 // Not smaller than the double.
 float roundedUp(double bound) {
@@ -221,20 +212,24 @@ PictureErrors pictureErrors(const volume::PreparedVolume& volume, const scene::S
   const PictureEvaluator judge(volume, scene, drawn, progress);
   std::vector<double> fieldErrors(count, -1.0);  // -1: nothing is hit
   progress.report(0.0, "bounding errors");
-  forPixels(count, progress, [&](std::size_t i) {
-    const volume::HitEnclosure hit = judge.enclose(i, 0.0);
-    if (!hit.hit) return;
-    fieldErrors[i] = hit.fieldError;
-    judge.judge(i, hit, out);
+  volume::parallelPieces(count, kPixelGrain, progress, {}, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const volume::HitEnclosure hit = judge.enclose(i, 0.0);
+      if (!hit.hit) continue;
+      fieldErrors[i] = hit.fieldError;
+      judge.judge(i, hit, out);
+    }
   });
   // Rays that hit nothing may miss by less than a rounding.
   std::vector<double> known;
-  std::copy_if(fieldErrors.begin(), fieldErrors.end(), std::back_inserter(known),
-               [](double error) { return error >= 0.0; });
+  std::ranges::copy_if(fieldErrors, std::back_inserter(known), [](double error) { return error >= 0.0; });
   const double usual = known.empty() ? 0.0 : base::quantile(known, kUsualError);
-  forPixels(count, progress, [&](std::size_t i) {
-    if (fieldErrors[i] >= 0.0) return;
-    if (!std::isnan(drawn.depthMm[i]) || !judge.enclose(i, usual).certain) PictureEvaluator::refuse(i, out);
+  volume::parallelPieces(count, kPixelGrain, progress, {}, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const bool misses = fieldErrors[i] < 0.0;
+      if (misses && (!std::isnan(drawn.depthMm[i]) || !judge.enclose(i, usual).certain))
+        PictureEvaluator::refuse(i, out);
+    }
   });
   return out;
 }

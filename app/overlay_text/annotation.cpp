@@ -129,11 +129,8 @@ std::optional<ScaleBar> scaleBarOf(const scene::CameraFrame& frame, double pictu
   const double heightMm = 2.0 * frame.halfHeight * (perspective ? frame.distance : 1.0);
   const double pixelMm = heightMm / std::max(1.0, pictureHeight);
   if (!(pixelMm > 0.0) || !std::isfinite(pixelMm)) return std::nullopt;
-  ScaleBar bar;
-  bar.mm = base::niceBelow(longest * pixelMm);
-  bar.pixels = bar.mm / pixelMm;
-  bar.text = base::shortText(bar.mm) + " mm" + (perspective ? " at the centre" : "");
-  return bar;
+  const double mm = base::niceBelow(longest * pixelMm);
+  return ScaleBar{mm, mm / pixelMm, base::shortText(mm) + " mm" + (perspective ? " at the centre" : "")};
 }
 
 bool Annotation::empty() const {
@@ -157,7 +154,7 @@ Caveats caveatsOf(const scene::Scene& resolved, const volume::PreparedVolume& vo
     if (!pieces) continue;
     const std::vector<bool> shown = volume.pieces->shown(*pieces, resolved.pieces, unwatched);
     caveats.pieces += shown.size();
-    caveats.hidden += static_cast<std::size_t>(std::count(shown.begin(), shown.end(), false));
+    caveats.hidden += static_cast<std::size_t>(std::ranges::count(shown, false));
   }
   return caveats;
 }

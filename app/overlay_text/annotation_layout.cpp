@@ -120,8 +120,7 @@ PixelBox AnnotationLayout::besideOthers(const PixelBox& wanted, int axis) {
 }
 
 bool AnnotationLayout::isFree(const PixelBox& box) const {
-  return std::none_of(taken_.begin(), taken_.end(),
-                      [&](const PixelBox& other) { return meet(box, other, margin_ / 2); });
+  return std::ranges::none_of(taken_, [&](const PixelBox& other) { return meet(box, other, margin_ / 2); });
 }
 
 }  // namespace isolux::app

@@ -33,15 +33,14 @@ bool meet(const TextBox& a, const TextBox& b, double gap) {
 }
 
 bool FreePlaces::clearOfBoxes(const TextBox& box) const {
-  return std::none_of(boxes_.begin(), boxes_.end(),
-                      [&](const TextBox& taken) { return meet(box, taken, gap_); });
+  return std::ranges::none_of(boxes_, [&](const TextBox& taken) { return meet(box, taken, gap_); });
 }
 
 bool FreePlaces::clearOfLines(const TextBox& box) const {
   const double off = 2.0 * gap_;  // a line beside an I is read as one
   const TextBox around{box.low - off, box.size + 2.0 * off};
-  return std::none_of(lines_.begin(), lines_.end(),
-                      [&](const auto& line) { return crosses(line.first, line.second, around); });
+  return std::ranges::none_of(lines_,
+                              [&](const auto& line) { return crosses(line.first, line.second, around); });
 }
 
 bool FreePlaces::holds(const TextBox& box) const {

@@ -110,7 +110,7 @@ scene::Rooms freeRooms(const scene::Scene& resolved, const volume::PreparedVolum
     for (const PixelRoom& room : rooms) {
       const PixelRoom moved = central(room, size, across, up);
       const scene::Room one = roomOf(moved, size);
-      const bool isNew = std::find(result.begin(), result.end(), one) == result.end();
+      const bool isNew = std::ranges::find(result, one) == result.end();
       if (isNew && moved.low.x < moved.high.x && moved.low.y < moved.high.y) result.push_back(one);
     }
   return result.empty() ? scene::wholePicture(picture.x / picture.y) : result;

@@ -10,19 +10,14 @@
 
 namespace isolux::app {
 
-class QuietRenderer {
- public:
+struct QuietRenderer : render::OffscreenRenderer {
   // light: null where there is none.
   QuietRenderer(std::shared_ptr<const volume::PreparedVolume> volume,
-                std::shared_ptr<const gi::PictureLight> light) {
-    renderer_->setVolume(std::move(volume));
-    renderer_->setLight(std::move(light));
+                std::shared_ptr<const gi::PictureLight> light)
+      : OffscreenRenderer(render::ContextChoice::automatic, {.executor = scene::Executor::cpu}) {
+    (*this)->setVolume(std::move(volume));
+    (*this)->setLight(std::move(light));
   }
-
-  render::Renderer& renderer() { return *renderer_; }
-
- private:
-  render::OffscreenRenderer renderer_{render::ContextChoice::automatic, {.executor = scene::Executor::cpu}};
 };
 
 }  // namespace isolux::app

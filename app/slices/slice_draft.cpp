@@ -40,9 +40,7 @@ volume::SlicePlane coarsened(const volume::SlicePlane& plane, int coarse) {
 
 render::ColorImage enlarged(render::ColorImage picture, int coarse, glm::ivec2 size) {
   if (coarse <= 1) return picture;
-  render::ColorImage result;
-  result.size = size;
-  result.rgba.resize(4 * volume::Extent2{size}.count());
+  render::ColorImage result{size, std::vector<std::uint8_t>(4 * volume::Extent2{size}.count())};
   const std::vector<Between> columns = betweens(size.x, coarse, picture.size.x),
                              rows = betweens(size.y, coarse, picture.size.y);
   const auto pixel = [&](int x, int y) {

@@ -80,7 +80,7 @@ std::vector<WrittenText> stacked(const std::vector<std::string>& lines, const re
   return result;
 }
 
-void drawRuler(const Ruler& ruler, const render::Font& font, int margin, Ink& ink, glm::ivec2 size) {
+void drawRuler(const ScaleBar& ruler, const render::Font& font, int margin, Ink& ink, glm::ivec2 size) {
   const int length = static_cast<int>(std::lround(ruler.pixels)), thick = std::max(2, font.ascent() / 6);
   const int right = size.x - margin, bottom = size.y - margin, tick = font.ascent() / 2;
   ink.fill({right - length, bottom - thick}, {right, bottom});
@@ -89,7 +89,7 @@ void drawRuler(const Ruler& ruler, const render::Font& font, int margin, Ink& in
 }
 
 // The ruler's text above it; its box has the ruler, too.
-std::pair<WrittenText, TextBox> rulerBoxes(const Ruler& ruler, const render::Font& font, int margin,
+std::pair<WrittenText, TextBox> rulerBoxes(const ScaleBar& ruler, const render::Font& font, int margin,
                                            glm::ivec2 size) {
   const int length = static_cast<int>(std::lround(ruler.pixels)), tick = font.ascent() / 2;
   const int wide = font.width(ruler.text), right = size.x - margin,
@@ -150,13 +150,9 @@ std::string windowText(const SliceContent& content, const scene::Slice& slice, c
   return text;
 }
 
-Ruler rulerOf(const volume::SlicePlane& plane) {
-  Ruler ruler;
-  const double pixel = plane.pixelMm();
-  ruler.mm = base::niceBelow(0.2 * plane.size.x * pixel);
-  ruler.pixels = ruler.mm / pixel;
-  ruler.text = base::shortText(ruler.mm, 6) + " mm";
-  return ruler;
+ScaleBar rulerOf(const volume::SlicePlane& plane) {
+  const double pixel = plane.pixelMm(), mm = base::niceBelow(0.2 * plane.size.x * pixel);
+  return {mm, mm / pixel, base::shortText(mm, 6) + " mm"};
 }
 
 SliceWords wordsOf(const SliceContent& content, const volume::SlicePlane& plane, const scene::Slice& slice,
@@ -182,11 +178,11 @@ int keyIndent(const render::Font& font) {
 }
 
 // Lines one below the other that end at the right margin. None where there is no room.
-std::vector<WrittenText> placedKey(const std::vector<KeyLine>& key, const Measures& m, glm::ivec2 size,
+std::vector<WrittenText> placedKey(const std::vector<ShownValue>& key, const Measures& m, glm::ivec2 size,
                                    FreePlaces& free) {
   if (key.empty()) return {};
   int wide = 0;
-  for (const KeyLine& line : key) wide = std::max(wide, keyIndent(m.small) + m.small.width(line.text));
+  for (const ShownValue& line : key) wide = std::max(wide, keyIndent(m.small) + m.small.width(line.text));
   const int high = m.small.ascent() + m.small.lineHeight() * (static_cast<int>(key.size()) - 1);
   const auto box = free.place({glm::dvec2(size.x - m.margin - wide, m.margin), glm::dvec2(wide, high)}, 1);
   std::vector<WrittenText> lines;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/overlay_text/annotation.h"
 #include "app/overlay_text/free_places.h"
 #include "app/slices/slice_content.h"
 #include "render/graph/frame.h"
@@ -29,24 +30,13 @@ bool showsLeftAndRight(const SliceLetters& letters);
 // "level 40 · width 400 HU", and the slab: "mean of 5 mm".
 std::string windowText(const SliceContent& content, const scene::Slice& slice, const std::string& unit);
 
-// A length of the picture to draw a ruler of.
-struct Ruler {
-  double mm = 0.0, pixels = 0.0;
-  std::string text;  // "50 mm"
-};
-Ruler rulerOf(const volume::SlicePlane& plane);  // about a fifth of the width; a round number
-
-// Which curve is which isosurface's.
-struct KeyLine {
-  std::string text;       // "300 HU"
-  glm::dvec3 color{0.0};  // linear RGB
-};
+ScaleBar rulerOf(const volume::SlicePlane& plane);  // about a fifth of the width; a round number
 
 struct SliceWords {
   SliceLetters letters;
   std::string place, convention, window;  // no convention where it makes no difference
-  Ruler ruler;
-  std::vector<KeyLine> key;  // of the curves that are drawn
+  ScaleBar ruler;
+  std::vector<ShownValue> key;  // of the curves that are drawn
 };
 SliceWords wordsOf(const SliceContent& content, const volume::SlicePlane& plane, const scene::Slice& slice,
                    const volume::Volume& volume);

@@ -56,7 +56,7 @@ void paintValues(const SliceContent& content, const scene::Slice& slice, render:
         color = table[static_cast<std::size_t>(
             std::lround(std::clamp(content.window.greyOf(value), 0.0, 1.0) * (kMapSteps - 1)))];
       std::uint8_t* const pixel = &image.rgba[4 * i];
-      std::copy(color.begin(), color.end(), pixel);
+      std::ranges::copy(color, pixel);
       pixel[3] = 255;
       if (content.band && value >= content.band->first && value <= content.band->second)
         blend(pixel, {kBand[0], kBand[1], kBand[2]}, 0.5);
@@ -129,9 +129,7 @@ void paintCurves(const SurfaceOnSlice& surface, const volume::SlicePlane& plane,
 
 render::ColorImage slicePicture(const SliceContent& content, const scene::Slice& slice,
                                 const volume::GridGeometry& geometry, base::Progress& progress) {
-  render::ColorImage image;
-  image.size = content.plane.size;
-  image.rgba.resize(4 * content.values.values.size());
+  render::ColorImage image{content.plane.size, std::vector<std::uint8_t>(4 * content.values.values.size())};
   paintValues(content, slice, image, progress);
   for (const SurfaceOnSlice& surface : content.surfaces)
     paintCurves(surface, content.plane, slice.contourWidth, geometry, image, progress);

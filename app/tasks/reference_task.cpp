@@ -34,10 +34,7 @@ double meanLuminance(const gi::ReferenceImage& image) {
 }
 
 render::ColorImage blank(glm::ivec2 size) {
-  render::ColorImage image;
-  image.size = size;
-  image.rgba.assign(4 * volume::Extent2{size}.count(), 255);
-  return image;
+  return {size, std::vector<std::uint8_t>(4 * volume::Extent2{size}.count(), 255)};
 }
 
 std::size_t byteAt(const render::ColorImage& image, int x, int y) {

@@ -26,7 +26,7 @@ std::unique_ptr<VolumePreviewTask> volumePreviewTask(VolumePreviewSubject asked)
     request.pixelRatio = subject.pixelRatio;
     request.supersampling = 2;
     request.stop = progress.token();
-    drawn.picture = render::drawStill(quiet.renderer(), scene, request, progress).color;
+    drawn.picture = render::drawStill(*quiet, scene, request, progress).color;
     return drawn;
   };
   return VolumePreviewTask::start({"", "take a first look at the volume"}, work);
