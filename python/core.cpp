@@ -7,6 +7,7 @@
 
 #include <unistd.h>
 
+#include <nlohmann/json.hpp>
 #include <pybind11/pybind11.h>
 
 #include "app/documents/picture_scene.h"
@@ -21,6 +22,7 @@
 #include "app/study_report/study_report.h"
 #include "base/error.h"
 #include "scene/rules/automatic.h"
+#include "scene/rules/needs.h"
 #include "scene/settings/assignment.h"
 #include "volume/read/input/convert.h"
 #include "volume/read/input/payload.h"

@@ -22,9 +22,9 @@ AlbedoOfIsovalue::AlbedoOfIsovalue(const Scene& scene) {
   std::vector<std::pair<double, glm::vec3>> shown;
   for (const ShownSurface& surface : shownSurfaces(scene))
     shown.emplace_back(surface.value.value(), glm::vec3(surface.albedo));
-  std::stable_sort(shown.begin(), shown.end(), [](auto& a, auto& b) { return a.first < b.first; });
-  const bool same = std::all_of(shown.begin(), shown.end(),
-                                [&](const auto& one) { return one.second == shown.front().second; });
+  std::ranges::stable_sort(shown, [](auto& a, auto& b) { return a.first < b.first; });
+  const bool same =
+      std::ranges::all_of(shown, [&](const auto& one) { return one.second == shown.front().second; });
   if (same) shown.resize(1);
   for (std::size_t i = 0; i < shown.size(); ++i) {
     samples_.push_back(shown[i].second);
@@ -35,7 +35,7 @@ AlbedoOfIsovalue::AlbedoOfIsovalue(const Scene& scene) {
 glm::vec3 AlbedoOfIsovalue::at(double isovalue) const {
   if (isConstant()) return samples_.front();
   if (!borders_.empty()) {
-    const auto above = std::upper_bound(borders_.begin(), borders_.end(), isovalue);
+    const auto above = std::ranges::upper_bound(borders_, isovalue);
     return samples_[static_cast<std::size_t>(above - borders_.begin())];
   }
   // An empty range is a step.

@@ -182,8 +182,8 @@ Camera fitted(const Camera& camera, glm::dvec3 boundsMinMm, glm::dvec3 boundsMax
 EdgeLetters edgeLetters(const CameraFrame& frame, WorldAxes axesOfWorld) {
   const auto letters = [axesOfWorld](glm::dvec3 direction) {
     std::array<int, 3> axes{0, 1, 2};
-    std::stable_sort(axes.begin(), axes.end(),
-                     [&](int a, int b) { return std::abs(direction[a]) > std::abs(direction[b]); });
+    std::ranges::stable_sort(axes,
+                             [&](int a, int b) { return std::abs(direction[a]) > std::abs(direction[b]); });
     const auto letter = [&](int axis) { return axisEnd(axesOfWorld, axis, direction[axis] > 0.0); };
     std::string text = letter(axes[0]);
     constexpr double tangentOf22Degrees = 0.41421356237309503;  // halfway between one side and a corner

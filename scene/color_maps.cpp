@@ -136,8 +136,7 @@ std::vector<glm::vec3> colorMapSamples(ColorMap map, int size, LookColors automa
 }
 
 glm::dvec3 colorOfPoints(std::span<const ColorPoint> points, double t) {
-  const auto above = std::upper_bound(points.begin(), points.end(), t,
-                                      [](double at, const ColorPoint& point) { return at < point.position; });
+  const auto above = std::ranges::upper_bound(points, t, {}, &ColorPoint::position);
   if (above == points.begin()) return above->color;
   const ColorPoint& below = *(above - 1);
   if (above == points.end()) return below.color;

@@ -92,8 +92,7 @@ std::vector<glm::dvec3> framingDirections(const Camera& camera, const Rooms& roo
 
 Camera framing(const Camera& camera, const Rooms& rooms, std::span<const double> farthest) {
   constexpr double alike = 1.02;
-  if (!std::all_of(farthest.begin(), farthest.end(), [](double v) { return std::isfinite(v); }))
-    return camera;
+  if (!std::ranges::all_of(farthest, [](double v) { return std::isfinite(v); })) return camera;
   const CameraFrame frame = frameOf(camera);
   std::vector<Camera> all;
   double nearest = std::numeric_limits<double>::infinity();
@@ -102,9 +101,8 @@ Camera framing(const Camera& camera, const Rooms& rooms, std::span<const double>
                             farthest.subspan(i * framingDirectionCount, framingDirectionCount)));
     nearest = std::min(nearest, frameOf(all.back()).distance);
   }
-  const auto best = std::find_if(all.begin(), all.end(), [&](const Camera& framed) {
-    return frameOf(framed).distance <= alike * nearest;
-  });
+  const auto best = std::ranges::find_if(
+      all, [&](const Camera& framed) { return frameOf(framed).distance <= alike * nearest; });
   return best == all.end() ? camera : *best;
 }
 
@@ -151,7 +149,7 @@ Camera fittedTo(const Camera& camera, glm::dvec3 boundsMinMm, glm::dvec3 boundsM
         glm::distance(*camera.eye, *fit.eye) <= roundings))
     return camera;
   const Rooms rooms = roomsOf();
-  if (!std::all_of(rooms.begin(), rooms.end(), isUsable)) return camera;
+  if (!std::ranges::all_of(rooms, isUsable)) return camera;
   const std::array<glm::dvec3, 8> corners = cornersOf(boundsMinMm, boundsMaxMm);
   if (rooms.size() != 1 || !isCentral(rooms.front())) return framing(camera, rooms, corners);
   const glm::dvec2 tangents = halfOf(rooms.front()) * tangentOf(camera);

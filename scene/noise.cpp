@@ -7,8 +7,7 @@ namespace isolux::scene {
 
 double NoiseModel::at(double value) const {
   if (values.empty()) return 0.0;
-  const auto above =
-      static_cast<std::size_t>(std::upper_bound(values.begin(), values.end(), value) - values.begin());
+  const auto above = static_cast<std::size_t>(std::ranges::upper_bound(values, value) - values.begin());
   if (above == 0) return deviations.front();
   if (above == values.size()) return deviations.back();
   const double low = values[above - 1], part = (value - low) / (values[above] - low);

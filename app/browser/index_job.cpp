@@ -7,7 +7,7 @@ namespace isolux::app {
 
 void addSeries(std::vector<volume::DicomSeries>& all, volume::DicomSeries series) {
   const auto same =
-      std::find_if(all.begin(), all.end(), [&](const auto& known) { return known.series == series.series; });
+      std::ranges::find_if(all, [&](const auto& known) { return known.series == series.series; });
   if (same == all.end())
     all.push_back(std::move(series));
   else

@@ -50,7 +50,7 @@ std::string personText(const std::string& name) {
 }
 
 std::string dateText(const std::string& date) {
-  const bool digits = std::all_of(date.begin(), date.end(), [](char c) { return c >= '0' && c <= '9'; });
+  const bool digits = std::ranges::all_of(date, [](char c) { return c >= '0' && c <= '9'; });
   if (date.size() != 8 || !digits) return date;
   return date.substr(0, 4) + '-' + date.substr(4, 2) + '-' + date.substr(6, 2);
 }
@@ -99,13 +99,12 @@ std::vector<std::string> shortWarnings(const volume::DicomSeries& series) {
   }};
   std::vector<std::string> words;
   const auto add = [&](std::string word) {
-    if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(std::move(word));
+    if (std::ranges::find(words, word) == words.end()) words.push_back(std::move(word));
   };
   if (!series.problem.empty()) add("cannot be opened");
   for (const std::string& warning : series.warnings) {
-    const auto found = std::find_if(known.begin(), known.end(), [&](const auto& entry) {
-      return warning.find(entry.first) != std::string::npos;
-    });
+    const auto found = std::ranges::find_if(
+        known, [&](const auto& entry) { return warning.find(entry.first) != std::string::npos; });
     add(found == known.end() ? warning : std::string(found->second));
   }
   return words;

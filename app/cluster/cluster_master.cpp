@@ -163,8 +163,7 @@ void ClusterMaster::dropElsewhere(std::uint32_t tile) {
 // Two tiles in hand keep a rank at work while messages travel; a tile that others have, too, is for ranks
 // that have nothing.
 bool ClusterMaster::handOut() {
-  const bool all =
-      std::all_of(peers_.begin(), peers_.end(), [](const RankReport& peer) { return peer.ready; });
+  const bool all = std::ranges::all_of(peers_, [](const RankReport& peer) { return peer.ready; });
   if (!all && secondsSinceThen(began_) < options_.readySeconds) return false;
   bool given = false;
   if (!firstTileAt_) firstTileAt_ = std::chrono::steady_clock::now();
@@ -221,7 +220,7 @@ bool farewellTo(Ranks& ranks, std::vector<RankReport>& peers, double seconds) {
     ranks.send(rank, static_cast<int>(ClusterMessage::stop), {});
   const auto begin = std::chrono::steady_clock::now();
   const auto allLeft = [&] {
-    return std::all_of(peers.begin(), peers.end(), [](const RankReport& peer) { return peer.left; });
+    return std::ranges::all_of(peers, [](const RankReport& peer) { return peer.left; });
   };
   Pause pause;
   while (!allLeft() && secondsSinceThen(begin) < seconds) {

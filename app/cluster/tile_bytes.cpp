@@ -77,7 +77,7 @@ void takeTileBytes(std::string_view bytes, std::span<const gi::BlockRequest> blo
   for (RawReader in(bytes); !in.done();) {
     std::uint32_t number = 0;
     in.take(&number, sizeof number);
-    if (std::none_of(blocks.begin(), blocks.end(), [&](const auto& b) { return b.block == number; }))
+    if (std::ranges::none_of(blocks, [&](const auto& b) { return b.block == number; }))
       volume::throwBadAnswer("a tile has a block of another one");
     gi::LatticeBlock block = into.dark();
     block.unlit = in.bits();

@@ -6,7 +6,7 @@ namespace isolux::app {
 
 TileQueue::TileQueue(std::vector<std::uint32_t> tiles, int ranks)
     : all_(tiles.size()), ranks_(ranks), left_(tiles.begin(), tiles.end()) {
-  const auto last = std::max_element(tiles.begin(), tiles.end());
+  const auto last = std::ranges::max_element(tiles);
   tiles_.resize(last == tiles.end() ? 0 : std::size_t{*last} + 1);
   hands_.resize(static_cast<std::size_t>(ranks));
 }

@@ -51,7 +51,7 @@ std::optional<gi::LatticePart> partOf(const std::string& text) {
 fs::path fileOf(const fs::path& out, const std::optional<gi::LatticePart>& part) {
   if (!part) return out;
   std::string words = gi::partWords(*part);
-  std::replace(words.begin(), words.end(), ' ', '-');
+  std::ranges::replace(words, ' ', '-');
   fs::path file = out;
   return file.replace_extension(words + ".vti");
 }
@@ -83,8 +83,8 @@ std::string texelsText(const std::string& size, const scene::Scene& scene) {
 scene::Scene bakeScene(const BakeOptions& options, scene::Scene scene) {
   if (scene::shadingOf(scene) != scene::Shading::gi) scene.look.mode = scene::LookMode::gi;
   const auto& words = options.scene->assignments;
-  const bool said = std::any_of(words.begin(), words.end(),
-                                [](const std::string& word) { return word.starts_with("gi.extent"); });
+  const bool said =
+      std::ranges::any_of(words, [](const std::string& word) { return word.starts_with("gi.extent"); });
   if (!said && scene.gi.extent == scene::Gi{}.extent) scene.gi.extent = scene::GiExtent::full;
   return scene;
 }

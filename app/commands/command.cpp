@@ -43,7 +43,7 @@ void addCamera(const std::string& text, std::vector<std::string>& assignments) {
 // (scene/rules/environment.h).
 void addEnvironment(const std::string& value, std::vector<std::string>& assignments) {
   const std::vector<std::string>& names = scene::setting("light.environment.builtin").choices;
-  const bool builtIn = std::find(names.begin(), names.end(), value) != names.end();
+  const bool builtIn = std::ranges::find(names, value) != names.end();
   assignments.push_back("light.environment.file=" + (builtIn ? "" : value));
   if (!builtIn) return;
   assignments.emplace_back("light.environment.constant=auto");

@@ -142,7 +142,7 @@ std::string histogramBar(const volume::Histogram& histogram) {
   for (std::size_t bin = 0; bin < bins; ++bin)
     heights[bin * width / bins] += static_cast<double>(histogram.counts[bin]);
   for (double& height : heights) height = std::log1p(height);
-  const double highest = std::max(*std::max_element(heights.begin(), heights.end()), 1e-9);
+  const double highest = std::max(*std::ranges::max_element(heights), 1e-9);
   std::string bar;
   for (const double height : heights)
     bar += levels[static_cast<std::size_t>(std::ceil(height / highest * 8.0))];
@@ -196,7 +196,7 @@ void printText(const PreparedVolume& prepared, const InfoMeasures& measured, std
   if (v.components > 1) row("components", std::to_string(v.components));
   if (v.timeSteps > 1) row("time steps", std::to_string(v.timeSteps));
   for (std::string series : v.seriesChoices) {
-    std::replace(series.begin(), series.end(), '\t', ' ');
+    std::ranges::replace(series, '\t', ' ');
     row("series", series);
   }
   row("memory", base::memoryText(grid.bytes()));

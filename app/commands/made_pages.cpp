@@ -49,7 +49,7 @@ std::string asTyped(const std::string& lines) {
 
 bool hasOption(const CLI::App& app, const CLI::Option& option) {
   const auto options = app.get_options();
-  return std::any_of(options.begin(), options.end(), [&](const CLI::Option* other) {
+  return std::ranges::any_of(options, [&](const CLI::Option* other) {
     return other->get_name() == option.get_name() && other->get_description() == option.get_description();
   });
 }

@@ -40,7 +40,7 @@ void printPhantoms() {
 void checkName(const std::string& name) {
   std::vector<std::string> names{"list"};
   for (const volume::PhantomInfo& info : volume::phantoms()) names.emplace_back(info.name);
-  if (std::find(names.begin(), names.end(), name) != names.end()) return;
+  if (std::ranges::find(names, name) != names.end()) return;
   throw Error(ErrorKind::usage, "", name,
               "no such phantom" + base::didYouMean(name, names, "; `isolux phantom list` names them"));
 }

@@ -118,10 +118,10 @@ class Rows {
   // Rows without a hit have fewer columns than the others.
   void printTable() const {
     if (lines_.empty()) return;
-    const auto columns = std::count(header_.begin(), header_.end(), ',');
+    const auto columns = std::ranges::count(header_, ',');
     std::cout << header_ << '\n';
     for (const std::string& line : lines_) {
-      const auto missing = columns - std::count(line.begin(), line.end(), ',');
+      const auto missing = columns - std::ranges::count(line, ',');
       std::cout << line << std::string(static_cast<std::size_t>(missing), ',') << '\n';
     }
   }

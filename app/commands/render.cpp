@@ -292,8 +292,8 @@ class RenderRun {
   void findIndex(const scene::Source& source, const VolumePictures& pictures) {
     whole_.reset();
     const bool isTold =
-        options_.explain || std::any_of(pictures.pictures.begin(), pictures.pictures.end(),
-                                        [](const PlannedPicture& p) { return !p.stats.empty(); });
+        options_.explain ||
+        std::ranges::any_of(pictures.pictures, [](const PlannedPicture& p) { return !p.stats.empty(); });
     if (source.level == 0 || !(asksStructure() || isTold)) return;
     whole_ = volume::indexedVolume(source, progress_);
     if (!whole_ && asksStructure())

@@ -31,14 +31,13 @@ Listed listedSeries(const std::string& folder, base::Progress& progress) {
   listed.end = volume::indexDicom(
       folder, [&](DicomSeries one) { addSeries(listed.series, std::move(one)); }, progress);
   const auto key = [](const DicomSeries& s) {
-    const bool numbered =
-        !s.number.empty() && s.number.size() < 9 &&
-        std::all_of(s.number.begin(), s.number.end(), [](char c) { return c >= '0' && c <= '9'; });
+    const bool numbered = !s.number.empty() && s.number.size() < 9 &&
+                          std::ranges::all_of(s.number, [](char c) { return c >= '0' && c <= '9'; });
     return std::tuple(s.patient.name, s.patient.id, s.patient.birthDate, s.studyDate, s.study,
                       numbered ? std::stoi(s.number) : -1, s.series);
   };
-  std::sort(listed.series.begin(), listed.series.end(),
-            [&](const DicomSeries& a, const DicomSeries& b) { return key(a) < key(b); });
+  std::ranges::sort(listed.series,
+                    [&](const DicomSeries& a, const DicomSeries& b) { return key(a) < key(b); });
   return listed;
 }
 
@@ -47,7 +46,7 @@ void hidePatients(std::vector<DicomSeries>& all) {
   std::vector<volume::Patient> known;
   for (DicomSeries& series : all) {
     const volume::Patient patient = series.patient;
-    auto at = std::find(known.begin(), known.end(), patient);
+    auto at = std::ranges::find(known, patient);
     if (at == known.end()) at = known.insert(known.end(), patient);
     series.patient = {kAnonymous + std::string(" ") + std::to_string(at - known.begin() + 1), {}, {}};
     for (std::string* text : {&series.description, &series.studyDescription, &series.problem})

@@ -43,8 +43,8 @@ std::vector<Hidden> hiddenOf(const volume::Patient& patient) {
     for (const std::string& written : {d, dashed, pointed}) hidden.push_back({written, false});
   }
   // The longest first: an id that holds the name is hidden as a whole.
-  std::stable_sort(hidden.begin(), hidden.end(),
-                   [](const Hidden& a, const Hidden& b) { return a.text.size() > b.text.size(); });
+  std::ranges::stable_sort(hidden,
+                           [](const Hidden& a, const Hidden& b) { return a.text.size() > b.text.size(); });
   return hidden;
 }
 
@@ -77,8 +77,8 @@ std::string withoutPatient(const std::string& text, const volume::Patient& patie
   const std::string searched = base::lowerCase(text);
   std::string result;
   for (std::size_t at = 0; at < text.size();) {
-    const auto found = std::find_if(hidden.begin(), hidden.end(),
-                                    [&](const Hidden& one) { return standsAt(searched, at, one); });
+    const auto found =
+        std::ranges::find_if(hidden, [&](const Hidden& one) { return standsAt(searched, at, one); });
     if (found == hidden.end()) {
       result += text[at++];
     } else {

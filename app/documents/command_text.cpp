@@ -20,7 +20,7 @@ std::string wordOfValue(const nlohmann::json& value) {
   if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
   if (value.is_number_float()) return base::shortestText(value.get<double>());
   const bool numbers = value.is_array() && !value.empty() &&
-                       std::all_of(value.begin(), value.end(), [](const auto& v) { return v.is_number(); });
+                       std::ranges::all_of(value, [](const auto& v) { return v.is_number(); });
   if (!numbers) return value.dump();
   return base::joined(value, ",", wordOfValue);
 }
@@ -28,7 +28,7 @@ std::string wordOfValue(const nlohmann::json& value) {
 }  // namespace
 
 std::string shellWord(const std::string& text) {
-  const bool plain = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
+  const bool plain = !text.empty() && std::ranges::all_of(text, [](unsigned char c) {
     return (c < 128 && std::isalnum(c)) ||
            std::string_view("_./:=,+@%-").find(static_cast<char>(c)) != std::string_view::npos;
   });

@@ -15,9 +15,8 @@ constexpr std::array<std::string_view, 13> kGraveWords{
     "assumed",        "not certain", "off the line"};
 
 std::size_t rankOf(const std::string& note) {
-  const auto found = std::find_if(kGraveWords.begin(), kGraveWords.end(), [&](std::string_view word) {
-    return note.find(word) != std::string::npos;
-  });
+  const auto found = std::ranges::find_if(
+      kGraveWords, [&](std::string_view word) { return note.find(word) != std::string::npos; });
   return static_cast<std::size_t>(found - kGraveWords.begin());
 }
 
@@ -25,11 +24,10 @@ std::size_t rankOf(const std::string& note) {
 
 ImportNotes importNotes(std::span<const std::string> warnings) {
   ImportNotes sorted{{warnings.begin(), warnings.end()}};
-  std::stable_sort(sorted.notes.begin(), sorted.notes.end(),
-                   [](const std::string& a, const std::string& b) { return rankOf(a) < rankOf(b); });
-  sorted.grave = static_cast<std::size_t>(
-      std::count_if(sorted.notes.begin(), sorted.notes.end(),
-                    [](const std::string& note) { return rankOf(note) < kGraveWords.size(); }));
+  std::ranges::stable_sort(sorted.notes,
+                           [](const std::string& a, const std::string& b) { return rankOf(a) < rankOf(b); });
+  sorted.grave = static_cast<std::size_t>(std::ranges::count_if(
+      sorted.notes, [](const std::string& note) { return rankOf(note) < kGraveWords.size(); }));
   return sorted;
 }
 

@@ -73,8 +73,7 @@ std::string placeToken(const fs::path& file) {
     if (!lock) return {};
     Places places = readPlaces(list);
     const std::string path = pathText(file.string());
-    const auto known =
-        std::find_if(places.begin(), places.end(), [&](const auto& place) { return place.second == path; });
+    const auto known = std::ranges::find_if(places, [&](const auto& place) { return place.second == path; });
     if (known != places.end() && known + 1 == places.end()) return known->first;
     std::string token = known == places.end() ? newToken() : known->first;
     if (known != places.end()) places.erase(known);

@@ -56,7 +56,7 @@ std::string placeOfByte(const std::string& text, std::size_t byte, const std::st
   const std::string column =
       "column " + std::to_string(before.size() - (newline == std::string_view::npos ? 0 : newline + 1) + 1);
   if (!place.empty()) return place + ", " + column;
-  return "line " + std::to_string(std::count(before.begin(), before.end(), '\n') + 1) + ", " + column;
+  return "line " + std::to_string(std::ranges::count(before, '\n') + 1) + ", " + column;
 }
 
 // Refuses an object with two equal keys, of which a parser takes either.
@@ -79,7 +79,7 @@ class TwiceGuard {
 }  // namespace
 
 bool isStoredPath(std::string_view setting) {
-  return std::find(pathSettings.begin(), pathSettings.end(), setting) != pathSettings.end();
+  return std::ranges::find(pathSettings, setting) != pathSettings.end();
 }
 
 StoredFolders foldersOf(const fs::path& file) {
@@ -101,7 +101,7 @@ std::string pathFromStored(const std::string& text, const StoredFolders& folders
   for (const fs::path& folder : folders)
     candidates.push_back((absoluteFolder(folder) / stored).lexically_normal());
   std::error_code ignored;
-  const auto found = std::find_if(candidates.begin(), candidates.end(), [&](const fs::path& candidate) {
+  const auto found = std::ranges::find_if(candidates, [&](const fs::path& candidate) {
     return fs::exists(candidate, ignored) || volume::hdf5PathOf(candidate.string()) ||
            !volume::stepFiles(candidate.string()).empty();
   });
@@ -196,7 +196,7 @@ void checkKeys(const json& stored, std::initializer_list<std::string_view> known
                const std::string& place) {
   if (!stored.is_object()) base::throwInput(file, place, "a JSON object was expected");
   for (const auto& [key, value] : stored.items())
-    if (std::find(known.begin(), known.end(), key) == known.end())
+    if (std::ranges::find(known, key) == known.end())
       base::throwInput(file, place.empty() ? key : std::string(place).append(", ").append(key),
                        "unknown key");
 }

@@ -10,13 +10,12 @@ namespace isolux::app {
 UnsavedWork unsavedWork(const scene::Scene& saved, const scene::Scene& now) {
   const scene::SceneDiff diff = scene::difference(saved, now, "");
   if (diff.changes.empty()) return UnsavedWork::none;
-  const bool viewOnly =
-      std::all_of(diff.changes.begin(), diff.changes.end(), [](const scene::SceneChange& change) {
-        constexpr std::array words{"picture.letters", "picture.scale_bar",   "picture.isovalue",
-                                   "picture.caveats", "picture.transparent", "picture.pixel_ratio"};
-        return change.path.starts_with("camera.") || change.path == "flow.time" ||
-               std::find(words.begin(), words.end(), change.path) != words.end();
-      });
+  const bool viewOnly = std::ranges::all_of(diff.changes, [](const scene::SceneChange& change) {
+    constexpr std::array words{"picture.letters", "picture.scale_bar",   "picture.isovalue",
+                               "picture.caveats", "picture.transparent", "picture.pixel_ratio"};
+    return change.path.starts_with("camera.") || change.path == "flow.time" ||
+           std::ranges::find(words, change.path) != words.end();
+  });
   return viewOnly ? UnsavedWork::view : UnsavedWork::work;
 }
 

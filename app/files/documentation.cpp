@@ -46,7 +46,7 @@ std::vector<DocumentationPage> documentationPages(const fs::path& folder) {
     std::error_code none;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder / part, none))
       if (entry.path().extension() == ".md") files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
+    std::ranges::sort(files);
     for (const fs::path& file : files) pages.push_back({nameOf(part, file), titleOf(file), file});
   }
   return pages;

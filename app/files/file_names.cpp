@@ -16,7 +16,7 @@ namespace {
 // Formats that stand behind that of what they compress.
 bool isCompression(const std::string& extension) {
   constexpr std::array<std::string_view, 5> known{".gz", ".bz2", ".xz", ".zst", ".z"};
-  return std::find(known.begin(), known.end(), extension) != known.end();
+  return std::ranges::find(known, extension) != known.end();
 }
 
 }  // namespace

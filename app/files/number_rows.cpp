@@ -58,7 +58,7 @@ bool beginsAsNumber(std::string_view word) {
 
 bool isLineOfNames(std::string_view line) {
   const auto words = splitWords(line, kColumnSeparators);
-  return std::none_of(words.begin(), words.end(), beginsAsNumber);
+  return std::ranges::none_of(words, beginsAsNumber);
 }
 
 }  // namespace

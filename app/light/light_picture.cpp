@@ -9,8 +9,7 @@
 namespace isolux::app {
 
 scene::Scene litScene(scene::Scene resolved, const render::FrameRequest& request) {
-  const bool readsIrradiance =
-      std::find(request.aovs.begin(), request.aovs.end(), render::Aov::irradiance) != request.aovs.end();
+  const bool readsIrradiance = std::ranges::find(request.aovs, render::Aov::irradiance) != request.aovs.end();
   if (readsIrradiance && scene::shadingOf(resolved) != scene::Shading::gi)
     resolved.look.mode = scene::LookMode::gi;
   return resolved;

@@ -258,8 +258,7 @@ void LightPlanner::keep(Part part) {
 }
 
 std::optional<LightPlanner::Part> LightPlanner::kept(const std::string& key) {
-  const auto found =
-      std::find_if(kept_.begin(), kept_.end(), [&](const Part& part) { return part.key == key; });
+  const auto found = std::ranges::find_if(kept_, [&](const Part& part) { return part.key == key; });
   if (found == kept_.end()) return std::nullopt;
   Part part = std::move(*found);
   kept_.erase(found);

@@ -74,7 +74,7 @@ std::vector<gi::BlockRequest> LightPlanner::requests(gi::LightPart which) const 
   const Part& part = which == gi::LightPart::sky ? outer_.sky : outer_.lamps;
   std::vector<gi::BlockRequest> all;
   for (const auto& blocks : part.requested) all.insert(all.end(), blocks.begin(), blocks.end());
-  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.block < b.block; });
+  std::ranges::stable_sort(all, [](const auto& a, const auto& b) { return a.block < b.block; });
   std::vector<gi::BlockRequest> once;
   for (const gi::BlockRequest& wanted : all)
     if (!once.empty() && once.back().block == wanted.block)

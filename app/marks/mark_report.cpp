@@ -43,7 +43,7 @@ std::string positionsText(const std::vector<glm::dvec3>& points) {
 }
 
 std::string spaced(std::string name) {
-  std::replace(name.begin(), name.end(), '_', ' ');
+  std::ranges::replace(name, '_', ' ');
   return name;
 }
 

@@ -64,8 +64,8 @@ void applyAssignments(scene::Scene& scene, const SceneOptions& options) {
 
 bool assigns(const SceneOptions& options, std::string_view path) {
   const auto& all = options.assignments;
-  return std::any_of(all.begin(), all.end(),
-                     [&](const std::string& assignment) { return scene::pathOf(assignment) == path; });
+  return std::ranges::any_of(
+      all, [&](const std::string& assignment) { return scene::pathOf(assignment) == path; });
 }
 
 }  // namespace

@@ -50,8 +50,7 @@ constexpr std::array<const char*, 11> kReset{"isosurface.",
                                              "light.environment.builtin"};
 
 bool coveredByOne(std::span<const char* const> patterns, const std::string& path) {
-  return std::any_of(patterns.begin(), patterns.end(),
-                     [&](const char* pattern) { return scene::covers(pattern, path); });
+  return std::ranges::any_of(patterns, [&](const char* pattern) { return scene::covers(pattern, path); });
 }
 
 [[noreturn]] void refusePreset(const std::filesystem::path& file, const std::string& place,
@@ -89,7 +88,7 @@ void checkPresetSetting(const std::string& path, const ordered_json& value,
 }
 
 void checkPresetName(const std::string& name, const std::filesystem::path& file) {
-  const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
+  const bool plain = std::ranges::all_of(name, [](unsigned char c) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c >= 128;
   });
   if (!plain)
@@ -101,7 +100,7 @@ bool isUsersBackground(const scene::Setting& setting, const scene::Scene& scene)
   if (!setting.path.starts_with("look.background")) return false;
   const nlohmann::json shown = setting.get(scene);
   const std::span<const Preset> presets = builtInPresets();
-  return std::none_of(presets.begin(), presets.end(), [&](const Preset& preset) {
+  return std::ranges::none_of(presets, [&](const Preset& preset) {
     return preset.settings.contains(setting.path) &&
            nlohmann::json(preset.settings.at(setting.path)) == shown;
   });
@@ -127,7 +126,7 @@ Preset parsePreset(const std::string& text, const std::filesystem::path& file) {
     refusePreset(file, "isolux_preset", "is of another version of Isolux");
   for (const auto& [key, value] : json.items()) {
     constexpr std::array<const char*, 6> known{"isolux_preset", "name", "title", "meaning", "needs", "set"};
-    if (std::none_of(known.begin(), known.end(), [&given = key](const char* k) { return given == k; }))
+    if (std::ranges::none_of(known, [&given = key](const char* k) { return given == k; }))
       refusePreset(file, key, "is unknown");
   }
   Preset preset;
@@ -193,8 +192,7 @@ std::string whyNot(const Preset& preset, const volume::PreparedVolume& volume, b
     return false;
   };
   for (const NeedInfo& info : kNeeds)
-    if (std::count(preset.needs.begin(), preset.needs.end(), info.need) > 0 && !met(info.need))
-      return info.reason;
+    if (std::ranges::count(preset.needs, info.need) > 0 && !met(info.need)) return info.reason;
   return {};
 }
 

@@ -30,7 +30,7 @@ std::vector<Preset> parsedPresets() {
 
 bool isBuiltIn(const std::string& name) {
   const auto all = builtInPresets();
-  return std::any_of(all.begin(), all.end(), [&](const Preset& preset) { return preset.name == name; });
+  return std::ranges::any_of(all, [&](const Preset& preset) { return preset.name == name; });
 }
 
 }  // namespace
@@ -58,8 +58,8 @@ std::vector<Preset> ownPresets(std::vector<std::string>& warnings) {
       warnings.emplace_back(error.what());
     }
   }
-  std::sort(presets.begin(), presets.end(), [](const Preset& a, const Preset& b) { return a.name < b.name; });
-  std::sort(warnings.begin(), warnings.end());
+  std::ranges::sort(presets, [](const Preset& a, const Preset& b) { return a.name < b.name; });
+  std::ranges::sort(warnings);
   return presets;
 }
 

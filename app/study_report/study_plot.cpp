@@ -71,7 +71,7 @@ void row(std::ostream& out, const QualitySetting& knob, const StudySetting& sett
 
 // A panel without any point is none.
 bool hasPoints(const QualityStudy& study, const Panel& panel) {
-  return std::any_of(study.settings.begin(), study.settings.end(), [&](const StudySetting& setting) {
+  return std::ranges::any_of(study.settings, [&](const StudySetting& setting) {
     return std::isfinite(panel.error(setting.errors)) || std::isfinite(panel.error(judged(setting)));
   });
 }

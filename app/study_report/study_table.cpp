@@ -75,8 +75,8 @@ class StudyTable {
   // FLIP and root mean square of the whole picture, in steps of 255; their heads say against what. None where
   // all rows have the same picture: the look does not show what the knob changes.
   void addPicture() {
-    if (std::all_of(study_.settings.begin(), study_.settings.end(),
-                    [](const StudySetting& s) { return s.errors.picture.rms == 0.0; }))
+    if (std::ranges::all_of(study_.settings,
+                            [](const StudySetting& s) { return s.errors.picture.rms == 0.0; }))
       return;
     const std::string reference = study_.knob.reference;
     add("FLIP to " + (reference.empty() ? "256 rays" : '`' + reference + '`'),
@@ -225,7 +225,7 @@ void writeKnobTable(std::ostream& out, const QualityStudy& study) {
 }
 
 void writeLightReach(std::ostream& out, const std::vector<QualityStudy>& studies) {
-  if (std::none_of(studies.begin(), studies.end(), isLight)) return;
+  if (std::ranges::none_of(studies, isLight)) return;
   const auto& errors = errorsToReach(Measure::light);
   out << "\n## Which setting of light reaches an error\n\nThe cheapest value with at most this RMSE in parts "
          "of the mean irradiance, all other settings as the scene has them.\n\n| setting |";

@@ -56,9 +56,8 @@ void balance(Scene& scene, const scene::VolumeFacts& facts) {
   const double outward = scene.isosurface.inside == scene::Inside::above ? -1.0 : 1.0;
   for (const ListedSurface& surface : there) {
     if (surface.opacity < 1.0) continue;
-    const bool inFront = std::any_of(there.begin(), there.end(), [&](const ListedSurface& other) {
-      return outward * (surface.value - other.value) > 0.0;
-    });
+    const bool inFront = std::ranges::any_of(
+        there, [&](const ListedSurface& other) { return outward * (surface.value - other.value) > 0.0; });
     if (inFront && surface.facingOpacity == 1.0) setFacingOpacity(scene, surface.number, kSeeThrough);
     if (!inFront && surface.facingOpacity == kSeeThrough) setFacingOpacity(scene, surface.number, 1.0);
   }

@@ -52,9 +52,8 @@ std::optional<double> nextSuggestion(const VolumeFacts& facts, double first, Ins
   const auto nearest = [&](double direction) -> std::optional<double> {
     std::optional<double> best;
     for (std::size_t i = 0; i < values.size(); ++i) {
-      const bool isFree = std::none_of(taken.begin(), taken.end(), [&](double by) {
-        return isTaken(values, i, facts.maximum - facts.minimum, by);
-      });
+      const bool isFree = std::ranges::none_of(
+          taken, [&](double by) { return isTaken(values, i, facts.maximum - facts.minimum, by); });
       const double distance = direction * (values[i] - first);
       if (isFree && distance > 0.0 && (!best || distance < direction * (*best - first))) best = values[i];
     }

@@ -26,7 +26,7 @@ void addGhosts(Scene& scene) {
 int ghostsWithoutRoom(const Scene& scene) {
   if (!(scene.isosurface.ghost > 0.0)) return 0;
   const auto isFree = [](const ExtraIsosurface& extra) { return !extra.shown; };
-  const auto free = std::count_if(scene.extraIsosurfaces.begin(), scene.extraIsosurfaces.end(), isFree);
+  const auto free = std::ranges::count_if(scene.extraIsosurfaces, isFree);
   return std::max(0, 2 - static_cast<int>(free));
 }
 

@@ -89,7 +89,7 @@ GiChoice giChoiceOf(const Scene& scene) {
     choice.reason = "gi.mode is off: local shading";
     return choice;
   }
-  choice.lamps = std::any_of(scene.lamps.begin(), scene.lamps.end(), shines);
+  choice.lamps = std::ranges::any_of(scene.lamps, shines);
   if (scene.gi.mode == GiMode::automatic) {
     choice.sky = leastMode(scene, choice);
   } else {

@@ -26,7 +26,7 @@ std::span<const Quality> qualities() {
 
 const Quality& quality(std::string_view name) {
   const std::span<const Quality> list = qualities();
-  const auto found = std::find_if(list.begin(), list.end(), [&](const Quality& q) { return q.name == name; });
+  const auto found = std::ranges::find_if(list, [&](const Quality& q) { return q.name == name; });
   if (found == list.end()) refuse("--quality", "unknown quality; choose draft, screen or print");
   return *found;
 }

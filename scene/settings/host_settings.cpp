@@ -47,7 +47,7 @@ std::span<const HostSetting> hostSettings() {
 
 const HostSetting* hostSetting(std::string_view path) {
   const std::span<const HostSetting> list = hostSettings();
-  const auto found = std::find_if(list.begin(), list.end(), [&](const auto& s) { return s.path == path; });
+  const auto found = std::ranges::find_if(list, [&](const auto& s) { return s.path == path; });
   return found == list.end() ? nullptr : &*found;
 }
 

@@ -523,7 +523,7 @@ bool covers(std::string_view pattern, std::string_view path) {
 
 const Setting& setting(std::string_view path) {
   const std::span<const Setting> list = settings();
-  const auto found = std::find_if(list.begin(), list.end(), [&](const Setting& s) { return s.path == path; });
+  const auto found = std::ranges::find_if(list, [&](const Setting& s) { return s.path == path; });
   if (found != list.end()) return *found;
   std::vector<std::string> paths;
   for (const Setting& known : list) paths.push_back(known.path);
@@ -531,8 +531,7 @@ const Setting& setting(std::string_view path) {
   std::string suggestion = base::nearest(path, paths);
   if (suggestion.empty()) {  // "fov", "view.fov": the right name in no or the wrong group
     const std::string name = '.' + std::string(path.substr(path.rfind('.') + 1));
-    const auto same =
-        std::find_if(paths.begin(), paths.end(), [&](const auto& p) { return p.ends_with(name); });
+    const auto same = std::ranges::find_if(paths, [&](const auto& p) { return p.ends_with(name); });
     if (same != paths.end()) suggestion = *same;
   }
   refuse(std::string(path.substr(0, 200)), suggestion.empty()

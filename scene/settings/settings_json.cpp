@@ -28,7 +28,7 @@ void checkGroup(const std::string& name) {
     for (const HostSetting& s : hostSettings()) add(s);
     return names;
   }();
-  if (std::find(groups.begin(), groups.end(), name) != groups.end()) return;
+  if (std::ranges::find(groups, name) != groups.end()) return;
   throw base::Error(base::ErrorKind::usage, "", name.substr(0, 200),
                     "unknown group of settings" + base::didYouMean(name, groups, ""));
 }
@@ -38,7 +38,7 @@ void assignMembers(Scene& scene, const std::string& group, const json& members) 
   for (const auto& [name, value] : members.items()) {
     const std::string path = std::string(group).append(1, '.').append(name);
     const std::span<const Setting> all = settings();
-    const bool isGroup = value.is_object() && std::any_of(all.begin(), all.end(), [&](const Setting& s) {
+    const bool isGroup = value.is_object() && std::ranges::any_of(all, [&](const Setting& s) {
                            return covers(path + '.', s.path);
                          });
     if (isGroup)
