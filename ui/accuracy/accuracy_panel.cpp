@@ -5,7 +5,6 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 
 #include "scene/settings/settings.h"
 #include "ui/accuracy/accuracy_chart.h"
@@ -14,6 +13,7 @@
 #include "ui/language/number_text.h"
 #include "ui/language/translated.h"
 #include "ui/theme/style.h"
+#include "ui/widgets/parts.h"
 
 namespace isolux::ui {
 
@@ -63,24 +63,17 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
       overlay_(new ErrorOverlayBox(this)),
       knobs_(new QComboBox(this)),
       chart_(new AccuracyChart(this)),
-      state_(new QLabel(this)),
-      meaning_(new QLabel(this)),
-      key_(new QLabel(tr("Square: current setting. Ring: default. Dashed line: no other value is as accurate "
-                         "in less time. Click a point to use its value."),
-                      this)) {
+      state_(wrappedLabel({}, this)),
+      meaning_(wrappedLabel({}, this)),
+      key_(wrappedLabel(
+          tr("Square: current setting. Ring: default. Dashed line: no other value is as accurate "
+             "in less time. Click a point to use its value."),
+          this)) {
   knobs_->setAccessibleName(tr("Quality setting (accuracy against time)"));
-  for (QLabel* label : {state_, meaning_, key_}) label->setWordWrap(true);
   for (QLabel* label : {state_, key_}) setInk(label, Ink::quiet);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(12, 10, 12, 12);
-  layout->setSpacing(8);
-  layout->addWidget(knobs_);
-  layout->addWidget(meaning_);
-  layout->addWidget(chart_, 1);
-  layout->addWidget(key_);
-  layout->addWidget(state_);
-  layout->addWidget(target_);
-  layout->addWidget(overlay_);
+  layOut(this, columnOf({knobs_, meaning_, {chart_, 1}, key_, state_, target_, overlay_}, 8),
+         {12, 10, 12, 12});
+
   connect(picture_, &PictureAccuracy::changed, this, &AccuracyPanel::tellPicture);
   connect(picture_, &PictureAccuracy::ended, this, &AccuracyPanel::measure);
   connect(target_, &TargetBox::edited, this, &Panel::edited);
@@ -91,9 +84,8 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
           [this] { target_->searching() ? drop() : measureSoon(); });
   connect(knobs_, &QComboBox::currentIndexChanged, this, &AccuracyPanel::showKnob);
   connect(chart_, &AccuracyChart::chosen, this, &AccuracyPanel::choose);
-  restTimer_.setSingleShot(true);
-  restTimer_.setInterval(accuracyRestMilliseconds);
-  connect(&restTimer_, &QTimer::timeout, this, &AccuracyPanel::measure);
+  callOnce(restTimer_, accuracyRestMilliseconds, this, &AccuracyPanel::measure);
+
   showKnob();
 }
 
@@ -120,7 +112,7 @@ void AccuracyPanel::setScene(const scene::Scene& scene, const scene::Scene& reso
   resolved_ = resolved;
   showPicture();
   showTarget();
-  if (!isSeen()) {
+  if (!isSeen(this)) {
     drop();
     return;
   }
@@ -136,7 +128,7 @@ void AccuracyPanel::setScene(const scene::Scene& scene, const scene::Scene& reso
 
 void AccuracyPanel::seenChanged() {
   showPicture();
-  if (!isSeen()) {
+  if (!isSeen(this)) {
     drop();
     target_->drop();
   }
@@ -144,15 +136,11 @@ void AccuracyPanel::seenChanged() {
 
 void AccuracyPanel::setDrawing(bool draws) {
   drawing_ = draws;
-  if (!isSeen()) return;
+  if (!isSeen(this)) return;
   if (draws)
     drop();
   else
     measureSoon();
-}
-
-bool AccuracyPanel::isSeen() const {
-  return isVisible() && !visibleRegion().isEmpty();
 }
 
 // A tab that comes to the front is painted.
@@ -207,14 +195,14 @@ bool AccuracyPanel::complete() const {
 }
 
 void AccuracyPanel::measureSoon() {
-  if (!isSeen()) return;
+  if (!isSeen(this)) return;
   const bool idle = volume_ && !drawing_ && !task_ && !target_->searching() && !picture_->working();
   if (idle && (picture_->wanted() || (trouble_.isEmpty() && !missing().empty()))) restTimer_.start();
   showState();
 }
 
 void AccuracyPanel::measure() {
-  if (!isSeen() || !volume_ || drawing_ || task_ || target_->searching()) return;
+  if (!isSeen(this) || !volume_ || drawing_ || task_ || target_->searching()) return;
   picture_->measure();
   if (picture_->working() || !trouble_.isEmpty()) return showState();
   std::vector<app::QualitySetting> wanted = missing();

@@ -52,7 +52,6 @@ class AccuracyPanel : public Panel {
   bool waiting() const { return restTimer_.isActive(); }  // for the window to rest, to measure then
   int jobsBegun() const { return jobsBegun_; }
   const PictureAccuracy& picture() const { return *picture_; }
-  TargetBox* target() const { return target_; }
   ErrorOverlayBox* overlay() const { return overlay_; }
 
  Q_SIGNALS:
@@ -71,7 +70,6 @@ class AccuracyPanel : public Panel {
     app::QualityStudy study;
     scene::Scene of;  // what it was measured of, without what knobs turn
   };
-  bool isSeen() const;
   void listKnobs();
   std::vector<app::QualitySetting> missing() const;
   void measureSoon();

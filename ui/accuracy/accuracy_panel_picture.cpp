@@ -8,6 +8,7 @@
 #include "ui/accuracy/accuracy_text.h"
 #include "ui/accuracy/error_overlay_box.h"
 #include "ui/accuracy/target_box.h"
+#include "ui/widgets/parts.h"
 
 namespace isolux::ui {
 
@@ -23,7 +24,7 @@ void AccuracyPanel::setHostSettings(const scene::HostSettings& host) {
 void AccuracyPanel::setLight(const LightPointer& light, bool changing) {
   light_ = light;
   lightChanging_ = changing;
-  if (!isSeen()) return;
+  if (!isSeen(this)) return;
   showPicture();
   showTarget();
 }
@@ -36,7 +37,7 @@ void AccuracyPanel::setPreviewing(bool previews) {
 void AccuracyPanel::setComplete(bool complete) {
   complete_ = complete;
   if (complete) drawn_ = reported_;
-  if (!isSeen()) return;
+  if (!isSeen(this)) return;
   showPicture();
   showTarget();
   measureSoon();
@@ -73,7 +74,7 @@ void AccuracyPanel::showOverlay() {
 
 void AccuracyPanel::showPicture() {
   const bool lit = scene::usesGi(resolved_);
-  if (!isSeen() || !volume_ || !complete_ || previewing_ || (lit && lightChanging_))
+  if (!isSeen(this) || !volume_ || !complete_ || previewing_ || (lit && lightChanging_))
     return picture_->show({});
   picture_->show(PictureAccuracy::Subject{{volume_, resolved_, lit ? light_ : nullptr, drawn_.request.size},
                                           drawn_.onProcessor});
@@ -92,7 +93,7 @@ void AccuracyPanel::tellPicture() {
 
 void AccuracyPanel::showTarget() {
   app::TargetSubject subject;
-  if (isSeen()) {
+  if (isSeen(this)) {
     subject.volume = volume_;
     subject.given = scene_;
     subject.picture.size = drawn_.request.size;

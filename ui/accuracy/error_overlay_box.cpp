@@ -1,12 +1,11 @@
 #include "ui/accuracy/error_overlay_box.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
-#include <QVBoxLayout>
 
 #include "ui/document/picture_pixels.h"
 #include "ui/theme/style.h"
+#include "ui/widgets/parts.h"
 
 namespace isolux::ui {
 
@@ -19,7 +18,7 @@ bool sameLimit(const ErrorOverlayBox::Shown& a, const ErrorOverlayBox::Shown& b)
 }  // namespace
 
 ErrorOverlayBox::ErrorOverlayBox(QWidget* parent)
-    : QWidget(parent), errors_(new QComboBox(this)), note_(new QLabel(this)) {
+    : QWidget(parent), errors_(new QComboBox(this)), note_(wrappedLabel({}, this)) {
   errors_->addItem(tr("None"));
   errors_->addItem(tr("Depth (noise, discretisation)"), static_cast<int>(app::ErrorImage::noise));
   errors_->addItem(tr("Normals (noise)"), static_cast<int>(app::ErrorImage::normalNoise));
@@ -35,17 +34,11 @@ ErrorOverlayBox::ErrorOverlayBox(QWidget* parent)
   errors_->setToolTip(
       tr("Overlays the bounds of this error on the final image as colours. Hatched pixels may exceed the "
          "limit entered above, or are uncertain"));
-  note_->setWordWrap(true);
   setInk(note_, Ink::quiet);
   note_->hide();
-  auto* const row = new QHBoxLayout;
-  row->addWidget(new QLabel(tr("Error overlay"), this));
-  row->addWidget(errors_, 1);
-  auto* const layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(6);
-  layout->addLayout(row);
-  layout->addWidget(note_);
+  auto* const row = lineOf({new QLabel(tr("Error overlay"), this), {errors_, 1}});
+  layOut(this, columnOf({row, note_}, 6), {});
+
   connect(errors_, &QComboBox::currentIndexChanged, this, [this] {
     Q_EMIT wantedChanged();
     paint();
@@ -56,10 +49,6 @@ std::optional<app::ErrorImage> ErrorOverlayBox::chosen() const {
   const QVariant error = errors_->currentData();
   if (!error.isValid()) return std::nullopt;
   return static_cast<app::ErrorImage>(error.toInt());
-}
-
-bool ErrorOverlayBox::wanted() const {
-  return chosen().has_value();
 }
 
 void ErrorOverlayBox::choose(std::optional<app::ErrorImage> error) {

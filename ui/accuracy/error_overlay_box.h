@@ -32,7 +32,7 @@ class ErrorOverlayBox : public QWidget {
   explicit ErrorOverlayBox(QWidget* parent = nullptr);
 
   void setShown(const Shown& shown);
-  bool wanted() const;  // something is to be laid over
+  bool wanted() const { return chosen().has_value(); }  // something is to be laid over
   void choose(std::optional<app::ErrorImage> error);
   QString note() const;  // why nothing is
   bool working() const { return bool(task_); }

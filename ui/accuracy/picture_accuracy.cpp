@@ -18,8 +18,6 @@ bool samePicture(const std::optional<PictureAccuracy::Subject>& a,
 
 }  // namespace
 
-PictureAccuracy::PictureAccuracy(QObject* parent) : QObject(parent) {}
-
 void PictureAccuracy::show(std::optional<Subject> subject) {
   if (subject) {  // which no bound depends on
     subject->scene.marks.clear();
@@ -43,10 +41,6 @@ void PictureAccuracy::measure() {
   subject.keepImages = keepsImages_;
   task_.watch(app::accuracyTask(std::move(subject)), [this](auto& task) { take(task); });
   ++jobsBegun_;
-}
-
-void PictureAccuracy::drop() {
-  task_.reset();
 }
 
 void PictureAccuracy::forget() {

@@ -17,14 +17,14 @@ class PictureAccuracy : public QObject {
  public:
   using Subject = app::AccuracySubject;
 
-  explicit PictureAccuracy(QObject* parent = nullptr);
+  using QObject::QObject;
 
   // The finished picture on show; none: there is none, or nobody wants to know. A job for another one ends.
   void show(std::optional<Subject> subject);
-  bool wanted() const;  // one is on show that was not measured
-  void measure();       // it is, unless it is measured already
-  void drop();          // the job ends; measure() begins anew
-  void forget();        // all of the volume that is no more
+  bool wanted() const;            // one is on show that was not measured
+  void measure();                 // it is, unless it is measured already
+  void drop() { task_.reset(); }  // the job ends; measure() begins anew
+  void forget();                  // all of the volume that is no more
   // Whether what each pixel errs by is wanted, too, which takes memory.
   void keepImages(bool kept);
 

@@ -8,12 +8,12 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QRadioButton>
-#include <QVBoxLayout>
 
 #include "scene/rules/needs.h"
 #include "ui/accuracy/accuracy_text.h"
 #include "ui/theme/style.h"
 #include "ui/widgets/number_spin_box.h"
+#include "ui/widgets/parts.h"
 
 namespace isolux::ui {
 
@@ -38,18 +38,13 @@ TargetBox::TargetBox(QWidget* parent)
       unit_(new QComboBox(this)),
       find_(new QPushButton(this)),
       apply_(new QPushButton(tr("Apply"), this)),
-      text_(new QLabel(this)) {
+      text_(wrappedLabel({}, this)) {
   makeRows();
   for (NumberSpinBox* box : {most_, milliseconds_}) box->setOwnUndo();
   connect(most_, &QDoubleSpinBox::valueChanged, this, [this] { error_->setChecked(true); });
   connect(milliseconds_, &QDoubleSpinBox::valueChanged, this, [this] { time_->setChecked(true); });
   connect(unit_, &QComboBox::activated, this, [this] { error_->setChecked(true); });
-  connect(find_, &QPushButton::clicked, this, [this] {
-    if (task_)
-      drop();
-    else
-      find();
-  });
+  connect(find_, &QPushButton::clicked, this, [this] { task_ ? drop() : find(); });
   connect(apply_, &QPushButton::clicked, this, &TargetBox::apply);
   connect(most_, &QDoubleSpinBox::valueChanged, this, &TargetBox::limitChanged);
   connect(unit_, &QComboBox::currentIndexChanged, this, &TargetBox::limitChanged);
@@ -73,7 +68,6 @@ void TargetBox::makeRows() {
   unit_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   unit_->setMinimumContentsLength(shortestUnit);
   apply_->setToolTip(tr("Apply these settings as one undo step"));
-  text_->setWordWrap(true);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
 
   auto* rows = new QGridLayout;
@@ -87,16 +81,7 @@ void TargetBox::makeRows() {
   rows->addWidget(time_, 1, 0);
   rows->addWidget(milliseconds_, 1, 1);
   rows->addWidget(new QLabel(tr("ms per image"), this), 1, 2);
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(find_);
-  buttons->addWidget(apply_);
-  buttons->addStretch(1);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(8);
-  layout->addLayout(rows);
-  layout->addLayout(buttons);
-  layout->addWidget(text_);
+  layOut(this, columnOf({rows, lineOf({find_, apply_, Cell::room()}), text_}, 8), {});
 }
 
 void TargetBox::setSubject(const app::TargetSubject& subject) {

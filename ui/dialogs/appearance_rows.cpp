@@ -34,18 +34,14 @@ AppearanceRows::AppearanceRows(QWidget* parent)
   later_->hide();
   theme_->setCurrentIndex(static_cast<int>(theme()));
   scale_->setValue(scaleOfThisRun_);
-  connect(theme_, &QComboBox::currentIndexChanged, this, &AppearanceRows::chooseTheme);
-  connect(scale_, &QSpinBox::valueChanged, this, &AppearanceRows::chooseScale);
-}
-
-void AppearanceRows::chooseTheme(int row) {
-  keepTheme(static_cast<Theme>(row));
-  applyTheme(static_cast<Theme>(row));
-}
-
-void AppearanceRows::chooseScale(int percent) {
-  keepScale(percent);
-  later_->setVisible(percent != scaleOfThisRun_);
+  connect(theme_, &QComboBox::currentIndexChanged, this, [](int row) {
+    keepTheme(static_cast<Theme>(row));
+    applyTheme(static_cast<Theme>(row));
+  });
+  connect(scale_, &QSpinBox::valueChanged, this, [this](int percent) {
+    keepScale(percent);
+    later_->setVisible(percent != scaleOfThisRun_);
+  });
 }
 
 void AppearanceRows::restoreDefaults() {

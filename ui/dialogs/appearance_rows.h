@@ -14,14 +14,9 @@ class AppearanceRows : public QWidget {
  public:
   explicit AppearanceRows(QWidget* parent = nullptr);
 
-  QComboBox* themeBox() const { return theme_; }
-  QSpinBox* scaleBox() const { return scale_; }
   void restoreDefaults();
 
  private:
-  void chooseTheme(int row);
-  void chooseScale(int percent);
-
   const int scaleOfThisRun_;
   QComboBox* theme_;
   QSpinBox* scale_;

@@ -146,16 +146,4 @@ void PreferencesDialog::restoreDefaults() {
   Q_EMIT changed(host_);
 }
 
-ValueWidget* PreferencesDialog::valueWidget(const std::string& path) const {
-  for (const Row& row : rows_)
-    if (row.setting->path == path) return row.value;
-  return nullptr;
-}
-
-QCheckBox* PreferencesDialog::automaticBox(const std::string& path) const {
-  for (const Row& row : rows_)
-    if (row.setting->path == path) return row.automatic;
-  return nullptr;
-}
-
 }  // namespace isolux::ui

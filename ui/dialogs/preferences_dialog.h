@@ -25,9 +25,6 @@ class PreferencesDialog : public QDialog {
   PreferencesDialog(const scene::HostSettings& host, QWidget* parent);
 
   const scene::HostSettings& host() const { return host_; }
-  ValueWidget* valueWidget(const std::string& path) const;  // null: no such setting
-  QCheckBox* automaticBox(const std::string& path) const;   // null: it cannot be automatic
-  AppearanceRows* appearance() const { return appearance_; }
   PrivacyBox* privacy() const { return privacy_; }
   QComboBox* languageBox() const { return language_; }
   void restoreDefaults();

@@ -1,20 +1,19 @@
 #include "ui/dialogs/raw_import_dialog.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
+#include <QPainter>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QSpinBox>
 
 #include "ui/dialogs/raw_slice.h"
-#include "ui/dialogs/slice_preview.h"
 #include "ui/language/number_text.h"
 #include "ui/theme/style.h"
 #include "ui/widgets/number_spin_box.h"
@@ -58,6 +57,47 @@ QLayout* inARow(const std::array<Box*, 3>& boxes) {
   return lineOf({{boxes[0], 1}, new QLabel("×"), {boxes[1], 1}, new QLabel("×"), {boxes[2], 1}}, 5);
 }
 }  // namespace
+
+// A grey picture of one slice, shown as large as fits with the slice's true proportions.
+class SlicePreview : public QWidget {
+ public:
+  explicit SlicePreview(QWidget* parent) : QWidget(parent) { setMinimumSize(260, 260); }
+
+  // aspect: width / height of the slice in mm. A null image shows `text` instead.
+  void showSlice(const QImage& image, double aspect, const QString& text) {
+    image_ = image;
+    aspect_ = std::clamp(aspect, 0.02, 50.0);
+    text_ = text;
+    update();
+  }
+  const QImage& image() const { return image_; }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    painter.fillRect(rect(), Qt::black);
+    if (image_.isNull()) {
+      painter.setPen(colours.quietText);
+      painter.drawText(rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap, text_);
+    } else {
+      QSizeF size(width(), width() / aspect_);
+      if (size.height() > height()) size = {height() * aspect_, static_cast<double>(height())};
+      QRectF target(QPointF(), size);
+      target.moveCenter(QRectF(rect()).center());
+      const bool enlarged = size.width() > image_.width();  // enlarged voxels stay voxels
+      painter.setRenderHint(QPainter::SmoothPixmapTransform, !enlarged);
+      painter.drawImage(target, image_);
+    }
+    painter.setPen(colours.border);
+    painter.drawRect(rect().adjusted(0, 0, -1, -1));
+  }
+  QSize sizeHint() const override { return {380, 380}; }
+
+ private:
+  QImage image_;
+  double aspect_ = 1.0;
+  QString text_;
+};
 
 RawImportDialog::RawImportDialog(const QString& file, QWidget* parent)
     : QDialog(parent),

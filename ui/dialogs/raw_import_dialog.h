@@ -29,7 +29,6 @@ class RawImportDialog : public QDialog {
   bool fits() const;         // the file holds exactly or more than what is described
   QString sizeText() const;  // expected against actual bytes
   const QImage& previewImage() const;
-  QSlider* sliceSlider() const { return slice_; }
 
  private:
   void describedAnew();

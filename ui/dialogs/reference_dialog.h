@@ -5,7 +5,6 @@
 
 #include <future>
 #include <memory>
-#include <vector>
 
 #include <QDialog>
 #include <QTimer>
@@ -33,8 +32,6 @@ class ReferenceDialog : public QDialog {
   bool tracing() const { return bool(task_); }
   app::ReferencePointer image() const { return {round_, round_ ? &round_->image : nullptr}; }
   QSpinBox* samplesBox() const { return samples_; }
-  QSpinBox* widthBox() const { return width_; }
-  QSpinBox* heightBox() const { return height_; }
   QPushButton* startButton() const { return start_; }  // also stops
   QPushButton* saveButton() const { return save_; }
   QString text() const;

@@ -12,7 +12,6 @@
 #include <QPainter>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QShortcut>
 #include <QTreeWidget>
 
 #include "app/browser/series_text.h"
@@ -131,7 +130,7 @@ DicomBrowser::DicomBrowser(SeriesIndex* index, QWidget* parent)
   connect(search_, &QLineEdit::textChanged, this, &DicomBrowser::filter);
   connect(hide_, &QCheckBox::toggled, this, [this](bool hide) {
     keepHiddenOnScreen(hide);
-    showAnew();
+    showSeries();
     Q_EMIT privacyChanged();
   });
   connect(stop_, &QPushButton::clicked, this, [this] {
@@ -151,8 +150,6 @@ DicomBrowser::DicomBrowser(SeriesIndex* index, QWidget* parent)
   restart();
   showSeries();
 }
-
-DicomBrowser::~DicomBrowser() = default;
 
 void DicomBrowser::makeTree() {
   tree_->setAccessibleName(tr("Patients, studies and series"));
@@ -276,13 +273,6 @@ void DicomBrowser::showOne(const volume::DicomSeries& series) {
   item->setForeground(notesColumn, series.problem.empty() ? colours.warning : colours.error);
 }
 
-void DicomBrowser::showAnew() {
-  for (const volume::DicomSeries& series : index_->series()) showOne(series);
-  filter();
-  showDetails();
-  showSummary();
-}
-
 void DicomBrowser::filter() {
   const std::string wanted = search_->text().toStdString();
   for (QTreeWidgetItem* group : std::as_const(groups_)) group->setHidden(true);
@@ -357,10 +347,6 @@ QTreeWidgetItem* DicomBrowser::withoutPicture() const {
     if (made.isEmpty() || (!index_->running() && made != textOf(series->middleFile))) return item;
   }
   return nullptr;
-}
-
-bool DicomBrowser::picturesComplete() const {
-  return !preview_ && !withoutPicture();
 }
 
 void DicomBrowser::drawPictures() {

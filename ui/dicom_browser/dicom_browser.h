@@ -26,11 +26,6 @@ class DicomBrowser : public QDialog {
  public:
   // Shows what `index` holds, and finds; it must outlive the dialog.
   DicomBrowser(SeriesIndex* index, QWidget* parent);
-  ~DicomBrowser() override;
-
-  QTreeWidget* tree() const { return tree_; }
-  QLineEdit* search() const { return search_; }
-  QCheckBox* hidePatients() const { return hide_; }
   QPushButton* openButton() const { return open_; }
   QPushButton* stopButton() const { return stop_; }
   QLabel* details() const { return details_; }
@@ -38,7 +33,7 @@ class DicomBrowser : public QDialog {
   // The item of a series; null: it is not there.
   QTreeWidgetItem* itemOf(const QString& series) const { return items_.value(series); }
   // No small picture of a visible series is missing.
-  bool picturesComplete() const;
+  bool picturesComplete() const { return !preview_ && !withoutPicture(); }
 
  Q_SIGNALS:
   void chosen(const QString& folder, const QString& series);
@@ -52,7 +47,6 @@ class DicomBrowser : public QDialog {
   void showOne(const volume::DicomSeries& series);
   QTreeWidgetItem* parentOf(const volume::DicomSeries& series);
   void showPatient(QTreeWidgetItem* item, const volume::DicomSeries& series);
-  void showAnew();
   void filter();
   void showDetails();
   void showSummary();

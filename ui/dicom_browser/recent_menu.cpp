@@ -1,7 +1,5 @@
 #include "ui/dicom_browser/recent_menu.h"
 
-#include <algorithm>
-
 #include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>

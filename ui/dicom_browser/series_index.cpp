@@ -2,8 +2,6 @@
 
 namespace isolux::ui {
 
-SeriesIndex::SeriesIndex(QObject* parent) : QObject(parent) {}
-
 void SeriesIndex::start(const QString& folder) {
   stop();
   folder_ = folder;
@@ -19,10 +17,6 @@ void SeriesIndex::start(const QString& folder) {
       });
   Q_EMIT started();
   Q_EMIT changed();
-}
-
-void SeriesIndex::stop() {
-  task_.reset();
 }
 
 void SeriesIndex::takeSeries(app::IndexTask& task) {

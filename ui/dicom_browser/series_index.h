@@ -14,10 +14,10 @@ namespace isolux::ui {
 class SeriesIndex : public QObject {
   Q_OBJECT
  public:
-  explicit SeriesIndex(QObject* parent = nullptr);
+  using QObject::QObject;
 
   void start(const QString& folder);  // instead of what runs
-  void stop();                        // what was found stays; ended() is not emitted
+  void stop() { task_.reset(); }      // what was found stays; ended() is not emitted
 
   const QString& folder() const { return folder_; }
   bool running() const { return bool(task_); }

@@ -16,6 +16,14 @@ namespace isolux::ui {
 // `receiver` still exists. Requires to be called on the window's thread.
 std::function<void()> posted(QObject* receiver, std::function<void()> call);
 
+// From now on `timer` calls the slot once, so long after it was last started.
+template <class Receiver, class Slot>
+void callOnce(QTimer& timer, int milliseconds, Receiver* receiver, Slot slot) {
+  timer.setSingleShot(true);
+  timer.setInterval(milliseconds);
+  timer.callOnTimeout(receiver, slot);
+}
+
 // The task at work for an object of the window's thread. Null when there is none.
 template <class Value, class News = std::monostate>
 class BackgroundTask {

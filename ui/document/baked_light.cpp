@@ -88,18 +88,6 @@ void BakedLight::setVisible(gi::VisiblePointSet hitVoxels, bool finer) {
   timer_.start(busyMilliseconds);
 }
 
-void BakedLight::setThreads(std::optional<int> threads) {
-  controller_.setThreads(threads);
-}
-
-void BakedLight::setDrawing(bool drawing) {
-  controller_.yield(drawing);
-}
-
-void BakedLight::setDrawn(double milliseconds) {
-  drawMilliseconds_ = milliseconds;
-}
-
 void BakedLight::setPaused(bool paused) {
   controller_.setPaused(paused);
   takeState();

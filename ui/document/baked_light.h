@@ -8,7 +8,6 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -31,9 +30,11 @@ class BakedLight : public QObject {
   void setScene(const scene::Scene& resolved);
   // The surface points of the picture. `finer`: of the same view as the last, with more pixels.
   void setVisible(gi::VisiblePointSet hitVoxels, bool finer);
-  void setThreads(std::optional<int> threads);  // scene::HostSettings::threads
-  void setDrawing(bool drawing);                // a frame is drawn now: the processor is needed
-  void setDrawn(double milliseconds);
+  // scene::HostSettings::threads.
+  void setThreads(std::optional<int> threads) { controller_.setThreads(threads); }
+  // A frame is drawn now: the processor is needed.
+  void setDrawing(bool drawing) { controller_.yield(drawing); }
+  void setDrawn(double milliseconds) { drawMilliseconds_ = milliseconds; }
 
   const app::LightState& state() const { return state_; }
   const LightPointer& light() const { return light_; }

@@ -108,17 +108,14 @@ scene::Scene surfacesOf(const scene::Scene& scene) {
 
 Document::Document(QObject* parent)
     : QObject(parent), savedScene_(history_.scene()), flow_(history_.scene()) {
-  pauseTimer_.setSingleShot(true);
-  pauseTimer_.setInterval(700);
-  connect(&pauseTimer_, &QTimer::timeout, this, &Document::endGesture);
+  callOnce(pauseTimer_, 700, this, &Document::endGesture);
+
   flowTimer_.setTimerType(Qt::PreciseTimer);
   flowTimer_.setInterval(flowMilliseconds);
   connect(&flowTimer_, &QTimer::timeout, this, &Document::moveFlow);
   playTimer_.setInterval(playMilliseconds);
   connect(&playTimer_, &QTimer::timeout, this, &Document::movePlay);
 }
-
-Document::~Document() = default;
 
 scene::Scene Document::shownScene() const {
   scene::Scene shown = scene();
@@ -147,10 +144,6 @@ scene::Camera Document::cameraOf(glm::ivec2 pixels, const app::Edges& letters) c
   if (!volume_) return resolved.camera;
   return scene::fittedTo(resolved.camera, facts_,
                          [&] { return app::freeRooms(resolved, *volume_, pixels, letters); });
-}
-
-scene::Camera Document::camera() const {
-  return scene::resolve(scene(), facts_).camera;
 }
 
 void Document::frameShown() {
@@ -468,7 +461,7 @@ void Document::step(const QString& name, scene::SceneDiff (app::History::*step)(
   history_.seal();
   (history_.*step)();
   commit(before, name);
-  reloadIfSourceChanged();
+  if (scene().source != loadedSource_) startLoading(scene(), After::keepScene);
 }
 
 void Document::toggleFlow() {
@@ -520,10 +513,6 @@ void Document::showStep(const app::StepPlayer::Step& step) {
   facts_ = volume_->facts;
   Q_EMIT volumeChanged(volume_);
   commit(before, QString::fromStdString(name), true);
-}
-
-void Document::reloadIfSourceChanged() {
-  if (scene().source != loadedSource_) startLoading(scene(), After::keepScene);
 }
 
 // Sessions and recordings

@@ -9,7 +9,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -36,8 +35,6 @@ class Document : public QObject {
   Q_OBJECT
  public:
   explicit Document(QObject* parent = nullptr);
-  ~Document() override;
-
   const scene::Scene& scene() const { return history_.scene(); }
   // As it is on screen: an animated flow has moved on since scene().
   scene::Scene shownScene() const;
@@ -50,7 +47,7 @@ class Document : public QObject {
   // The view that a picture of this size has.
   scene::Camera cameraOf(glm::ivec2 pixels, const app::Edges& letters) const;
   // The resolved scene's, before it is fitted.
-  scene::Camera camera() const;
+  scene::Camera camera() const { return scene::resolve(scene(), facts_).camera; }
   // Tells what automatic settings depend on. Automatic views frame the surface that was shown when it was
   // last exchanged in one go (loaded, by a preset, shown or hidden): they stay while its isovalue is dragged.
   const scene::VolumeFacts& facts() const { return facts_; }
@@ -142,7 +139,6 @@ class Document : public QObject {
   // dragged: one edit of many.
   void commit(const scene::Scene& before, const QString& name, bool dragged = false);
   void step(const QString& name, scene::SceneDiff (app::History::*step)());
-  void reloadIfSourceChanged();
   void moveFlow();
   void movePlay();
   void showStep(const app::StepPlayer::Step& step);

@@ -13,9 +13,8 @@ constexpr int minuteMilliseconds = 60'000;
 
 DocumentKeeper::DocumentKeeper(Document* document, const std::filesystem::path& folder, QObject* parent)
     : QObject(parent), document_(document), file_(folder), lost_(app::takeLostAutosaves(folder)) {
-  soon_.setSingleShot(true);
-  soon_.setInterval(gatherMilliseconds);
-  connect(&soon_, &QTimer::timeout, this, &DocumentKeeper::save);
+  callOnce(soon_, gatherMilliseconds, this, &DocumentKeeper::save);
+
   minute_.setInterval(minuteMilliseconds);
   connect(&minute_, &QTimer::timeout, this, [this] {
     tellProblem();
@@ -39,10 +38,6 @@ void DocumentKeeper::save() {
   } else {
     file_.remove();
   }
-}
-
-void DocumentKeeper::finish() {
-  file_.finish();
 }
 
 void DocumentKeeper::forget() {

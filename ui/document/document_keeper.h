@@ -23,9 +23,9 @@ class DocumentKeeper : public QObject {
   // Autosaves go into `folder`, made when the first is written.
   DocumentKeeper(Document* document, const std::filesystem::path& folder, QObject* parent);
 
-  void save();    // starts writing what is open now
-  void finish();  // waits until it is on disk
-  void forget();  // the user has closed the document: nothing is left behind
+  void save();                       // starts writing what is open now
+  void finish() { file_.finish(); }  // waits until it is on disk
+  void forget();                     // the user has closed the document: nothing is left behind
 
   // The newest autosave without a window, or null. It stays on disk until it is restored or discarded.
   const app::Autosave* lost() const;

@@ -1,7 +1,6 @@
 // What a widget sends when the user changes something: the whole edited Scene and the name of the change.
 #pragma once
 
-#include <QMetaType>
 #include <QString>
 
 #include "scene/scene.h"

@@ -10,18 +10,6 @@ namespace {
 
 constexpr int startMilliseconds = 60;  // after the last change: an isovalue that is dragged changes often
 
-app::MarkReport pendingReport() {
-  app::MarkReport report;
-  report.pending = true;
-  return report;
-}
-
-app::MarkReport stoppedReport() {
-  app::MarkReport report;
-  report.problem = "stopped";
-  return report;
-}
-
 bool saysTheSame(const scene::Mark& a, const scene::Mark& b) {
   return a.kind == b.kind && a.points == b.points;
 }
@@ -29,9 +17,7 @@ bool saysTheSame(const scene::Mark& a, const scene::Mark& b) {
 }  // namespace
 
 MarkReports::MarkReports(QObject* parent) : QObject(parent) {
-  startTimer_.setSingleShot(true);
-  startTimer_.setInterval(startMilliseconds);
-  connect(&startTimer_, &QTimer::timeout, this, &MarkReports::start);
+  callOnce(startTimer_, startMilliseconds, this, &MarkReports::start);
 }
 
 // An evaluator whose task has not ended belongs to that task.
@@ -46,7 +32,10 @@ void MarkReports::setVolume(VolumePointer volume) {
   evaluator_.reset();
   volume_ = std::move(volume);
   anyway_ = false;
-  for (app::MarkReport& report : reports_) report = pendingReport();
+  for (app::MarkReport& report : reports_) {
+    report = {};
+    report.pending = true;
+  }
   if (!marks_.empty()) startTimer_.start();
 }
 
@@ -107,8 +96,11 @@ void MarkReports::measureAnyway() {
 void MarkReports::stop() {
   startTimer_.stop();
   dropTask();
-  for (app::MarkReport& report : reports_)
-    if (report.pending) report = stoppedReport();
+  for (app::MarkReport& report : reports_) {
+    if (!report.pending) continue;
+    report = {};
+    report.problem = "stopped";
+  }
   Q_EMIT changed();
 }
 

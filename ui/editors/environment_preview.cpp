@@ -44,8 +44,6 @@ EnvironmentPreview::EnvironmentPreview(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Environment map"));
 }
 
-EnvironmentPreview::~EnvironmentPreview() = default;
-
 // The probe
 
 void EnvironmentPreview::setScene(const scene::Scene& scene, const scene::Scene& resolved) {
@@ -177,10 +175,6 @@ void EnvironmentPreview::setAxes(scene::WorldAxes axes) {
   axes_ = axes;
   image_ = {};
   update();
-}
-
-void EnvironmentPreview::resizeEvent(QResizeEvent*) {
-  image_ = {};
 }
 
 // Turning

@@ -19,8 +19,6 @@ class EnvironmentPreview : public QWidget {
   Q_OBJECT
  public:
   explicit EnvironmentPreview(QWidget* parent = nullptr);
-  ~EnvironmentPreview() override;
-
   void setScene(const scene::Scene& scene, const scene::Scene& resolved);
   void setAxes(scene::WorldAxes axes);              // of the marks along the bottom
   bool hasProbe() const { return !name_.empty(); }  // there is something to show
@@ -37,7 +35,7 @@ class EnvironmentPreview : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
-  void resizeEvent(QResizeEvent* event) override;
+  void resizeEvent(QResizeEvent*) override { image_ = {}; }
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;

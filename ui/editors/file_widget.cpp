@@ -45,10 +45,6 @@ void FileWidget::choose() {
                                                        "*.png *.jpg *.jpeg *.tif *.tiff);;All files (*)"));
   if (file.isEmpty()) return;
   QSettings().setValue(folderKey, QFileInfo(file).absolutePath());
-  setFile(file);
-}
-
-void FileWidget::setFile(const QString& file) {
   line_->setText(file);
   line_->setModified(false);
   Q_EMIT changed(false);

@@ -17,12 +17,9 @@ class FileWidget : public ValueWidget {
   explicit FileWidget(QWidget* parent = nullptr);
   void showValue(const nlohmann::json& value) override;
   nlohmann::json value() const override;
-  QLineEdit* line() const { return line_; }
 
  private:
   void choose();
-  void setFile(const QString& file);
-
   QLineEdit* line_;
   QToolButton* choose_;
 };

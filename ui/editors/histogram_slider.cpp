@@ -44,7 +44,7 @@ void HistogramSlider::setIsovalue(double value, bool insideAbove) {
 }
 
 void HistogramSlider::setSurfaces(const std::vector<HistogramHandle>& surfaces) {
-  const double held = activeValue();
+  const double held = valueOf(active_);
   handles_ = surfaces;
   if (handles_.empty()) handles_.emplace_back();
   const auto isActive = [this](const HistogramHandle& handle) { return handle.number == active_; };
@@ -96,16 +96,6 @@ QPointF HistogramSlider::positionOf(double value) const {
   return {area.left() + plot_.pixelOf(value, area.width()), area.center().y()};
 }
 
-QPointF HistogramSlider::linePosition() const {
-  return positionOf(isovalue_);
-}
-
-QPointF HistogramSlider::linePosition(int number) const {
-  for (const HistogramHandle& handle : handles_)
-    if (number != 0 && handle.number == number) return positionOf(handle.value);
-  return linePosition();
-}
-
 std::vector<PlacedHandle> HistogramSlider::placedHandles() const {
   std::vector<PlacedHandle> placed;
   for (const HistogramHandle& handle : handles_) {
@@ -115,9 +105,9 @@ std::vector<PlacedHandle> HistogramSlider::placedHandles() const {
   return placed;
 }
 
-double HistogramSlider::activeValue() const {
+double HistogramSlider::valueOf(int number) const {
   for (const HistogramHandle& handle : handles_)
-    if (active_ != 0 && handle.number == active_) return handle.value;
+    if (number != 0 && handle.number == number) return handle.value;
   return isovalue_;
 }
 
@@ -149,8 +139,7 @@ void HistogramSlider::paintEvent(QPaintEvent*) {
     QFont labels = font();
     labels.setWeight(QFont::DemiBold);
     paintHandles(painter, area, width(), labels, placedHandles());
-  }
-  if (!volume_) {
+  } else {
     painter.setPen(colours.quietText);
     painter.drawText(area, Qt::AlignCenter, tr("The histogram of the volume appears here"));
   }

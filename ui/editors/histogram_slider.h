@@ -33,9 +33,8 @@ class HistogramSlider : public QWidget {
 
   const app::HistogramPlot& plot() const { return plot_; }
   double isovalue() const { return isovalue_; }
-  // Widget coordinates of the isovalue's line at half the plot's height.
-  QPointF linePosition() const;
-  QPointF linePosition(int number) const;  // of that isosurface
+  // Widget coordinates of an isosurface's line at half the plot's height; 0: of the first.
+  QPointF linePosition(int number = 0) const { return positionOf(valueOf(number)); }
   int active() const { return active_; }
   QPointF positionOf(double value) const;
 
@@ -64,9 +63,9 @@ class HistogramSlider : public QWidget {
 
  private:
   QRectF plotArea() const;
-  void moveTo(double value);  // while dragged: sent with the next turn of the event loop
-  void nudge(double steps);   // wheel and keys
-  double activeValue() const;
+  void moveTo(double value);         // while dragged: sent with the next turn of the event loop
+  void nudge(double steps);          // wheel and keys
+  double valueOf(int number) const;  // of that isosurface
   void setActiveValue(double value);
   void emitActive(double value, bool endsAfterPause);
   double valueUnder(double x) const;

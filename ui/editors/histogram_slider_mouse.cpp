@@ -22,7 +22,7 @@ constexpr double grabPixels = 8.0;
 void HistogramSlider::moveTo(double value) {
   const double step = base::niceBelow(plot_.shownRange() / std::max(1.0, plotArea().width()));
   value = std::clamp(base::roundedToStep(value, step), plot_.minimum(), plot_.maximum());
-  if (value == activeValue()) return;
+  if (value == valueOf(active_)) return;
   setActiveValue(value);
   pending_ = value;
   if (!sendTimer_.isActive()) sendTimer_.start(0);
@@ -37,8 +37,8 @@ void HistogramSlider::sendPending() {
 void HistogramSlider::nudge(double steps) {
   if (!volume_ || steps == 0.0) return;
   const double step = plot_.fineStep();
-  const double value =
-      std::clamp(base::roundedToStep(activeValue() + steps * step, step), plot_.minimum(), plot_.maximum());
+  const double value = std::clamp(base::roundedToStep(valueOf(active_) + steps * step, step), plot_.minimum(),
+                                  plot_.maximum());
   setActiveValue(value);
   plot_.reveal(value);
   update();

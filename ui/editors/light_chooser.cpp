@@ -16,22 +16,15 @@ namespace {
 
 constexpr int thumbnailPixels = 56;
 
-QString meaningOf(scene::BuiltInLight light) {
-  switch (light) {
-    case scene::BuiltInLight::studio:
-      return QObject::tr(
-          "a large soft light from the upper left, a weak light from the right and a rim light from behind");
-    case scene::BuiltInLight::window:
-      return QObject::tr("daylight through one window at the left of a room");
-    case scene::BuiltInLight::overcast:
-      return QObject::tr("a cloudy sky: soft light from above");
-    case scene::BuiltInLight::sunset:
-      return QObject::tr("a low warm sun at the left under a blue sky");
-    case scene::BuiltInLight::dark_studio:
-      return QObject::tr("the studio over a black floor");
-  }
-  return {};
-}
+// In the order of scene::BuiltInLight.
+constexpr const char* meanings[] = {
+    QT_TRANSLATE_NOOP(
+        "QObject",
+        "a large soft light from the upper left, a weak light from the right and a rim light from behind"),
+    QT_TRANSLATE_NOOP("QObject", "daylight through one window at the left of a room"),
+    QT_TRANSLATE_NOOP("QObject", "a cloudy sky: soft light from above"),
+    QT_TRANSLATE_NOOP("QObject", "a low warm sun at the left under a blue sky"),
+    QT_TRANSLATE_NOOP("QObject", "the studio over a black floor")};
 
 QIcon thumbnailOf(scene::BuiltInLight light, qreal ratio) {
   QImage image = imageOf(app::litBall(light, static_cast<int>(thumbnailPixels * ratio)));
@@ -49,7 +42,8 @@ LightChooser::LightChooser(QWidget* parent) : QWidget(parent) {
     const std::string_view word = scene::choiceName(light);
     const QString name = wordsOf(QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size())));
     auto* button = textButton(name, {}, this);
-    nameAndTip(button, tr("Light: %1").arg(name), name + ": " + meaningOf(light));
+    nameAndTip(button, tr("Light: %1").arg(name),
+               name + ": " + QObject::tr(meanings[static_cast<std::size_t>(light)]));
     button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
     button->setIconSize({thumbnailPixels, thumbnailPixels});
     button->setCheckable(true);
@@ -70,10 +64,6 @@ void LightChooser::setScene(const scene::Scene& scene) {
   const bool builtIn = scene::kindOf(environment) == scene::EnvironmentKind::builtIn;
   for (std::size_t i = 0; i < buttons_.size(); ++i)
     buttons_[i]->setChecked(builtIn && environment.builtIn == static_cast<scene::BuiltInLight>(i));
-}
-
-QToolButton* LightChooser::button(scene::BuiltInLight light) const {
-  return buttons_[static_cast<std::size_t>(light)];
 }
 
 void LightChooser::showEvent(QShowEvent* event) {

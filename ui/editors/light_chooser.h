@@ -15,7 +15,7 @@ class LightChooser : public QWidget {
   explicit LightChooser(QWidget* parent = nullptr);
 
   void setScene(const scene::Scene& scene);
-  QToolButton* button(scene::BuiltInLight light) const;
+  QToolButton* button(scene::BuiltInLight light) const { return buttons_[static_cast<std::size_t>(light)]; }
 
  Q_SIGNALS:
   void edited(const isolux::ui::Edit& edit);

@@ -116,8 +116,8 @@ void PointsView::mouseReleaseEvent(QMouseEvent* event) {
 void PointsView::keyPressEvent(QKeyEvent* event) {
   const auto is = [event](Qt::Key key) { return event->key() == key; };
   if (is(Qt::Key_Delete) || is(Qt::Key_Backspace)) return removeSelected();
-  glm::dvec2 way(is(Qt::Key_Right) - is(Qt::Key_Left), 0);
-  if (axes_.size() > 1) way.y = is(Qt::Key_Up) - is(Qt::Key_Down);
+  glm::dvec2 way = arrowOf(event->key());
+  if (axes_.size() == 1) way.y = 0.0;
   if (way == glm::dvec2(0.0)) return QWidget::keyPressEvent(event);
   replaceSelected({selectedPoint().at + axes_.front().step * way, selectedPoint().color}, true);
 }

@@ -99,7 +99,6 @@ class PointsEditor : public ValueWidget {
   nlohmann::json value() const override;
 
   PointsView* view() const { return view_; }
-  ColorButton* colourButton() const { return colour_; }
   QToolButton* removeButton() const { return remove_; }
 
  private:

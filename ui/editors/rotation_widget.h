@@ -18,9 +18,6 @@ class RotationWidget : public ValueWidget {
   explicit RotationWidget(QWidget* parent = nullptr);
   void showValue(const nlohmann::json& value) override;
   nlohmann::json value() const override;  // unit length, or exactly what was shown while nobody edits it
-  NumberSpinBox* headingBox() const { return boxes_[0]; }
-  NumberSpinBox* elevationBox() const { return boxes_[1]; }
-  NumberSpinBox* rollBox() const { return boxes_[2]; }
 
  private:
   void edit();

@@ -10,7 +10,6 @@
 #include "ui/editors/value_widgets.h"
 
 class QCheckBox;
-class QLabel;
 class QToolButton;
 
 namespace isolux::ui {

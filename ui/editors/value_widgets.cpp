@@ -1,6 +1,5 @@
 #include "ui/editors/value_widgets.h"
 
-#include <array>
 #include <cmath>
 
 #include <QAbstractSpinBox>
@@ -10,7 +9,6 @@
 #include <QLineEdit>
 #include <QSignalBlocker>
 #include <QSlider>
-#include <QWheelEvent>
 #include <nlohmann/json.hpp>
 
 #include "base/numbers.h"
@@ -40,22 +38,6 @@ QString suffixOf(const SettingInfo& setting) {
   const bool rate = setting.unit.starts_with("1/");                // "5 /s"
   return ' ' + translated(texts::units, rate ? setting.unit.substr(1) : setting.unit);
 }
-
-// A wheel turned over a panel scrolls it and changes nothing, unless the widget has the focus.
-template <class Base>
-class CalmWheel : public Base {
- public:
-  explicit CalmWheel(QWidget* parent) : Base(parent) { this->setFocusPolicy(Qt::StrongFocus); }
-
- protected:
-  void wheelEvent(QWheelEvent* event) override {
-    if (this->hasFocus()) {
-      Base::wheelEvent(event);
-    } else {
-      event->ignore();
-    }
-  }
-};
 
 class NumberWidget : public ValueWidget {
  public:
@@ -202,20 +184,18 @@ class PositionsWidget : public TextWidget {
 };
 
 // Marks are edited in their panel: how many there are.
-class MarksWidget : public ValueWidget {
+class MarksWidget : public SingleWidget<QLabel> {
  public:
-  explicit MarksWidget(QWidget* parent) : ValueWidget(parent), count_(new QLabel(this)) {
-    layOut(this, lineOf({{count_, 1}}), {});
-  }
+  using SingleWidget::SingleWidget;
+
   void showValue(const json& value) override {
     shown_ = value;
-    count_->setText(value.size() == 1 ? QObject::tr("1 measurement")
+    inner_->setText(value.size() == 1 ? QObject::tr("1 measurement")
                                       : QObject::tr("%1 measurements").arg(value.size()));
   }
   json value() const override { return shown_; }
 
  private:
-  QLabel* count_;
   json shown_ = json::array();
 };
 

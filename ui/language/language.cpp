@@ -19,15 +19,8 @@ constexpr auto languageKey = "language";
 
 // Names of ISO 639, which stand in file names and settings; empty: the system's.
 QString codeOf(Language language) {
-  switch (language) {
-    case Language::system:
-      return {};
-    case Language::english:
-      return "en";
-    case Language::german:
-      return "de";
-  }
-  return {};
+  constexpr const char* codes[] = {"", "en", "de"};
+  return codes[static_cast<std::size_t>(language)];
 }
 
 void install(const QString& file, const QString& folder) {

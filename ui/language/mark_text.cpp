@@ -8,10 +8,6 @@
 
 namespace isolux::ui {
 
-QString markSummary(const app::MarkReport& report) {
-  return translatedSentence(app::summaryText(report));
-}
-
 QString markText(const scene::Mark& mark, const app::MarkReport& report) {
   QString text =
       QString("%1 (%2)\n")

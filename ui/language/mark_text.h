@@ -7,8 +7,6 @@
 
 namespace isolux::ui {
 
-// The first quantity, the problem, or "…".
-QString markSummary(const app::MarkReport& report);
 // All of it, a line each.
 QString markText(const scene::Mark& mark, const app::MarkReport& report);
 

@@ -1,6 +1,5 @@
 #include "ui/language/sentences.h"
 
-#include <utility>
 #include <vector>
 
 #include <QCoreApplication>

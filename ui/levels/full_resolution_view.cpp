@@ -38,8 +38,6 @@ bool sameVolume(scene::Source a, const scene::Source& b) {
 FullResolutionView::FullResolutionView(QObject* parent)
     : QObject(parent), wanted_(QSettings().value(wantedKey, true).toBool()) {}
 
-FullResolutionView::~FullResolutionView() = default;
-
 void FullResolutionView::setSource(const std::optional<scene::Source>& source) {
   const bool same = source && source_ && sameVolume(*source, *source_);
   source_ = source;
@@ -53,9 +51,7 @@ void FullResolutionView::setSource(const std::optional<scene::Source>& source) {
 }
 
 void FullResolutionView::show(const std::optional<Shown>& shown) {
-  const bool same = shown.has_value() == shown_.has_value() &&
-                    (!shown || shown->picture.cacheKey() == shown_->picture.cacheKey());
-  if (same) return;
+  if (shown == shown_) return;
   stopDrawing();
   image_ = {};
   shown_ = shown;

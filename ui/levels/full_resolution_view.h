@@ -29,10 +29,10 @@ class FullResolutionView : public QObject {
     scene::Scene scene, resolved;  // as the user gave it, and of the level's picture
     QImage picture;                // of the level
     double pixelRatio = 1.0;
+
+    bool operator==(const Shown& other) const { return picture.cacheKey() == other.picture.cacheKey(); }
   };
   explicit FullResolutionView(QObject* parent = nullptr);
-  ~FullResolutionView() override;
-
   void setHostSettings(const scene::HostSettings& host) { host_ = host; }
   // Whose level the document shows; none: no level. What is known of another source is let go.
   void setSource(const std::optional<scene::Source>& source);

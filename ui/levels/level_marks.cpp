@@ -17,10 +17,7 @@ LevelMarks::LevelMarks(QObject* parent)
     : QObject(parent), marks_(QSettings().value(marksKey, true).toBool()) {}
 
 void LevelMarks::show(const std::optional<Shown>& shown) {
-  const bool same = shown.has_value() == shown_.has_value() &&
-                    (!shown || (shown->volume == shown_->volume &&
-                                shown->picture.cacheKey() == shown_->picture.cacheKey()));
-  if (same) return;
+  if (shown == shown_) return;
   task_.reset();
   marked_ = {};
   shown_ = shown;

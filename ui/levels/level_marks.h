@@ -3,7 +3,6 @@
 // Nothing of it runs for a volume's own voxels.
 #pragma once
 
-#include <memory>
 #include <optional>
 
 #include <QImage>
@@ -23,6 +22,10 @@ class LevelMarks : public QObject {
     scene::Scene resolved;
     QImage picture;
     std::optional<render::Tile> legend;  // of the picture
+
+    bool operator==(const Shown& other) const {
+      return volume == other.volume && picture.cacheKey() == other.picture.cacheKey();
+    }
   };
   explicit LevelMarks(QObject* parent = nullptr);
 

@@ -24,9 +24,6 @@ class IsovaluePanel : public QWidget {
 
   void setVolume(VolumePointer volume);
   void setScene(const scene::Scene& scene, const scene::Scene& resolved);
-  HistogramSlider* slider() const { return slider_; }
-  NumberSpinBox* spinBox() const { return spinBox_; }
-  SurfaceList* surfaces() const { return surfaces_; }
   QToolButton* addButton() const { return add_; }
 
  Q_SIGNALS:

@@ -15,6 +15,7 @@
 
 #include "app/marks/mark_kinds.h"
 #include "ui/language/mark_text.h"
+#include "ui/language/sentences.h"
 #include "ui/theme/style.h"
 #include "ui/widgets/color_button.h"
 #include "ui/widgets/parts.h"
@@ -158,7 +159,7 @@ void MarksPanel::showRow(QTreeWidgetItem* item, std::size_t mark) {
   item->setCheckState(nameColumn, shown.shown ? Qt::Checked : Qt::Unchecked);
   item->setToolTip(nameColumn, tr("Double click: rename; box: show in the view"));
   const bool known = mark < reports_.size();
-  const QString says = known ? markSummary(reports_[mark]) : QString("…");
+  const QString says = known ? translatedSentence(app::summaryText(reports_[mark])) : QString("…");
   const bool doubtful = known && (!reports_[mark].notes.empty() || !reports_[mark].problem.empty());
   item->setText(valueColumn, doubtful ? "⚠ " + says : says);
   item->setForeground(valueColumn, doubtful ? colours.warning : colours.text);

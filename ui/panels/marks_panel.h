@@ -26,7 +26,6 @@ class MarksPanel : public Panel {
   // One for each mark of the scene; measuring: some are still being computed.
   void setReports(const std::vector<app::MarkReport>& reports, bool measuring);
 
-  QTreeWidget* list() const { return list_; }
   int current() const;      // mark of the list; -1: none
   QString details() const;  // all that the current mark says
   QString text() const;     // all that all marks say, for other programs

@@ -76,16 +76,11 @@ std::string prefixOf(const scene::Setting& setting) {
   return setting.path.substr(0, setting.path.find('.') + 1);
 }
 
-// How much of the path an entry of the plan names: all of it, a prefix ("light.environment."), or nothing.
-std::size_t lengthCovered(std::string_view entry, const scene::Setting& setting) {
-  return scene::covers(entry, setting.path) ? entry.size() : 0;
-}
-
-// The entry that names most of a setting's path; empty: none.
+// The entry that names most of a setting's path: all of it, or a prefix ("light.environment."); empty: none.
 std::string_view entryOf(const scene::Setting& setting) {
   std::string_view best;
   const auto consider = [&](std::string_view entry) {
-    if (lengthCovered(entry, setting) > best.size()) best = entry;
+    if (scene::covers(entry, setting.path) && entry.size() > best.size()) best = entry;
   };
   for (const std::string_view entry : elsewhere) consider(entry);
   for (const GroupPlan& group : plan())

@@ -69,9 +69,7 @@ PassesPanel::PassesPanel(QWidget* parent)
   top->addWidget(copy, 0, Qt::AlignTop);
   layOut(this, columnOf({top, {table_, 1}, summary_}, 8), {12, 10, 12, 12});
 
-  timer_.setSingleShot(true);
-  timer_.setInterval(refreshMilliseconds);
-  connect(&timer_, &QTimer::timeout, this, &PassesPanel::refresh);
+  callOnce(timer_, refreshMilliseconds, this, &PassesPanel::refresh);
 }
 
 void PassesPanel::setReport(const render::FrameReport& report, const render::FrameRequest& request) {
@@ -159,11 +157,6 @@ void PassesPanel::write() {
   table_->viewport()->update();
 }
 
-QString PassesPanel::repeats() const {
-  return shownAgain_ == 1 ? tr("Redrawn once since, with all passes cached.")
-                          : tr("Redrawn %1 times since, with all passes cached.").arg(shownAgain_);
-}
-
 QString PassesPanel::summary() const {
   QStringList lines;
   lines += tr("Graphics memory: %1").arg(bytesText(static_cast<double>(report_.gpuBytes)));
@@ -176,7 +169,8 @@ QString PassesPanel::summary() const {
                  .arg(numberText(part, 2));
   }
   if (!canvas_.why.isEmpty()) lines += tr("Display: %1").arg(describe(canvas_));
-  if (shownAgain_ > 0) lines += repeats();
+  if (shownAgain_ == 1) lines += tr("Redrawn once since, with all passes cached.");
+  if (shownAgain_ > 1) lines += tr("Redrawn %1 times since, with all passes cached.").arg(shownAgain_);
   return lines.join('\n');
 }
 

@@ -24,7 +24,6 @@ class PassesPanel : public Panel {
   void setReport(const render::FrameReport& report, const render::FrameRequest& request) override;  // cheap
   void setCanvas(const CanvasChoice& canvas) { canvas_ = canvas; }  // how the window shows images
   QString text() const;  // the table as tab-separated lines, for other programs
-  QTreeWidget* table() const { return table_; }
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -35,8 +34,6 @@ class PassesPanel : public Panel {
   void showPasses();
   void write();
   QString summary() const;
-  QString repeats() const;
-
   QLabel *heading_, *summary_;
   QTreeWidget* table_;
   QTimer timer_;

@@ -71,9 +71,8 @@ PiecesPanel::PiecesPanel(QWidget* parent)
   }
   layOut(this, columnOf({heading_, {list_, 1}, more_, controls_, Cell::room(0)}, 8), {12, 10, 12, 12});
 
-  restTimer_.setSingleShot(true);
-  restTimer_.setInterval(isovalueRestMilliseconds);
-  connect(&restTimer_, &QTimer::timeout, this, &PiecesPanel::find);
+  callOnce(restTimer_, isovalueRestMilliseconds, this, &PiecesPanel::find);
+
   showFound();
 }
 
@@ -140,11 +139,7 @@ void PiecesPanel::setScene(const scene::Scene& scene, const scene::Scene& resolv
   findSoon();
 }
 
-// A tab behind others is visible to Qt, but not to anybody; what comes to the front is painted.
-bool PiecesPanel::isSeen() const {
-  return isVisible() && !visibleRegion().isEmpty();
-}
-
+// What comes to the front is painted.
 void PiecesPanel::paintEvent(QPaintEvent* event) {
   Panel::paintEvent(event);
   find();
@@ -166,7 +161,7 @@ bool PiecesPanel::measured() const {
 }
 
 bool PiecesPanel::isWanted() const {
-  return isSeen() && volume_ && resolved_.isosurface.value && !measured() &&
+  return isSeen(this) && volume_ && resolved_.isosurface.value && !measured() &&
          !(task_ &&
            asked_ == app::PieceSubject{volume_, *resolved_.isosurface.value, resolved_.isosurface.inside});
 }

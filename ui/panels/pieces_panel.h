@@ -41,7 +41,6 @@ class PiecesPanel : public Panel {
   void makeList();
   QLayout* makeButtons();
   QPushButton* addButton(const QString& text, const QString& tip, void (PiecesPanel::*clicked)());
-  bool isSeen() const;
   bool current() const;  // found_ is of the scene's isosurface
   void findSoon();
   bool isWanted() const;  // the isosurface is seen, neither measured nor being so

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include <QBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QScrollArea>
 #include <QToolButton>
-#include <QBoxLayout>
 #include <nlohmann/json.hpp>
 
 #include "ui/document/environment_edit.h"
@@ -89,9 +89,8 @@ SettingsPanel::SettingsPanel(QWidget* parent)
   auto* searchBox = columnOf({search_});
   searchBox->setContentsMargins(12, 8, 12, 6);
   layOut(this, columnOf({searchBox, {scroll_, 1}}, 0), {});
-  settle_.setSingleShot(true);
-  settle_.setInterval(settleMilliseconds);
-  connect(&settle_, &QTimer::timeout, this, &SettingsPanel::showRows);
+  callOnce(settle_, settleMilliseconds, this, &SettingsPanel::showRows);
+
   connect(search_, &QLineEdit::textChanged, this, &SettingsPanel::search);
   connect(lights_, &LightChooser::edited, this, &SettingsPanel::edited);
   connect(environment_, &EnvironmentPreview::edited, this, &SettingsPanel::edited);

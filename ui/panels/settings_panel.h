@@ -33,8 +33,6 @@ class SettingsPanel : public Panel {
   SettingEditor* editor(const QString& path) const;  // null: not edited here
   bool shows(const QString& path) const;             // the row is there, if its group is open
   QLineEdit* searchLine() const { return search_; }
-  EnvironmentPreview* environmentPreview() const { return environment_; }
-  LightChooser* lightChooser() const { return lights_; }
   void focusSearch();
   void setGroupOpen(const QString& title, bool open);
 

@@ -25,7 +25,6 @@ class VolumePanel : public Panel {
   void setScene(const scene::Scene& scene, const scene::Scene& resolved) override;
   void setFirstPicture(double seconds) override;
   QComboBox* kindChoice() const { return kind_; }
-  QComboBox* seriesChoice() const { return series_; }
   QComboBox* componentChoice() const { return component_; }
   NumberSpinBox* timeStepChoice() const { return timeStep_; }
   IntegerSpinBox* levelChoice() const { return level_; }
@@ -34,7 +33,6 @@ class VolumePanel : public Panel {
   NumberSpinBox* speedChoice() const { return speed_; }
   double speed() const;  // of playing, time steps per second
   void setPlaying(bool playing);
-  SourcePanel* sourcePanel() const { return source_; }
   QString warnings() const;
 
  Q_SIGNALS:

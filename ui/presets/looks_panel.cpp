@@ -6,13 +6,11 @@
 #include <utility>
 
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSlider>
-#include <QVBoxLayout>
 
 #include "app/presets/applied_preset.h"
 #include "app/presets/preset_list.h"
@@ -21,6 +19,7 @@
 #include "ui/presets/thumbnail_painter.h"
 #include "ui/theme/style.h"
 #include "ui/widgets/number_spin_box.h"
+#include "ui/widgets/parts.h"
 
 namespace isolux::ui {
 
@@ -34,9 +33,7 @@ constexpr int placeRole = Qt::UserRole;
 
 QLabel* headingOf(const QString& text, QWidget* parent) {
   auto* heading = new QLabel(text, parent);
-  QFont font = heading->font();
-  font.setWeight(QFont::DemiBold);
-  heading->setFont(font);
+  makeBold(heading);
   return heading;
 }
 
@@ -56,41 +53,31 @@ QString titleOf(const app::Thumbnail& one) {
 }  // namespace
 
 LooksPanel::LooksPanel(QWidget* parent)
-    : Panel(parent), painter_(new ThumbnailPainter(this)), presets_(nullptr), looks_(nullptr) {
+    : Panel(parent),
+      painter_(new ThumbnailPainter(this)),
+      presets_(makeList(tr("Presets"))),
+      looks_(makeList(tr("Looks"))) {
   auto* page = new QWidget;
-  auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(12, 10, 6, 12);
-  column->setSpacing(6);
-  presets_ = makeList(tr("Presets"));
-  looks_ = makeList(tr("Looks"));
-  column->addWidget(headingOf(tr("Presets"), page));
-  column->addWidget(makeShift());
-  column->addWidget(presets_);
-  column->addSpacing(6);
-  column->addWidget(headingOf(tr("Looks"), page));
-  column->addWidget(looks_);
-  column->addStretch(1);
+  auto* column = columnOf({headingOf(tr("Presets"), page), makeShift(), presets_, Cell::gap(6),
+                           headingOf(tr("Looks"), page), looks_, Cell::room()},
+                          6);
+  layOut(page, column, {12, 10, 6, 12});
   auto* scroll = new QScrollArea(this);
   scroll->setWidget(page);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setFocusPolicy(Qt::NoFocus);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(scroll);
+  layOut(this, columnOf({scroll}), {});
 
   connect(painter_, &ThumbnailPainter::drawn, this, &LooksPanel::showPicture);
-  pointTimer_.setSingleShot(true);
-  pointTimer_.setInterval(pointMilliseconds);
-  connect(&pointTimer_, &QTimer::timeout, this, [this] {
+  callOnce(pointTimer_, pointMilliseconds, this, [this] {
     if (!pointed_ || *pointed_ >= thumbnails_.size()) return;
     previewing_ = true;
     Q_EMIT previewed(thumbnails_[*pointed_].scene);
   });
-  refreshTimer_.setSingleShot(true);
-  refreshTimer_.setInterval(thumbnailMilliseconds);
-  connect(&refreshTimer_, &QTimer::timeout, this, &LooksPanel::refresh);
+  callOnce(refreshTimer_, thumbnailMilliseconds, this, &LooksPanel::refresh);
+
   setEnabled(false);
 }
 
@@ -122,8 +109,6 @@ QListWidget* LooksPanel::makeList(const QString& name) {
 
 QWidget* LooksPanel::makeShift() {
   auto* box = new QWidget(this);
-  auto* row = new QHBoxLayout(box);
-  row->setContentsMargins(0, 0, 6, 0);
   shiftLabel_ = new QLabel(tr("Shift"), box);
   shift_ = new QSlider(Qt::Horizontal, box);
   shift_->setRange(-shiftSteps, shiftSteps);
@@ -132,9 +117,7 @@ QWidget* LooksPanel::makeShift() {
   shiftBox_->setFixedWidth(104);
   shiftBox_->setAccessibleName(tr("Shift of the preset's isovalues"));
   shiftLabel_->setBuddy(shiftBox_);
-  row->addWidget(shiftLabel_);
-  row->addWidget(shift_, 1);
-  row->addWidget(shiftBox_);
+  layOut(box, lineOf({shiftLabel_, {shift_, 1}, shiftBox_}), {0, 0, 6, 0});
   connect(shift_, &QSlider::sliderPressed, this, &LooksPanel::dragStarted);
   connect(shift_, &QSlider::sliderReleased, this, &LooksPanel::dragEnded);
   connect(shift_, &QSlider::valueChanged, this, [this](int step) {

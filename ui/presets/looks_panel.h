@@ -34,7 +34,6 @@ class LooksPanel : public Panel {
   const std::vector<app::Thumbnail>& thumbnails() const { return thumbnails_; }
   QListWidget* presetList() const { return presets_; }
   QListWidget* lookList() const { return looks_; }
-  QSlider* shiftSlider() const { return shift_; }
 
  Q_SIGNALS:
   // The scene that the picture shows while one is pointed at; none: the document's again.

@@ -14,12 +14,8 @@ constexpr int raysPerAxis = 2;       // of a pixel
 }  // namespace
 
 ThumbnailPainter::ThumbnailPainter(QObject* parent) : QObject(parent) {
-  restTimer_.setSingleShot(true);
-  restTimer_.setInterval(restMilliseconds);
-  connect(&restTimer_, &QTimer::timeout, this, &ThumbnailPainter::next);
+  callOnce(restTimer_, restMilliseconds, this, &ThumbnailPainter::next);
 }
-
-ThumbnailPainter::~ThumbnailPainter() = default;
 
 void ThumbnailPainter::setVolume(const VolumePointer& volume) {
   if (volume == volume_) return;
@@ -55,7 +51,6 @@ void ThumbnailPainter::setBusy(bool busy) {
 void ThumbnailPainter::drop() {
   if (!drawing_) return;
   drawing_.reset();
-  ++dropped_;
   thread_->drop();
 }
 

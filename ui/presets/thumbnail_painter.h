@@ -23,8 +23,6 @@ class ThumbnailPainter : public QObject {
   Q_OBJECT
  public:
   explicit ThumbnailPainter(QObject* parent = nullptr);
-  ~ThumbnailPainter() override;
-
   void setVolume(const VolumePointer& volume);
   // What is wanted from now on, by place; resolved. None: nothing is drawn there. Pixels of the screen.
   void want(std::vector<std::optional<scene::Scene>> scenes, QSize pixels);
@@ -33,10 +31,8 @@ class ThumbnailPainter : public QObject {
 
   // Of the scene that is wanted there; null: not drawn yet.
   const QImage* picture(std::size_t place) const;
-  bool complete() const;  // every picture that is wanted is there
-  // Pictures that were drawn, and begun ones that were dropped.
-  int drawnCount() const { return drawn_; }
-  int droppedCount() const { return dropped_; }
+  bool complete() const;                     // every picture that is wanted is there
+  int drawnCount() const { return drawn_; }  // pictures
 
  Q_SIGNALS:
   void drawn(int place);
@@ -63,7 +59,7 @@ class ThumbnailPainter : public QObject {
   std::unique_ptr<app::PictureThread> thread_;  // made for the first picture
   std::optional<std::size_t> drawing_;
   bool busy_ = true;
-  int drawn_ = 0, dropped_ = 0;
+  int drawn_ = 0;
   QTimer restTimer_;
 };
 

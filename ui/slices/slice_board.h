@@ -24,9 +24,7 @@ class SliceBoard : public QWidget {
   void setInteracting(bool interacting);  // a gesture elsewhere changes what slices show
   void arrange(ViewLayout layout);
   ViewLayout arrangement() const { return arrangement_; }
-  void setFourUp(bool on) { arrange(on ? ViewLayout::fourUp : ViewLayout::picture); }
   bool slicesShown() const { return arrangement_ != ViewLayout::picture; }
-  bool fourUp() const { return arrangement_ == ViewLayout::fourUp; }
   SliceView* view(volume::SliceDirection direction) const {
     return views_[static_cast<std::size_t>(direction)];
   }

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <functional>
 
-#include <QActionGroup>
 #include <QMenu>
 
 #include "app/surface_list/surface_list.h"

@@ -1,6 +1,5 @@
 #include "ui/slices/slice_painter.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <QPainter>

@@ -33,8 +33,6 @@ SliceView::SliceView(volume::SliceDirection direction, QColor color, QWidget* pa
   nameIt();
 }
 
-SliceView::~SliceView() = default;
-
 void SliceView::nameIt() {
   constexpr const char* names[] = {QT_TRANSLATE_NOOP("QObject", "Axial slice"),
                                    QT_TRANSLATE_NOOP("QObject", "Coronal slice"),
@@ -195,14 +193,6 @@ void SliceView::paintEvent(QPaintEvent*) {
       std::max(0.5 * resolved_.slice.slab, 0.5 * volume::voxelAlong(volume_->grid().geometry(), normal));
   paintPoints(painter, *now, resolved_.marks, reach, ratio);
   paintStripe(painter, width(), color_);
-}
-
-void SliceView::resizeEvent(QResizeEvent*) {
-  orderNew();
-}
-
-void SliceView::showEvent(QShowEvent*) {
-  orderNew();
 }
 
 void SliceView::showWhole() {

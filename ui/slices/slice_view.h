@@ -36,8 +36,6 @@ class SliceView : public QWidget {
  public:
   // Shows this direction until another plane is chosen; color: of its plane in the other views.
   SliceView(volume::SliceDirection direction, QColor color, QWidget* parent = nullptr);
-  ~SliceView() override;
-
   void setVolume(const VolumePointer& volume);
   void setScene(const scene::Scene& scene, const scene::Scene& resolved);
   void setInteracting(bool interacting);            // a gesture is on its way, here or elsewhere
@@ -69,8 +67,8 @@ class SliceView : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
-  void resizeEvent(QResizeEvent* event) override;
-  void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent*) override { orderNew(); }
+  void showEvent(QShowEvent*) override { orderNew(); }
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;

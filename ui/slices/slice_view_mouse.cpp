@@ -11,6 +11,7 @@
 
 #include "ui/slices/slice_menu.h"
 #include "ui/slices/slice_view.h"
+#include "ui/widgets/parts.h"
 
 namespace isolux::ui {
 
@@ -132,20 +133,8 @@ void SliceView::wheelEvent(QWheelEvent* event) {
 
 bool SliceView::takeKey(QKeyEvent* event) {
   const QPointF middle = QRectF(rect()).center();
-  QPointF way;
+  const glm::dvec2 arrow = arrowOf(event->key());
   switch (event->key()) {
-    case Qt::Key_Left:
-      way = {-1.0, 0.0};
-      break;
-    case Qt::Key_Right:
-      way = {1.0, 0.0};
-      break;
-    case Qt::Key_Up:
-      way = {0.0, -1.0};
-      break;
-    case Qt::Key_Down:
-      way = {0.0, 1.0};
-      break;
     case Qt::Key_PageUp:
       step(1.0);
       return true;
@@ -163,14 +152,14 @@ bool SliceView::takeKey(QKeyEvent* event) {
       showWhole();
       return true;
     default:
-      return false;
+      if (arrow == glm::dvec2(0.0)) return false;
   }
   if (event->modifiers() & Qt::ShiftModifier) {
-    pan(QPointF(way.x() * width(), way.y() * height()) * panFraction);
+    pan(QPointF(arrow.x * width(), -arrow.y * height()) * panFraction);
     return true;
   }
   const volume::SliceFrame frame = plane()->frame();
-  const glm::dvec3 along = way.x() * frame.right + way.y() * frame.down;
+  const glm::dvec3 along = arrow.x * frame.right - arrow.y * frame.down;
   moveTo(position() + along * volume::voxelAlong(volume_->grid().geometry(), along), true);
   return true;
 }

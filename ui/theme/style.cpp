@@ -71,26 +71,28 @@ class Style : public QProxyStyle {
 
 QPalette paletteOf(const ThemeColours& c) {
   QPalette palette;
-  palette.setColor(QPalette::Window, c.window);
-  palette.setColor(QPalette::WindowText, c.text);
-  palette.setColor(QPalette::Base, c.base);
-  palette.setColor(QPalette::AlternateBase, c.window);
-  palette.setColor(QPalette::Text, c.text);
-  palette.setColor(QPalette::PlaceholderText, c.quietText);
-  palette.setColor(QPalette::Button, c.raised);
-  palette.setColor(QPalette::ButtonText, c.text);
-  palette.setColor(QPalette::BrightText, c.text);
-  palette.setColor(QPalette::ToolTipBase, c.raised);
-  palette.setColor(QPalette::ToolTipText, c.text);
-  palette.setColor(QPalette::Highlight, c.accent);
-  palette.setColor(QPalette::HighlightedText, c.onAccent);
-  palette.setColor(QPalette::Link, c.accent);
-  palette.setColor(QPalette::LinkVisited, c.accent);
-  palette.setColor(QPalette::Light, c.border);
-  palette.setColor(QPalette::Midlight, c.raised);
-  palette.setColor(QPalette::Mid, c.border);
-  palette.setColor(QPalette::Dark, c.edge);
-  palette.setColor(QPalette::Shadow, QColor(0x0c, 0x0e, 0x11));
+  using Role = std::pair<QPalette::ColorRole, QColor>;
+  for (const auto& [role, color] : {Role{QPalette::Window, c.window},
+                                    Role{QPalette::WindowText, c.text},
+                                    Role{QPalette::Base, c.base},
+                                    Role{QPalette::AlternateBase, c.window},
+                                    Role{QPalette::Text, c.text},
+                                    Role{QPalette::PlaceholderText, c.quietText},
+                                    Role{QPalette::Button, c.raised},
+                                    Role{QPalette::ButtonText, c.text},
+                                    Role{QPalette::BrightText, c.text},
+                                    Role{QPalette::ToolTipBase, c.raised},
+                                    Role{QPalette::ToolTipText, c.text},
+                                    Role{QPalette::Highlight, c.accent},
+                                    Role{QPalette::HighlightedText, c.onAccent},
+                                    Role{QPalette::Link, c.accent},
+                                    Role{QPalette::LinkVisited, c.accent},
+                                    Role{QPalette::Light, c.border},
+                                    Role{QPalette::Midlight, c.raised},
+                                    Role{QPalette::Mid, c.border},
+                                    Role{QPalette::Dark, c.edge},
+                                    Role{QPalette::Shadow, QColor(0x0c, 0x0e, 0x11)}})
+    palette.setColor(role, color);
   for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
     palette.setColor(QPalette::Disabled, role, c.disabledText);
   palette.setColor(QPalette::Disabled, QPalette::Base, c.window);

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <array>
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QVBoxLayout>
 
 #include "ui/theme/style.h"
-
+#include "ui/widgets/parts.h"
 namespace isolux::ui {
 
 namespace {
@@ -18,8 +16,8 @@ constexpr int cardWidth = 330, cardGap = 14, lineWidthOfFrame = 3;  // pixels
 
 TourCard::TourCard(QWidget* window)
     : QFrame(window),
-      title_(new QLabel(this)),
-      text_(new QLabel(this)),
+      title_(wrappedLabel({}, this)),
+      text_(wrappedLabel({}, this)),
       progress_(new QLabel(this)),
       next_(new QPushButton(this)),
       leave_(new QPushButton(this)),
@@ -35,21 +33,12 @@ TourCard::TourCard(QWidget* window)
   bold.setBold(true);
   bold.setPointSizeF(bold.pointSizeF() + 1.5);
   title_->setFont(bold);
-  for (QLabel* label : {title_, text_}) label->setWordWrap(true);
   setInk(progress_, Ink::quiet);
   for (QPushButton* button : {next_, leave_}) button->setFocusPolicy(Qt::TabFocus);
 
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(progress_, 1);
-  buttons->addWidget(leave_);
-  buttons->addWidget(next_);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(16, 14, 16, 12);
-  layout->setSpacing(8);
-  layout->addWidget(title_);
-  layout->addWidget(text_);
-  layout->addSpacing(4);
-  layout->addLayout(buttons);
+  auto* buttons = lineOf({{progress_, 1}, leave_, next_});
+  layOut(this, columnOf({title_, text_, Cell::gap(4), buttons}, 8), {16, 14, 16, 12});
+
   hide();
 }
 

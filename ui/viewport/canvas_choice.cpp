@@ -7,7 +7,6 @@
 
 #include <QDate>
 #include <QDir>
-#include <QGuiApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QPainter>

@@ -26,16 +26,15 @@ CutMenu::CutMenu(QMenu* menu, QObject* parent) : QObject(parent) {
   menu->addSeparator();
   makeFaces(menu);
   makeSurfaces(menu);
-  handles_ = add(menu, tr("Show &handles"), tr("Show handles of planes and box in the 3-D view"), {});
+  handles_ = add(menu, tr("Show &handles"), tr("Show handles of planes and box in the 3-D view"), {}, [this] {
+    QSettings().setValue(handlesKey, showsHandles());
+    Q_EMIT handlesShown(showsHandles());
+  });
   handles_->setCheckable(true);
   handles_->setChecked(QSettings().value(handlesKey, true).toBool());
-  connect(handles_, &QAction::toggled, this, [this](bool shown) {
-    QSettings().setValue(handlesKey, shown);
-    Q_EMIT handlesShown(shown);
-  });
   menu->addSeparator();
-  all_ = add(menu, tr("&Remove all cuts"), tr("Remove all planes and boxes"), QKeySequence("Shift+X"));
-  connect(all_, &QAction::triggered, this, &CutMenu::removeAll);
+  all_ = add(menu, tr("&Remove all cuts"), tr("Remove all planes and boxes"), QKeySequence("Shift+X"),
+             [this] { removeAll(); });
   showState();
 }
 
@@ -43,9 +42,9 @@ bool CutMenu::showsHandles() const {
   return handles_->isChecked();
 }
 
-QAction* CutMenu::add(QMenu* menu, const QString& text, const QString& tip, const QKeySequence& keys) {
-  QAction* action = menu->addAction(text);
-  action->setShortcut(keys);
+QAction* CutMenu::add(QMenu* menu, const QString& text, const QString& tip, const QKeySequence& keys,
+                      const std::function<void()>& chosen) {
+  QAction* action = menu->addAction(text, keys, this, chosen);
   action->setToolTip(tip);
   action->setData(tip);  // what allow() goes back to
   return action;
@@ -56,74 +55,65 @@ void CutMenu::allow(QAction* action, const QString& whyNot) {
   action->setToolTip(whyNot.isEmpty() ? action->data().toString() : whyNot);
 }
 
-// ---- Entries
-// -------------------------------------------------------------------------------------------------
+// Entries
 
 void CutMenu::makeAdding(QMenu* menu) {
   const QString tip =
       tr("Add a plane through the crosshair or the view’s target, and cut away the part in front of it");
   for (const int axis : {2, 1, 0}) {
     QAction*& action = across_[static_cast<std::size_t>(axis)];
-    action = add(menu, {}, tip, {});
-    connect(action, &QAction::triggered, this, [this, axis] { addAcross(axis); });
+    action = add(menu, {}, tip, {}, [this, axis] { addAcross(axis); });
   }
   nameAxes();
-  facing_ = add(menu, tr("Plane facing the &viewer"), tip, QKeySequence("C"));
-  connect(facing_, &QAction::triggered, this, &CutMenu::addFacing);
+  facing_ = add(menu, tr("Plane facing the &viewer"), tip, QKeySequence("C"), [this] { addFacing(); });
   through_ =
       add(menu, tr("Plane &through three points"),
-          tr("Add a plane through the points of the selected measurement, or the last three points set"), {});
-  connect(through_, &QAction::triggered, this, &CutMenu::addThrough);
-  box_ = add(menu, tr("&Box"), tr("Add a box and cut away everything outside it"), {});
-  connect(box_, &QAction::triggered, this, &CutMenu::addBox);
+          tr("Add a plane through the points of the selected measurement, or the last three points set"), {},
+          [this] { addThrough(); });
+  box_ = add(menu, tr("&Box"), tr("Add a box and cut away everything outside it"), {}, [this] { addBox(); });
   corner_ = add(menu, tr("Cut a c&orner away"),
-                tr("Remove the eighth towards the viewer, from the crosshair or the centre of the view"), {});
-  connect(corner_, &QAction::triggered, this, &CutMenu::addCorner);
+                tr("Remove the eighth towards the viewer, from the crosshair or the centre of the view"), {},
+                [this] { addCorner(); });
 }
 
 void CutMenu::makePlanes(QMenu* menu) {
   flipLast_ = add(menu, tr("Revers&e last plane"), tr("Cut away the other side of the plane"),
-                  QKeySequence("Shift+C"));
-  connect(flipLast_, &QAction::triggered, this, [this] {
-    changePlane(scene_.clip.planes.size() - 1, tr("Reverse plane %1").arg(scene_.clip.planes.size()),
-                app::flipped);
-  });
+                  QKeySequence("Shift+C"), [this] {
+                    changePlane(scene_.clip.planes.size() - 1,
+                                tr("Reverse plane %1").arg(scene_.clip.planes.size()), app::flipped);
+                  });
   for (std::size_t i = 0; i < planes_.size(); ++i) {
     PlaneActions& plane = planes_[i];
     plane.menu = menu->addMenu(tr("Plane &%1").arg(i + 1));
     plane.menu->setToolTipsVisible(true);
-    plane.flip = add(plane.menu, tr("Revers&e"), tr("Cut away the other side of the plane"), {});
-    connect(plane.flip, &QAction::triggered, this,
-            [this, i] { changePlane(i, tr("Reverse plane %1").arg(i + 1), app::flipped); });
-    plane.toAxis = add(plane.menu, tr("Align to the nearest &axis"), tr("Align its normal with an axis"), {});
-    connect(plane.toAxis, &QAction::triggered, this, [this, i] {
-      changePlane(i, tr("Align plane %1").arg(i + 1), [this](const scene::ClipPlane& before) {
-        return app::alignedToAxis(before, volume_->grid().geometry().corners());
-      });
-    });
-    plane.toViewer = add(plane.menu, tr("Turn to the &viewer"), tr("Turn its normal towards the viewer"), {});
-    connect(plane.toViewer, &QAction::triggered, this, [this, i] {
-      changePlane(i, tr("Turn plane %1 to the viewer").arg(i + 1), [this](const scene::ClipPlane& before) {
-        return app::alignedToViewer(before, volume_->grid().geometry().corners(), back());
-      });
-    });
-    plane.remove = add(plane.menu, tr("&Remove"), tr("Remove this plane"), {});
-    connect(plane.remove, &QAction::triggered, this, [this, i] { removePlane(i); });
+    plane.flip = add(plane.menu, tr("Revers&e"), tr("Cut away the other side of the plane"), {},
+                     [this, i] { changePlane(i, tr("Reverse plane %1").arg(i + 1), app::flipped); });
+    plane.toAxis =
+        add(plane.menu, tr("Align to the nearest &axis"), tr("Align its normal with an axis"), {}, [this, i] {
+          changePlane(i, tr("Align plane %1").arg(i + 1), [this](const scene::ClipPlane& before) {
+            return app::alignedToAxis(before, volume_->grid().geometry().corners());
+          });
+        });
+    plane.toViewer =
+        add(plane.menu, tr("Turn to the &viewer"), tr("Turn its normal towards the viewer"), {}, [this, i] {
+          changePlane(i, tr("Turn plane %1 to the viewer").arg(i + 1),
+                      [this](const scene::ClipPlane& before) {
+                        return app::alignedToViewer(before, volume_->grid().geometry().corners(), back());
+                      });
+        });
+    plane.remove = add(plane.menu, tr("&Remove"), tr("Remove this plane"), {}, [this, i] { removePlane(i); });
   }
   boxMenu_ = menu->addMenu(tr("Bo&x"));
-  straightenBox_ = add(boxMenu_, tr("&Align to the axes"), tr("Turn the box back to the axes"), {});
-  connect(straightenBox_, &QAction::triggered, this, [this] {
+  straightenBox_ = add(boxMenu_, tr("&Align to the axes"), tr("Turn the box back to the axes"), {}, [this] {
     scene::Clip clip = scene_.clip;
     clip.boxRotation = {1.0, 0.0, 0.0, 0.0};
     send(clip, tr("Align the box"));
   });
-  removeBox_ = add(boxMenu_, tr("&Remove"), tr("Remove this box"), {});
-  connect(removeBox_, &QAction::triggered, this, &CutMenu::removeBox);
+  add(boxMenu_, tr("&Remove"), tr("Remove this box"), {}, [this] { removeBox(); });
   for (std::size_t i = 0; i < corners_.size(); ++i) {
     corners_[i] = menu->addMenu(tr("Corner %1").arg(i + 1));
     corners_[i]->setToolTipsVisible(true);
-    QAction* const remove = add(corners_[i], tr("&Remove"), tr("Restore this corner"), {});
-    connect(remove, &QAction::triggered, this, [this, i] {
+    add(corners_[i], tr("&Remove"), tr("Restore this corner"), {}, [this, i] {
       scene::Clip clip = scene_.clip;
       app::removeCorner(clip, i);
       send(clip, tr("Remove corner %1").arg(i + 1));
@@ -136,15 +126,14 @@ void CutMenu::makeFaces(QMenu* menu) {
   faces->setToolTipsVisible(true);
   faces_ = new QActionGroup(this);
   const auto choice = [&](scene::ClipCap cap, const QString& text, const QString& tip) {
-    QAction* action = add(faces, text, tip, {});
-    action->setCheckable(true);
-    action->setProperty("cap", static_cast<int>(cap));
-    faces_->addAction(action);
-    connect(action, &QAction::triggered, this, [this, cap] {
+    QAction* action = add(faces, text, tip, {}, [this, cap] {
       scene::Clip clip = scene_.clip;
       clip.cap = cap;
       send(clip, tr("Change cut faces"));
     });
+    action->setCheckable(true);
+    action->setProperty("cap", static_cast<int>(cap));
+    faces_->addAction(action);
   };
   choice(scene::ClipCap::none, tr("&None"), tr("Leave the cut open and show the back faces of surfaces"));
   choice(scene::ClipCap::inside, tr("Values &inside"),
@@ -157,15 +146,13 @@ void CutMenu::makeSurfaces(QMenu* menu) {
   surfacesMenu_->setToolTipsVisible(true);
   for (std::size_t i = 0; i < surfaces_.size(); ++i) {
     surfaces_[i] =
-        add(surfacesMenu_, tr("Isosurface &%1").arg(i + 1), tr("Let planes and box cut this surface"), {});
+        add(surfacesMenu_, tr("Isosurface &%1").arg(i + 1), tr("Let planes and box cut this surface"), {},
+            [this, i] { setCut(static_cast<int>(i), surfaces_[i]->isChecked()); });
     surfaces_[i]->setCheckable(true);
-    connect(surfaces_[i], &QAction::triggered, this,
-            [this, i](bool cut) { setCut(static_cast<int>(i), cut); });
   }
 }
 
-// ---- State
-// ---------------------------------------------------------------------------------------------------
+// State
 
 void CutMenu::setVolume(const VolumePointer& volume) {
   volume_ = volume;
@@ -238,8 +225,7 @@ void CutMenu::showMenuOf(const QPoint& onScreen, const app::CutGrip& grip) {
     boxMenu_->popup(onScreen);
 }
 
-// ---- Edits
-// ---------------------------------------------------------------------------------------------------
+// Edits
 
 glm::dvec3 CutMenu::back() const {
   return scene::frameOf(resolved_.camera).back;

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include <QObject>
@@ -44,7 +43,8 @@ class CutMenu : public QObject {
     QMenu* menu;
     QAction *flip, *toAxis, *toViewer, *remove;
   };
-  QAction* add(QMenu* menu, const QString& text, const QString& tip, const QKeySequence& keys);
+  QAction* add(QMenu* menu, const QString& text, const QString& tip, const QKeySequence& keys,
+               const std::function<void()>& chosen);
   void makeAdding(QMenu* menu);
   void makePlanes(QMenu* menu);
   void makeSurfaces(QMenu* menu);
@@ -75,7 +75,7 @@ class CutMenu : public QObject {
   QMenu *planesMenu_ = nullptr, *surfacesMenu_ = nullptr, *boxMenu_ = nullptr;
   std::array<QAction*, 3> across_{};  // the world's x, y, z
   QAction *facing_ = nullptr, *through_ = nullptr, *box_ = nullptr, *corner_ = nullptr, *flipLast_ = nullptr,
-          *handles_ = nullptr, *removeBox_ = nullptr, *straightenBox_ = nullptr, *all_ = nullptr;
+          *handles_ = nullptr, *straightenBox_ = nullptr, *all_ = nullptr;
   std::array<PlaneActions, scene::kClipPlanes> planes_{};
   std::array<QMenu*, scene::kRemovedBoxes> corners_{};
   std::array<QAction*, 1 + scene::kExtraIsosurfaces> surfaces_{};

@@ -1,7 +1,5 @@
 #include "ui/viewport/overlay_painters.h"
 
-#include <algorithm>
-
 #include <QPainter>
 #include <QPainterPath>
 

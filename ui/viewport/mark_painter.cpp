@@ -1,7 +1,6 @@
 #include "ui/viewport/overlay_painters.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
 #include <QPainter>

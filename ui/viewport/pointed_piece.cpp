@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include <QLocale>
-
 #include "ui/language/number_text.h"
 #include "volume/pieces/pieces.h"
 
@@ -22,9 +20,7 @@ QString volumeText(double mm3) {
 }
 
 PointedPiece::PointedPiece(QObject* parent) : QObject(parent) {
-  restTimer_.setSingleShot(true);
-  restTimer_.setInterval(pointerRestMilliseconds);
-  connect(&restTimer_, &QTimer::timeout, this, &PointedPiece::find);
+  callOnce(restTimer_, pointerRestMilliseconds, this, &PointedPiece::find);
 }
 
 void PointedPiece::point(const VolumePointer& volume, const scene::Scene& resolved,

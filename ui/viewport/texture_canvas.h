@@ -2,7 +2,6 @@
 // picture thread, through Qt's global share context.
 #pragma once
 
-#include <memory>
 #include <optional>
 
 #include <QOpenGLWidget>

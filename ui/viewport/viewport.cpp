@@ -20,6 +20,14 @@ constexpr int viewRestMilliseconds = 200;          // after the last change, bef
 const QString caveatSign = QStringLiteral(" · ");  // between two of them
 constexpr int pointedMilliseconds = 40;            // the pointer's value is looked up at most this often
 
+// In the order of render::EmptyPicture::Remedy.
+constexpr const char* remedyTexts[] = {"",
+                                       QT_TRANSLATE_NOOP("isolux::ui::Viewport", "Suggested isovalue"),
+                                       QT_TRANSLATE_NOOP("isolux::ui::Viewport", "Reset view"),
+                                       QT_TRANSLATE_NOOP("isolux::ui::Viewport", "Make it opaque"),
+                                       QT_TRANSLATE_NOOP("isolux::ui::Viewport", "Show all pieces"),
+                                       QT_TRANSLATE_NOOP("isolux::ui::Viewport", "Remove the cuts")};
+
 // Whether two scenes have the same pictures: marks lie over them.
 bool samePictures(const scene::Scene& from, scene::Scene to) {
   to.marks = from.marks;
@@ -68,9 +76,8 @@ Viewport::Viewport(QWidget* parent)
   });
   refineTimer_.setSingleShot(true);
   connect(&refineTimer_, &QTimer::timeout, this, &Viewport::refine);
-  pointTimer_.setSingleShot(true);
-  pointTimer_.setInterval(pointedMilliseconds);
-  connect(&pointTimer_, &QTimer::timeout, this, &Viewport::reportPointed);
+  callOnce(pointTimer_, pointedMilliseconds, this, &Viewport::reportPointed);
+
   connect(&fadeTimer_, &QTimer::timeout, this, &Viewport::paintCanvas);
   connect(&turnTimer_, &QTimer::timeout, this, &Viewport::turnOn);
 }
@@ -82,25 +89,8 @@ void Viewport::offerRemedy(const std::optional<render::EmptyPicture>& empty) {
   using Remedy = render::EmptyPicture::Remedy;
   offered_ = empty ? empty->remedy : Remedy::none;
   remedy_->setVisible(offered_ != Remedy::none);
-  switch (offered_) {
-    case Remedy::none:
-      return;
-    case Remedy::isovalue:
-      remedy_->setText(tr("Suggested isovalue"));
-      break;
-    case Remedy::view:
-      remedy_->setText(tr("Reset view"));
-      break;
-    case Remedy::opacity:
-      remedy_->setText(tr("Make it opaque"));
-      break;
-    case Remedy::pieces:
-      remedy_->setText(tr("Show all pieces"));
-      break;
-    case Remedy::cuts:
-      remedy_->setText(tr("Remove the cuts"));
-      break;
-  }
+  if (offered_ == Remedy::none) return;
+  remedy_->setText(tr(remedyTexts[static_cast<std::size_t>(offered_)]));
   placeButtons();
 }
 
@@ -299,10 +289,6 @@ void Viewport::setLight(LightPointer light, bool changing, bool shown) {
   quality_.setLightChanging(changing && !toldEveryRay());
   if (!changing && !refineTimer_.isActive()) rest();
   changed();
-}
-
-QString Viewport::description() const {
-  return problem_ ? *problem_ : glDescription_;
 }
 
 std::optional<app::Pick> Viewport::pickAt(QPointF position) const {

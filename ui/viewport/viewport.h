@@ -106,7 +106,6 @@ class Viewport : public QWidget {
     QString what;                           // what the dialog says; empty: that a picture is drawn
   };
   render::StillPicture picture(const StillRequest& asked);
-  render::StillPicture picture() { return picture(StillRequest{}); }
   // Returns the margins of the orientation labels of an image of this size; views are fitted between them.
   // `ratio`: pixels to one of a screen at 100 %.
   static app::Edges letterEdges(glm::ivec2 pixels, double ratio);
@@ -129,8 +128,9 @@ class Viewport : public QWidget {
     const Laid& laid = laid_[static_cast<std::size_t>(what)];
     return !laid.image.isNull() && laid.of == picture_.pixels.cacheKey();
   }
-  bool complete() const;        // the picture on screen is the full one
-  QString description() const;  // GL strings, or why there is no picture
+  bool complete() const;  // the picture on screen is the full one
+  // GL strings, or why there is no picture.
+  QString description() const { return problem_ ? *problem_ : glDescription_; }
   const std::optional<QString>& problem() const { return problem_; }  // why there is no picture now
 
  Q_SIGNALS:

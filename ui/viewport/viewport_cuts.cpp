@@ -1,5 +1,4 @@
 // Handles of cuts of ui/viewport/viewport.h: dragging one edits clip., as one step of undo.
-#include <QApplication>
 
 #include "app/cuts/cut_drag.h"
 #include "scene/rules/needs.h"

@@ -4,18 +4,13 @@
 #include <QKeyEvent>
 
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/parts.h"
 
 namespace isolux::ui {
 
 namespace {
 
 constexpr double turnStep = 5.0 * std::numbers::pi / 180.0, panStep = 0.05, zoomFactor = 1.1;
-
-// x right, y up; 0 0 for other keys.
-glm::dvec2 arrowOf(int key) {
-  return {int(key == Qt::Key_Right) - int(key == Qt::Key_Left),
-          int(key == Qt::Key_Up) - int(key == Qt::Key_Down)};
-}
 
 }  // namespace
 

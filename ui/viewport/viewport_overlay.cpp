@@ -1,7 +1,6 @@
 #include "ui/viewport/viewport_overlay.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include <QPainter>

@@ -10,8 +10,6 @@
 #include <QLineEdit>
 #include <QSignalBlocker>
 #include <QToolTip>
-#include <QWheelEvent>
-
 #include "ui/language/number_text.h"
 
 namespace isolux::ui {
@@ -66,11 +64,10 @@ void noteEntered(EnteredNumbers<Number>& entered, Number value) {
 
 }  // namespace
 
-NumberSpinBox::NumberSpinBox(QWidget* parent) : QDoubleSpinBox(parent) {
+NumberSpinBox::NumberSpinBox(QWidget* parent) : CalmWheel(parent) {
   setDecimals(323);  // no rounding of the value; textFromValue decides what is shown
   setRange(-1e300, 1e300);
   setKeyboardTracking(false);
-  setFocusPolicy(Qt::StrongFocus);
   setButtonSymbols(QAbstractSpinBox::NoButtons);
   connect(this, &NumberSpinBox::valueChanged, this, [this](double value) { noteEntered(entered_, value); });
 }
@@ -138,17 +135,8 @@ void NumberSpinBox::showValue(double value) {
   setValue(value);
 }
 
-void NumberSpinBox::wheelEvent(QWheelEvent* event) {
-  if (hasFocus()) {
-    QDoubleSpinBox::wheelEvent(event);
-  } else {
-    event->ignore();
-  }
-}
-
-IntegerSpinBox::IntegerSpinBox(QWidget* parent) : QSpinBox(parent) {
+IntegerSpinBox::IntegerSpinBox(QWidget* parent) : CalmWheel(parent) {
   setKeyboardTracking(false);
-  setFocusPolicy(Qt::StrongFocus);
   connect(this, &IntegerSpinBox::valueChanged, this, [this](int value) { noteEntered(entered_, value); });
 }
 
@@ -175,14 +163,6 @@ QValidator::State IntegerSpinBox::validate(QString& text, int& position) const {
 void IntegerSpinBox::fixup(QString& text) const {
   const QString why = whyRefused(withoutSuffix(text, suffix()), minimum(), maximum());
   if (!why.isEmpty()) Q_EMIT refused(why);
-}
-
-void IntegerSpinBox::wheelEvent(QWheelEvent* event) {
-  if (hasFocus()) {
-    QSpinBox::wheelEvent(event);
-  } else {
-    event->ignore();
-  }
 }
 
 }  // namespace isolux::ui

@@ -9,8 +9,25 @@
 
 #include <QDoubleSpinBox>
 #include <QSpinBox>
+#include <QWheelEvent>
 
 namespace isolux::ui {
+
+// A wheel turned over a panel scrolls it and changes nothing, unless the widget has the focus.
+template <class Base>
+class CalmWheel : public Base {
+ public:
+  explicit CalmWheel(QWidget* parent) : Base(parent) { this->setFocusPolicy(Qt::StrongFocus); }
+
+ protected:
+  void wheelEvent(QWheelEvent* event) override {
+    if (this->hasFocus()) {
+      Base::wheelEvent(event);
+    } else {
+      event->ignore();
+    }
+  }
+};
 
 // The numbers of a box since it has the focus.
 template <typename Number>
@@ -21,7 +38,7 @@ struct EnteredNumbers {
 
 // For any double, from 1e-20 to 1e6. Shows four digits, all of them while it is edited and in its tooltip;
 // what is not edited keeps every digit.
-class NumberSpinBox : public QDoubleSpinBox {
+class NumberSpinBox : public CalmWheel<QDoubleSpinBox> {
   Q_OBJECT
  public:
   explicit NumberSpinBox(QWidget* parent = nullptr);
@@ -42,7 +59,6 @@ class NumberSpinBox : public QDoubleSpinBox {
   bool event(QEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
-  void wheelEvent(QWheelEvent* event) override;  // only with the focus: scrolling a panel changes nothing
 
  private:
   void showText();
@@ -51,7 +67,7 @@ class NumberSpinBox : public QDoubleSpinBox {
   EnteredNumbers<double> entered_;
 };
 
-class IntegerSpinBox : public QSpinBox {
+class IntegerSpinBox : public CalmWheel<QSpinBox> {
   Q_OBJECT
  public:
   explicit IntegerSpinBox(QWidget* parent = nullptr);
@@ -65,7 +81,6 @@ class IntegerSpinBox : public QSpinBox {
  protected:
   bool event(QEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;
-  void wheelEvent(QWheelEvent* event) override;  // only with the focus
 
  private:
   EnteredNumbers<int> entered_;

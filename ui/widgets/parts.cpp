@@ -89,6 +89,15 @@ void keepPlaceWhenHidden(QWidget* widget) {
   widget->setSizePolicy(policy);
 }
 
+glm::dvec2 arrowOf(int key) {
+  return {int(key == Qt::Key_Right) - int(key == Qt::Key_Left),
+          int(key == Qt::Key_Up) - int(key == Qt::Key_Down)};
+}
+
+bool isSeen(const QWidget* widget) {
+  return widget->isVisible() && !widget->visibleRegion().isEmpty();
+}
+
 QProgressBar* thinBar(QWidget* parent) {
   auto* const bar = new QProgressBar(parent);
   bar->setRange(0, barSteps);

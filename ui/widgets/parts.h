@@ -5,6 +5,7 @@
 
 #include <QBoxLayout>
 #include <QString>
+#include <glm/vec2.hpp>
 
 class QGridLayout;
 class QLabel;
@@ -46,6 +47,12 @@ void nameAndTip(QWidget* widget, const QString& name, const QString& tip = {});
 void makeBold(QWidget* widget);
 // What is around it does not move when it is hidden.
 void keepPlaceWhenHidden(QWidget* widget);
+
+// Of an arrow key: x right, y up; 0 0 for other keys.
+glm::dvec2 arrowOf(int key);
+
+// A tab behind others is visible to Qt, but not to anybody.
+bool isSeen(const QWidget* widget);
 
 // A thin bar without text.
 QProgressBar* thinBar(QWidget* parent);

@@ -47,10 +47,6 @@ QSize WrappedText::sizeHint() const {
   return {24 * one / 2, width() > 0 ? heightForWidth(width()) : one};
 }
 
-QSize WrappedText::minimumSizeHint() const {
-  return {0, fontMetrics().lineSpacing()};
-}
-
 void WrappedText::wheelEvent(QWheelEvent* event) {
   event->ignore();
 }

@@ -16,7 +16,7 @@ class WrappedText : public QTextEdit {
   bool hasHeightForWidth() const override { return true; }
   int heightForWidth(int width) const override;
   QSize sizeHint() const override;
-  QSize minimumSizeHint() const override;
+  QSize minimumSizeHint() const override { return {0, fontMetrics().lineSpacing()}; }
 
  protected:
   void wheelEvent(QWheelEvent* event) override;  // scrolls what the text stands in

@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
-#include <string_view>
 
 #include <dlfcn.h>
 #include <malloc.h>
@@ -35,8 +34,7 @@ namespace {
 constexpr double secondsToEnd = 1.0;
 
 bool isSet(const char* name) {
-  const char* value = std::getenv(name);
-  return value != nullptr && *value != '\0';
+  return !qEnvironmentVariableIsEmpty(name);
 }
 
 // Whether an X server answers, asked through libxcb without linking to it. True when that cannot be asked.

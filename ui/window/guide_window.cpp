@@ -57,11 +57,10 @@ GuideWindow::GuideWindow(const QString& folder, QWidget* parent)
 // Pages open here, addresses in the user's browser.
 void GuideWindow::follow(const QUrl& link) {
   const QUrl target = browser_->source().resolved(link);
-  if (!target.isLocalFile()) {
-    QDesktopServices::openUrl(target);
-  } else if (target.path() == browser_->source().path()) {
+  const bool isFile = target.isLocalFile();
+  if (isFile && target.path() == browser_->source().path()) {
     browser_->scrollToAnchor(target.fragment());
-  } else if (target.path().endsWith(".md")) {
+  } else if (isFile && target.path().endsWith(".md")) {
     browser_->setSource(target, QTextDocument::MarkdownResource);
   } else {
     QDesktopServices::openUrl(target);

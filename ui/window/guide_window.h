@@ -13,7 +13,6 @@ class GuideWindow : public QDialog {
  public:
   // Opens index.md of `folder`, which must not be empty.
   GuideWindow(const QString& folder, QWidget* parent);
-  QTextBrowser* browser() const { return browser_; }
 
  private:
   void follow(const QUrl& link);

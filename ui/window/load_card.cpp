@@ -46,9 +46,7 @@ LoadCard::LoadCard(QWidget* parent)
   layout->addWidget(cancel_, 2, 1, 3, 1, Qt::AlignVCenter);
   layout->setColumnStretch(0, 1);
   parent->installEventFilter(this);
-  delay_.setSingleShot(true);
-  delay_.setInterval(150);
-  connect(&delay_, &QTimer::timeout, this, [this] {
+  callOnce(delay_, 150, this, [this] {
     place();
     show();
     raise();

@@ -29,7 +29,6 @@ class LoadCard : public QFrame {
   bool showsPicture() const;
   void setLeastBytes(std::size_t bytes) { leastBytes_ = bytes; }  // of volumes that are looked at; for tests
   void end();
-  QPushButton* cancelButton() const { return cancel_; }
 
  Q_SIGNALS:
   void cancelled();

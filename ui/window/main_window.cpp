@@ -1,10 +1,8 @@
 #include "ui/window/main_window.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
-#include <QActionGroup>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QFileInfo>
@@ -13,13 +11,13 @@
 #include <QScreen>
 #include <QSignalBlocker>
 #include <QStatusBar>
-#include <QVBoxLayout>
 
 #include "app/documents/import_notes.h"
 #include "app/documents/session.h"
 #include "scene/looks.h"
 #include "scene/rules/relevance.h"
 #include "scene/settings/settings.h"
+#include "ui/accuracy/accuracy_panel.h"
 #include "ui/dicom_browser/folder_opener.h"
 #include "ui/dicom_browser/recent_menu.h"
 #include "ui/document/baked_light.h"
@@ -34,17 +32,21 @@
 #include "ui/levels/level_marks.h"
 #include "ui/panels/isovalue_panel.h"
 #include "ui/panels/light_status.h"
+#include "ui/panels/marks_panel.h"
 #include "ui/panels/passes_panel.h"
+#include "ui/panels/pieces_panel.h"
+#include "ui/panels/settings_panel.h"
 #include "ui/panels/volume_panel.h"
+#include "ui/presets/looks_panel.h"
 #include "ui/slices/slice_board.h"
 #include "ui/theme/style.h"
 #include "ui/viewport/pointed_piece.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/picture_dot.h"
 #include "ui/widgets/time_left.h"
 #include "ui/window/load_card.h"
 #include "ui/window/message_bar.h"
-#include "ui/window/panel_table.h"
 #include "ui/window/window_layout.h"
 #include "volume/read/reader.h"
 
@@ -54,6 +56,29 @@ namespace {
 constexpr auto openHint =
     QT_TRANSLATE_NOOP("QObject", "Open a volume with Ctrl+O, or drop a file or folder here");
 constexpr int panelWidth = 350;  // pixels, at first
+
+// The window makes, docks and feeds all panels from a table, and knows none of them by name.
+struct PanelInfo {
+  const char* name;   // in saved layouts, for showPanel() and --panel; never translated
+  const char* title;  // on its tab and in the View menu
+  Panel* (*make)(QWidget* parent);
+  bool atFirst = true;  // shown before the user has chosen; the rest waits in the View menu
+};
+
+template <class P>
+Panel* makePanel(QWidget* parent) {
+  return new P(parent);
+}
+
+// From left to right; the first is in front when the window opens.
+constexpr PanelInfo panelTable[] = {
+    {"Settings", QT_TRANSLATE_NOOP("QObject", "Settings"), makePanel<SettingsPanel>},
+    {"Looks", QT_TRANSLATE_NOOP("QObject", "Looks"), makePanel<LooksPanel>},
+    {"Marks", QT_TRANSLATE_NOOP("QObject", "Measure"), makePanel<MarksPanel>},
+    {"Volume", QT_TRANSLATE_NOOP("QObject", "Volume"), makePanel<VolumePanel>},
+    {"Pieces", QT_TRANSLATE_NOOP("QObject", "Pieces"), makePanel<PiecesPanel>},
+    {"Passes", QT_TRANSLATE_NOOP("QObject", "Timing"), makePanel<PassesPanel>},
+    {"Accuracy", QT_TRANSLATE_NOOP("QObject", "Accuracy"), makePanel<AccuracyPanel>, false}};
 
 // What the user has written on pictures lately, where a new document says nothing of it.
 void writeOnPictures(app::WindowRequest& request) {
@@ -126,14 +151,10 @@ MainWindow::~MainWindow() = default;
 
 void MainWindow::makePanels() {
   auto* centre = new QWidget(this);
-  auto* layout = new QVBoxLayout(centre);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  layout->addWidget(slices_, 1);
-  layout->addWidget(isovalue_);
+  layOut(centre, columnOf({{slices_, 1}, isovalue_}, 0), {});
   setCentralWidget(centre);
 
-  for (const PanelInfo& info : panels()) {
+  for (const PanelInfo& info : panelTable) {
     auto* dock = new QDockWidget(QObject::tr(info.title), this);
     Panel* const panel = info.make(dock);
     dock->setObjectName(info.name);
@@ -182,7 +203,7 @@ void MainWindow::connectDocument() {
     levelMarks_->forget();
     const glm::ivec3 dims = volume->grid().dims();
     if (std::min({dims.x, dims.y, dims.z}) == 1 && !slices_->slicesShown())  // which has no surface
-      slices_->setFourUp(true);
+      slices_->arrange(ViewLayout::fourUp);
     if (!document_->playing()) tellImport(volume->volume.warnings);
   });
   connect(document_, &Document::sceneChanged, this, &MainWindow::showScene);
@@ -327,12 +348,15 @@ void MainWindow::endGesture() {
   tellOfMoving();
 }
 
-bool MainWindow::attempt(const std::function<void()>& work) {
+bool MainWindow::attempt(const std::function<void()>& work, const QString& cancelled) {
   try {
     work();
     return true;
   } catch (const base::Error& error) {
-    message_->showError(QString::fromStdString(error.what()));
+    if (error.kind() != base::ErrorKind::interrupted)
+      message_->showError(QString::fromStdString(error.what()));
+    else if (!cancelled.isEmpty())
+      message_->showNote(cancelled);
     return false;
   }
 }

@@ -72,8 +72,6 @@ class MainWindow : public QMainWindow {
   // What is in the folder decides: a series of several, which the user chooses, or the folder itself.
   void openFolder(const QString& folder);
   void openSeries(const QString& folder, const QString& series);  // asks about unsaved work
-  FolderOpener* folders() const { return folders_; }
-  RecentPictures* recentPictures() const { return recentPictures_; }
   MainWindow* newWindow();                       // empty, shown; deletes itself when it is closed
   void useViewElsewhere();                       // all other windows show their volumes as this one does
   QAction* linkAction() const { return link_; }  // checked: views of windows where it is go together
@@ -84,21 +82,16 @@ class MainWindow : public QMainWindow {
   DocumentKeeper* keeper() const { return keeper_; }  // null until keepDocument()
   Viewport* viewport() const { return viewport_; }
   SliceBoard* slices() const { return slices_; }
-  IsovaluePanel* isovaluePanel() const { return isovalue_; }
   template <class P>
-  P* panel() const {  // of ui/panels/panel.h
+  P* panel() const {  // the only one of its kind: a Panel, or another part of the window
     return findChild<P*>();
   }
   QComboBox* lookChoice() const { return look_; }
   MessageBar* messageBar() const { return message_; }
-  LoadCard* loadCard() const { return loadCard_; }
   BakedLight* light() const { return light_; }
-  LightStatus* lightStatus() const { return lightStatus_; }
   QLabel* coarseLabel() const { return coarseLabel_; }  // empty where the file's own voxels are shown
 
-  LevelMarks* levelMarks() const { return levelMarks_; }
   QAction* markLevelAction() const { return markLevel_; }  // checked: what an overview hides is hatched
-  FullResolutionView* levelZero() const { return fullResolution_; }
   QAction* fullResolutionAction() const { return drawFullResolution_; }  // checked: at rest level 0 is drawn
 
   QMenu* presetsMenu() const { return presetsMenu_; }
@@ -171,7 +164,8 @@ class MainWindow : public QMainWindow {
   void connectLooks();
   void tellAccuracy();                                     // its panel, and LevelMarks: what is on screen
   void preview(const std::optional<scene::Scene>& scene);  // none: the document's
-  bool attempt(const std::function<void()>& work);         // tells the error of what could not be done
+  // Tells the error of what could not be done; of what the user has cancelled, this note.
+  bool attempt(const std::function<void()>& work, const QString& cancelled = {});
   void applyEdit(const Edit& edit);
   void applyViewEdit(const Edit& edit);  // of the viewport
   void endGesture();

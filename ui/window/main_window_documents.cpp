@@ -1,5 +1,7 @@
 // What the menu entries of ui/window/main_window.h do with files: opening, saving, recording, closing, and
 // what a killed window has left.
+#include <algorithm>
+
 #include <QCloseEvent>
 #include <QDesktopServices>
 #include <QDragEnterEvent>
@@ -8,7 +10,6 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QSessionManager>
-#include <QSettings>
 #include <QUrl>
 
 #include "app/documents/session.h"
@@ -102,12 +103,7 @@ void MainWindow::chooseRaw(const QString& path) {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  for (const QUrl& url : event->mimeData()->urls()) {
-    if (url.isLocalFile()) {
-      event->acceptProposedAction();
-      return;
-    }
-  }
+  if (std::ranges::any_of(event->mimeData()->urls(), &QUrl::isLocalFile)) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {

@@ -1,5 +1,4 @@
 // The menus and the tool bar of ui/window/main_window.h.
-#include <array>
 
 #include <QApplication>
 #include <QComboBox>

@@ -132,7 +132,7 @@ render::StillPicture MainWindow::finishedPicture(bool linear, const QString& wha
 }
 
 bool MainWindow::savePicture(const QString& file, bool withSession) {
-  try {
+  const auto work = [&] {
     const std::filesystem::path path = file.toStdString();
     const QString name = QFileInfo(file).fileName();
     if (!endsWith(file, "png") && !endsWith(file, "exr"))
@@ -162,31 +162,20 @@ bool MainWindow::savePicture(const QString& file, bool withSession) {
                    [&] { return written.wait_for(std::chrono::seconds(0)) != std::future_status::timeout; }});
     written.get();
     tellSaved(file, light);
-    return true;
-  } catch (const base::Error& error) {
-    if (error.kind() == base::ErrorKind::interrupted)
-      message_->showNote(tr("The image was not saved (cancelled)"));
-    else
-      message_->showError(QString::fromStdString(error.what()));
-    return false;
-  }
+  };
+  return attempt(work, tr("The image was not saved (cancelled)"));
 }
 
 bool MainWindow::copyPicture() {
   if (!document_->volume()) return false;
-  try {
+  return attempt([&] {
     const render::StillPicture picture = finishedPicture(false, tr("Copying the image"));
     const QString light = unfinishedLightText(light_->state(), light_->cancelled());
     QGuiApplication::clipboard()->setImage(imageOf(picture.color));
     const QString size =
         tr("Copied the image: %1 × %2 pixels").arg(picture.color.size.x).arg(picture.color.size.y);
     message_->showNote(light.isEmpty() ? size : tr("%1, %2").arg(size, light));
-    return true;
-  } catch (const base::Error& error) {
-    if (error.kind() != base::ErrorKind::interrupted)
-      message_->showError(QString::fromStdString(error.what()));
-    return false;
-  }
+  });
 }
 
 void MainWindow::chooseMesh() {

@@ -9,6 +9,7 @@
 #include <QStyle>
 #include <QToolButton>
 
+#include "ui/document/background_task.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/style.h"
 #include "ui/widgets/parts.h"
@@ -33,9 +34,8 @@ MessageBar::MessageBar(QWidget* parent)
   layout_->addWidget(symbol_);
   layout_->addWidget(label_, 1, Qt::AlignVCenter);
   layout_->addWidget(close);
-  timer_.setSingleShot(true);
-  timer_.setInterval(8000);
-  connect(&timer_, &QTimer::timeout, this, &MessageBar::clear);
+  callOnce(timer_, 8000, this, &MessageBar::clear);
+
   connect(close, &QToolButton::clicked, this, &MessageBar::close);
   parent->installEventFilter(this);
   QFrame::hide();
@@ -93,10 +93,6 @@ void MessageBar::makeButtons() {
     });
     buttons_.push_back(button);
   }
-}
-
-void MessageBar::close() {
-  withdraw(shown_.kind);
 }
 
 void MessageBar::clear() {

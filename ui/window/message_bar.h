@@ -60,7 +60,7 @@ class MessageBar : public QFrame {
   void present(Message message);
   void dress();
   void makeButtons();
-  void close();  // what is shown, for good
+  void close() { withdraw(shown_.kind); }  // what is shown, for good
   void place();
 
   QLabel* symbol_;

@@ -18,6 +18,7 @@
 
 #include "ui/slices/slice_board.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/screen_fit.h"
 
 namespace isolux::ui {
@@ -49,10 +50,6 @@ QList<QRect> availableScreens() {
 void mend(QWidget* window) {
   const QRect fitted = fittedOnScreens(window->geometry(), availableScreens());
   if (fitted != window->geometry()) window->setGeometry(fitted);
-}
-
-bool isShownTo(const QWidget* widget) {
-  return widget->isVisible() && !widget->visibleRegion().isEmpty();
 }
 
 // The first stop of the Tab key in it.
@@ -126,7 +123,7 @@ void WindowLayout::giveTabsRoom() {
     if (!bar->isVisible() || bar->width() >= wanted || wanted > mostForTabs * window_->width()) continue;
     for (int tab = 0; tab < bar->count(); ++tab)
       for (QDockWidget* dock : docks_)
-        if (dock->windowTitle() == bar->tabText(tab) && isShownTo(dock))
+        if (dock->windowTitle() == bar->tabText(tab) && isSeen(dock))
           window_->resizeDocks({dock}, {wanted}, Qt::Horizontal);
   }
 }
@@ -189,7 +186,7 @@ void WindowLayout::goTo(QDockWidget* dock) {
 
 void WindowLayout::floatFront(bool floats) {
   for (QDockWidget* dock : docks_) {
-    if (dock->isHidden() || dock->isFloating() == floats || (floats && !isShownTo(dock))) continue;
+    if (dock->isHidden() || dock->isFloating() == floats || (floats && !isSeen(dock))) continue;
     dock->setFloating(floats);
     if (floats) return;
   }
@@ -205,7 +202,7 @@ void WindowLayout::goOn(int step) {
   for (QWidget* sibling : window_->centralWidget()->findChildren<QWidget*>(Qt::FindDirectChildrenOnly))
     if (sibling != board_ && sibling->isVisible() && firstStop(sibling)) parts.push_back(sibling);
   for (QDockWidget* dock : docks_)
-    if (isShownTo(dock)) parts.push_back(dock->widget());
+    if (isSeen(dock)) parts.push_back(dock->widget());
   const QWidget* const focused = QApplication::focusWidget();
   const auto holds = [&](const QWidget* part) { return part == focused || part->isAncestorOf(focused); };
   const auto at = std::find_if(parts.begin(), parts.end(), holds);

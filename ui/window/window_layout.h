@@ -10,7 +10,6 @@
 #include <QByteArray>
 #include <QObject>
 
-class QAction;
 class QActionGroup;
 class QDockWidget;
 class QMainWindow;

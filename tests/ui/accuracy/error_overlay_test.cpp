@@ -63,12 +63,12 @@ TEST_F(ErrorOverlayTest, LiesOverThePictureThatItIsOfAndNoOther) {
 
 TEST_F(ErrorOverlayTest, WhatExceedsTheErrorThatIsEnteredIsHatched) {
   choose(app::ErrorImage::normal);
-  panel()->target()->askError(app::Quantity::normal, 90.0);
+  panel()->findChild<ui::TargetBox*>()->askError(app::Quantity::normal, 90.0);
   ASSERT_TRUE(awaitOverlay());
   const QImage without = onScreen();
-  panel()->target()->askError(app::Quantity::normal, 1e-9);
+  panel()->findChild<ui::TargetBox*>()->askError(app::Quantity::normal, 1e-9);
   EXPECT_TRUE(waitUntil([&] { return differingPixels(without, onScreen(), 40) > 0.02; }));
-  panel()->target()->askTime(100.0);
+  panel()->findChild<ui::TargetBox*>()->askTime(100.0);
   EXPECT_TRUE(waitUntil([&] { return differingPixels(without, onScreen(), 40) < 0.02; }));
 }
 

@@ -24,7 +24,7 @@ class TargetBoxTest : public WindowTest {
     fullPicture(*window_);
     ASSERT_TRUE(waitUntil([&] { return box()->findButton()->isEnabled(); }));
   }
-  ui::TargetBox* box() { return window_->panel<ui::AccuracyPanel>()->target(); }
+  ui::TargetBox* box() { return window_->panel<ui::AccuracyPanel>()->findChild<ui::TargetBox*>(); }
   const scene::Scene& scene() { return window_->document()->scene(); }
   void edit(const char* assignment) {
     ui::Edit edit{scene(), assignment, {}, false};

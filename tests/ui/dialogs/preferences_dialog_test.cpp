@@ -1,6 +1,8 @@
 // Settings of the machine: they act at once, are kept for the user, and are no part of the document.
 #include "ui/dialogs/preferences_dialog.h"
 
+#include <algorithm>
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -34,19 +36,27 @@ class PreferencesTest : public WindowTest {
   }
 };
 
+// Whose tip says the path of this setting.
+ui::ValueWidget* valueWidget(const ui::PreferencesDialog& dialog, const QString& path) {
+  for (auto* widget : dialog.findChildren<ui::ValueWidget*>())
+    if (widget->toolTip().contains("\n" + path + "\n")) return widget;
+  return nullptr;
+}
+
 }  // namespace
 
 TEST_F(PreferencesTest, AChangeActsAtOnceIsKeptAndIsNoEdit) {
   ASSERT_TRUE(load(*window_, "phantom:ball:24"));
   ui::PreferencesDialog* dialog = openDialog();
   ASSERT_NE(dialog, nullptr);
-  auto* threads = dialog->automaticBox("gi.threads");
-  ASSERT_TRUE(threads && threads->isChecked());
-  EXPECT_FALSE(dialog->valueWidget("gi.threads")->isEnabled());
-  threads->click();
-  EXPECT_TRUE(dialog->valueWidget("gi.threads")->isEnabled());
-  dialog->valueWidget("gi.threads")->findChild<QSpinBox*>()->setValue(3);
-  dialog->valueWidget("memory.gpu_budget_mb")->findChild<QSpinBox*>()->setValue(640);
+  const auto boxes = dialog->findChildren<QCheckBox*>();
+  const auto automatic = std::ranges::find(boxes, "auto", &QCheckBox::text);  // of the threads
+  ASSERT_TRUE(automatic != boxes.end() && (*automatic)->isChecked());
+  EXPECT_FALSE(valueWidget(*dialog, "gi.threads")->isEnabled());
+  (*automatic)->click();
+  EXPECT_TRUE(valueWidget(*dialog, "gi.threads")->isEnabled());
+  valueWidget(*dialog, "gi.threads")->findChild<QSpinBox*>()->setValue(3);
+  valueWidget(*dialog, "memory.gpu_budget_mb")->findChild<QSpinBox*>()->setValue(640);
   EXPECT_EQ(window_->host().threads, 3);
   EXPECT_EQ(window_->host().memory.gpuBudgetMb, 640);
   EXPECT_EQ(ui::savedHostSettings(), window_->host());
@@ -60,9 +70,9 @@ TEST_F(PreferencesTest, AChangeActsAtOnceIsKeptAndIsNoEdit) {
 TEST_F(PreferencesTest, TheBudgetReachesTheRenderer) {
   ui::PreferencesDialog* dialog = openDialog();
   // The processor reads voxels where they are.
-  dialog->valueWidget("picture.executor")->findChild<QComboBox*>()->setCurrentIndex(1);
+  valueWidget(*dialog, "picture.executor")->findChild<QComboBox*>()->setCurrentIndex(1);
   ASSERT_EQ(window_->host().executor, scene::Executor::gpu);
-  dialog->valueWidget("memory.gpu_budget_mb")->findChild<QSpinBox*>()->setValue(16);
+  valueWidget(*dialog, "memory.gpu_budget_mb")->findChild<QSpinBox*>()->setValue(16);
   bool inBricks = false;
   QObject::connect(window_->viewport(), &ui::Viewport::reported,
                    [&](const render::FrameReport& report) { inBricks = report.bricks.inUse; });
@@ -75,11 +85,11 @@ TEST_F(PreferencesTest, TheBudgetReachesTheRenderer) {
 
 TEST_F(PreferencesTest, DefaultsComeBackAndAreForgotten) {
   ui::PreferencesDialog* dialog = openDialog();
-  auto* adaptive = dialog->valueWidget("picture.adaptive")->findChild<QCheckBox*>();
-  EXPECT_TRUE(dialog->valueWidget("picture.motion_target")->isEnabled());
+  auto* adaptive = valueWidget(*dialog, "picture.adaptive")->findChild<QCheckBox*>();
+  EXPECT_TRUE(valueWidget(*dialog, "picture.motion_target")->isEnabled());
   adaptive->click();
   EXPECT_FALSE(window_->host().adaptive);
-  EXPECT_FALSE(dialog->valueWidget("picture.motion_target")->isEnabled());
+  EXPECT_FALSE(valueWidget(*dialog, "picture.motion_target")->isEnabled());
   EXPECT_FALSE(QSettings().value("machine/picture.adaptive").isNull());
   dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::RestoreDefaults)->click();
   EXPECT_EQ(window_->host(), scene::HostSettings{});

@@ -70,7 +70,7 @@ TEST(RawImportDialog, ShowsTheSliceAndRefusesWhatDoesNotFit) {
   EXPECT_EQ(dialog.description().dims, glm::ivec3(20, 30, 10));
   EXPECT_TRUE(openButton(&dialog)->isEnabled());
   EXPECT_TRUE(dialog.sizeText().contains("match"));
-  dialog.sliceSlider()->setValue(0);
+  dialog.findChild<QSlider*>()->setValue(0);
   const QImage before = dialog.previewImage();
   ASSERT_TRUE(waitUntil([&] { return dialog.previewImage() != before; }));
   EXPECT_LT(qGray(dialog.previewImage().pixel(3, 3)), qGray(dialog.previewImage().pixel(15, 3)));

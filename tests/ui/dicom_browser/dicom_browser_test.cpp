@@ -34,16 +34,17 @@ class DicomBrowserTest : public WindowTest {
   // Opens the disc by the window, and waits until all is listed.
   ui::DicomBrowser* browse() {
     window_->openPath(QString::fromStdString(disc_.string()));
-    const bool shown = waitUntil([&] { return window_->folders()->browser() && !index()->running(); });
+    const bool shown =
+        waitUntil([&] { return window_->panel<ui::FolderOpener>()->browser() && !index()->running(); });
     EXPECT_TRUE(shown) << "no browser";
-    return window_->folders()->browser();
+    return window_->panel<ui::FolderOpener>()->browser();
   }
-  ui::SeriesIndex* index() const { return window_->folders()->index(); }
+  ui::SeriesIndex* index() const { return window_->panel<ui::FolderOpener>()->index(); }
   static QString allText(const ui::DicomBrowser& browser) {
     QStringList texts{browser.details()->text(), browser.summary()->text()};
     for (const QLabel* label : browser.findChildren<QLabel*>()) texts += label->text() + label->toolTip();
-    for (QTreeWidgetItemIterator item(browser.tree()); *item; ++item)
-      for (int column = 0; column < browser.tree()->columnCount(); ++column)
+    for (QTreeWidgetItemIterator item(browser.findChild<QTreeWidget*>()); *item; ++item)
+      for (int column = 0; column < browser.findChild<QTreeWidget*>()->columnCount(); ++column)
         texts += (*item)->text(column) + (*item)->toolTip(column);
     return texts.join('\n');
   }
@@ -59,7 +60,7 @@ class DicomBrowserTest : public WindowTest {
 TEST_F(DicomBrowserTest, ADiscIsShownAsPatientsStudiesAndSeries) {
   ui::DicomBrowser* const browser = browse();
   ASSERT_NE(browser, nullptr);
-  const QTreeWidget* const tree = browser->tree();
+  const QTreeWidget* const tree = browser->findChild<QTreeWidget*>();
   ASSERT_EQ(tree->topLevelItemCount(), 2);
   EXPECT_EQ(tree->topLevelItem(0)->text(0), "DOE, JANE   ID ID4711   born 1960-01-02");
   EXPECT_EQ(tree->topLevelItem(0)->childCount(), 2) << "studies";
@@ -79,8 +80,8 @@ TEST_F(DicomBrowserTest, ADiscIsShownAsPatientsStudiesAndSeries) {
   EXPECT_TRUE(browser->summary()->text().contains("1 of "));
   EXPECT_FALSE(browser->stopButton()->isVisible());
   EXPECT_EQ(window_->document()->volume(), nullptr) << "nothing is opened unasked";
-  EXPECT_FALSE(window_->loadCard()->isVisible());
-  browser->tree()->setCurrentItem(browser->itemOf("1.2"));
+  EXPECT_FALSE(window_->panel<ui::LoadCard>()->isVisible());
+  browser->findChild<QTreeWidget*>()->setCurrentItem(browser->itemOf("1.2"));
   EXPECT_TRUE(browser->details()->text().contains("26.57 degrees"));
 }
 
@@ -98,7 +99,7 @@ TEST_F(DicomBrowserTest, EachVisibleSeriesGetsASmallPicture) {
 TEST_F(DicomBrowserTest, ADoubleClickOpensThatSeries) {
   ui::DicomBrowser* const browser = browse();
   ASSERT_NE(browser, nullptr);
-  QTreeWidget* const tree = browser->tree();
+  QTreeWidget* const tree = browser->findChild<QTreeWidget*>();
   tree->scrollToItem(browser->itemOf("1.4"));
   const QPoint at = tree->visualItemRect(browser->itemOf("1.4")).center();
   QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, at);
@@ -106,23 +107,24 @@ TEST_F(DicomBrowserTest, ADoubleClickOpensThatSeries) {
   ASSERT_TRUE(waitForVolume());
   EXPECT_EQ(window_->document()->scene().source.series, "1.4");
   EXPECT_EQ(window_->document()->volume()->grid().dims(), glm::ivec3(16, 16, 5));
-  EXPECT_EQ(window_->folders()->browser(), nullptr) << "the browser goes";
+  EXPECT_EQ(window_->panel<ui::FolderOpener>()->browser(), nullptr) << "the browser goes";
 }
 
 TEST_F(DicomBrowserTest, SearchAndEnterOpenWithoutAMouse) {
   ui::DicomBrowser* const browser = browse();
   ASSERT_NE(browser, nullptr);
-  browser->search()->setFocus();
-  QTest::keyClicks(browser->search(), "muster scout");
+  browser->findChild<QLineEdit*>()->setFocus();
+  QTest::keyClicks(browser->findChild<QLineEdit*>(), "muster scout");
   for (const char* uid : {"1.1", "1.2", "1.3", "1.4", "2.1"})
     EXPECT_TRUE(browser->itemOf(uid)->isHidden()) << uid;
   EXPECT_FALSE(browser->itemOf("2.2")->isHidden());
-  EXPECT_TRUE(browser->tree()->topLevelItem(0)->isHidden()) << "a patient without a series that is found";
-  browser->search()->clear();
+  EXPECT_TRUE(browser->findChild<QTreeWidget*>()->topLevelItem(0)->isHidden())
+      << "a patient without a series that is found";
+  browser->findChild<QLineEdit*>()->clear();
   EXPECT_FALSE(browser->itemOf("1.1")->isHidden());
-  browser->tree()->setFocus();
-  browser->tree()->setCurrentItem(browser->itemOf("1.1"));
-  QTest::keyClick(browser->tree(), Qt::Key_Return);
+  browser->findChild<QTreeWidget*>()->setFocus();
+  browser->findChild<QTreeWidget*>()->setCurrentItem(browser->itemOf("1.1"));
+  QTest::keyClick(browser->findChild<QTreeWidget*>(), Qt::Key_Return);
   ASSERT_TRUE(waitForVolume());
   EXPECT_EQ(window_->document()->scene().source.series, "1.1");
 }
@@ -130,13 +132,13 @@ TEST_F(DicomBrowserTest, SearchAndEnterOpenWithoutAMouse) {
 TEST_F(DicomBrowserTest, AClickOnAHeaderSortsByNumbers) {
   ui::DicomBrowser* const browser = browse();
   ASSERT_NE(browser, nullptr);
-  browser->tree()->sortByColumn(3, Qt::DescendingOrder);
+  browser->findChild<QTreeWidget*>()->sortByColumn(3, Qt::DescendingOrder);
   const QTreeWidgetItem* const bone = browser->itemOf("1.1");
   ASSERT_NE(bone, nullptr);
   const QTreeWidgetItem* const study = bone->parent();
   ASSERT_NE(study, nullptr);
   EXPECT_EQ(study->child(0), bone) << "16 slices before 6";
-  browser->tree()->sortByColumn(3, Qt::AscendingOrder);
+  browser->findChild<QTreeWidget*>()->sortByColumn(3, Qt::AscendingOrder);
   EXPECT_EQ(study->child(2), bone);
 }
 
@@ -144,14 +146,15 @@ TEST_F(DicomBrowserTest, HiddenPatientsAreNamedNowhere) {
   ui::DicomBrowser* const browser = browse();
   ASSERT_NE(browser, nullptr);
   EXPECT_TRUE(allText(*browser).contains("JANE"));
-  browser->hidePatients()->click();
+  browser->findChild<QCheckBox*>()->click();
   EXPECT_TRUE(ui::savedPrivacy().hideOnScreen);
-  for (QTreeWidgetItemIterator item(browser->tree()); *item; ++item) browser->tree()->setCurrentItem(*item);
+  for (QTreeWidgetItemIterator item(browser->findChild<QTreeWidget*>()); *item; ++item)
+    browser->findChild<QTreeWidget*>()->setCurrentItem(*item);
   for (const char* name : {"DOE", "JANE", "MUSTER", "4711", "0815", "1960", "disc"})
     EXPECT_FALSE(allText(*browser).contains(name)) << name;
-  EXPECT_EQ(browser->tree()->topLevelItem(0)->text(0).section(' ', 0, 0), "anonymous");
+  EXPECT_EQ(browser->findChild<QTreeWidget*>()->topLevelItem(0)->text(0).section(' ', 0, 0), "anonymous");
   EXPECT_EQ(browser->itemOf("1.4")->text(0), "T1 of anonymous");
-  browser->hidePatients()->click();
+  browser->findChild<QCheckBox*>()->click();
   EXPECT_TRUE(allText(*browser).contains("JANE"));
 }
 
@@ -159,19 +162,20 @@ TEST_F(DicomBrowserTest, ASingleSeriesOpensAtOnceAndTheMenuShowsIt) {
   const auto folder = disc_ / "DICOM" / "PA0" / "ST1";
   ASSERT_TRUE(load(*window_, QString::fromStdString(folder.string())));
   EXPECT_EQ(window_->document()->volume()->grid().dims().z, 5);
-  EXPECT_EQ(window_->folders()->browser(), nullptr);
+  EXPECT_EQ(window_->panel<ui::FolderOpener>()->browser(), nullptr);
   QTest::keyClick(window_.get(), Qt::Key_D, Qt::ControlModifier | Qt::ShiftModifier);
-  ASSERT_NE(window_->folders()->browser(), nullptr);
-  EXPECT_TRUE(waitUntil([&] { return window_->folders()->browser()->itemOf("1.4") != nullptr; }));
+  ASSERT_NE(window_->panel<ui::FolderOpener>()->browser(), nullptr);
+  EXPECT_TRUE(
+      waitUntil([&] { return window_->panel<ui::FolderOpener>()->browser()->itemOf("1.4") != nullptr; }));
 }
 
 TEST_F(DicomBrowserTest, LookingThroughAFolderCanBeCancelled) {
   window_->openPath(QString::fromStdString(disc_.string()));
   ASSERT_TRUE(index()->running());
-  window_->loadCard()->cancelButton()->click();
+  window_->panel<ui::LoadCard>()->findChild<QPushButton*>()->click();
   EXPECT_FALSE(index()->running());
   QCoreApplication::processEvents();
-  EXPECT_EQ(window_->folders()->browser(), nullptr);
+  EXPECT_EQ(window_->panel<ui::FolderOpener>()->browser(), nullptr);
   EXPECT_EQ(window_->document()->volume(), nullptr);
   // And then opened after all.
   EXPECT_NE(browse(), nullptr);
@@ -180,7 +184,7 @@ TEST_F(DicomBrowserTest, LookingThroughAFolderCanBeCancelled) {
 TEST_F(DicomBrowserTest, AFolderWithoutDicomSaysWhatItIsNot) {
   writeBytes(disc_ / "plain" / "notes.txt", "nothing");
   EXPECT_FALSE(load(*window_, QString::fromStdString((disc_ / "plain").string())));
-  EXPECT_EQ(window_->folders()->browser(), nullptr);
+  EXPECT_EQ(window_->panel<ui::FolderOpener>()->browser(), nullptr);
 }
 
 }  // namespace isolux::test

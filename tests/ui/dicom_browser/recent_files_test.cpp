@@ -123,14 +123,14 @@ TEST_F(RecentFilesTest, ASeriesOpensAgainAndHidesItsPatient) {
 
 TEST_F(RecentFilesTest, AWindowWithoutAVolumeOffersThem) {
   ASSERT_TRUE(load(*window_, "phantom:ball:16"));
-  EXPECT_FALSE(window_->recentPictures()->isVisible());
+  EXPECT_FALSE(window_->panel<ui::RecentPictures>()->isVisible());
   auto other = makeWindow();
-  ASSERT_TRUE(waitUntil([&] { return other->recentPictures()->isVisible(); }));
-  auto* const button = other->recentPictures()->findChild<QToolButton*>();
+  ASSERT_TRUE(waitUntil([&] { return other->panel<ui::RecentPictures>()->isVisible(); }));
+  auto* const button = other->panel<ui::RecentPictures>()->findChild<QToolButton*>();
   ASSERT_NE(button, nullptr);
   button->click();
   ASSERT_TRUE(waitUntil([&] { return other->document()->volume() != nullptr; }));
-  EXPECT_TRUE(waitUntil([&] { return !other->recentPictures()->isVisible(); }));
+  EXPECT_TRUE(waitUntil([&] { return !other->panel<ui::RecentPictures>()->isVisible(); }));
 }
 
 }  // namespace isolux::test

@@ -41,9 +41,7 @@ class ColorPointsEditorTest : public testing::Test {
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel_, 120000));
   }
   void show() { panel_.setScene(history_.scene(), history_.scene()); }
-  ui::PointsEditor* editor() {
-    return panel_.editor("look.colormap_points")->findChild<ui::PointsEditor*>();
-  }
+  ui::PointsEditor* editor() { return panel_.editor("look.colormap_points")->findChild<ui::PointsEditor*>(); }
   ui::PointsView* view() { return editor()->view(); }
   const Points& points() { return *history_.scene().look.colormapPoints; }
   QPoint at(double position) { return view()->positionOf({position, 0.0}).toPoint(); }
@@ -107,7 +105,7 @@ TEST_F(ColorPointsEditorTest, KeysReachEverything) {
 
 TEST_F(ColorPointsEditorTest, TheColourButtonColoursTheSelectedPoint) {
   view()->select(2);
-  Q_EMIT editor()->colourButton()->chosen({0.1, 0.2, 0.3});
+  Q_EMIT editor()->findChild<ui::ColorButton*>()->chosen({0.1, 0.2, 0.3});
   EXPECT_EQ(points()[2], (scene::ColorPoint{0.75, {0.1, 0.2, 0.3}}));
 }
 

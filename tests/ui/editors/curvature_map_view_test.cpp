@@ -102,7 +102,7 @@ TEST_F(CurvatureMapEditorTest, ArrowKeysAndTheColourButtonChangeTheSelectedPoint
   QTest::keyClick(view(), Qt::Key_Up);
   EXPECT_NEAR(points()[3].kappa1, 0.98, 1e-9);
   EXPECT_NEAR(points()[3].kappa2, -0.98, 1e-9);
-  Q_EMIT editor()->colourButton()->chosen({0.1, 0.2, 0.3});
+  Q_EMIT editor()->findChild<ui::ColorButton*>()->chosen({0.1, 0.2, 0.3});
   EXPECT_EQ(points()[3].color, glm::dvec3(0.1, 0.2, 0.3));
   history_.undo();  // keys and colours in a row are one gesture until it pauses
   EXPECT_EQ(points(), kPoints);
@@ -113,7 +113,7 @@ TEST_F(CurvatureMapEditorTest, APointFromASessionAboveTheDiagonalKeepsItsPlaceWh
   scene.look.curvaturePoints = {{-0.5, 0.5, glm::dvec3(0.5)}};
   history_.reset(scene);
   show();
-  Q_EMIT editor()->colourButton()->chosen({1.0, 0.0, 0.0});
+  Q_EMIT editor()->findChild<ui::ColorButton*>()->chosen({1.0, 0.0, 0.0});
   EXPECT_EQ(points()[0], (scene::CurvaturePoint{-0.5, 0.5, {1.0, 0.0, 0.0}}));
 }
 

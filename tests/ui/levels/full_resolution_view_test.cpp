@@ -53,7 +53,7 @@ class FullResolutionViewTest : public WindowTest {
   bool awaitFullResolution() {
     return waitUntil([&] { return isOn(); });
   }
-  ui::FullResolutionView* zero() { return window_->levelZero(); }
+  ui::FullResolutionView* zero() { return window_->panel<ui::FullResolutionView>(); }
   std::string said() { return window_->coarseLabel()->text().toStdString(); }
   std::string tip() { return window_->coarseLabel()->toolTip().toStdString(); }
   bool hasIndex() const { return std::filesystem::exists(file_.toStdString() + ".index"); }

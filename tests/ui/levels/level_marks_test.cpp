@@ -50,7 +50,7 @@ class LevelMarksTest : public WindowTest {
   bool awaitMarks() {
     return waitUntil([&] { return window_->viewport()->showsOver(Over::structure); });
   }
-  ui::LevelMarks* marks() { return window_->levelMarks(); }
+  ui::LevelMarks* marks() { return window_->panel<ui::LevelMarks>(); }
   QImage onScreen() {
     QCoreApplication::processEvents();
     return window_->viewport()->grab().toImage();

@@ -112,12 +112,12 @@ TEST_F(LightPanelTest, AFileIsEnteredAndShownAndAMissingOneIsOneLine) {
   set("look.mode", "gi");
   auto* file = qobject_cast<ui::FileWidget*>(panel()->editor("light.environment.file")->valueWidget());
   ASSERT_NE(file, nullptr);
-  file->line()->setFocus();
-  file->line()->selectAll();
-  QTest::keyClicks(file->line(), probe_);
-  QTest::keyClick(file->line(), Qt::Key_Return);
+  file->findChild<QLineEdit*>()->setFocus();
+  file->findChild<QLineEdit*>()->selectAll();
+  QTest::keyClicks(file->findChild<QLineEdit*>(), probe_);
+  QTest::keyClick(file->findChild<QLineEdit*>(), Qt::Key_Return);
   EXPECT_EQ(environment().file, probe_.toStdString());
-  EXPECT_TRUE(waitUntil([&] { return panel()->environmentPreview()->loaded(); }));
+  EXPECT_TRUE(waitUntil([&] { return panel()->findChild<ui::EnvironmentPreview*>()->loaded(); }));
   EXPECT_TRUE(panel()->shows("light.environment.rotation"));
 
   set("light.environment.file", "/nowhere/sky.hdr");
@@ -126,13 +126,13 @@ TEST_F(LightPanelTest, AFileIsEnteredAndShownAndAMissingOneIsOneLine) {
   EXPECT_TRUE(window_->messageBar()->text().contains("sky.hdr"))
       << window_->messageBar()->text().toStdString();
   EXPECT_FALSE(window_->messageBar()->text().contains('\n'));
-  EXPECT_FALSE(panel()->environmentPreview()->loaded());
+  EXPECT_FALSE(panel()->findChild<ui::EnvironmentPreview*>()->loaded());
 }
 
 TEST_F(LightPanelTest, OneClickOnAThumbnailTakesABuiltInLight) {
   useProbe();
   set("light.environment.constant", {0.5, 0.5, 0.5});
-  ui::LightChooser* lights = panel()->lightChooser();
+  ui::LightChooser* lights = panel()->findChild<ui::LightChooser*>();
   QToolButton* sunset = lights->button(scene::BuiltInLight::sunset);
   EXPECT_FALSE(sunset->isChecked());
   ASSERT_TRUE(sunset->isVisible());
@@ -144,7 +144,7 @@ TEST_F(LightPanelTest, OneClickOnAThumbnailTakesABuiltInLight) {
   EXPECT_EQ(environment().builtIn, scene::BuiltInLight::sunset);
   EXPECT_TRUE(sunset->isChecked());
   EXPECT_FALSE(lights->button(scene::BuiltInLight::studio)->isChecked());
-  EXPECT_TRUE(waitUntil([&] { return panel()->environmentPreview()->loaded(); }));
+  EXPECT_TRUE(waitUntil([&] { return panel()->findChild<ui::EnvironmentPreview*>()->loaded(); }));
   EXPECT_EQ(steps(), before + 1);
   EXPECT_EQ(document()->history().undoName(), "Choose light");
   QTest::mouseClick(sunset, Qt::LeftButton);  // again: nothing changes
@@ -163,7 +163,7 @@ TEST_F(LightPanelTest, ASkyOfOneColourShinesFromTheFirst) {
   automatic->setChecked(false);
   ASSERT_TRUE(environment().constant);
   EXPECT_GT(environment().constant->x, 0.0);
-  EXPECT_FALSE(panel()->lightChooser()->button(scene::BuiltInLight::studio)->isChecked());
+  EXPECT_FALSE(panel()->findChild<ui::LightChooser*>()->button(scene::BuiltInLight::studio)->isChecked());
 }
 
 TEST_F(LightPanelTest, AzimuthAndElevationTurnABuiltInLightAndLetItMove) {
@@ -199,21 +199,21 @@ TEST_F(LightPanelTest, AnglesEditTheRotationAndStayAsEntered) {
   auto* rotation =
       qobject_cast<ui::RotationWidget*>(panel()->editor("light.environment.rotation")->valueWidget());
   ASSERT_NE(rotation, nullptr);
-  rotation->headingBox()->setValue(30.0);
-  rotation->rollBox()->setValue(20.0);
-  rotation->elevationBox()->setValue(90.0);
+  rotation->findChildren<ui::NumberSpinBox*>()[0]->setValue(30.0);
+  rotation->findChildren<ui::NumberSpinBox*>()[2]->setValue(20.0);
+  rotation->findChildren<ui::NumberSpinBox*>()[1]->setValue(90.0);
   const glm::dvec4 wanted = app::rotationOf({30.0, 90.0, 20.0});
   EXPECT_LT(glm::distance(environment().rotation, wanted), 1e-15);
-  EXPECT_EQ(rotation->headingBox()->value(), 30.0);
-  EXPECT_EQ(rotation->rollBox()->value(), 20.0);
+  EXPECT_EQ(rotation->findChildren<ui::NumberSpinBox*>()[0]->value(), 30.0);
+  EXPECT_EQ(rotation->findChildren<ui::NumberSpinBox*>()[2]->value(), 20.0);
   set("light.environment.rotation", {0.0, 0.0, 0.0, 2.0});
-  EXPECT_EQ(rotation->headingBox()->value(), 180.0);
-  EXPECT_EQ(rotation->elevationBox()->value(), 0.0);
+  EXPECT_EQ(rotation->findChildren<ui::NumberSpinBox*>()[0]->value(), 180.0);
+  EXPECT_EQ(rotation->findChildren<ui::NumberSpinBox*>()[1]->value(), 0.0);
 }
 
 TEST_F(LightPanelTest, DraggingThePreviewTurnsItsPictureByTheDrag) {
   useProbe();
-  ui::EnvironmentPreview* preview = panel()->environmentPreview();
+  ui::EnvironmentPreview* preview = panel()->findChild<ui::EnvironmentPreview*>();
   ASSERT_TRUE(waitUntil([&] { return preview->loaded(); }));
   EXPECT_TRUE(preview->hasProbe());
   const int before = steps();
@@ -227,7 +227,7 @@ TEST_F(LightPanelTest, DraggingThePreviewTurnsItsPictureByTheDrag) {
 
 TEST_F(LightPanelTest, ThePreviewShowsTheBrightPixelWhereItLights) {
   useProbe();
-  ui::EnvironmentPreview* preview = panel()->environmentPreview();
+  ui::EnvironmentPreview* preview = panel()->findChild<ui::EnvironmentPreview*>();
   ASSERT_TRUE(waitUntil([&] { return preview->loaded(); }));
   set("light.environment.exposure", -6.0);  // not so bright that it is white
   const auto brightest = [&] {

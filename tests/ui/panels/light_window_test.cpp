@@ -26,7 +26,7 @@ class LightWindowTest : public WindowTest {
   }
   ui::Viewport* viewport() { return window_->viewport(); }
   ui::BakedLight* light() { return window_->light(); }
-  ui::LightStatus* status() { return window_->lightStatus(); }
+  ui::LightStatus* status() { return window_->panel<ui::LightStatus>(); }
   void set(const char* path, const nlohmann::json& value) {
     ui::Edit edit{window_->document()->scene(), "Set", {}, false};
     scene::setting(path).set(edit.scene, value);

@@ -49,14 +49,14 @@ TEST(PassesPanel, SaysOfEachPassWhetherItRanWhyHowLongAndHowMuch) {
   panel.resize(350, 500);
   panel.setReport(sample(), {});
   panel.show();
-  ASSERT_EQ(panel.table()->topLevelItemCount(), 3);
-  const QTreeWidgetItem* cast = panel.table()->topLevelItem(1);
+  ASSERT_EQ(panel.findChild<QTreeWidget*>()->topLevelItemCount(), 3);
+  const QTreeWidgetItem* cast = panel.findChild<QTreeWidget*>()->topLevelItem(1);
   EXPECT_EQ(cast->text(0), "cast");
   EXPECT_EQ(cast->text(1), "ran");
   EXPECT_EQ(cast->text(2), "12.5 ms");
   EXPECT_EQ(cast->text(3), "4 MB");
   EXPECT_EQ(cast->child(0)->text(0), "camera changed");
-  EXPECT_EQ(panel.table()->topLevelItem(2)->text(1), "skipped");
+  EXPECT_EQ(panel.findChild<QTreeWidget*>()->topLevelItem(2)->text(1), "skipped");
   EXPECT_TRUE(allLabels(panel).contains("25 of 100 (25 %)")) << allLabels(panel).toStdString();
   EXPECT_TRUE(allLabels(panel).contains("5 MB"));
 }
@@ -68,7 +68,7 @@ TEST(PassesPanel, AStillPictureIsSaidToCostNothingAndKeepsTheLastTable) {
   panel.setReport(sample(), {});
   for (int i = 0; i < 3; ++i) panel.setReport(still(), {});
   EXPECT_TRUE(waitUntil([&] { return allLabels(panel).contains("Redrawn 3 times"); }));
-  EXPECT_EQ(panel.table()->topLevelItem(1)->text(1), "ran");
+  EXPECT_EQ(panel.findChild<QTreeWidget*>()->topLevelItem(1)->text(1), "ran");
 }
 
 TEST(PassesPanel, IsWrittenAFewTimesASecondAtMost) {
@@ -76,9 +76,10 @@ TEST(PassesPanel, IsWrittenAFewTimesASecondAtMost) {
   panel.resize(350, 500);
   panel.show();
   int changes = 0;
-  QObject::connect(panel.table(), &QTreeWidget::itemChanged, [&](QTreeWidgetItem* item, int column) {
-    if (column == 2 && item->text(0) == "cast") ++changes;
-  });
+  QObject::connect(panel.findChild<QTreeWidget*>(), &QTreeWidget::itemChanged,
+                   [&](QTreeWidgetItem* item, int column) {
+                     if (column == 2 && item->text(0) == "cast") ++changes;
+                   });
   render::FrameReport report = sample();
   for (int i = 0; i < 200; ++i) {
     report.passes[1].milliseconds = 10.0 + i;
@@ -86,7 +87,8 @@ TEST(PassesPanel, IsWrittenAFewTimesASecondAtMost) {
   }
   EXPECT_EQ(changes, 0);  // no picture waits for the table
   EXPECT_TRUE(waitUntil([&] {
-    return panel.table()->topLevelItemCount() == 3 && panel.table()->topLevelItem(1)->text(2) == "209 ms";
+    return panel.findChild<QTreeWidget*>()->topLevelItemCount() == 3 &&
+           panel.findChild<QTreeWidget*>()->topLevelItem(1)->text(2) == "209 ms";
   }));
 }
 
@@ -105,7 +107,7 @@ TEST_F(WindowTest, ThePassesOfTheLastPictureAreShownAndPaintingItAgainDrawsNone)
   window_->showPanel("passes");
   fullPicture(*window_);
   ui::PassesPanel* panel = window_->panel<ui::PassesPanel>();
-  ASSERT_TRUE(waitUntil([&] { return panel->table()->topLevelItemCount() > 4; }));
+  ASSERT_TRUE(waitUntil([&] { return panel->findChild<QTreeWidget*>()->topLevelItemCount() > 4; }));
   int reports = 0;
   QObject::connect(window_->viewport(), &ui::Viewport::reported, [&] { ++reports; });
   window_->viewport()->repaint();

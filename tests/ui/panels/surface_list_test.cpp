@@ -39,11 +39,13 @@ QImage pictureWith(const scene::Scene& scene, ui::MainWindow& window,
 // A CT from the start: to bone by hand, then one click adds the skin around it.
 TEST_F(WindowTest, SkinOverBoneIsTwoGestures) {
   ASSERT_TRUE(load(*window_, "phantom:head:48"));
-  ui::IsovaluePanel* const panel = window_->isovaluePanel();
-  EXPECT_TRUE(panel->spinBox()->isVisible());
-  const auto place = [&](double value) { return panel->slider()->positionOf(value).toPoint(); };
+  ui::IsovaluePanel* const panel = window_->panel<ui::IsovaluePanel>();
+  EXPECT_TRUE(panel->findChild<ui::NumberSpinBox*>()->isVisible());
+  const auto place = [&](double value) {
+    return panel->findChild<ui::HistogramSlider*>()->positionOf(value).toPoint();
+  };
   const scene::Scene start = window_->document()->scene();
-  QTest::mouseClick(panel->slider(), Qt::LeftButton, Qt::NoModifier, place(300.0));
+  QTest::mouseClick(panel->findChild<ui::HistogramSlider*>(), Qt::LeftButton, Qt::NoModifier, place(300.0));
   QTest::mouseClick(panel->addButton(), Qt::LeftButton);
   const scene::Scene both = window_->document()->scene();
   ASSERT_TRUE(both.extraIsosurfaces[0].shown);
@@ -68,13 +70,14 @@ TEST_F(WindowTest, SkinOverBoneIsTwoGestures) {
 
 TEST_F(WindowTest, EveryIsosurfaceHasAHandleAndARow) {
   ASSERT_TRUE(load(*window_, "phantom:head:32"));
-  ui::IsovaluePanel* const panel = window_->isovaluePanel();
-  ui::HistogramSlider* const slider = panel->slider();
+  ui::IsovaluePanel* const panel = window_->panel<ui::IsovaluePanel>();
+  ui::HistogramSlider* const slider = panel->findChild<ui::HistogramSlider*>();
   const auto scene = [&] { return window_->document()->scene(); };
   const auto at = [&](double value) { return slider->positionOf(value).toPoint(); };
   QTest::mouseClick(slider, Qt::LeftButton, Qt::AltModifier, at(600.0));
-  ASSERT_EQ(panel->surfaces()->rows().size(), 2u);
-  EXPECT_TRUE(panel->surfaces()->isVisible() && !panel->spinBox()->isVisible());
+  ASSERT_EQ(panel->findChild<ui::SurfaceList*>()->rows().size(), 2u);
+  EXPECT_TRUE(panel->findChild<ui::SurfaceList*>()->isVisible() &&
+              !panel->findChild<ui::NumberSpinBox*>()->isVisible());
   const double pixel = slider->plot().shownRange() / slider->width();
   EXPECT_NEAR(*scene().extraIsosurfaces[0].value, 600.0, pixel);
   EXPECT_FALSE(scene().isosurface.value.has_value()) << "the first stays automatic";
@@ -101,16 +104,16 @@ TEST_F(WindowTest, EveryIsosurfaceHasAHandleAndARow) {
   menu->actions().front()->trigger();
   menu->close();
   EXPECT_NEAR(*scene().extraIsosurfaces[1].value, 200.0, pixel);
-  EXPECT_EQ(panel->surfaces()->rows().size(), 3u);
+  EXPECT_EQ(panel->findChild<ui::SurfaceList*>()->rows().size(), 3u);
 }
 
 TEST_F(WindowTest, RowsOfTheListEditTheirIsosurface) {
   ASSERT_TRUE(load(*window_, "phantom:head:32"));
-  ui::IsovaluePanel* const panel = window_->isovaluePanel();
+  ui::IsovaluePanel* const panel = window_->panel<ui::IsovaluePanel>();
   const auto scene = [&] { return window_->document()->scene(); };
   QTest::mouseClick(panel->addButton(), Qt::LeftButton);
-  ASSERT_EQ(panel->surfaces()->rows().size(), 2u);
-  const auto row = [&](std::size_t i) { return panel->surfaces()->rows()[i]; };
+  ASSERT_EQ(panel->findChild<ui::SurfaceList*>()->rows().size(), 2u);
+  const auto row = [&](std::size_t i) { return panel->findChild<ui::SurfaceList*>()->rows()[i]; };
 
   row(1).name->setFocus();
   row(1).name->selectAll();
@@ -134,22 +137,22 @@ TEST_F(WindowTest, RowsOfTheListEditTheirIsosurface) {
 
   row(1).shown->click();
   EXPECT_FALSE(scene().extraIsosurfaces[0].shown);
-  ASSERT_EQ(panel->surfaces()->rows().size(), 2u) << "what is hidden stays in the list";
+  ASSERT_EQ(panel->findChild<ui::SurfaceList*>()->rows().size(), 2u) << "what is hidden stays in the list";
   row(1).shown->click();
   EXPECT_TRUE(scene().extraIsosurfaces[0].shown);
 
   QTest::mouseClick(row(0).remove, Qt::LeftButton);
   EXPECT_EQ(scene().isosurface.value, 412.5);
   EXPECT_EQ(scene().isosurface.name, "Skull");
-  EXPECT_FALSE(panel->surfaces()->isVisible());
-  EXPECT_TRUE(panel->spinBox()->isVisible());
+  EXPECT_FALSE(panel->findChild<ui::SurfaceList*>()->isVisible());
+  EXPECT_TRUE(panel->findChild<ui::NumberSpinBox*>()->isVisible());
   window_->document()->undo();
-  EXPECT_EQ(panel->surfaces()->rows().size(), 2u);
+  EXPECT_EQ(panel->findChild<ui::SurfaceList*>()->rows().size(), 2u);
 }
 
 TEST_F(WindowTest, ARightClickInASliceAddsTheIsosurfaceOfTheValueThere) {
   ASSERT_TRUE(load(*window_, "phantom:head:32"));
-  window_->slices()->setFourUp(true);
+  window_->slices()->arrange(ui::ViewLayout::fourUp);
   auto* const view = window_->slices()->findChild<ui::SliceView*>();
   ASSERT_NE(view, nullptr);
   ASSERT_TRUE(waitUntil([&] { return view->isVisible() && view->complete(); }));

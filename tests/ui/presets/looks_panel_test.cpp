@@ -148,23 +148,23 @@ TEST_F(LooksPanelTest, PointingPreviewsLeavingRestoresAndAClickIsOneStep) {
 
 TEST_F(LooksPanelTest, TheShiftMovesTheValuesOfThePresetThatIsShown) {
   open("phantom:head:24");
-  EXPECT_FALSE(panel_->shiftSlider()->isEnabled());
+  EXPECT_FALSE(panel_->findChild<QSlider*>()->isEnabled());
   QTest::mouseClick(panel_->presetList()->viewport(), Qt::LeftButton, Qt::NoModifier,
                     centreOfItem(itemNamed(panel_->presetList(), "CT skin over bone")));
-  ASSERT_TRUE(waitUntil([this] { return panel_->shiftSlider()->isEnabled(); }));
+  ASSERT_TRUE(waitUntil([this] { return panel_->findChild<QSlider*>()->isEnabled(); }));
   EXPECT_EQ(window_->document()->scene().isosurface.value, -200.0);
-  panel_->shiftSlider()->setFocus();
-  QTest::keyClick(panel_->shiftSlider(), Qt::Key_Right);
-  const double step = 500.0 / panel_->shiftSlider()->maximum();
+  panel_->findChild<QSlider*>()->setFocus();
+  QTest::keyClick(panel_->findChild<QSlider*>(), Qt::Key_Right);
+  const double step = 500.0 / panel_->findChild<QSlider*>()->maximum();
   EXPECT_EQ(window_->document()->scene().isosurface.value, -200.0 + step);
   EXPECT_EQ(window_->document()->scene().extraIsosurfaces[0].value, 300.0 + step);
   EXPECT_EQ(window_->document()->history().undoName(), "Shift preset CT skin over bone");
-  ASSERT_TRUE(waitUntil([this] { return panel_->shiftSlider()->value() == 1; }));
+  ASSERT_TRUE(waitUntil([this] { return panel_->findChild<QSlider*>()->value() == 1; }));
   // Something else was changed: it is no preset any more.
   ui::Edit edit{window_->document()->scene(), "Change albedo", {}, false};
   edit.scene.isosurface.albedo = {0.2, 0.5, 0.9};
   window_->document()->edit(edit);
-  EXPECT_TRUE(waitUntil([this] { return !panel_->shiftSlider()->isEnabled(); }));
+  EXPECT_TRUE(waitUntil([this] { return !panel_->findChild<QSlider*>()->isEnabled(); }));
 }
 
 // MR skin is CT skin but for isovalue and needs.
@@ -189,9 +189,9 @@ TEST_F(LooksPanelTest, APresetThatWasChosenIsNotShifted) {
     SCOPED_TRACE(item->text().toStdString());
     QTest::mouseClick(panel_->presetList()->viewport(), Qt::LeftButton, Qt::NoModifier, centreOfItem(item));
     const QString tip = "Shifts the isovalues of " + item->text();
-    EXPECT_TRUE(waitUntil([&] { return panel_->shiftSlider()->toolTip() == tip; }, 5000))
-        << panel_->shiftSlider()->toolTip().toStdString();
-    EXPECT_EQ(panel_->shiftSlider()->value(), 0);
+    EXPECT_TRUE(waitUntil([&] { return panel_->findChild<QSlider*>()->toolTip() == tip; }, 5000))
+        << panel_->findChild<QSlider*>()->toolTip().toStdString();
+    EXPECT_EQ(panel_->findChild<QSlider*>()->value(), 0);
   }
   EXPECT_GE(chosen, 2);
 }

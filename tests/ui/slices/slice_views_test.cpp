@@ -29,7 +29,7 @@ class SliceViewsTest : public WindowTest {
   SliceView* view(SliceDirection direction) { return window_->slices()->view(direction); }
   bool loadFourUp(const QString& path) {
     if (!load(*window_, path)) return false;
-    window_->slices()->setFourUp(true);
+    window_->slices()->arrange(ui::ViewLayout::fourUp);
     return complete();
   }
   bool complete() {
@@ -79,7 +79,7 @@ TEST_F(SliceViewsTest, AVolumeOfOneSliceIsShownAsSlices) {
   ASSERT_TRUE(load(*window_, "phantom:ball:16"));
   EXPECT_FALSE(window_->slices()->slicesShown());
   ASSERT_TRUE(load(*window_, file));
-  EXPECT_TRUE(window_->slices()->fourUp());
+  EXPECT_TRUE(window_->slices()->arrangement() == ui::ViewLayout::fourUp);
   EXPECT_TRUE(complete());
 }
 
@@ -200,7 +200,7 @@ TEST_F(SliceViewsTest, AClickOnTheSurfaceMovesTheCrosshairThere) {
   const std::size_t done = steps();
   QTest::mouseClick(window_->viewport(), Qt::LeftButton, {}, window_->viewport()->rect().center());
   EXPECT_EQ(steps(), done);
-  window_->slices()->setFourUp(true);
+  window_->slices()->arrange(ui::ViewLayout::fourUp);
   ASSERT_TRUE(complete());
   fullPicture(*window_);
   QTest::mouseClick(window_->viewport(), Qt::LeftButton, {}, window_->viewport()->rect().center());
@@ -226,7 +226,7 @@ TEST_F(SliceViewsTest, AMarkMovesTheCrosshairWhenItIsSetAndWhenItIsChosen) {
   drag(axial, axial->rect().center(), axial->rect().center() + QPoint(20, 10));
   EXPECT_NE(scene().slice.position, pin);
   window_->showPanel("Marks");
-  QTreeWidget* const list = window_->panel<ui::MarksPanel>()->list();
+  QTreeWidget* const list = window_->panel<ui::MarksPanel>()->findChild<QTreeWidget*>();
   ASSERT_TRUE(waitUntil([&] { return list->isVisible() && list->topLevelItemCount() == 1; }));
   QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
                     list->visualItemRect(list->topLevelItem(0)).center());
@@ -249,7 +249,7 @@ TEST_F(SliceViewsTest, TheOthersPlanesAreDrawnInTheirColoursHereAndInThePicture)
   SliceView* const axial = view(SliceDirection::axial);
   EXPECT_GT(count(axial->grab().toImage(), coronal), axial->width() / 2) << "a line across";
   EXPECT_GT(count(window_->viewport()->grab().toImage(), coronal), 50);
-  window_->slices()->setFourUp(false);
+  window_->slices()->arrange(ui::ViewLayout::picture);
   fullPicture(*window_);
   EXPECT_EQ(count(window_->viewport()->grab().toImage(), coronal), 0);
 }

@@ -143,11 +143,12 @@ TEST_F(ThemeTest, IconsAreDrawnInItsTextColour) {
 TEST_F(ThemeTest, ThePreferencesChooseItAndItIsKept) {
   ui::PreferencesDialog dialog(window_->host(), window_.get());
   EXPECT_EQ(ui::savedTheme(), Theme::dark);
-  dialog.appearance()->themeBox()->setCurrentIndex(static_cast<int>(Theme::light));
+  dialog.findChild<ui::AppearanceRows*>()->findChild<QComboBox*>()->setCurrentIndex(
+      static_cast<int>(Theme::light));
   EXPECT_EQ(ui::theme(), Theme::light);
   EXPECT_EQ(ui::savedTheme(), Theme::light);
   EXPECT_EQ(QApplication::palette().color(QPalette::Window), ui::coloursOf(Theme::light).window);
-  dialog.appearance()->scaleBox()->setValue(200);
+  dialog.findChild<ui::AppearanceRows*>()->findChild<QSpinBox*>()->setValue(200);
   EXPECT_EQ(ui::savedScale(), 200);
   dialog.restoreDefaults();
   EXPECT_EQ(ui::savedTheme(), Theme::dark);

@@ -140,7 +140,7 @@ int takePicture(const QCommandLineParser& options) {
   window.showPanel(options.value("panel"));
   window.panel<ui::SettingsPanel>()->searchLine()->setText(options.value("find"));
   const double zoom = options.value("histogram-zoom").toDouble();
-  if (zoom > 1.0) window.isovaluePanel()->slider()->zoomAtLine(zoom);
+  if (zoom > 1.0) window.panel<ui::HistogramSlider>()->zoomAtLine(zoom);
   window.slices()->arrange(options.isSet("slices")         ? ui::ViewLayout::fourUp
                            : options.isSet("slices-alone") ? ui::ViewLayout::slices
                                                            : ui::ViewLayout::picture);
@@ -186,7 +186,7 @@ int takePicture(const QCommandLineParser& options) {
     return save(dialog.grab(), out);
   }
   if (options.isSet("search")) {
-    ui::TargetBox* const target = window.panel<ui::AccuracyPanel>()->target();
+    ui::TargetBox* const target = window.panel<ui::AccuracyPanel>()->findChild<ui::TargetBox*>();
     const app::Limit limit = app::parseErrorTarget(options.value("search").toStdString()).front();
     target->askError(limit.quantity, limit.most / ui::unitOf(limit.quantity));
     target->findButton()->click();

@@ -100,12 +100,12 @@ TEST_F(TourTest, EachStepWaitsForTheRealControl) {
   const QWidget& frame = existing(window_->findChild<QWidget*>("tourFrame"));
   EXPECT_TRUE(isThere(&frame));
   // The frame stands about the widget, and the card beside it.
-  const QRect histogram(window_->isovaluePanel()->mapTo(window_.get(), QPoint()),
-                        window_->isovaluePanel()->size());
+  const QRect histogram(window_->panel<ui::IsovaluePanel>()->mapTo(window_.get(), QPoint()),
+                        window_->panel<ui::IsovaluePanel>()->size());
   EXPECT_TRUE(frame.geometry().intersects(histogram));
   EXPECT_FALSE(card->geometry().intersects(histogram));
 
-  QTest::keyClick(window_->isovaluePanel()->slider(), Qt::Key_PageUp);
+  QTest::keyClick(window_->panel<ui::HistogramSlider>(), Qt::Key_PageUp);
   ASSERT_TRUE(comesTo(1));
   drag(window_->viewport(), {200, 200}, {260, 220});
   ASSERT_TRUE(comesTo(2));

@@ -178,7 +178,7 @@ TEST_F(MarksTest, EveryToolOfTheMenuMakesItsKind) {
     EXPECT_FALSE(window_->marks()->reports()[i].quantities.empty()) << i;
   }
   EXPECT_GT(window_->marks()->reports()[2].line.size(), 5u);
-  EXPECT_EQ(panel()->list()->topLevelItemCount(), 7);
+  EXPECT_EQ(panel()->findChild<QTreeWidget*>()->topLevelItemCount(), 7);
 }
 
 TEST_F(MarksTest, ThePanelRenamesHidesAndDeletes) {
@@ -188,7 +188,7 @@ TEST_F(MarksTest, ThePanelRenamesHidesAndDeletes) {
   key(Qt::Key_Escape);
   ASSERT_TRUE(measured());
   window_->showPanel("Marks");
-  QTreeWidget* list = panel()->list();
+  QTreeWidget* list = panel()->findChild<QTreeWidget*>();
   ASSERT_TRUE(waitUntil([&] { return list->isVisible(); }));
   list->setCurrentItem(list->topLevelItem(0));
   list->editItem(list->topLevelItem(0), 0);
@@ -242,7 +242,7 @@ TEST_F(MarksTest, AMarkSaysThatTheIsovalueHasLeftIt) {
   EXPECT_EQ(marks(), marked);
   EXPECT_EQ(window_->marks()->reports()[0].quantities[0].value, before);
   EXPECT_EQ(window_->marks()->reports()[0].notes.size(), 2u);
-  EXPECT_TRUE(panel()->list()->topLevelItem(0)->text(1).startsWith("⚠"));
+  EXPECT_TRUE(panel()->findChild<QTreeWidget*>()->topLevelItem(0)->text(1).startsWith("⚠"));
 }
 
 TEST_F(MarksTest, PointsBehindTheSurfaceAreKnown) {

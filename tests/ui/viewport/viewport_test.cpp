@@ -93,7 +93,7 @@ TEST_F(ViewportTest, APictureAtAScaleComesWhenItsFieldIsThere) {
   const QImage scaled = fullPicture(*window_);
   QObject::disconnect(connection);
   EXPECT_GT(differingPixels(unscaled, scaled), 0.02);
-  EXPECT_EQ(viewport()->picture().color.size, glm::ivec2(scaled.width(), scaled.height()));
+  EXPECT_EQ(viewport()->picture({}).color.size, glm::ivec2(scaled.width(), scaled.height()));
   edit.scene.derivatives.scale = 0.0;
   window_->document()->edit(edit);
   EXPECT_EQ(differingPixels(unscaled, fullPicture(*window_), 0), 0.0);

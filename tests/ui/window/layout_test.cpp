@@ -50,7 +50,7 @@ TEST_F(LayoutTest, OneKeyGoesThroughTheLayouts) {
 }
 
 TEST_F(LayoutTest, SlicesAloneAreDrawnAndMessagesAreSeen) {
-  window_->slices()->arrange(ViewLayout::slices);
+  window_->slices()->arrange(ui::ViewLayout::slices);
   ASSERT_TRUE(load(*window_, "phantom:ball:24"));
   EXPECT_TRUE(waitUntil([&] {
     for (const auto d : {SliceDirection::axial, SliceDirection::coronal, SliceDirection::sagittal})
@@ -65,7 +65,7 @@ TEST_F(LayoutTest, SlicesAloneAreDrawnAndMessagesAreSeen) {
 }
 
 TEST_F(LayoutTest, IsRememberedBetweenStarts) {
-  window_->slices()->arrange(ViewLayout::fourUp);
+  window_->slices()->arrange(ui::ViewLayout::fourUp);
   window_->resize(870, 610);
   window_->addDockWidget(Qt::LeftDockWidgetArea, dock("Volume"));
   dock("Passes")->close();
@@ -80,7 +80,7 @@ TEST_F(LayoutTest, IsRememberedBetweenStarts) {
 }
 
 TEST_F(LayoutTest, FromFullScreenThePanelsAreRemembered) {
-  window_->slices()->arrange(ViewLayout::slices);
+  window_->slices()->arrange(ui::ViewLayout::slices);
   QTest::keyClick(window_.get(), Qt::Key_F11);
   ASSERT_TRUE(waitUntil([&] { return window_->isFullScreen(); }));
   EXPECT_TRUE(dock("Settings")->isHidden());

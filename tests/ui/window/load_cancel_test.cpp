@@ -12,12 +12,14 @@ TEST_F(WindowTest, TheButtonThatCancelsALoadIsAnsweredInThatMoment) {
   ASSERT_TRUE(load(*window_, "phantom:ball:32"));
   const auto before = window_->document()->volume();
   window_->openPath("phantom:head:512");  // half a minute of the processor
-  ASSERT_TRUE(waitUntil(
-      [&] { return window_->loadCard()->cancelButton()->isVisible() || !window_->document()->loading(); }));
+  ASSERT_TRUE(waitUntil([&] {
+    return window_->panel<ui::LoadCard>()->findChild<QPushButton*>()->isVisible() ||
+           !window_->document()->loading();
+  }));
   ASSERT_TRUE(window_->document()->loading()) << "it was loaded before it could be cancelled";
-  QTest::mouseClick(window_->loadCard()->cancelButton(), Qt::LeftButton);
+  QTest::mouseClick(window_->panel<ui::LoadCard>()->findChild<QPushButton*>(), Qt::LeftButton);
   EXPECT_FALSE(window_->document()->loading());
-  EXPECT_FALSE(window_->loadCard()->isVisible());
+  EXPECT_FALSE(window_->panel<ui::LoadCard>()->isVisible());
   EXPECT_EQ(window_->document()->volume(), before);
 }
 

@@ -98,9 +98,10 @@ TEST_F(WindowTest, TurningBesideTheAccuracyPanelNeverBlocksTheWindow) {
   const auto study = [&] { return panel->working() || panel->complete(); };
   const auto picture = [&] { return panel->picture().working() || panel->picture().known().has_value(); };
   const auto search = [&] {
-    if (!panel->target()->searching()) {
-      panel->target()->askError(app::Quantity::depthMm, 1e-9);  // all combinations are tried
-      QTest::mouseClick(panel->target()->findButton(), Qt::LeftButton);
+    if (!panel->findChild<ui::TargetBox*>()->searching()) {
+      panel->findChild<ui::TargetBox*>()->askError(app::Quantity::depthMm,
+                                                   1e-9);  // all combinations are tried
+      QTest::mouseClick(panel->findChild<ui::TargetBox*>()->findButton(), Qt::LeftButton);
     }
     return app::runningSearches() > 0;
   };
@@ -124,7 +125,7 @@ TEST_F(WindowTest, TurningBesideTheAccuracyPanelNeverBlocksTheWindow) {
     EXPECT_GT(watchdog.turns().size(), static_cast<std::size_t>(moves) / 2) << work.name;
     EXPECT_EQ(turned.answeredWithinMoves, 0) << work.name << ": a move waited for its picture";
     EXPECT_LE(watchdog.longestProcessor(), mostWorkOfATurn) << work.name;
-    EXPECT_FALSE(panel->target()->searching());
+    EXPECT_FALSE(panel->findChild<ui::TargetBox*>()->searching());
   }
 }
 

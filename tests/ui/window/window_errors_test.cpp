@@ -97,13 +97,13 @@ TEST_F(WindowTest, LoadingCanBeCancelledAndThePreviousVolumeStays) {
   });
   window_->openPath("phantom:head:512");
   EXPECT_TRUE(window_->document()->loading());
-  ASSERT_TRUE(waitUntil([&] { return window_->loadCard()->isVisible(); }));
+  ASSERT_TRUE(waitUntil([&] { return window_->panel<ui::LoadCard>()->isVisible(); }));
   EXPECT_FALSE(ended);  // the window answers while it loads
-  QTest::mouseClick(window_->loadCard()->cancelButton(), Qt::LeftButton);
+  QTest::mouseClick(window_->panel<ui::LoadCard>()->findChild<QPushButton*>(), Qt::LeftButton);
   EXPECT_TRUE(ended);
   EXPECT_FALSE(success);
   EXPECT_FALSE(window_->document()->loading());
-  EXPECT_FALSE(window_->loadCard()->isVisible());
+  EXPECT_FALSE(window_->panel<ui::LoadCard>()->isVisible());
   EXPECT_EQ(window_->document()->volume(), volume);
   EXPECT_TRUE(window_->messageBar()->isHidden());  // what the user did is no error
   EXPECT_TRUE(base::awaitDestroyed(60.0));         // the thread that was loading has ended
@@ -146,7 +146,7 @@ TEST_F(WindowTest, APictureThatFailsIsSaidAndComesBackWithUndo) {
   EXPECT_TRUE(overlay->accessibleDescription().contains("undo"));
   EXPECT_FALSE(overlay->accessibleDescription().contains("OpenGL"));  // which is not to blame
   EXPECT_EQ(drawing, 0);                                              // light goes on
-  EXPECT_THROW(viewport->picture(), base::Error);
+  EXPECT_THROW(viewport->picture({}), base::Error);
   window_->document()->undo();
   window_->messageBar()->hide();
   EXPECT_EQ(differingPixels(before, fullPicture(*window_), 0), 0.0);

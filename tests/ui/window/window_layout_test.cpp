@@ -242,14 +242,14 @@ TEST_F(WindowTest, TheStatusBarCutsNoWordOrNumber) {
   state.counters.samplesDone = 50;
   state.counters.raysPerSecond = 264000.0;
   state.counters.secondsLeft = 18.0;
-  window_->lightStatus()->setState(state, false);
+  window_->panel<ui::LightStatus>()->setState(state, false);
   auto* const accuracy = window_->findChild<QLabel*>("pictureAccuracy");
   accuracy->setText("Depth ± 1.4 mm (noise, discretisation) · rounding ± 0.53 µm · normal ± 0.012°");
   accuracy->show();
   app::Pick pick{};
   Q_EMIT window_->viewport()->pointed(pick);
-  ASSERT_TRUE(waitUntil([&] { return window_->lightStatus()->width() > 150; }, 5000))
-      << window_->lightStatus()->width() << ' ' << window_->lightStatus()->isVisible();
+  ASSERT_TRUE(waitUntil([&] { return window_->panel<ui::LightStatus>()->width() > 150; }, 5000))
+      << window_->panel<ui::LightStatus>()->width() << ' ' << window_->panel<ui::LightStatus>()->isVisible();
   int labels = 0;
   for (const QLabel* label : window_->statusBar()->findChildren<QLabel*>()) {
     if (!label->isVisible() || label->text().isEmpty() || label->pixmap().width() > 0) continue;
@@ -267,7 +267,7 @@ TEST_F(WindowTest, TheStatusBarCutsNoWordOrNumber) {
         << text.toStdString();
   }
   EXPECT_GE(labels, 3);
-  for (const auto* label : window_->lightStatus()->findChildren<ui::ElidedLabel*>())
+  for (const auto* label : window_->panel<ui::LightStatus>()->findChildren<ui::ElidedLabel*>())
     EXPECT_TRUE(label->shownText().startsWith("Light: 50 %")) << label->shownText().toStdString();
 }
 

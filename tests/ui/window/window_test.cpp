@@ -31,7 +31,7 @@ QPoint centreOf(const QWidget* widget) {
 }
 
 void dragIsovalue(ui::MainWindow& window, double value) {
-  ui::HistogramSlider* slider = window.isovaluePanel()->slider();
+  ui::HistogramSlider* slider = window.panel<ui::HistogramSlider>();
   drag(slider, slider->linePosition().toPoint(), slider->positionOf(value).toPoint());
 }
 }  // namespace
@@ -60,9 +60,9 @@ TEST_F(WindowTest, DraggingTheLineMovesTheIsovalueAndTheSurface) {
   dragIsovalue(*window_, wanted);
   const auto value = window_->document()->scene().isosurface.value;
   ASSERT_TRUE(value.has_value());
-  const double pixel = window_->isovaluePanel()->slider()->plot().shownRange() / 300.0;
+  const double pixel = window_->panel<ui::HistogramSlider>()->plot().shownRange() / 300.0;
   EXPECT_NEAR(*value, wanted, pixel);
-  EXPECT_NEAR(window_->isovaluePanel()->spinBox()->value(), *value, 1e-12);
+  EXPECT_NEAR(window_->panel<ui::IsovaluePanel>()->findChild<ui::NumberSpinBox*>()->value(), *value, 1e-12);
   EXPECT_GT(differingPixels(before, fullPicture(*window_)), 0.02);
   EXPECT_TRUE(window_->isWindowModified());
 
@@ -81,7 +81,7 @@ TEST_F(WindowTest, ManyMovesOfTheLineInOneTurnAreOneEdit) {
   fullPicture(*window_);
   int edits = 0;
   QObject::connect(window_->document(), &ui::Document::sceneChanged, [&] { ++edits; });
-  ui::HistogramSlider* slider = window_->isovaluePanel()->slider();
+  ui::HistogramSlider* slider = window_->panel<ui::HistogramSlider>();
   const QPoint from = slider->linePosition().toPoint();
   QTest::mousePress(slider, Qt::LeftButton, Qt::NoModifier, from);
   for (int i = 1; i <= 200; ++i) {
@@ -97,7 +97,7 @@ TEST_F(WindowTest, ManyMovesOfTheLineInOneTurnAreOneEdit) {
 
 TEST_F(WindowTest, WheelKeysAndDoubleClickOnTheHistogram) {
   ASSERT_TRUE(load(*window_, "phantom:ball:32"));
-  ui::HistogramSlider* slider = window_->isovaluePanel()->slider();
+  ui::HistogramSlider* slider = window_->panel<ui::HistogramSlider>();
   const double start = slider->isovalue(), step = slider->plot().fineStep();
   wheel(slider, centreOf(slider), 1);
   EXPECT_NEAR(slider->isovalue(), start, 1.5 * step);
@@ -119,21 +119,21 @@ TEST_F(WindowTest, WheelKeysAndDoubleClickOnTheHistogram) {
 
 TEST_F(WindowTest, TheSpinBoxSetsTheExactIsovalue) {
   ASSERT_TRUE(load(*window_, "phantom:head:32"));
-  ui::NumberSpinBox* box = window_->isovaluePanel()->spinBox();
+  ui::NumberSpinBox* box = window_->panel<ui::IsovaluePanel>()->findChild<ui::NumberSpinBox*>();
   EXPECT_TRUE(box->suffix().contains("HU"));
   box->setFocus();
   box->selectAll();
   QTest::keyClicks(box, "-123,25");
   QTest::keyClick(box, Qt::Key_Return);
   EXPECT_EQ(window_->document()->scene().isosurface.value, -123.25);
-  EXPECT_EQ(window_->isovaluePanel()->slider()->isovalue(), -123.25);
+  EXPECT_EQ(window_->panel<ui::HistogramSlider>()->isovalue(), -123.25);
 }
 
 // Not when the focus leaves the field.
 TEST_F(WindowTest, UndoInTheIsovaluesFieldIsSeenAtOnce) {
   ASSERT_TRUE(load(*window_, "phantom:head:32"));
-  ui::NumberSpinBox* box = window_->isovaluePanel()->spinBox();
-  const double before = window_->isovaluePanel()->slider()->isovalue();
+  ui::NumberSpinBox* box = window_->panel<ui::IsovaluePanel>()->findChild<ui::NumberSpinBox*>();
+  const double before = window_->panel<ui::HistogramSlider>()->isovalue();
   box->setFocus();
   const QString shown = box->text();
   box->selectAll();
@@ -143,7 +143,7 @@ TEST_F(WindowTest, UndoInTheIsovaluesFieldIsSeenAtOnce) {
   QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier);
   EXPECT_TRUE(box->hasFocus());
   EXPECT_FALSE(window_->document()->scene().isosurface.value.has_value());
-  EXPECT_EQ(window_->isovaluePanel()->slider()->isovalue(), before);
+  EXPECT_EQ(window_->panel<ui::HistogramSlider>()->isovalue(), before);
   EXPECT_EQ(box->text(), shown);
   QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
   EXPECT_EQ(window_->document()->scene().isosurface.value, 999.0);
@@ -256,7 +256,7 @@ TEST_F(WindowTest, AMeshOpensAndIsCombinedWithASecondVolume) {
                                        "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
   ASSERT_TRUE(load(*window_, file));
   window_->showPanel("volume");
-  ui::SourcePanel* panel = window_->panel<ui::VolumePanel>()->sourcePanel();
+  ui::SourcePanel* panel = window_->panel<ui::SourcePanel>();
   ui::Document* document = window_->document();
   const auto send = [&](const char* path, const nlohmann::json& value) {
     ui::Edit edit{document->scene(), "Boolean operation", {}, false};
