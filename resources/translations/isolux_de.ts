@@ -2136,7 +2136,7 @@ Strg+Rad: Wertachse zoomen, Ziehen mit der mittleren Taste: verschieben</transla
     </message>
 </context>
 <context>
-    <name>isolux::ui::LevelZero</name>
+    <name>isolux::ui::FullResolutionView</name>
     <message>
         <source>Full resolution is not drawn: %1</source>
         <translation>Volle Auflösung wird nicht gezeichnet: %1</translation>
