@@ -28,12 +28,9 @@ bool shines(const scene::Lamp& lamp) {
 
 }  // namespace
 
-glm::dmat3 rotationOf(const glm::dvec4& wxyz) {
-  return worldFromEnvironment(glm::dquat(wxyz.x, wxyz.y, wxyz.z, wxyz.w));
-}
-
 glm::dmat3 rotationOf(const scene::Scene& scene, const volume::PreparedVolume& volume) {
-  return rotationOf(scene::rotationOf(scene.light.environment, volume.facts.axes));
+  const glm::dvec4 wxyz = scene::rotationOf(scene.light.environment, volume.facts.axes);
+  return worldFromEnvironment(glm::dquat(wxyz.x, wxyz.y, wxyz.z, wxyz.w));
 }
 
 std::shared_ptr<const Environment> loadEnvironment(const scene::Environment& settings) {

@@ -15,7 +15,7 @@
 
 #include "base/progress.h"
 #include "gi/sampling/environment.h"
-#include "gi/sampling/lamp_light.h"
+#include "gi/sampling/lamp_sampling.h"
 #include "scene/albedo.h"
 #include "scene/rules/gi_choice.h"
 #include "scene/scene.h"
@@ -61,7 +61,6 @@ std::shared_ptr<const LightScene> innerSideOf(const LightScene& light, base::Pro
 // Loads the file, or makes the constant environment or built-in light. Throws base::Error{input}.
 std::shared_ptr<const Environment> loadEnvironment(const scene::Environment& settings);
 std::vector<LampLight> lampsOf(const scene::Scene& resolved, const volume::GridGeometry& geometry);
-glm::dmat3 rotationOf(const glm::dvec4& wxyz);  // worldFromEnvironment of this quaternion
 // Returns the rotation of the scene's environment.
 glm::dmat3 rotationOf(const scene::Scene& scene, const volume::PreparedVolume& volume);
 

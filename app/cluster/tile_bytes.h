@@ -5,7 +5,6 @@
 #include <string>
 #include <string_view>
 
-#include "gi/lattice/block_request.h"
 #include "gi/lattice/light_lattice.h"
 
 namespace isolux::app {

@@ -4,8 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "gi/lattice/block_request.h"
-#include "gi/lattice/lattice_geometry.h"
+#include "gi/lattice/light_lattice.h"
 
 namespace isolux::app {
 

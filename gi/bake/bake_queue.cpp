@@ -107,13 +107,8 @@ void BakeQueue::push(std::size_t request, std::uint32_t index) {
 void BakeQueue::fill(std::size_t request) {
   ++generations_[request];
   std::erase_if(waiting_, [&](const auto& item) { return item.first == request; });
-  std::vector<Item> items;
-  items.reserve(requests_[request].size());
-  for (std::size_t i = 0; i < requests_[request].size(); ++i) {
-    const std::uint32_t least = leastSamples(requests_[request][i]);
-    if (least < samples_) items.push_back({roundAfter(least), static_cast<std::uint32_t>(i)});
-  }
-  heaps_[request] = Heap(std::greater<>(), std::move(items));
+  heaps_[request] = {};
+  for (std::uint32_t i = 0; i < requests_[request].size(); ++i) push(request, i);
 }
 
 std::optional<BakeQueue::Unit> BakeQueue::take() {

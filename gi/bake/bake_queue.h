@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "gi/lattice/block_request.h"
+#include "gi/lattice/light_lattice.h"
 
 namespace isolux::gi {
 

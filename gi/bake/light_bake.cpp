@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <deque>
 #include <mutex>
 #include <stop_token>
 #include <system_error>
@@ -13,7 +14,6 @@
 #include "base/error.h"
 #include "base/mailbox.h"
 #include "gi/bake/bake_queue.h"
-#include "gi/bake/bake_rate.h"
 #include "gi/bake/bake_unit.h"
 
 #ifdef __linux__
@@ -46,6 +46,34 @@ void runInBackground() {
 }
 
 }  // namespace
+
+// The speed of a bake over its last two seconds of work.
+class BakeRate {
+ public:
+  // Records the totals at `seconds` of work (without pauses). Cheap: most calls only compare the time.
+  void note(double seconds, std::uint64_t rays, std::uint64_t paths) {
+    last_ = {seconds, rays, paths};
+    if (seconds < marks_.back().seconds + kStep) return;
+    marks_.push_back(last_);
+    while (marks_.size() > 2 && marks_[1].seconds <= seconds - kWindow) marks_.pop_front();
+  }
+  double raysPerSecond() const { return per(last_.rays - marks_.front().rays); }
+  double pathsPerSecond() const { return per(last_.paths - marks_.front().paths); }
+
+ private:
+  static constexpr double kWindow = 2.0, kStep = 0.1;  // seconds
+  struct Mark {
+    double seconds = 0.0;
+    std::uint64_t rays = 0, paths = 0;
+  };
+  double per(std::uint64_t count) const {
+    const double seconds = last_.seconds - marks_.front().seconds;
+    return seconds > 0.0 ? static_cast<double>(count) / seconds : 0.0;
+  }
+
+  std::deque<Mark> marks_{{}};  // never empty; the first is the last one older than the window
+  Mark last_;
+};
 
 // Three sides. Owners (the window's thread) and workers share atomics and mailboxes only, so that an owner
 // never waits for a worker that the system has put aside. Workers and waitFor() share the queue and the

@@ -21,7 +21,6 @@
 #include <vector>
 
 #include "gi/bake/texel_estimator.h"
-#include "gi/lattice/block_request.h"
 #include "gi/lattice/light_lattice.h"
 
 namespace isolux::gi {

@@ -124,9 +124,8 @@ void addLamps(const PathSetup& setup, std::span<const GlossPoint> points, std::u
 }  // namespace
 
 const FilteredEnvironment* GlossLight::of(float roughness) const {
-  for (const auto& environment : environments)
-    if (environment->roughness() == roughness) return environment.get();
-  return nullptr;
+  const auto found = std::ranges::find(environments, roughness, &FilteredEnvironment::roughness);
+  return found == environments.end() ? nullptr : found->get();
 }
 
 std::shared_ptr<const GlossLight> makeGlossLight(const scene::Scene& resolved,
@@ -135,20 +134,16 @@ std::shared_ptr<const GlossLight> makeGlossLight(const scene::Scene& resolved,
   const std::vector<scene::GlossySurface> surfaces = scene::glossySurfaces(resolved);
   if (surfaces.empty()) return nullptr;
   auto gloss = std::make_shared<GlossLight>();
+  const GlossLight none;
   const bool same = before && before->scene->environment == light->environment;
+  const auto& kept = (same ? *before : none).environments;
   for (const scene::GlossySurface& surface : surfaces) {
     const auto roughness = static_cast<float>(surface.roughness);
     if (gloss->of(roughness)) continue;
-    const auto kept = [&](const auto& environment) { return environment->roughness() == roughness; };
-    if (same) {
-      const auto found = std::find_if(before->environments.begin(), before->environments.end(), kept);
-      if (found != before->environments.end()) {
-        gloss->environments.push_back(*found);
-        continue;
-      }
-    }
+    const auto found = std::ranges::find(kept, roughness, &FilteredEnvironment::roughness);
     gloss->environments.push_back(
-        std::make_shared<const FilteredEnvironment>(*light->environment, roughness));
+        found != kept.end() ? *found
+                            : std::make_shared<const FilteredEnvironment>(*light->environment, roughness));
   }
   gloss->scene = std::move(light);
   return gloss;

@@ -21,8 +21,6 @@ class ShRotation {
   // allowed.
   ShRotation(int order, const glm::dmat3& rotation);
 
-  int order() const { return order_; }
-
   // Rotates spans of at least order^2 values; `in` and `out` are the same or do not overlap.
   void apply(std::span<const glm::dvec3> in, std::span<glm::dvec3> out) const;
 

@@ -104,21 +104,6 @@ GaussLegendre::GaussLegendre(int count) : nodes(count), weights(count) {
   }
 }
 
-SphereQuadrature::SphereQuadrature(int degree) {
-  assert(degree >= 0);
-  const GaussLegendre polar(degree / 2 + 1);
-  const int around = degree + 1;
-  points_.reserve(polar.nodes.size() * around);
-  for (std::size_t i = 0; i < polar.nodes.size(); ++i) {
-    const double z = polar.nodes[i], radius = std::sqrt((1.0 - z) * (1.0 + z));
-    for (int j = 0; j < around; ++j) {
-      const double phi = 2.0 * pi * (j + 0.5) / around;
-      points_.push_back({{radius * base::portableCos(phi), radius * base::portableSin(phi), z},
-                         polar.weights[i] * 2.0 * pi / around});
-    }
-  }
-}
-
 double shWindow(int order, double strength, int l) {
   const double t = pi * strength * l / order;
   return t == 0.0 ? 1.0 : base::portableSin(t) / t;

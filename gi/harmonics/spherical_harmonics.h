@@ -27,24 +27,6 @@ constexpr int shTerms(int order) {
 void evaluateSh(int order, glm::vec3 d, float* out);
 void evaluateSh(int order, glm::dvec3 d, double* out);
 
-// A quadrature of the sphere, exact for polynomials in x, y, z up to `degree`: Gauss-Legendre in z times
-// equal steps about z. The weights sum to 4 pi.
-class SphereQuadrature {
- public:
-  explicit SphereQuadrature(int degree);
-
-  struct Point {
-    glm::dvec3 direction;
-    double weight;
-  };
-  const std::vector<Point>& points() const& { return points_; }
-  // Deleted for a temporary: a loop over its points would outlive it.
-  const std::vector<Point>& points() && = delete;
-
- private:
-  std::vector<Point> points_;
-};
-
 // Gauss-Legendre nodes in (-1, 1) and weights that sum to 2, exact to degree 2 count - 1.
 struct GaussLegendre {
   explicit GaussLegendre(int count);

@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "gi/lattice/block_request.h"
-#include "gi/lattice/lattice_geometry.h"
+#include "gi/lattice/light_lattice.h"
 
 namespace isolux::gi {
 

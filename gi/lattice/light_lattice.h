@@ -1,4 +1,5 @@
-// Stores baked lighting: texels in blocks that exist only where something is lit.
+// Stores baked lighting: texels in blocks that exist only where something is lit, and defines requests to a
+// bake.
 //
 // One thread at a time writes a block, any number read. Every write has a revision, so that readers fetch
 // only changed blocks. A block is immutable once written: writing exchanges it, and readers of the old one
@@ -55,6 +56,16 @@ struct LatticeBlock {
     return sizeof(LatticeBlock) + means.capacity() * sizeof(float) + places.capacity() * sizeof(glm::vec3);
   }
 };
+
+// Requested texels of one block.
+struct BlockRequest {
+  std::uint32_t block = 0;
+  std::bitset<kTexelsOfBlock> texels;
+  bool operator==(const BlockRequest&) const = default;
+};
+
+// Priorities, in the order in which they are served.
+enum class Priority { visible, nearby, band, rest };
 
 class LightLattice {
  public:

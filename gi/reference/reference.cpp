@@ -1,10 +1,15 @@
 #include "gi/reference/reference.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <exception>
 #include <limits>
+#include <mutex>
 #include <numbers>
 #include <numeric>
+#include <system_error>
+#include <thread>
 
 #include <glm/geometric.hpp>
 
@@ -12,7 +17,6 @@
 #include "base/error.h"
 #include "gi/sampling/gloss_lobe.h"
 #include "gi/trace/exposure_meter.h"
-#include "gi/trace/parallel_tasks.h"
 #include "scene/opacity.h"
 #include "scene/rules/needs.h"
 #include "scene/shown_surfaces.h"
@@ -24,6 +28,41 @@ namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr std::size_t kFewestPointsOfTask = 16, kMostPointsOfTask = 256;
+
+// Runs numbered tasks on a few threads of their own, as many as the system creates; the caller waits. Calls
+// body(task) for 0 .. count - 1 until one returns false. Returns true if all returned true. An
+// exception of a body ends the other threads after their current task and is rethrown here.
+template <class Body>
+bool runTasks(std::size_t count, int threads, const Body& body) {
+  std::atomic<std::size_t> next{0};
+  std::atomic<bool> going{true};
+  std::mutex mutex;
+  std::exception_ptr failure;
+  const auto work = [&] {
+    try {
+      while (going.load(std::memory_order_relaxed)) {
+        const std::size_t task = next.fetch_add(1, std::memory_order_relaxed);
+        if (task >= count) return;
+        if (!body(task)) going = false;
+      }
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      failure = std::current_exception();
+      going = false;
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    try {
+      for (int i = 1; i < threads && static_cast<std::size_t>(i) < count; ++i) others.emplace_back(work);
+    } catch (const std::system_error&) {
+      // If the system creates no more threads, the existing ones do the work.
+    }
+    work();
+  }
+  if (failure) std::rethrow_exception(failure);
+  return going;
+}
 
 scene::Scene checked(scene::Scene scene) {
   if (!std::ranges::all_of(scene::shownSurfaces(scene), scene::isOpaque<scene::ShownSurface>))
@@ -136,7 +175,9 @@ void Reference::findHits(const Options& options, base::Progress& progress) {
     }
     if (side == 0) outerPoints_ = points_.size();
     const std::size_t points = points_.size() - first, parts = 8 * static_cast<std::size_t>(threads_);
-    addTasks(first, std::clamp(points / parts, kFewestPointsOfTask, kMostPointsOfTask));
+    const std::size_t pointsOfTask = std::clamp(points / parts, kFewestPointsOfTask, kMostPointsOfTask);
+    for (std::size_t at = first; at < points_.size(); at += pointsOfTask)
+      tasks_.push_back({at, std::min(pointsOfTask, points_.size() - at), 0});
   }
   findGloss(rows);
   sky_.resize(points_.size());
@@ -234,11 +275,6 @@ std::vector<glm::vec3> Reference::gradientsAt(const std::vector<glm::vec3>& voxe
   else
     tracer_->light().tracer->gradients(voxels, gradients);
   return gradients;
-}
-
-void Reference::addTasks(std::size_t first, std::size_t pointsOfTask) {
-  for (; first < points_.size(); first += pointsOfTask)
-    tasks_.push_back({first, std::min(pointsOfTask, points_.size() - first), 0});
 }
 
 bool Reference::refineTask(Task& task, std::uint32_t samples, std::uint64_t& rays,

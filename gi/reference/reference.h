@@ -92,12 +92,11 @@ class Reference {
     std::array<std::vector<std::uint32_t>, 2> pixels;
     std::vector<glm::vec3> rays;  // of outer points: unit, world, from the eye
   };
-  // `wanted`: columns.
   std::vector<float> groundOfPixels() const;  // 1 on the surface
+  // `wanted`: columns.
   bool findHitsOfRow(std::size_t row, std::span<const std::uint32_t> wanted, const base::Progress& progress,
                      RowPoints& found);
   std::vector<glm::vec3> gradientsAt(const std::vector<glm::vec3>& voxels) const;
-  void addTasks(std::size_t first, std::size_t pointsOfTask);  // of all points from `first` on
   void findGloss(const std::vector<RowPoints>& rows);
   bool refineGloss(const Task& task, SampleRange range, std::uint64_t& rays, const std::stop_token& stop);
   bool refineTask(Task& task, std::uint32_t samples, std::uint64_t& rays, const std::stop_token& stop);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "base/portable_math.h"
@@ -28,11 +29,6 @@ glm::dvec3 toward(double azimuth, double elevation) {
           base::portableSin(e)};
 }
 
-double smooth(double from, double to, double x) {
-  const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
-
 glm::dvec3 mixed(const glm::dvec3& a, const glm::dvec3& b, double t) {
   return a + t * (b - a);
 }
@@ -40,7 +36,7 @@ glm::dvec3 mixed(const glm::dvec3& a, const glm::dvec3& b, double t) {
 // 1 within the disc of this radius, falling to 0 over its soft edge. Degrees.
 double disc(const glm::dvec3& direction, const glm::dvec3& centre, double radius, double edge) {
   const double cosine = std::clamp(glm::dot(direction, centre), -1.0, 1.0);
-  return 1.0 - smooth(radians(radius - edge), radians(radius + edge), base::portableAcos(cosine));
+  return 1.0 - glm::smoothstep(radians(radius - edge), radians(radius + edge), base::portableAcos(cosine));
 }
 
 // 1 within a rectangle that faces the volume, seen from its middle: half its width and height in tangents.
@@ -51,12 +47,14 @@ double panel(const glm::dvec3& direction, const glm::dvec3& centre, glm::dvec2 h
   if (ahead <= 0.0) return 0.0;
   const double x = std::abs(glm::dot(direction, right)) / ahead,
                y = std::abs(glm::dot(direction, up)) / ahead;
-  return (1.0 - smooth(half.x - edge, half.x + edge, x)) * (1.0 - smooth(half.y - edge, half.y + edge, y));
+  return (1.0 - glm::smoothstep(half.x - edge, half.x + edge, x)) *
+         (1.0 - glm::smoothstep(half.y - edge, half.y + edge, y));
 }
 
 // Dark floor, brighter toward the horizon, and a backdrop above it.
 glm::dvec3 gradient(double z, const glm::dvec3& floor, const glm::dvec3& horizon, const glm::dvec3& zenith) {
-  return z < 0.0 ? mixed(horizon, floor, smooth(0.0, 0.5, -z)) : mixed(horizon, zenith, smooth(0.0, 1.0, z));
+  return z < 0.0 ? mixed(horizon, floor, glm::smoothstep(0.0, 0.5, -z))
+                 : mixed(horizon, zenith, glm::smoothstep(0.0, 1.0, z));
 }
 
 // A large soft key high at the left, a weak fill at the right, a rim light from behind, and what the floor
@@ -80,7 +78,7 @@ glm::dvec3 window(const glm::dvec3& d) {
   const double ahead = std::max(glm::dot(d, pane), 1e-6);
   const double x = std::abs(glm::dot(d, right)) / ahead;
   const double y = std::abs(glm::dot(d, glm::cross(pane, right))) / ahead;
-  const double bars = smooth(0.02, 0.05, x) * smooth(0.02, 0.05, y);
+  const double bars = glm::smoothstep(0.02, 0.05, x) * glm::smoothstep(0.02, 0.05, y);
   light += bars * panel(d, pane, {0.44, 0.66}, 0.03) * glm::dvec3(3.7, 4.2, 4.8);
   return light;
 }
@@ -89,23 +87,24 @@ glm::dvec3 window(const glm::dvec3& d) {
 // behind it and grey ground.
 glm::dvec3 overcast(const glm::dvec3& d) {
   static const glm::dvec3 sun = toward(-50.0, 48.0);
-  if (d.z < 0.0) return mixed({0.28, 0.29, 0.30}, {0.09, 0.085, 0.075}, smooth(0.0, 0.15, -d.z));
+  if (d.z < 0.0) return mixed({0.28, 0.29, 0.30}, {0.09, 0.085, 0.075}, glm::smoothstep(0.0, 0.15, -d.z));
   const glm::dvec3 cloud = glm::dvec3(0.80, 0.88, 0.98) * (1.0 + 2.0 * d.z) / 3.0;
-  const double veil = smooth(0.0, 0.15, d.z) * base::portableExp(5.0 * (glm::dot(d, sun) - 1.0));
-  return mixed({0.28, 0.29, 0.30}, cloud, smooth(0.0, 0.08, d.z)) + veil * glm::dvec3(1.55, 1.50, 1.42);
+  const double veil = glm::smoothstep(0.0, 0.15, d.z) * base::portableExp(5.0 * (glm::dot(d, sun) - 1.0));
+  return mixed({0.28, 0.29, 0.30}, cloud, glm::smoothstep(0.0, 0.08, d.z)) +
+         veil * glm::dvec3(1.55, 1.50, 1.42);
 }
 
 // A low sun at the left under a sky from orange to blue.
 glm::dvec3 sunset(const glm::dvec3& d) {
   static const glm::dvec3 sun = toward(-58.0, 14.0);
   const double near = glm::dot(d, sun);
-  const glm::dvec3 earth = mixed({0.16, 0.11, 0.09}, {0.05, 0.04, 0.04}, smooth(0.0, 0.4, -d.z));
+  const glm::dvec3 earth = mixed({0.16, 0.11, 0.09}, {0.05, 0.04, 0.04}, glm::smoothstep(0.0, 0.4, -d.z));
   const glm::dvec3 ground = earth * (1.0 + 0.6 * std::max(near, 0.0));
-  const glm::dvec3 glow = mixed({0.26, 0.24, 0.34}, {1.10, 0.50, 0.20}, smooth(-0.4, 1.0, near));
-  glm::dvec3 sky = mixed(glow, {0.10, 0.18, 0.38}, smooth(0.0, 0.7, d.z));
+  const glm::dvec3 glow = mixed({0.26, 0.24, 0.34}, {1.10, 0.50, 0.20}, glm::smoothstep(-0.4, 1.0, near));
+  glm::dvec3 sky = mixed(glow, {0.10, 0.18, 0.38}, glm::smoothstep(0.0, 0.7, d.z));
   sky += base::portableExp(14.0 * (near - 1.0)) * glm::dvec3(1.6, 0.75, 0.28);
   sky += disc(d, sun, 6.0, 2.0) * glm::dvec3(112.0, 70.0, 38.0);
-  return mixed(ground, sky, smooth(-0.07, 0.05, d.z));
+  return mixed(ground, sky, glm::smoothstep(-0.07, 0.05, d.z));
 }
 
 }  // namespace

@@ -223,11 +223,6 @@ float Environment::pdfOf(int row, std::size_t index) const {
          rowDensity_[row];
 }
 
-float Environment::pdf(glm::vec3 direction) const {
-  const Pixel pixel = pixelOf(direction);
-  return pdfOf(pixel.row, pixel.index);
-}
-
 Environment::Sample Environment::sample(glm::vec2 u) const {
   const Choice row = choose(rowStart_, rowGuide_, u.y);
   const std::size_t first = static_cast<std::size_t>(row.index) * width_;

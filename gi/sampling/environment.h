@@ -6,7 +6,7 @@
 // the image's middle behind the patient.
 //
 // The radiance of a direction is the radiance of its pixel (piecewise constant). A pixel's solid angle is 2
-// pi / width * (cos of its upper edge - cos of its lower edge). radiance(), sample(), pdf(), project() and
+// pi / width * (cos of its upper edge - cos of its lower edge). radiance(), sample(), lookUp(), project() and
 // mean() all use this piecewise constant function. Radiance is linear RGB (BT.709), without exposure.
 // Densities are per steradian. Directions are unit vectors. Immutable; safe from any thread.
 #pragma once
@@ -22,7 +22,6 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "base/progress.h"
 #include "gi/sampling/batch.h"
 
 namespace isolux::gi {
@@ -39,8 +38,6 @@ class Environment {
   // naming file, place and reason, and of kind memory. A sandboxed process parses the file
   // (volume/read/process/foreign.h).
   static Environment load(const std::string& path);
-  // Throws Error{interrupted}, too.
-  static Environment load(const std::string& path, base::Progress& progress);
 
   int width() const { return width_; }
   int height() const { return height_; }
@@ -61,9 +58,7 @@ class Environment {
     float pdf;
   };
   Sample sample(glm::vec2 u) const;
-  // Returns the density of sample(): above 0 wherever the radiance is.
-  float pdf(glm::vec3 direction) const;
-  // Returns radiance and density of a direction together.
+  // Returns radiance and density of a direction: that of sample(), above 0 wherever the radiance is.
   Sample lookUp(glm::vec3 direction) const {
     const Pixel pixel = pixelOf(direction);
     return {direction, pixels_[pixel.index], pdfOf(pixel.row, pixel.index)};
@@ -116,18 +111,14 @@ struct Sky {
   glm::mat3 worldFromEnvironment{1.0f};            // a proper rotation
   float scale = 1.0f;                              // of the radiance, at least 0
 
-  glm::vec3 radiance(glm::vec3 world) const {
-    return scale * environment->radiance(world * worldFromEnvironment);  // by the transpose
-  }
   Environment::Sample sample(glm::vec2 u) const {
     Environment::Sample s = environment->sample(u);
     s.direction = worldFromEnvironment * s.direction;
     s.radiance *= scale;
     return s;
   }
-  float pdf(glm::vec3 world) const { return environment->pdf(world * worldFromEnvironment); }
   Environment::Sample lookUp(glm::vec3 world) const {
-    Environment::Sample s = environment->lookUp(world * worldFromEnvironment);
+    Environment::Sample s = environment->lookUp(world * worldFromEnvironment);  // by the transpose
     s.direction = world;
     s.radiance *= scale;
     return s;

@@ -7,7 +7,8 @@
 
 namespace isolux::gi {
 
-Environment Environment::load(const std::string& path, base::Progress& progress) {
+Environment Environment::load(const std::string& path) {
+  base::Progress progress;
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) base::throwInput(path, "", "is not a file");
   try {
@@ -16,11 +17,6 @@ Environment Environment::load(const std::string& path, base::Progress& progress)
   } catch (const std::bad_alloc&) {
     throw base::Error(base::ErrorKind::memory, path, "", "is too large for the memory of this computer");
   }
-}
-
-Environment Environment::load(const std::string& path) {
-  base::Progress progress;
-  return load(path, progress);
 }
 
 }  // namespace isolux::gi

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "gi/lattice/block_request.h"
 #include "gi/lattice/light_lattice.h"
 #include "scene/choices.h"
 #include "volume/grid.h"

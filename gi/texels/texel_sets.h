@@ -6,7 +6,6 @@
 
 #include <glm/vec3.hpp>
 
-#include "gi/lattice/block_request.h"
 #include "gi/lattice/light_lattice.h"
 
 namespace isolux::gi {

@@ -1,16 +1,52 @@
-// Functions on the sphere: sums of spherical harmonics, their coefficients, and uniform directions.
+// Functions on the sphere: their quadrature, sums of spherical harmonics, their coefficients, and uniform
+// directions.
 #pragma once
 
+#include <cassert>
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "base/portable_math.h"
 #include "gi/harmonics/sh_rotation.h"
 #include "gi/harmonics/spherical_harmonics.h"
 #include "gi/sampling/directions.h"
 
 namespace isolux::test {
+
+// A quadrature of the sphere, exact for polynomials in x, y, z up to `degree`: Gauss-Legendre in z times
+// equal steps about z. The weights sum to 4 pi.
+class SphereQuadrature {
+ public:
+  explicit SphereQuadrature(int degree) {
+    assert(degree >= 0);
+    const gi::GaussLegendre polar(degree / 2 + 1);
+    const int around = degree + 1;
+    points_.reserve(polar.nodes.size() * around);
+    for (std::size_t i = 0; i < polar.nodes.size(); ++i) {
+      const double z = polar.nodes[i], radius = std::sqrt((1.0 - z) * (1.0 + z));
+      for (int j = 0; j < around; ++j) {
+        const double phi = 2.0 * std::numbers::pi * (j + 0.5) / around;
+        points_.push_back({{radius * base::portableCos(phi), radius * base::portableSin(phi), z},
+                           polar.weights[i] * 2.0 * std::numbers::pi / around});
+      }
+    }
+  }
+
+  struct Point {
+    glm::dvec3 direction;
+    double weight;
+  };
+  const std::vector<Point>& points() const& { return points_; }
+  // Deleted for a temporary: a loop over its points would outlive it.
+  const std::vector<Point>& points() && = delete;
+
+ private:
+  std::vector<Point> points_;
+};
 
 // The sum of coefficients[i] * Y_i(d).
 template <class Coefficients>
@@ -27,7 +63,7 @@ auto reconstructSh(int order, const Coefficients& coefficients, glm::dvec3 d) {
 template <class Function>
 std::vector<double> projectSh(int order, const Function& function, int degree = 127) {
   std::vector<double> coefficients(static_cast<std::size_t>(gi::shTerms(order)), 0.0), y(coefficients.size());
-  const gi::SphereQuadrature quadrature(degree);
+  const SphereQuadrature quadrature(degree);
   for (const auto& [direction, weight] : quadrature.points()) {
     gi::evaluateSh(order, direction, y.data());
     const double value = weight * function(direction);

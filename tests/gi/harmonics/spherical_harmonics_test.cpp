@@ -78,7 +78,7 @@ TEST(SphereQuadrature, IsExactForMonomialsOfItsDegree) {
     return product;
   };
   for (int degree = 0; degree <= 15; ++degree) {
-    const SphereQuadrature quadrature(degree);
+    const test::SphereQuadrature quadrature(degree);
     for (int a = 0; a <= degree; ++a)
       for (int b = 0; a + b <= degree; ++b)
         for (int c = 0; a + b + c <= degree; ++c) {
@@ -94,7 +94,7 @@ TEST(SphereQuadrature, IsExactForMonomialsOfItsDegree) {
 }
 
 TEST(SphericalHarmonics, AreOrthonormalToOrder8) {
-  const SphereQuadrature quadrature(2 * (maxShOrder - 1));  // the degree of their products
+  const test::SphereQuadrature quadrature(2 * (maxShOrder - 1));  // the degree of their products
   std::vector<double> gram(allTerms * allTerms, 0.0);
   double area = 0;
   for (const auto& [direction, weight] : quadrature.points()) {
@@ -147,7 +147,7 @@ TEST(SphericalHarmonics, DotIsTheIntegralOfTheProduct) {
       a[i] = std::cos(3.0 * i);
       b[i] = std::sin(1.0 + i * i);
     }
-    const SphereQuadrature quadrature(2 * (order - 1));
+    const test::SphereQuadrature quadrature(2 * (order - 1));
     double integral = 0;
     for (const auto& [direction, weight] : quadrature.points())
       integral +=

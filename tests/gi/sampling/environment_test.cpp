@@ -146,7 +146,7 @@ TEST(Environment, PdfIntegratesToOneAndFollowsLuminance) {
       for (int column = 0; column < environment.width(); ++column) {
         const double area = environment.solidAngle(row);
         const double pixel = environment.isBlack() ? 1.0 : brightness(environment.radiance(at(column, row)));
-        integral += environment.pdf(at(column, row)) * area;
+        integral += environment.lookUp(at(column, row)).pdf * area;
         lightOfRow[row] += pixel * area;
         light += pixel * area;
       }
@@ -157,16 +157,16 @@ TEST(Environment, PdfIntegratesToOneAndFollowsLuminance) {
         const double area = environment.solidAngle(row);
         const double pixel = environment.isBlack() ? 1.0 : brightness(environment.radiance(d));
         if (pixel == 0.0) {
-          EXPECT_EQ(environment.pdf(d), 0.0f) << name;
+          EXPECT_EQ(environment.lookUp(d).pdf, 0.0f) << name;
           continue;
         }
-        EXPECT_GT(environment.pdf(d), 0.0f) << name;
+        EXPECT_GT(environment.lookUp(d).pdf, 0.0f) << name;
         // The probabilities of the row and of the column in it are whole numbers of 2^-31: both ends of an
         // interval are rounded, and one may have made room for an improbable neighbour.
         const double ofRow = lightOfRow[row] / light, ofColumn = pixel * area / lightOfRow[row];
         const double rounding = 2.0 * 0x1p-31;
         const double tolerance = rounding * (ofRow + ofColumn + rounding) + 5e-7 * ofRow * ofColumn;
-        EXPECT_NEAR(environment.pdf(d) * area, ofRow * ofColumn, tolerance) << name;
+        EXPECT_NEAR(environment.lookUp(d).pdf * area, ofRow * ofColumn, tolerance) << name;
       }
   }
 }
@@ -191,8 +191,9 @@ TEST(Environment, SamplesFollowThePdf) {
     for (std::size_t i = 0; i < counts.size(); ++i) {
       const int row = static_cast<int>(i) / environment.width(),
                 column = static_cast<int>(i) % environment.width();
-      const double expected = samples * environment.solidAngle(row) *
-                              environment.pdf(glm::vec3(environment.directionOf(column + 0.5, row + 0.5)));
+      const double expected =
+          samples * environment.solidAngle(row) *
+          environment.lookUp(glm::vec3(environment.directionOf(column + 0.5, row + 0.5))).pdf;
       if (expected < 10) {
         restExpected += expected;
         rest += counts[i];
@@ -241,7 +242,8 @@ TEST(Environment, SampleRadianceAndPdfAgree) {
     int differ = 0;
     for (int i = 0; i < 20000; ++i) {
       const Environment::Sample s = environment.sample(point(i));
-      if (s.radiance != environment.radiance(s.direction) || s.pdf != environment.pdf(s.direction)) ++differ;
+      if (s.radiance != environment.radiance(s.direction) || s.pdf != environment.lookUp(s.direction).pdf)
+        ++differ;
     }
     EXPECT_LT(differ, 20) << name;
   }
@@ -397,14 +399,14 @@ TEST(Environment, ARarePixelIsNeverWithoutProbability) {
       for (const int i : {rare, rareToo}) {
         const glm::vec3 middle(environment.directionOf(i % width + 0.5, i / width + 0.5));
         ASSERT_EQ(environment.radiance(middle).r, 1e-20f);
-        EXPECT_GT(environment.pdf(middle), 0.0f) << rare << ' ' << rareToo << ' ' << i;
+        EXPECT_GT(environment.lookUp(middle).pdf, 0.0f) << rare << ' ' << rareToo << ' ' << i;
       }
     }
   // A first row of little light, too.
   std::vector<glm::vec3> pixels(width * height, glm::vec3(1.0f));
   std::fill_n(pixels.begin(), width, glm::vec3(1e-20f));
   const auto environment = Environment::fromImage(width, height, pixels);
-  EXPECT_GT(environment.pdf(glm::vec3(environment.directionOf(2.5, 0.5))), 0.0f);
+  EXPECT_GT(environment.lookUp(glm::vec3(environment.directionOf(2.5, 0.5))).pdf, 0.0f);
 }
 
 TEST(Environment, RowsWithoutLightHaveNoDistribution) {
@@ -413,16 +415,16 @@ TEST(Environment, RowsWithoutLightHaveNoDistribution) {
   const test::InvalidOperations invalid;
   const auto environment = Environment::fromImage(8, 4, pixels);
   EXPECT_FALSE(invalid.met());
-  EXPECT_EQ(environment.pdf(glm::vec3(environment.directionOf(3.5, 1.5))), 0.0f);
-  EXPECT_NEAR(environment.pdf(glm::vec3(environment.directionOf(3.5, 2.5))), 1.0 / environment.solidAngle(2),
-              1e-6 / environment.solidAngle(2));
+  EXPECT_EQ(environment.lookUp(glm::vec3(environment.directionOf(3.5, 1.5))).pdf, 0.0f);
+  EXPECT_NEAR(environment.lookUp(glm::vec3(environment.directionOf(3.5, 2.5))).pdf,
+              1.0 / environment.solidAngle(2), 1e-6 / environment.solidAngle(2));
 }
 
 TEST(Environment, HugeValuesStayFinite) {
   std::vector<glm::vec3> pixels(8 * 4, glm::vec3(3e38f));
   pixels[5] = glm::vec3(1e-45f);
   const auto environment = Environment::fromImage(8, 4, pixels);
-  EXPECT_GT(environment.pdf(glm::vec3(environment.directionOf(5.5, 0.5))), 0.0f);
+  EXPECT_GT(environment.lookUp(glm::vec3(environment.directionOf(5.5, 0.5))).pdf, 0.0f);
   for (int i = 0; i < 1000; ++i) EXPECT_TRUE(std::isfinite(environment.sample(point(i)).pdf));
   EXPECT_TRUE(std::isfinite(environment.mean().r));
 }
@@ -454,8 +456,8 @@ TEST(Sky, QuaternionTurnsTheEnvironmentAndScaleMultipliesIt) {
     const Sky sky{std::make_shared<const Environment>(environment), glm::mat3(turn), 4.0f};
     for (int i = 0; i < 200; ++i) {
       const glm::vec3 own = randomSkyDirection(i), world(turn * glm::dvec3(own));
-      EXPECT_EQ(sky.radiance(world), 4.0f * environment.radiance(own)) << name;
-      EXPECT_EQ(sky.pdf(world), environment.pdf(own)) << name;
+      EXPECT_EQ(sky.lookUp(world).radiance, 4.0f * environment.radiance(own)) << name;
+      EXPECT_EQ(sky.lookUp(world).pdf, environment.lookUp(own).pdf) << name;
       const Environment::Sample a = sky.sample(point(i)), b = environment.sample(point(i));
       EXPECT_NEAR(glm::distance(a.direction, glm::vec3(turn * glm::dvec3(b.direction))), 0.0f, 1e-6f);
       EXPECT_EQ(a.radiance, 4.0f * b.radiance);

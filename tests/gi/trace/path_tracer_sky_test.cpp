@@ -71,7 +71,7 @@ TEST(PathTracerSky, TheEnvironmentTurns) {
   light.environmentShare = 0.5;
   const double angle = 50.0 * pi / 180.0;
   light.worldFromEnvironment =
-      glm::mat3(rotationOf({std::cos(angle / 2.0), std::sin(angle / 2.0), 0.0, 0.0}));
+      glm::mat3(worldFromEnvironment({std::cos(angle / 2.0), std::sin(angle / 2.0), 0.0, 0.0}));
   const PathTracer tracer = tracerOf(light);
   EXPECT_TRUE(agrees(estimate(tracer, LightPart::sky, pointAt(tracer, glm::dvec3(0.0)), 20000),
                      pi * (1.0 + std::cos(angle)) / 2.0));
