@@ -29,15 +29,6 @@ using base::ErrorKind;
   throw Error(ErrorKind::graphics, "", how, reason);
 }
 
-ContextDescription describe(const std::string& kind, const Gl& gl) {
-  return {kind,
-          gl.string(GL_VENDOR),
-          gl.string(GL_RENDERER),
-          gl.string(GL_VERSION),
-          gl.string(GL_SHADING_LANGUAGE_VERSION),
-          gl.software};
-}
-
 // A shared library that stays open: Mesa's drivers do not survive being unloaded.
 class Library {
  public:
@@ -76,12 +67,11 @@ class OsMesa final : public OffscreenContext {
     if (!context_) fail("OSMesa", "no 4.5 core context");
     try {
       OsMesa::makeCurrent();
-      gl_ = Gl::load([&](const char* name) { return reinterpret_cast<void*>(procAddress(name)); });
+      load("OSMesa", [&](const char* name) { return reinterpret_cast<void*>(procAddress(name)); });
     } catch (...) {
       destroy_(context_);
       throw;
     }
-    description_ = describe("OSMesa", *gl_);
   }
   ~OsMesa() override {
     if (context_) destroy_(context_);
@@ -91,8 +81,6 @@ class OsMesa final : public OffscreenContext {
     if (!makeCurrent_(context_, pixels_.data(), unsignedByte, 8, 8))
       fail("OSMesa", "cannot make the context current");
   }
-  const ContextDescription& description() const override { return description_; }
-  std::shared_ptr<const Gl> gl() const override { return gl_; }
 
  private:
   Library library_;
@@ -100,61 +88,58 @@ class OsMesa final : public OffscreenContext {
   void (*destroy_)(OsMesaContext) = nullptr;
   OsMesaContext context_ = nullptr;
   std::array<unsigned char, std::size_t{8} * 8 * 4> pixels_{};  // the default framebuffer nobody draws into
-  std::shared_ptr<const Gl> gl_;
-  ContextDescription description_;
 };
 
 // EGL
 
 struct Egl {
-  explicit Egl(const std::string& how) : library({"libEGL.so.1", "libEGL.so"}, how) {
+  explicit Egl(std::string kind) : how(std::move(kind)), library({"libEGL.so.1", "libEGL.so"}, how) {
     getProcAddress = library.function<decltype(getProcAddress)>("eglGetProcAddress");
     if (!getProcAddress) fail(how, "the library has no eglGetProcAddress");
   }
   template <class F>
-  F get(const char* name, const std::string& how) const {
+  F get(const char* name) const {
     auto f = reinterpret_cast<F>(library.function<void*>(name));
     if (!f) f = reinterpret_cast<F>(getProcAddress(name));
     if (!f) fail(how, std::string("the library has no ") + name);
     return f;
   }
+  std::string errorText() const {
+    char text[32];
+    std::snprintf(text, sizeof text, "error 0x%x", get<decltype(&eglGetError)>("eglGetError")());
+    return text;
+  }
+  std::string how;  // for errors
   Library library;
   decltype(&eglGetProcAddress) getProcAddress;
 };
-
-std::string eglErrorText(const Egl& egl, const std::string& how) {
-  char text[32];
-  std::snprintf(text, sizeof text, "error 0x%x", egl.get<decltype(&eglGetError)>("eglGetError", how)());
-  return text;
-}
 
 class EglContext final : public OffscreenContext {
  public:
   // device < 0: the surfaceless platform.
   explicit EglContext(int device)
-      : kind_(device < 0 ? "EGL surfaceless" : "EGL device " + std::to_string(device)), egl_(kind_) {
-    const auto getDisplay = egl_.get<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT", kind_);
+      : egl_(device < 0 ? "EGL surfaceless" : "EGL device " + std::to_string(device)) {
+    const auto getDisplay = egl_.get<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
     if (device < 0) {
       display_ = getDisplay(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
     } else {
-      const auto queryDevices = egl_.get<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT", kind_);
+      const auto queryDevices = egl_.get<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
       std::array<EGLDeviceEXT, 16> devices{};
       EGLint count = 0;
       if (!queryDevices(static_cast<EGLint>(devices.size()), devices.data(), &count) || device >= count)
-        fail(kind_, "unknown device");
+        fail(egl_.how, "unknown device");
       display_ = getDisplay(EGL_PLATFORM_DEVICE_EXT, devices[static_cast<std::size_t>(device)], nullptr);
     }
     EGLint major = 0, minor = 0;
-    if (!display_ || !egl_.get<decltype(&eglInitialize)>("eglInitialize", kind_)(display_, &major, &minor))
-      fail(kind_, "cannot be initialised, " + eglErrorText(egl_, kind_));
-    if (!egl_.get<decltype(&eglBindAPI)>("eglBindAPI", kind_)(EGL_OPENGL_API))
-      fail(kind_, "has no desktop OpenGL");
+    if (!display_ || !egl_.get<decltype(&eglInitialize)>("eglInitialize")(display_, &major, &minor))
+      fail(egl_.how, "cannot be initialised, " + egl_.errorText());
+    if (!egl_.get<decltype(&eglBindAPI)>("eglBindAPI")(EGL_OPENGL_API))
+      fail(egl_.how, "has no desktop OpenGL");
     const EGLint configAttributes[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
                                        EGL_NONE};
     EGLConfig config = nullptr;
     EGLint configs = 0;
-    egl_.get<decltype(&eglChooseConfig)>("eglChooseConfig", kind_)(display_, configAttributes, &config, 1,
-                                                                   &configs);
+    egl_.get<decltype(&eglChooseConfig)>("eglChooseConfig")(display_, configAttributes, &config, 1, &configs);
     if (configs < 1) config = EGL_NO_CONFIG_KHR;
     const EGLint contextAttributes[] = {EGL_CONTEXT_MAJOR_VERSION,
                                         4,
@@ -163,46 +148,40 @@ class EglContext final : public OffscreenContext {
                                         EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                         EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                         EGL_NONE};
-    context_ = egl_.get<decltype(&eglCreateContext)>("eglCreateContext", kind_)(
-        display_, config, EGL_NO_CONTEXT, contextAttributes);
-    if (!context_) fail(kind_, "no 4.5 core context, " + eglErrorText(egl_, kind_));
+    context_ = egl_.get<decltype(&eglCreateContext)>("eglCreateContext")(display_, config, EGL_NO_CONTEXT,
+                                                                         contextAttributes);
+    if (!context_) fail(egl_.how, "no 4.5 core context, " + egl_.errorText());
     try {
       EglContext::makeCurrent();
-      gl_ = Gl::load([&](const char* name) { return reinterpret_cast<void*>(egl_.getProcAddress(name)); });
+      load(egl_.how, [&](const char* name) { return reinterpret_cast<void*>(egl_.getProcAddress(name)); });
     } catch (...) {
       release();
       throw;
     }
-    description_ = describe(kind_, *gl_);
   }
   ~EglContext() override { release(); }
   void makeCurrent() override {
-    if (!egl_.get<decltype(&eglMakeCurrent)>("eglMakeCurrent", kind_)(display_, EGL_NO_SURFACE,
-                                                                      EGL_NO_SURFACE, context_))
-      fail(kind_, "cannot make the context current without a surface, " + eglErrorText(egl_, kind_));
+    if (!egl_.get<decltype(&eglMakeCurrent)>("eglMakeCurrent")(display_, EGL_NO_SURFACE, EGL_NO_SURFACE,
+                                                               context_))
+      fail(egl_.how, "cannot make the context current without a surface, " + egl_.errorText());
   }
-  const ContextDescription& description() const override { return description_; }
-  std::shared_ptr<const Gl> gl() const override { return gl_; }
 
  private:
   void release() {
-    egl_.get<decltype(&eglMakeCurrent)>("eglMakeCurrent", kind_)(display_, EGL_NO_SURFACE, EGL_NO_SURFACE,
-                                                                 EGL_NO_CONTEXT);
-    egl_.get<decltype(&eglDestroyContext)>("eglDestroyContext", kind_)(display_, context_);
+    egl_.get<decltype(&eglMakeCurrent)>("eglMakeCurrent")(display_, EGL_NO_SURFACE, EGL_NO_SURFACE,
+                                                          EGL_NO_CONTEXT);
+    egl_.get<decltype(&eglDestroyContext)>("eglDestroyContext")(display_, context_);
     // The display is shared by the process and stays initialised.
   }
-  std::string kind_;
   Egl egl_;
   EGLDisplay display_ = EGL_NO_DISPLAY;
   EGLContext context_ = EGL_NO_CONTEXT;
-  std::shared_ptr<const Gl> gl_;
-  ContextDescription description_;
 };
 
 int eglDeviceCount() {
   try {
     const Egl egl("EGL");
-    const auto query = egl.get<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT", "EGL");
+    const auto query = egl.get<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
     EGLint count = 0;
     return query(0, nullptr, &count) ? count : 0;
   } catch (const Error&) {
@@ -247,6 +226,16 @@ void checkMemoryForDriver() {
 }
 
 }  // namespace
+
+void OffscreenContext::load(const std::string& kind, const std::function<void*(const char* name)>& loader) {
+  gl_ = Gl::load(loader);
+  description_ = {kind,
+                  gl_->string(GL_VENDOR),
+                  gl_->string(GL_RENDERER),
+                  gl_->string(GL_VERSION),
+                  gl_->string(GL_SHADING_LANGUAGE_VERSION),
+                  gl_->software};
+}
 
 ContextChoice contextChoiceNamed(std::string_view name) {
   return name == "software" ? ContextChoice::software

@@ -4,6 +4,7 @@
 // Both libraries are opened with dlopen, so the program starts if either is missing.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -28,13 +29,20 @@ class OffscreenContext {
  public:
   virtual ~OffscreenContext() = default;
   virtual void makeCurrent() = 0;
-  virtual const ContextDescription& description() const = 0;
-  virtual std::shared_ptr<const Gl> gl() const = 0;
+  const ContextDescription& description() const { return description_; }
+  const std::shared_ptr<const Gl>& gl() const { return gl_; }
 
   // Creates a GL 4.5 core context and makes it current. automatic: a hardware EGL device, else OSMesa, else
   // software EGL; software: the same without the first. Throws base::Error: memory if drivers would lack
   // memory, before any is loaded; graphics with the contexts tried and the reason of each failure.
   static std::unique_ptr<OffscreenContext> create(ContextChoice choice);
+
+ protected:
+  // Sets both members from the context, which is current.
+  void load(const std::string& kind, const std::function<void*(const char* name)>& loader);
+
+  std::shared_ptr<const Gl> gl_;
+  ContextDescription description_;
 };
 
 // Describes one way to create a context, for `isolux doctor`: whether it works, and whether `automatic`

@@ -19,14 +19,12 @@ class LosingContext final : public render::OffscreenContext {
     auto table = std::make_shared<render::Gl>(*real_->gl());
     table->GetGraphicsResetStatus = []() -> GLenum { return lost ? GL_UNKNOWN_CONTEXT_RESET : GL_NO_ERROR; };
     gl_ = std::move(table);
+    description_ = real_->description();
   }
   void makeCurrent() override { real_->makeCurrent(); }
-  const render::ContextDescription& description() const override { return real_->description(); }
-  std::shared_ptr<const render::Gl> gl() const override { return gl_; }
 
  private:
   std::unique_ptr<render::OffscreenContext> real_;
-  std::shared_ptr<const render::Gl> gl_;
 };
 
 }  // namespace isolux::test

@@ -5,7 +5,6 @@
 #include <QOpenGLContext>
 
 #include "base/error.h"
-#include "render/gl/gl.h"
 
 namespace isolux::ui {
 
@@ -24,27 +23,17 @@ class SharedContext final : public render::OffscreenContext {
     if (!context_.create()) fail("the window system creates no second context");
     if (!QOpenGLContext::areSharing(&context_, window)) fail("the driver shares no objects between contexts");
     SharedContext::makeCurrent();
-    gl_ = render::Gl::load(
-        [this](const char* name) { return reinterpret_cast<void*>(context_.getProcAddress(name)); });
-    description_ = {"Qt " + QGuiApplication::platformName().toStdString() + ", shared with the window",
-                    gl_->string(GL_VENDOR),
-                    gl_->string(GL_RENDERER),
-                    gl_->string(GL_VERSION),
-                    gl_->string(GL_SHADING_LANGUAGE_VERSION),
-                    gl_->software};
+    load("Qt " + QGuiApplication::platformName().toStdString() + ", shared with the window",
+         [this](const char* name) { return reinterpret_cast<void*>(context_.getProcAddress(name)); });
   }
   ~SharedContext() override { context_.doneCurrent(); }
   void makeCurrent() override {
     if (!context_.makeCurrent(surface_.get())) fail("the window system cannot make the context current");
   }
-  const render::ContextDescription& description() const override { return description_; }
-  std::shared_ptr<const render::Gl> gl() const override { return gl_; }
 
  private:
   std::shared_ptr<QOffscreenSurface> surface_;
   QOpenGLContext context_;
-  std::shared_ptr<const render::Gl> gl_;
-  render::ContextDescription description_;
 };
 
 }  // namespace
