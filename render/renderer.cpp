@@ -7,14 +7,13 @@
 
 #include "base/error.h"
 #include "render/gl/gl_messages.h"
-#include "render/gl/gl_state.h"
 #include "render/gl/program_cache.h"
 #include "render/graph/empty_picture.h"
 #include "render/passes/curvature_ranges.h"
 #include "render/passes/cut_faces_pass.h"
-#include "render/passes/hit_passes.h"
 #include "render/passes/light_passes.h"
 #include "render/passes/pass_declarations.h"
+#include "render/passes/passes.h"
 #include "render/passes/second_volume_pass.h"
 #include "render/renderer_parts.h"
 #include "scene/rules/ghosts.h"
@@ -358,7 +357,7 @@ const FrameReport& Renderer::render(const scene::Scene& asked, const FrameReques
   const scene::Scene& scene = parts.completed(asked, request);
   const Clock::time_point begin = Clock::now();
   const std::size_t errorsBefore = glErrors().size();
-  setKnownState(*parts.frame.gl);
+  parts.frame.gl->setKnownState();
   parts.report = {};
   try {
     parts.prepare(scene, request);

@@ -1,20 +1,57 @@
 // Holds what a renderer keeps between frames, and draws one frame (render/renderer.h).
 #pragma once
 
+#include <chrono>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "render/pass_clock.h"
 #include "render/passes/brick_rounds.h"
-#include "render/passes/pass_list.h"
+#include "render/passes/pass_declarations.h"
 #include "render/passes/readback.h"
 #include "render/renderer.h"
 
 namespace isolux::render {
+
+// Times the passes of a frame: GPU timestamps, read when the frame is done; on a software rasteriser, whose
+// own time is wall time, a clock around a finished pass.
+class PassClock {
+ public:
+  explicit PassClock(GlPtr gl) : gl_(std::move(gl)) {}
+
+  void begin() {
+    begin_ = Clock::now();
+    if (!gl_->software)
+      gl_->QueryCounter(timers_.emplace_back(Query(gl_), Query(gl_)).first.id(), GL_TIMESTAMP);
+  }
+  void end(std::size_t reportIndex) {
+    timed_.push_back(reportIndex);
+    if (gl_->software)
+      gl_->Finish();
+    else
+      gl_->QueryCounter(timers_.back().second.id(), GL_TIMESTAMP);
+    wall_.push_back(std::chrono::duration<double, std::milli>(Clock::now() - begin_).count());
+  }
+  void write(std::vector<PassReport>& passes) const {
+    for (std::size_t i = 0; i < timed_.size(); ++i) {
+      double& milliseconds = passes[timed_[i]].milliseconds;
+      milliseconds += gl_->software ? wall_[i] : millisecondsBetween(timers_[i].first, timers_[i].second);
+    }
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  GlPtr gl_;
+  Clock::time_point begin_;
+  std::vector<std::pair<Query, Query>> timers_;
+  std::vector<std::size_t> timed_;
+  std::vector<double> wall_;
+};
 
 struct Renderer::Parts {
   explicit Parts(const GlPtr& gl) : frame(gl), passes(makePasses()) {}

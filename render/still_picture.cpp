@@ -8,10 +8,9 @@
 
 #include "base/error.h"
 #include "base/memory_budget.h"
-#include "render/passes/effect_passes.h"
 #include "render/passes/gloss_passes.h"
-#include "render/passes/line_passes.h"
 #include "render/passes/pass_declarations.h"
+#include "render/passes/passes.h"
 #include "scene/rules/needs.h"
 
 namespace isolux::render {
@@ -45,11 +44,6 @@ FrameRequest beforeTiles(FrameRequest request) {
   return request;
 }
 
-// The part of the tile's image that is new: what lies in the picture without its margin.
-struct Part {
-  glm::ivec2 origin, size;  // in the picture, from the lower left
-};
-
 struct Tiling {
   int step = 0, margin = 0;  // pixels; step 0: one frame
 };
@@ -75,7 +69,8 @@ Tiling tilingOf(const scene::Scene& scene, const FrameRequest& request, std::siz
   return tiling.step < std::max(request.size.x, request.size.y) ? tiling : Tiling{};
 }
 
-Part partOf(const FrameRequest& tile, const Tiling& tiling, glm::ivec2 whole) {
+// The part of the tile's image that is new: what lies in the picture without its margin.
+Tile partOf(const FrameRequest& tile, const Tiling& tiling, glm::ivec2 whole) {
   if (!tile.tile) return {glm::ivec2(0), whole};
   const glm::ivec2 low = tile.tile->origin, high = low + tile.tile->size;
   const auto inner = [&](int edge, int border, int towards) {
@@ -88,7 +83,7 @@ Part partOf(const FrameRequest& tile, const Tiling& tiling, glm::ivec2 whole) {
 
 // Copies the part out of a tile's image into the picture's; both have row 0 at the top.
 template <class Value>
-void paste(const std::vector<Value>& from, const Tile& tile, const Part& part, int channels, glm::ivec2 whole,
+void paste(const std::vector<Value>& from, const Tile& tile, const Tile& part, int channels, glm::ivec2 whole,
            std::vector<Value>& to) {
   const auto row = static_cast<std::ptrdiff_t>(part.size.x) * channels;
   for (int y = 0; y < part.size.y; ++y) {
@@ -114,7 +109,7 @@ class Collector {
     if (request.linear) still_.linear = {request.size, std::vector<float>(4 * pixelsOf(request.size)), false};
   }
 
-  void add(Renderer& renderer, const Tile& tile, const Part& part) {
+  void add(Renderer& renderer, const Tile& tile, const Tile& part) {
     const glm::ivec2 whole = request_.size;
     if (request_.color) addPart(renderer.readColor(), tile, part, still_.color);
     if (request_.linear) addPart(renderer.readLinearPicture(), tile, part, still_.linear);
@@ -155,7 +150,7 @@ class Collector {
 
  private:
   template <class Image>
-  static void addPart(const Image& from, const Tile& tile, const Part& part, Image& whole) {
+  static void addPart(const Image& from, const Tile& tile, const Tile& part, Image& whole) {
     whole.transparent = from.transparent;
     paste(from.rgba, tile, part, 4, whole.size, whole.rgba);
   }
@@ -203,7 +198,7 @@ StillPicture drawStill(Renderer& renderer, const scene::Scene& resolved, const F
     if (tiles.size() > 1)
       progress.report(static_cast<double>(i) / static_cast<double>(tiles.size()), "drawing");
     const Tile tile = tiles[i].tile.value_or(Tile{glm::ivec2(0), request.size});
-    const Part part = partOf(tiles[i], tiling, request.size);
+    const Tile part = partOf(tiles[i], tiling, request.size);
     const FrameReport& report = renderer.render(resolved, tiles[i]);
     collector.add(report,
                   static_cast<double>(pixelsOf(part.size)) / static_cast<double>(pixelsOf(request.size)));

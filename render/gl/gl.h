@@ -40,6 +40,8 @@ struct Gl : GlLimits {
 
   // Throws ContextLost if the driver was reset since the context was made.
   void throwIfLost() const;
+  // Sets every state that passes rely on: others draw between our frames.
+  void setKnownState() const;
 };
 
 }  // namespace isolux::render

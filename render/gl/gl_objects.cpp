@@ -185,6 +185,17 @@ Framebuffer::Framebuffer(const GlPtr& gl, const std::vector<const Texture*>& col
 Query::Query(const GlPtr& gl, GLenum kind)
     : GlObject(gl, created([&](GLuint* id) { gl->CreateQueries(kind, 1, id); })) {}
 
+GLuint64 Query::result(GLenum what) const {
+  GLuint64 value = 0;
+  gl().GetQueryObjectui64v(id(), what, &value);
+  return value;
+}
+
+double millisecondsBetween(const Query& from, const Query& to) {
+  const GLuint64 begin = from.result(), end = to.result();
+  return end > begin ? static_cast<double>(end - begin) * 1e-6 : 0.0;
+}
+
 namespace {
 
 using Shader = GlObject<&Gl::DeleteShader>;
@@ -240,34 +251,6 @@ GLint Program::location(const char* name) {
   const auto found = locations_.find(name);
   if (found != locations_.end()) return found->second;
   return locations_[name] = gl().GetUniformLocation(id(), name);
-}
-
-void Program::set(const char* name, float value) {
-  gl().ProgramUniform1f(id(), location(name), value);
-}
-void Program::set(const char* name, int value) {
-  gl().ProgramUniform1i(id(), location(name), value);
-}
-void Program::set(const char* name, glm::vec2 v) {
-  gl().ProgramUniform2f(id(), location(name), v.x, v.y);
-}
-void Program::set(const char* name, glm::ivec2 v) {
-  gl().ProgramUniform2i(id(), location(name), v.x, v.y);
-}
-void Program::set(const char* name, glm::vec3 v) {
-  gl().ProgramUniform3f(id(), location(name), v.x, v.y, v.z);
-}
-void Program::set(const char* name, glm::vec4 v) {
-  gl().ProgramUniform4f(id(), location(name), v.x, v.y, v.z, v.w);
-}
-void Program::set(const char* name, glm::ivec3 v) {
-  gl().ProgramUniform3i(id(), location(name), v.x, v.y, v.z);
-}
-void Program::set(const char* name, const glm::mat3& v) {
-  gl().ProgramUniformMatrix3fv(id(), location(name), 1, GL_FALSE, &v[0][0]);
-}
-void Program::set(const char* name, const glm::mat4& v) {
-  gl().ProgramUniformMatrix4fv(id(), location(name), 1, GL_FALSE, &v[0][0]);
 }
 
 void Program::setTexture(const char* name, int unit, const GlObject<&Gl::DeleteTextures>& texture) {

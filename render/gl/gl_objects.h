@@ -127,7 +127,10 @@ class Query : public GlObject<&Gl::DeleteQueries> {
  public:
   Query() = default;
   explicit Query(const GlPtr& gl, GLenum kind = GL_TIMESTAMP);
+  GLuint64 result(GLenum what = GL_QUERY_RESULT) const;  // waits for it
 };
+
+double millisecondsBetween(const Query& from, const Query& to);  // of timestamps
 
 // A linked vertex and fragment program. Sets uniforms by name and caches their locations. Setting a uniform
 // that the compiler removed is allowed (it depends on defines).
@@ -143,15 +146,19 @@ class Program : public GlObject<&Gl::DeleteProgram> {
                          const std::string& words);
 
   bool uses(const char* name) { return location(name) >= 0; }
-  void set(const char* name, float value);
-  void set(const char* name, int value);
-  void set(const char* name, glm::vec2 value);
-  void set(const char* name, glm::ivec2 value);
-  void set(const char* name, glm::vec3 value);
-  void set(const char* name, glm::vec4 value);
-  void set(const char* name, glm::ivec3 value);
-  void set(const char* name, const glm::mat3& value);
-  void set(const char* name, const glm::mat4& value);
+  void set(const char* name, float value) { gl().ProgramUniform1f(id(), location(name), value); }
+  void set(const char* name, int value) { gl().ProgramUniform1i(id(), location(name), value); }
+  void set(const char* name, glm::vec2 v) { gl().ProgramUniform2f(id(), location(name), v.x, v.y); }
+  void set(const char* name, glm::ivec2 v) { gl().ProgramUniform2i(id(), location(name), v.x, v.y); }
+  void set(const char* name, glm::vec3 v) { gl().ProgramUniform3f(id(), location(name), v.x, v.y, v.z); }
+  void set(const char* name, glm::vec4 v) { gl().ProgramUniform4f(id(), location(name), v.x, v.y, v.z, v.w); }
+  void set(const char* name, glm::ivec3 v) { gl().ProgramUniform3i(id(), location(name), v.x, v.y, v.z); }
+  void set(const char* name, const glm::mat3& v) {
+    gl().ProgramUniformMatrix3fv(id(), location(name), 1, GL_FALSE, &v[0][0]);
+  }
+  void set(const char* name, const glm::mat4& v) {
+    gl().ProgramUniformMatrix4fv(id(), location(name), 1, GL_FALSE, &v[0][0]);
+  }
   // Binds `texture` to unit `unit` and assigns the unit to the sampler.
   void setTexture(const char* name, int unit, const GlObject<&Gl::DeleteTextures>& texture);
 

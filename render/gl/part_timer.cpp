@@ -6,25 +6,17 @@ namespace {
 constexpr std::size_t kMostPending = 3;
 }
 
-bool PartTimer::isTimed(const Pending& pending) const {
-  GLuint64 available = 0;
-  gl_->GetQueryObjectui64v(pending.times.second.id(), GL_QUERY_RESULT_AVAILABLE, &available);
-  return available != 0;
-}
-
 void PartTimer::takeOldest() {
   Pending oldest = std::move(pending_.front());
   pending_.pop_front();
-  GLuint64 from = 0, to = 0;
-  gl_->GetQueryObjectui64v(oldest.times.first.id(), GL_QUERY_RESULT, &from);
-  gl_->GetQueryObjectui64v(oldest.times.second.id(), GL_QUERY_RESULT, &to);
-  parts_.add(oldest.rays, to > from ? static_cast<double>(to - from) * 1e-6 : 0.0);
+  parts_.add(oldest.rays, millisecondsBetween(oldest.times.first, oldest.times.second));
   if (oldest.last) parts_.endDraw();
   free_.push_back(std::move(oldest.times));
 }
 
 void PartTimer::beginDraw() {
-  while (!pending_.empty() && isTimed(pending_.front())) takeOldest();
+  while (!pending_.empty() && pending_.front().times.second.result(GL_QUERY_RESULT_AVAILABLE) != 0)
+    takeOldest();
 }
 
 int PartTimer::beginPart() {

@@ -31,7 +31,6 @@ class PartTimer {
     int rays = 0;
     bool last = false;  // of its draw
   };
-  bool isTimed(const Pending& pending) const;
   void takeOldest();  // waits for the card unless it is timed
 
   GlPtr gl_;

@@ -1,5 +1,5 @@
 // Defines a pass of the renderer: name, shader, the images it reads and writes, the settings that its result
-// depends on, and its execution. render/passes/pass_list.cpp lists the passes in their order.
+// depends on, and its execution. render/passes/pass_declarations.cpp lists the passes in their order.
 //
 // A pass depends on a set of paths of scene/settings/settings.h; a value counts only if the setting is active
 // (scene/rules/relevance.h). Passes also depend on inputs that are not settings (the volume, the image size).

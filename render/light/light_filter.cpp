@@ -25,9 +25,8 @@ constexpr float kLeastTrust = 1e-12f;
 constexpr float kOfAnyNormal = 1e-4f;  // light_lattice.glsl has the same number
 constexpr float kLeastPart = 1e-4f;    // of a transfer vector: less is not worth its time
 
-std::size_t at(int x, int y, int z) {
-  const int index = (z * kFilterTexels + y) * kFilterTexels + x;
-  return static_cast<std::size_t>(index);
+std::size_t at(glm::ivec3 texel) {
+  return volume::Extent3{glm::ivec3(kFilterTexels)}.index(texel);
 }
 
 // One of the two lights of a texel.
@@ -73,11 +72,10 @@ struct Neighbourhood {
 
 Neighbourhood neighbourhoodOf(const std::vector<FilterTexel>& texels, const std::vector<float>& trust,
                               glm::ivec3 texel, float distance) {
-  Neighbourhood result{
-      &texels[at(texel.x, texel.y, texel.z)], trust[at(texel.x, texel.y, texel.z)], {}, {}, {}};
+  Neighbourhood result{&texels[at(texel)], trust[at(texel)], {}, {}, {}};
   for (int n = 0; n < 27; ++n) {
     const glm::ivec3 step = glm::ivec3(n % 3, n / 3 % 3, n / 9) - 1;
-    const std::size_t i = at(texel.x + step.x, texel.y + step.y, texel.z + step.z);
+    const std::size_t i = at(texel + step);
     result.texels[static_cast<std::size_t>(n)] = &texels[i];
     result.trust[static_cast<std::size_t>(n)] = trust[i];
     result.weights[static_cast<std::size_t>(n)] = trust[i] * weightOf(*result.own, texels[i], distance);
@@ -155,14 +153,14 @@ class FilteredBlock {
   // Light that lookups give back at the texel's place.
   glm::vec3 sharpened(glm::ivec3 texel, Light light) {
     const glm::vec3 own = at(texel, light);
-    return glm::max(own + (own - lookedUp(texels_[render::at(texel.x, texel.y, texel.z)], light)), 0.0f);
+    return glm::max(own + (own - lookedUp(texels_[render::at(texel)], light)), 0.0f);
   }
   // Begins another light.
   void forget() { known_.assign(known_.size(), false); }
 
  private:
   glm::vec3 at(glm::ivec3 texel, Light light) {
-    const std::size_t i = render::at(texel.x, texel.y, texel.z);
+    const std::size_t i = render::at(texel);
     if (!known_[i]) {
       result_[i] = filtered(neighbourhoodOf(texels_, trust_, texel, kDistance), light);
       known_[i] = true;
@@ -183,7 +181,7 @@ class FilteredBlock {
       const glm::ivec3 step = volume::cornerStep(corner);
       const glm::vec3 parts = glm::mix(1.0f - part, part, glm::vec3(step));
       const glm::ivec3 texel = base + step;
-      const FilterTexel& other = texels_[render::at(texel.x, texel.y, texel.z)];
+      const FilterTexel& other = texels_[render::at(texel)];
       const float place3 = parts.x * parts.y * parts.z;
       if (place3 == 0.0f || other.normal == glm::vec3(0.0f) || other.*light.paths == 0.0f) continue;
       const float cosine = std::max(glm::dot(own.normal, other.normal), 0.0f), c2 = cosine * cosine;
@@ -242,7 +240,7 @@ std::vector<FilterTexel> filterBlock(const std::vector<FilterTexel>& texels, glm
   const std::vector<glm::ivec3> own = ownTexels();
   std::vector<FilterTexel> result;
   result.reserve(gi::kTexelsOfBlock);
-  for (const glm::ivec3& texel : own) result.push_back(texels[at(texel.x, texel.y, texel.z)]);
+  for (const glm::ivec3& texel : own) result.push_back(texels[at(texel)]);
   FilteredBlock block(texels, first);
   for (const Light light : {kSky, kLamps}) {
     block.forget();
@@ -258,7 +256,7 @@ std::vector<float> filterTransfer(const std::vector<FilterTexel>& texels, std::s
   std::vector<float> result(gi::kTexelsOfBlock * components, 0.0f);
   float* out = result.data();
   for (const glm::ivec3& texel : ownTexels()) {
-    const FilterTexel& own = texels[at(texel.x, texel.y, texel.z)];
+    const FilterTexel& own = texels[at(texel)];
     if (own.normal != glm::vec3(0.0f) && own.skyPaths > 0.0f)
       addTransfer(neighbourhoodOf(texels, trust, texel, kTransferDistance), components, out);
     out += components;

@@ -1,11 +1,10 @@
-#include "render/passes/derivative_passes.h"
-
 #include <algorithm>
 
 #include <glm/matrix.hpp>
 
 #include "render/gl/constants.h"
 #include "render/passes/pass_declarations.h"
+#include "render/passes/passes.h"
 #include "scene/rules/needs.h"
 #include "volume/edge/surface_edges.h"
 #include "volume/field/curvature.h"

@@ -1,5 +1,3 @@
-#include "render/passes/effect_passes.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -7,7 +5,7 @@
 #include <glm/matrix.hpp>
 
 #include "render/passes/curvature_ranges.h"
-#include "render/passes/hit_passes.h"
+#include "render/passes/passes.h"
 #include "scene/opacity.h"
 #include "scene/rules/needs.h"
 

@@ -205,9 +205,7 @@ bool FrameState::drawsAny(const std::function<void()>& draw) {
   gl->BeginQuery(GL_ANY_SAMPLES_PASSED, anySamples_.id());
   draw();
   gl->EndQuery(GL_ANY_SAMPLES_PASSED);
-  GLuint64 any = 0;
-  gl->GetQueryObjectui64v(anySamples_.id(), GL_QUERY_RESULT, &any);
-  return any != 0;
+  return anySamples_.result() != 0;
 }
 
 std::int64_t FrameState::samplesOf(const std::function<void()>& draw) {
@@ -216,9 +214,7 @@ std::int64_t FrameState::samplesOf(const std::function<void()>& draw) {
   draw();
   gl->EndQuery(GL_SAMPLES_PASSED);
   gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  GLuint64 samples = 0;
-  gl->GetQueryObjectui64v(samples_.id(), GL_QUERY_RESULT, &samples);
-  return static_cast<std::int64_t>(samples);
+  return static_cast<std::int64_t>(samples_.result());
 }
 
 void FrameState::setView(Program& program) const {

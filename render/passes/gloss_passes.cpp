@@ -271,10 +271,6 @@ void GlossUniforms::declare(Declaring& d) {
   if (d.asked.light.gloss) d.settings({"isosurface.specular", "isosurface#.specular"});
 }
 
-std::string GlossUniforms::defines(const FrameState& frame) {
-  return frame.lighting->lampDefines(frame);
-}
-
 void GlossUniforms::forget() {
   environments_ = Texture();
   of_.clear();
@@ -312,8 +308,7 @@ void GlossUniforms::set(FrameState& frame, Program& p, int unit) {
   for (std::size_t i = 0; i < frame.surfaces.size(); ++i) {
     const auto at = static_cast<int>(i);
     const auto of = static_cast<float>(frame.surfaces[i].roughness);
-    const auto same = [&](const auto& environment) { return environment->roughness() == of; };
-    const auto found = std::find_if(of_.begin(), of_.end(), same);
+    const auto found = std::ranges::find(of_, of, &gi::FilteredEnvironment::roughness);
     if (found == of_.end()) continue;  // matt
     specular[at] = static_cast<float>(frame.surfaces[i].specular);
     roughness[at] = of;

@@ -35,7 +35,6 @@ class ReflectionsPass : public Pass {
 class GlossUniforms {
  public:
   static void declare(Declaring& d);
-  static std::string defines(const FrameState& frame);
   void set(FrameState& frame, Program& program, int unit);
   void forget();
 

@@ -1,9 +1,9 @@
-#include "render/passes/hit_passes.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
+
+#include "render/passes/passes.h"
 
 namespace isolux::render {
 
@@ -68,13 +68,13 @@ void SegmentsPass::run(FrameState& frame) {
     frame.starts->clear(frame.raySize());
     return;
   }
-  GpuVolume& volume = *frame.volume;
-  volume.prepareMasks(frame.scene->hit);
+  SurfaceBlocks& surface = frame.volume->surface();
+  surface.prepareMasks(frame.scene->hit);
   const int shift = RayStarts::tileShift(frame.raySize());
-  const volume::BlockMasks blocks{volume.blocks().dims(), volume.masks(), volume.blocks().blockCells()};
+  const volume::BlockMasks blocks{surface.blocks().dims(), surface.masks(), surface.blocks().blockCells()};
   frame.starts->update(
-      volume::startDepths(frame.rays(), frame.raySize(), volume.grid().dims(), blocks, 1 << shift), shift,
-      frame.raySize());
+      volume::startDepths(frame.rays(), frame.raySize(), frame.volume->grid().dims(), blocks, 1 << shift),
+      shift, frame.raySize());
 }
 
 std::optional<std::size_t> SegmentsPass::bytes(const FrameState& frame) const {
@@ -229,7 +229,7 @@ std::string traceDefines(const FrameState& frame) {
 namespace {
 
 void setHidden(FrameState& frame, Program& p) {
-  frame.volume->bindHidden(p, 14);
+  frame.volume->surface().bindHidden(p, 14);
   if (frame.scene->hit.field == scene::Field::trilinear) return;
   glm::vec4 isovalues(0.0f);
   for (std::size_t i = 0; i < frame.surfaces.size(); ++i)
@@ -257,7 +257,7 @@ void setTrace(FrameState& frame, Program& p) {
   frame.setView(p);
   frame.volume->bind(p, {field});
   frame.setIsovalues(p, field);
-  frame.volume->bindMasks(p, frame.scene->hit, 3);
+  frame.volume->surface().bindMasks(p, frame.scene->hit, 3);
   if (!frame.hidden.empty()) setHidden(frame, p);
   if (frame.cut.cuts()) setCut(frame, p);
   p.set("uGaps", frame.volume->grid().missingCount() > 0 ? 1 : 0);

@@ -1,8 +1,7 @@
-#include "render/passes/line_passes.h"
-
 #include <algorithm>
 
 #include "render/passes/curvature_ranges.h"
+#include "render/passes/passes.h"
 #include "scene/rules/needs.h"
 
 namespace isolux::render {

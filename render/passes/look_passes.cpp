@@ -1,5 +1,3 @@
-#include "render/passes/look_passes.h"
-
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -9,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "render/passes/curvature_ranges.h"
-#include "render/passes/effect_passes.h"
 #include "render/passes/legend_overlay.h"
 #include "render/passes/light_passes.h"
+#include "render/passes/passes.h"
 #include "render/passes/readback.h"
 #include "render/passes/second_volume_pass.h"
 #include "scene/color_maps.h"
@@ -264,8 +262,9 @@ void ShadePass::setOverlays(FrameState& frame, Program& p) const {
   p.set("uTextureScale", static_cast<float>(look.textureScale.value_or(1.0)));
   p.set("uDepthRange", glm::vec2(frame.view->depthRangeMm));
   if (look.overlay != scene::WorkOverlay::none) {
-    const int cells =
-        look.overlay == scene::WorkOverlay::bricks ? brickCells : frame.volume->blocks().blockCells();
+    const int cells = look.overlay == scene::WorkOverlay::bricks
+                          ? brickCells
+                          : frame.volume->surface().blocks().blockCells();
     p.set("uCellsPerVoxel", look.overlay == scene::WorkOverlay::texels
                                 ? frame.lighting->texelsPerVoxel()
                                 : glm::vec3(1.0f / static_cast<float>(cells)));
@@ -310,7 +309,7 @@ Program& ShadePass::prepared(FrameState& frame) {
   const std::vector<const LookInput*> inputs = inputsOf(frame);
   const bool gloss = scene::showsGloss(*frame.scene);
   Program& p = frame.program(shader, definesOf(*frame.scene, frame.bricks() != nullptr, inputs) +
-                                         (gloss ? GlossUniforms::defines(frame) : std::string()));
+                                         (gloss ? frame.lighting->lampDefines(frame) : std::string()));
   frame.setView(p);
   frame.setPoint(p, surfaceUnit);
   int unit = firstInputUnit;

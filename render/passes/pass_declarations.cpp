@@ -3,12 +3,38 @@
 #include <algorithm>
 
 #include "base/hash.h"
-#include "render/passes/pass_list.h"
+#include "render/passes/cut_faces_pass.h"
+#include "render/passes/gloss_passes.h"
+#include "render/passes/light_passes.h"
+#include "render/passes/passes.h"
+#include "render/passes/second_volume_pass.h"
 #include "scene/rules/needs.h"
 
 namespace isolux::render {
 
 namespace {
+
+template <class... Passes>
+PassList listOf() {
+  PassList list;
+  (list.push_back(std::make_unique<Passes>()), ...);
+  return list;
+}
+
+// Return whether the AOV depends on derivatives or describes them; readsHessian(): on second derivatives.
+bool readsHessian(Aov aov) {
+  return aov == Aov::hessian || aov == Aov::kappa || aov == Aov::direction1 || aov == Aov::direction2 ||
+         aov == Aov::flowline_curvature || aov == Aov::curvature_confidence;
+}
+
+bool readsEdge(Aov aov) {
+  return aov == Aov::edge_offset || aov == Aov::edge_strength;
+}
+
+bool readsDerivatives(Aov aov) {
+  return aov == Aov::normal || aov == Aov::gradient || aov == Aov::irradiance || aov == Aov::scale ||
+         readsHessian(aov) || readsEdge(aov) || aov == Aov::color_value;
+}
 
 // Where bricks at the hits may have been replaced, what reads voxels there needs its rays cast again: the
 // cast depends on all that those passes depend on.
@@ -32,6 +58,41 @@ void bringBricksBack(const PassList& passes, const Asked& asked, std::vector<Pas
 
 }  // namespace
 
+// clang-format off
+PassList makePasses() {
+  return listOf<
+      BlocksPass,      // active blocks of the isovalues, and the faces around them
+      SegmentsPass,    // where each ray enters them
+      BricksPass,      // uploads of what the rays of the frame before asked for
+      CutFacesPass,    // where rays meet what cuts lay open
+      CastPass,        // the first crossing on each ray
+      RefinePass,      // the surface point of a sampled hit
+      GradientPass,    // world gradient at the surface point
+      HessianPass,     // the same with the world Hessian
+      CurvaturePass,   // principal curvatures, first direction, confidence
+      EdgePass,        // how far the edge of the object lies from it
+      SecondVolumePass,  // values of the volume that colours the surface
+      PiecePass,       // which connected piece each surface point is of
+      RangesPass,      // the surface's curvature as a whole
+      ShadowPass,      // a second ray to the key light
+      OpennessPass,    // how much of the directions around is free, by a part of them
+      OcclusionPass,   // by all
+      FlowFieldPass,   // direction on screen and noise on the surface
+      FlowPass,        // streaks along it
+      ExtremaPass,     // how principal curvatures change along their directions
+      LineFieldPass,   // where lines of curvature run
+      LinesPass,       // what is drawn of them
+      LightPass,       // uploads of stored light
+      IrradiancePass,  // light at the surface points
+      ReflectionsPass,  // what glossy surfaces reflect, at some points
+      ShadePass,       // the look, linear colour, of the first crossing
+      LayersPass,      // the crossings behind transparent surfaces
+      BackgroundPass,  // the picture of nothing
+      ResolvePass      // background, supersamples averaged, sRGB, legend
+      >();
+}
+// clang-format on
+
 std::vector<PassDeclaration> declarePasses(const PassList& passes, const Asked& asked) {
   std::vector<PassDeclaration> declared;
   for (const auto& pass : passes) {
@@ -47,20 +108,6 @@ std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const Fram
                                            const VolumeState& volume, const BrickState& bricks,
                                            const LightState& light) {
   return declarePasses(makePasses(), Asked(scene, request, volume, bricks, light));
-}
-
-bool readsDerivatives(Aov aov) {
-  return aov == Aov::normal || aov == Aov::gradient || aov == Aov::irradiance || aov == Aov::scale ||
-         readsHessian(aov) || readsEdge(aov) || aov == Aov::color_value;
-}
-
-bool readsHessian(Aov aov) {
-  return aov == Aov::hessian || aov == Aov::kappa || aov == Aov::direction1 || aov == Aov::direction2 ||
-         aov == Aov::flowline_curvature || aov == Aov::curvature_confidence;
-}
-
-bool readsEdge(Aov aov) {
-  return aov == Aov::edge_offset || aov == Aov::edge_strength;
 }
 
 bool readsDerivatives(const scene::Scene& scene, const FrameRequest& request) {

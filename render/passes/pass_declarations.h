@@ -1,9 +1,13 @@
-// Declares the passes of a frame: a pure function from the request to the required computations. No GL.
+// Lists the renderer's passes, and declares those of a frame: a pure function from the request to the
+// required computations. No GL.
 #pragma once
 
 #include "render/graph/pass.h"
 
 namespace isolux::render {
+
+// Returns the renderer's passes in the order in which they run: each after those whose images it reads.
+PassList makePasses();
 
 // Returns one declaration for each pass of the list, in its order.
 std::vector<PassDeclaration> declarePasses(const PassList& passes, const Asked& asked);
@@ -14,10 +18,6 @@ std::vector<PassDeclaration> declarePasses(const scene::Scene& scene, const Fram
 // Returns the images that a request finally reads. An opaque scene has no layers pass: shade writes its
 // colour.
 std::vector<std::string> wantedImages(const FrameRequest& request, const scene::Scene& scene);
-// Return whether the AOV depends on derivatives or describes them; readsHessian(): on second derivatives.
-bool readsDerivatives(Aov aov);
-bool readsHessian(Aov aov);
-bool readsEdge(Aov aov);
 // Returns whether a value of the second volume is shown.
 bool readsSecond(const scene::Scene& scene, const FrameRequest& request);
 // Return whether the frame reads first derivatives, second derivatives or edges, through its look or one of

@@ -1,7 +1,6 @@
-#include "render/passes/piece_pass.h"
-
 #include <stop_token>
 
+#include "render/passes/passes.h"
 #include "volume/parallel/parallel_loops.h"
 #include "volume/pieces/pieces.h"
 

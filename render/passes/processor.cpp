@@ -8,7 +8,7 @@
 
 #include "render/gl/constants.h"
 #include "render/passes/frame_state.h"
-#include "render/passes/hit_passes.h"
+#include "render/passes/passes.h"
 #include "scene/rules/needs.h"
 #include "volume/cast/surface_caster.h"
 #include "volume/cast/surface_derivatives.h"
@@ -94,7 +94,7 @@ volume::SurfaceCaster casterOf(const FrameState& frame) {
     of.clipped = frame.clippedBits();
   }
   if (frame.cutFaceColors) of.rayEnds = frame.cutFaces->ends;
-  return {of, isovalues, volume.blocks().dims(), volume.masks()};
+  return {of, isovalues, volume.surface().blocks().dims(), volume.surface().masks()};
 }
 
 void cast(FrameState& frame, volume::CrossingImage& out) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include <glm/common.hpp>
@@ -30,11 +31,6 @@ double rayStart(const DrawnFrame& drawn, std::size_t ray) {
   return drawn.startDepth * std::sqrt(1.0 + glm::dot(plane, plane));
 }
 
-// The images that an AOV is made from, as floats, bottom row first.
-struct Source {
-  std::vector<float> surface, info, gradient, first, second;
-};
-
 // Diagonal or mixed entries; the processor's are in memory.
 std::vector<float> hessianOf(const FrameState& frame, std::size_t which) {
   if (frame.images.has(image::hessian)) return frame.image(image::hessian, which).readFloats(4);
@@ -44,67 +40,13 @@ std::vector<float> hessianOf(const FrameState& frame, std::size_t which) {
   return values;
 }
 
-Source sourceOf(const FrameState& frame, Aov aov) {
-  Source source;
-  source.surface = frame.image(image::surface, 0).readFloats(4);
-  switch (aov) {
-    case Aov::value_error:
-      source.info = frame.image(image::surface, 1).readFloats(2);
-      break;
-    case Aov::normal:
-      source.gradient = frame.gradientImage().readFloats(4);
-      break;
-    case Aov::gradient:
-      source.gradient = frame.image(frame.withHessian ? image::tangents : image::gradient).readFloats(4);
-      break;
-    case Aov::hessian:
-      source.first = hessianOf(frame, 0);
-      source.second = hessianOf(frame, 1);
-      break;
-    case Aov::kappa:
-    case Aov::curvature_confidence:
-      source.first = frame.image(image::curvature, 0).readFloats(4);
-      break;
-    case Aov::flowline_curvature:
-      source.info = frame.image(image::curvature, 2).readFloats(1);
-      break;
-    case Aov::direction1:
-      source.second = frame.image(image::curvature, 1).readFloats(4);
-      break;
-    case Aov::direction2:
-      source.gradient = frame.image(image::tangents).readFloats(4);
-      source.second = frame.image(image::curvature, 1).readFloats(4);
-      break;
-    case Aov::edge_offset:
-    case Aov::edge_strength:
-      source.info = frame.image(image::edge).readFloats(2);
-      break;
-    case Aov::color_value:
-      source.first = frame.image(image::second).readFloats(4);
-      break;
-    case Aov::piece:
-      source.info = frame.image(image::piece).readFloats(1);
-      break;
-    case Aov::irradiance:
-      source.first = frame.image(image::irradiance).readFloats(4);
-      break;
-    case Aov::hit:
-    case Aov::voxel:
-    case Aov::position:
-    case Aov::depth:
-    case Aov::scale:
-      break;
-  }
-  return source;
-}
-
 glm::dvec3 vectorAt(const std::vector<float>& image, std::size_t pixel) {
   return {image[4 * pixel], image[4 * pixel + 1], image[4 * pixel + 2]};
 }
 
 // Outward; 0 where the gradient vanishes.
-glm::dvec3 normalAt(const Source& source, const DrawnFrame& drawn, std::size_t pixel) {
-  const glm::dvec3 g = vectorAt(source.gradient, pixel);
+glm::dvec3 normalAt(const std::vector<float>& gradient, const DrawnFrame& drawn, std::size_t pixel) {
+  const glm::dvec3 g = vectorAt(gradient, pixel);
   const double length = glm::length(g);
   return length > 0.0 ? g * (drawn.outward / length) : glm::dvec3(0.0);
 }
@@ -117,14 +59,100 @@ glm::dvec3 directionAcross(glm::dvec3 normal, glm::dvec3 direction) {
   return length > 0.0 ? across / length : glm::dvec3(0.0);
 }
 
-LinearImage topRowFirst(const Texture& texture, const FrameState* faces = nullptr) {
-  const glm::ivec2 size(texture.size());
-  LinearImage image{.size = size, .rgba = texture.readFloats(4)};
-  if (faces) addCutFaces(*faces, image.rgba);
+void put(const glm::dvec3& v, float* out) {
+  for (int c = 0; c < 3; ++c) out[c] = static_cast<float>(v[c]);
+}
+
+// Writes the channels of a pixel that shows the surface, bottom row first; those that it leaves are NaN.
+using PixelReader = std::function<void(std::size_t pixel, float* out)>;
+
+// `surface`: points, of which an AOV may be made, too.
+PixelReader readerOf(const FrameState& frame, const DrawnFrame& drawn, Aov aov,
+                     const std::vector<float>& surface) {
+  const auto floats = [&](const char* name, int channels, std::size_t which = 0) {
+    return frame.image(name, which).readFloats(channels);
+  };
+  switch (aov) {
+    case Aov::hit:
+      return [](std::size_t, float* out) { out[0] = 1.0f; };
+    case Aov::voxel:
+      return [&](std::size_t i, float* out) { put(vectorAt(surface, i), out); };
+    case Aov::position:
+      return [&](std::size_t i, float* out) {
+        put(frame.volume->grid().geometry().worldOf(vectorAt(surface, i)), out);
+      };
+    case Aov::depth:
+      return [&](std::size_t i, float* out) {
+        out[0] = static_cast<float>(surface[4 * i + 3] + rayStart(drawn, i));
+      };
+    case Aov::value_error:
+      return [&, info = floats(image::surface, 2, 1)](std::size_t i, float* out) {
+        out[0] = static_cast<float>(info[2 * i] * std::fabs(frame.volume->dataUnitsPerTexel(drawn.hitField)));
+      };
+    case Aov::gradient:
+      return [of = floats(frame.withHessian ? image::tangents : image::gradient, 4)](
+                 std::size_t i, float* out) { put(vectorAt(of, i), out); };
+    case Aov::normal:
+      return [&, gradient = frame.gradientImage().readFloats(4)](std::size_t i, float* out) {
+        if (const glm::dvec3 n = normalAt(gradient, drawn, i); n != glm::dvec3(0.0)) put(n, out);
+      };
+    case Aov::hessian:
+      return [diagonal = hessianOf(frame, 0), mixed = hessianOf(frame, 1)](std::size_t i, float* out) {
+        if (diagonal[4 * i + 3] == 0.0f) return;  // not known there
+        put(vectorAt(diagonal, i), out);
+        put(vectorAt(mixed, i), out + 3);
+      };
+    case Aov::kappa:
+      return
+          [of = floats(image::curvature, 4)](std::size_t i, float* out) { std::copy_n(&of[4 * i], 2, out); };
+    case Aov::curvature_confidence:
+      return [of = floats(image::curvature, 4)](std::size_t i, float* out) { out[0] = of[4 * i + 2]; };
+    case Aov::flowline_curvature:
+      return [of = floats(image::curvature, 1, 2)](std::size_t i, float* out) { out[0] = of[i]; };
+    case Aov::scale:
+      return [&](std::size_t, float* out) { out[0] = static_cast<float>(drawn.scaleMm); };
+    case Aov::edge_offset:
+      return [of = floats(image::edge, 2)](std::size_t i, float* out) {
+        if (of[2 * i] < kNoEdge) out[0] = of[2 * i];
+      };
+    case Aov::edge_strength:
+      return [of = floats(image::edge, 2)](std::size_t i, float* out) { out[0] = of[2 * i + 1]; };
+    case Aov::color_value:
+      return [of = floats(image::second, 4)](std::size_t i, float* out) {
+        if (of[4 * i] < kNoValue) out[0] = of[4 * i];
+      };
+    case Aov::piece:
+      return [of = floats(image::piece, 1)](std::size_t i, float* out) {
+        if (of[i] >= 0.0f) out[0] = of[i];
+      };
+    case Aov::irradiance:
+      return [&, of = floats(image::irradiance, 4)](std::size_t i, float* out) {
+        if (drawn.lit) put(vectorAt(of, i), out);
+      };
+    case Aov::direction1:
+      return [of = floats(image::curvature, 4, 1)](std::size_t i, float* out) { put(vectorAt(of, i), out); };
+    case Aov::direction2:
+      break;
+  }
+  return [&, gradient = floats(image::tangents, 4), first = floats(image::curvature, 4, 1)](std::size_t i,
+                                                                                            float* out) {
+    put(directionAcross(normalAt(gradient, drawn, i), vectorAt(first, i)), out);
+  };
+}
+
+// Puts the top row of an image of four channels first.
+template <class Value>
+void flip(std::vector<Value>& rgba, glm::ivec2 size) {
   const auto row = static_cast<std::ptrdiff_t>(size.x) * 4;
   for (std::ptrdiff_t y = 0; y < size.y / 2; ++y)
-    std::swap_ranges(image.rgba.begin() + y * row, image.rgba.begin() + (y + 1) * row,
-                     image.rgba.begin() + (size.y - 1 - y) * row);
+    std::swap_ranges(rgba.begin() + y * row, rgba.begin() + (y + 1) * row,
+                     rgba.begin() + (size.y - 1 - y) * row);
+}
+
+LinearImage topRowFirst(const Texture& texture, const FrameState* faces = nullptr) {
+  LinearImage image{.size = glm::ivec2(texture.size()), .rgba = texture.readFloats(4)};
+  if (faces) addCutFaces(*faces, image.rgba);
+  flip(image.rgba, image.size);
   return image;
 }
 
@@ -145,97 +173,26 @@ ColorImage readColor(const FrameState& frame, const DrawnFrame& drawn) {
   ColorImage image;
   image.size = drawn.pictureSize;
   image.transparent = drawn.transparentPicture;
-  const std::size_t row = static_cast<std::size_t>(image.size.x) * 4;
-  std::vector<std::uint8_t> flipped(row * static_cast<std::size_t>(image.size.y));
+  image.rgba.resize(4 * volume::Extent2{image.size}.count());
   gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
   gl.GetTextureImage(frame.images.at(image::picture).images[0].id(), 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                     static_cast<GLsizei>(flipped.size()), flipped.data());
-  image.rgba.resize(flipped.size());
-  for (int y = 0; y < image.size.y; ++y)
-    std::copy_n(
-        flipped.begin() + static_cast<std::ptrdiff_t>(row * static_cast<std::size_t>(image.size.y - 1 - y)),
-        row, image.rgba.begin() + static_cast<std::ptrdiff_t>(row * static_cast<std::size_t>(y)));
+                     static_cast<GLsizei>(image.rgba.size()), image.rgba.data());
+  flip(image.rgba, image.size);
   return image;
 }
 
 AovImage readAov(const FrameState& frame, const DrawnFrame& drawn, Aov aov) {
   const glm::ivec2 size = drawn.raySize;
   AovImage image{aov, size, static_cast<int>(channelsOf(aov)), {}};
-  const Source source = sourceOf(frame, aov);
+  const std::vector<float> surface = frame.image(image::surface, 0).readFloats(4);
+  const PixelReader read = readerOf(frame, drawn, aov, surface);
   const std::size_t width = static_cast<std::size_t>(size.x), height = static_cast<std::size_t>(size.y);
   const std::size_t channels = channelsOf(aov);
   image.values.assign(width * height * channels,
                       aov == Aov::hit ? 0.0f : std::numeric_limits<float>::quiet_NaN());
-  for (std::size_t i = 0; i < width * height; ++i) {
-    const float* s = &source.surface[4 * i];
-    if (s[3] < 0.0f) continue;
-    float* out = &image.values[((height - 1 - i / width) * width + i % width) * channels];
-    const auto put = [&](const glm::dvec3& v, int from = 0) {
-      for (int c = 0; c < 3; ++c) out[from + c] = static_cast<float>(v[c]);
-    };
-    switch (aov) {
-      case Aov::hit:
-        out[0] = 1.0f;
-        break;
-      case Aov::voxel:
-        put({s[0], s[1], s[2]});
-        break;
-      case Aov::position:
-        put(frame.volume->grid().geometry().worldOf({s[0], s[1], s[2]}));
-        break;
-      case Aov::depth:
-        out[0] = static_cast<float>(s[3] + rayStart(drawn, i));
-        break;
-      case Aov::value_error:
-        out[0] = static_cast<float>(source.info[2 * i] *
-                                    std::fabs(frame.volume->dataUnitsPerTexel(drawn.hitField)));
-        break;
-      case Aov::gradient:
-        put(vectorAt(source.gradient, i));
-        break;
-      case Aov::normal:
-        if (const glm::dvec3 n = normalAt(source, drawn, i); n != glm::dvec3(0.0)) put(n);
-        break;
-      case Aov::hessian:
-        if (source.first[4 * i + 3] == 0.0f) break;  // not known there
-        put(vectorAt(source.first, i));
-        put(vectorAt(source.second, i), 3);
-        break;
-      case Aov::kappa:
-        for (std::size_t c = 0; c < 2; ++c) out[c] = source.first[4 * i + c];
-        break;
-      case Aov::curvature_confidence:
-        out[0] = source.first[4 * i + 2];
-        break;
-      case Aov::flowline_curvature:
-        out[0] = source.info[i];
-        break;
-      case Aov::scale:
-        out[0] = static_cast<float>(drawn.scaleMm);
-        break;
-      case Aov::edge_offset:
-        if (source.info[2 * i] < kNoEdge) out[0] = source.info[2 * i];
-        break;
-      case Aov::edge_strength:
-        out[0] = source.info[2 * i + 1];
-        break;
-      case Aov::color_value:
-        if (source.first[4 * i] < kNoValue) out[0] = source.first[4 * i];
-        break;
-      case Aov::piece:
-        if (source.info[i] >= 0.0f) out[0] = source.info[i];
-        break;
-      case Aov::irradiance:
-        if (drawn.lit) put(vectorAt(source.first, i));
-        break;
-      case Aov::direction1:
-        put(vectorAt(source.second, i));
-        break;
-      case Aov::direction2:
-        put(directionAcross(normalAt(source, drawn, i), vectorAt(source.second, i)));
-        break;
-    }
-  }
+  for (std::size_t i = 0; i < width * height; ++i)
+    if (!(surface[4 * i + 3] < 0.0f))
+      read(i, &image.values[((height - 1 - i / width) * width + i % width) * channels]);
   return image;
 }
 

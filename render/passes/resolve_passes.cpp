@@ -1,9 +1,8 @@
-#include "render/passes/resolve_passes.h"
-
 #include "render/passes/curvature_ranges.h"
 #include "render/passes/cut_faces_pass.h"
 #include "render/passes/legend_overlay.h"
 #include "render/passes/light_passes.h"
+#include "render/passes/passes.h"
 #include "render/passes/second_volume_pass.h"
 #include "scene/rules/gi_choice.h"
 #include "scene/rules/needs.h"
@@ -16,27 +15,22 @@ namespace {
 // Texture units of resolve.frag.glsl.
 constexpr int kColorUnit = 0, kEnvironmentUnit = 1, kCutFacesUnit = 2, kGroundUnit = 4;
 
-// The environment is seen behind the surface.
-bool showsEnvironment(const Asked& asked) {
-  return scene::usesGi(asked.scene) && asked.light.background && !asked.scene.picture.transparent;
+// Whether the environment, or the ground with the surface's shadow, is seen behind the surface, if the light
+// has one.
+bool showsEnvironment(const scene::Scene& scene, bool has) {
+  return has && scene::usesGi(scene) && !scene.picture.transparent;
+}
+
+bool showsGround(const scene::Scene& scene, bool has) {
+  return has && scene.gi.ground && scene::giChoiceOf(scene).wanted;
 }
 
 bool environmentIsSeen(const FrameState& frame) {
-  return scene::usesGi(*frame.scene) && frame.light && frame.light->background &&
-         !frame.scene->picture.transparent;
-}
-
-bool hasGround(const scene::Scene& scene) {
-  return scene.gi.ground && scene::giChoiceOf(scene).wanted;
-}
-
-// The ground with the surface's shadow is seen behind it.
-bool showsGround(const Asked& asked) {
-  return hasGround(asked.scene) && asked.light.ground != 0;
+  return showsEnvironment(*frame.scene, frame.light && frame.light->background);
 }
 
 bool groundIsSeen(const FrameState& frame) {
-  return hasGround(*frame.scene) && frame.light && frame.light->ground;
+  return showsGround(*frame.scene, frame.light && frame.light->ground);
 }
 
 // What resolve.frag.glsl reads for the colour behind the surface.
@@ -67,8 +61,9 @@ std::optional<Tile> drawLegendOf(FrameState& frame, const Target& picture) {
 void BackgroundPass::declare(Declaring& d) const {
   d.writes(image::background).pictureSize().settings({"look.background_top", "look.background_bottom"});
   d.notNeeded(d.asked.scene.picture.transparent ? "the picture is transparent"
-              : showsEnvironment(d.asked)       ? "the environment is behind the surface"
-                                                : "the ground is behind the surface");
+              : showsEnvironment(d.asked.scene, d.asked.light.background)
+                  ? "the environment is behind the surface"
+                  : "the ground is behind the surface");
 }
 
 void BackgroundPass::run(FrameState& frame) {
@@ -83,6 +78,7 @@ void BackgroundPass::run(FrameState& frame) {
 
 void ResolvePass::declare(Declaring& d) const {
   const scene::Scene& scene = d.asked.scene;
+  const bool ground = showsGround(scene, d.asked.light.ground != 0);
   d.reads(image::color).writes(image::picture).pictureSize().settings({"look.legend", "look.legend_corner"});
   d.input("linear picture", d.asked.request.linear).settings({"picture.transparent"});
   d.input("tone curve", scene::isFilmic(scene));
@@ -91,15 +87,15 @@ void ResolvePass::declare(Declaring& d) const {
     d.reads(image::cutFaces).settings({"slice.level", "slice.width", "slice.map"});
     d.volume();  // what is automatic of them
   }
-  if (showsEnvironment(d.asked)) {
+  if (showsEnvironment(scene, d.asked.light.background)) {
     d.input("light", d.asked.light.version).settings({"camera."});
     addExposure(d);
-  } else if (showsGround(d.asked) && !scene.picture.transparent) {
+  } else if (ground && !scene.picture.transparent) {
     d.settings({"look.background_top", "look.background_bottom"});
   } else if (!scene.picture.transparent) {
     d.reads(image::background);
   }
-  if (showsGround(d.asked)) d.input("ground", d.asked.light.ground).settings({"gi.ground", "camera."});
+  if (ground) d.input("ground", d.asked.light.ground).settings({"gi.ground", "camera."});
   if (scene::showsLegend(scene) && d.asked.volume.crossed && readsCurvatureRanges(scene))
     d.reads(image::ranges);
   d.input("legend of the second volume", scene::showsLegend(scene) && scene::showsSecondVolume(scene));

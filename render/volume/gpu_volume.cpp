@@ -190,16 +190,8 @@ void GpuVolume::bind(Program& program, const FieldAt& of) const {
   program.set("uFieldPerVolume", static_cast<float>(sourceOf(of).scale() / channels_[0]->source.scale()));
 }
 
-double GpuVolume::texelOf(double value) const {
-  return texelOf(value, scene::Field::trilinear);
-}
-
 double GpuVolume::texelOf(double value, scene::Field field) const {
   return (grid().storedOfValue(value) - sourceOf({field}).offset()) / sourceOf({field}).scale();
-}
-
-double GpuVolume::dataUnitsPerTexel() const {
-  return dataUnitsPerTexel(scene::Field::trilinear);
 }
 
 double GpuVolume::dataUnitsPerTexel(scene::Field field) const {

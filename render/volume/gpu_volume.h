@@ -37,7 +37,6 @@ class GpuVolume {
   GpuVolume(GlPtr gl, std::shared_ptr<const volume::PreparedVolume> volume);
 
   const volume::Grid& grid() const { return volume_->grid(); }
-  const scene::VolumeFacts& facts() const { return volume_->facts; }
   std::shared_ptr<const volume::Grid> sharedGrid() const { return volume_->volume.grid; }
   bool hasCells() const;  // an axis of one voxel has no cells and no surface
 
@@ -58,10 +57,8 @@ class GpuVolume {
   // texture units 0 and 1, and 15 for bricks.
   void bind(Program& program, const FieldAt& of) const;
   // Return a value in data units as a texel of uVolume, or of the texture that `field` is made from.
-  double texelOf(double value) const;
-  double texelOf(double value, scene::Field field) const;
-  double dataUnitsPerTexel() const;  // of uVolume
-  double dataUnitsPerTexel(scene::Field field) const;
+  double texelOf(double value, scene::Field field = scene::Field::trilinear) const;
+  double dataUnitsPerTexel(scene::Field field = scene::Field::trilinear) const;
 
   glm::dvec3 noiseBlur() const;  // scene::NoiseModel; estimated at the first call
   // Returns the curvature statistics of the surface of `value` (data units) with these derivatives; all 0
@@ -81,27 +78,13 @@ class GpuVolume {
   void activate(scene::Field field, const std::vector<double>& values,
                 const std::vector<volume::HiddenOfSurface>& hidden);
   std::size_t activeBlocks() const { return surfaces_.empty() ? 0 : surface().active().activeCount(); }
-  const volume::MinMaxBlocks& blocks() const { return surface().blocks(); }
-  // Returns the sub-blocks of each block that can contain a surface (volume::BoxBounds); empty unless blocks
-  // have 8^3 cells.
-  std::span<const std::uint64_t> masks() const { return surface().masks(); }
+  // Returns the blocks of the active surfaces. Requires activate().
+  SurfaceBlocks& surface() { return *surfaces_.back(); }
+  const SurfaceBlocks& surface() const { return *surfaces_.back(); }
   // Returns the coefficients of the field's B-spline; null: the samples themselves.
   const volume::Coefficients* coefficients(scene::Field field) const;
   // Returns null if the scale is 0 or was not required.
   const volume::ScaledField* scaled(const FieldAt& of) const;
-  bool isActive(std::size_t block) const { return surface().active().flags()[block] != 0; }
-  // Prepares for casting an image of these surfaces. The first is cast by sub-blocks. From the second on,
-  // each cell has a bit (volume/skip/cell_bits.h) if its corners determine it. Computing the bits reads the
-  // voxels of active blocks once, which takes too long while the isovalue changes. Hits are the same.
-  void prepareMasks(const scene::Hit& hit) { surface().prepareMasks(hit); }
-  // Sets the masks that trace.glsl skips empty space by, on texture unit `unit`.
-  void bindMasks(Program& program, const scene::Hit& hit, int unit) {
-    surface().bindMasks(program, hit, unit);
-  }
-
-  // Sets the hidden components of the active surfaces, if any, on texture unit `unit`.
-  void bindHidden(Program& program, int unit) { surface().bindHidden(program, unit); }
-
   // Returns the bytes of sub-block masks in main memory and, once shaders have used them, of their texture.
   std::size_t blockBytes() const { return surfaces_.empty() ? 0 : surface().bytes(); }
   std::size_t bytes() const;
@@ -129,8 +112,6 @@ class GpuVolume {
   // takes long).
   const volume::CubicField& cubic(scene::Field field) const;
   SurfaceBlocks& blocksOf(scene::Field field);  // becomes the last used
-  SurfaceBlocks& surface() { return *surfaces_.back(); }
-  const SurfaceBlocks& surface() const { return *surfaces_.back(); }
 
   GlPtr gl_;
   std::shared_ptr<const volume::PreparedVolume> volume_;

@@ -37,17 +37,22 @@ class SurfaceBlocks {
 
   const volume::ActiveBlocks& active() const { return active_; }
   const volume::MinMaxBlocks& blocks() const { return active_.blocks(); }
+  // Returns the sub-blocks of each block that can contain a surface (volume::BoxBounds); empty unless blocks
+  // have 8^3 cells.
   std::span<const std::uint64_t> masks() const { return masks_; }
   std::size_t activeBricks() const;  // bricks with an active block
 
   // Updates the masks after a change of a brick in `parts`.
   void updateMasks(glm::ivec3 brick);
 
-  // See GpuVolume::prepareMasks() and bindMasks().
+  // Prepares for casting an image of these surfaces. The first is cast by sub-blocks. From the second on,
+  // each cell has a bit (volume/skip/cell_bits.h) if its corners determine it. Computing the bits reads the
+  // voxels of active blocks once, which takes too long while the isovalue changes. Hits are the same.
   void prepareMasks(const scene::Hit& hit);
+  // Sets the masks that trace.glsl skips empty space by, on texture unit `unit`.
   void bindMasks(Program& program, const scene::Hit& hit, int unit);
 
-  // See GpuVolume::bindHidden().
+  // Sets the hidden components of the active surfaces, if any, on texture unit `unit`.
   void bindHidden(Program& program, int unit);
 
   std::size_t textureBytes() const { return texture_.bytes() + hiddenTexture_.bytes(); }

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "render/passes/pass_declarations.h"
-#include "render/passes/pass_list.h"
 #include "scene/settings/settings.h"
 
 namespace isolux::render {
