@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QCoreApplication>
 
+#include "scene/settings/settings.h"
 #include "tests/support/ui/window_fixture.h"
 #include "ui/accuracy/accuracy_panel.h"
 #include "ui/accuracy/error_overlay_box.h"

@@ -11,6 +11,7 @@
 
 #include "app/error_budget/target_search.h"
 #include "app/files/image_io.h"
+#include "scene/settings/settings.h"
 #include "tests/support/ui/window_fixture.h"
 #include "ui/accuracy/accuracy_panel.h"
 #include "ui/accuracy/accuracy_text.h"

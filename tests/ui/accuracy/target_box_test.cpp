@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QTest>
 
+#include "scene/settings/settings.h"
 #include "tests/support/ui/window_fixture.h"
 #include "ui/accuracy/accuracy_panel.h"
 #include "ui/viewport/viewport.h"
