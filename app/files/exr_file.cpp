@@ -34,27 +34,34 @@ int compressionThreads() {
   }
 }
 
-// Writes into a file. OpenEXR loses what fails when its last table is written: throwIfFailed() throws it.
+// Writes into a file. OpenEXR loses what fails when it ends a picture; throwIfFailed() throws it.
 class FileStream final : public Imf::OStream {
  public:
   explicit FileStream(base::OutputFile& file) : OStream(file.path().c_str()), file_(file) {}
 
   void write(const char bytes[], int count) override {
-    try {
-      file_.write(bytes, static_cast<std::size_t>(count));
-    } catch (...) {
-      failure_ = std::current_exception();
-      throw;
-    }
+    keepFailure([&] { file_.write(bytes, static_cast<std::size_t>(count)); });
   }
   std::uint64_t tellp() override { return file_.at(); }
-  void seekp(std::uint64_t position) override { file_.go(position); }
+  void seekp(std::uint64_t position) override {  // which writes what is in the buffer
+    keepFailure([&] { file_.go(position); });
+  }
 
   void throwIfFailed() const {
     if (failure_) std::rethrow_exception(failure_);
   }
 
  private:
+  template <class Work>
+  void keepFailure(const Work& work) {
+    try {
+      work();
+    } catch (...) {
+      failure_ = std::current_exception();
+      throw;
+    }
+  }
+
   base::OutputFile& file_;
   std::exception_ptr failure_;
 };

@@ -87,7 +87,7 @@ bool StepPlayer::makeRoom(Frame now, Frame next) {
   const auto turn = [&](int place) { return 1 + (place - inRound(now) - 1 + round_) % round_; };
   const auto last = std::ranges::max_element(
       ready_, [&](const auto& a, const auto& b) { return turn(a.first) < turn(b.first); });
-  if (last != ready_.end() && turn(last->first) > next - now) ready_.erase(last);
+  if (last != ready_.end() && turn(last->first) > turn(inRound(next))) ready_.erase(last);
   // One at a time, however little there is: the reader refuses what does not fit when all else is freed.
   return ready_.empty() && base::awaitDestroyed(0.0);
 }
