@@ -95,7 +95,7 @@ struct Renderer::Parts {
   void draw();
   void run(const PlannedPass& now, PassClock& clock);
   void planMemory();
-  // Of a frame that keeps no images: which parts of images are drawn in turn.
+  // Plans which parts of the image are drawn in turn, if the frame keeps no images.
   void planBands();
   // Frees images that no pass from `next` on reads, until what is held and what `next` writes fit the budget.
   void makeRoom(std::size_t next);

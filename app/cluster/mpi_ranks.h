@@ -19,7 +19,7 @@ class MpiRanks : public Ranks {
   [[noreturn]] virtual void abort(int exitCode) = 0;
 };
 
-// What isolux-mpi.so (mpi_module.cpp) exports: starts MPI; null where that fails. All calls from one thread.
+// Starts MPI; isolux-mpi.so (mpi_module.cpp) exports it. Returns null on failure. All calls from one thread.
 extern "C" MpiRanks* isoluxMpiRanks();
 
 // Opens isolux-mpi.so, which lies beside the program. Once in a process. Throws base::Error{input} with what

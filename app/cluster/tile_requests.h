@@ -1,4 +1,5 @@
-// What a bake is asked for, tile by tile (gi/lattice/lattice_part.h): the same on every rank.
+// Lists the texels requested of a bake by tile (gi/lattice/lattice_part.h); the list is the same on every
+// rank.
 #pragma once
 
 #include <cstdint>

@@ -59,7 +59,7 @@ struct TurnedBox {
   glm::dvec3 middle{0.0}, half{0.0};
   glm::dmat3 axes{1.0};
   glm::dvec3 corner(int index) const;  // as BoxCorners count
-  // Of a face, numbered as CutGrip::index: its outward normal, and its middle.
+  // Return the outward normal and the middle of a face, numbered as CutGrip::index.
   glm::dvec3 outward(int face) const { return (face % 2 ? 1.0 : -1.0) * axes[face / 2]; }
   glm::dvec3 faceMiddle(int face) const { return middle + half[face / 2] * outward(face); }
 };

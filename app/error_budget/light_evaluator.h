@@ -1,9 +1,9 @@
 // How far the light of a scene's picture is from path tracing: bakes what the picture needs, and draws it.
 //
-// Truths are of the first scene that is judged: traced with its bounces, at exact hits of some of the
+// References are of the first scene that is judged: traced with its bounces, at exact hits of some of the
 // picture's pixels (app/study/light_reference.h), those of a measuring once it is asked for. More pixels say
-// more of an error's root mean square than more paths at each, because the truth's own noise is taken out of
-// it. The light is that of the whole picture: of a smaller one fewer texels are lit, and what lies between
+// more of an error's root mean square than more paths at each, because the reference's own noise is taken out
+// of it. The light is that of the whole picture: of a smaller one fewer texels are lit, and what lies between
 // them is noisier.
 #pragma once
 

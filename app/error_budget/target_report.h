@@ -1,4 +1,4 @@
-// What a command says of a choice of settings (app/error_budget/target_search.h).
+// Reports a choice of settings as text and JSON (app/error_budget/target_search.h).
 #pragma once
 
 #include <string>

@@ -18,7 +18,7 @@
 
 namespace isolux::app {
 
-// What is studied: a view of a scene.
+// Defines the subject of a study: a view of a scene.
 struct StudySubject {
   std::shared_ptr<const volume::PreparedVolume> volume;
   scene::Scene scene;  // as the user gave it

@@ -15,8 +15,8 @@ namespace isolux::app {
 struct SliceOrder {
   std::shared_ptr<const volume::PreparedVolume> volume;
   volume::SlicePlane plane;
-  // What the slice shows of a resolved Scene; all else is as in a new one. slice.position is left out: the
-  // plane has it.
+  // Holds what the slice shows of a resolved Scene; all else is as in a new one. slice.position is left out:
+  // the plane has it.
   scene::Scene scene;
   // A draft has one value for so many pixels of a row and of a column, and between them what lies between the
   // values; letters and place are those of the full picture. 1: no draft.

@@ -1,5 +1,5 @@
-// What the HDF5 library says of a dataset and of where its chunks lie, or which other datasets a virtual one
-// is made of; no voxel is read. `name` is that of the file, for messages. Each throws base::Error (input,
+// Describes a dataset as the HDF5 library reads it: type, places of chunks, or which other datasets a virtual
+// one is made of; no voxel is read. `name` is that of the file, for messages. Each throws base::Error (input,
 // memory, usage, interrupted).
 #pragma once
 

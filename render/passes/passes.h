@@ -7,7 +7,7 @@
 
 namespace isolux::render {
 
-// Finds the surface points of rays: the passes blocks, segments, bricks, cast and refine.
+// ---- Hits: surface points on rays
 
 // Finds the active blocks of the isovalues, and which of their sub-blocks can contain a surface.
 class BlocksPass : public Pass {
@@ -68,8 +68,7 @@ bool anyHit(FrameState& frame);            // returns whether there is any surfa
 std::string traceDefines(const FrameState& frame);
 void setTrace(FrameState& frame, Program& program);
 
-// Computes derivatives and curvature at surface points, once per pixel: the passes gradient, hessian,
-// curvature and edge.
+// ---- Derivatives and curvature at surface points, once per pixel
 
 // Computes the world gradient for normals at the surface point, at derivatives.normal_scale.
 class GradientPass : public Pass {
@@ -125,8 +124,7 @@ class PiecePass : public Pass {
   bool isOn(const OnProcessor&) const override { return true; }
 };
 
-// Computes shadow, occlusion and flow at surface points, once per pixel: the passes shadow, openness,
-// occlusion, flow field and flow.
+// ---- Shadow, occlusion and flow at surface points, once per pixel
 
 // Casts a second ray from each surface point towards the key light.
 class ShadowPass : public Pass {
@@ -190,7 +188,7 @@ class FlowPass : public Pass {
   void run(FrameState& frame) override;
 };
 
-// Finds lines that follow the surface's curvature, in image space: the passes extrema, line field and lines.
+// ---- Lines that follow the surface's curvature, in image space
 
 // Computes the change of each principal curvature along its own direction: 0 on ridges and valleys.
 class ExtremaPass : public Pass {
@@ -221,7 +219,7 @@ class LinesPass : public Pass {
 // Returns how many pixels around one decide which lines it shows.
 double reachOfLines(const scene::Scene& scene, int heightInRays);
 
-// Computes linear colour from surface points and their derivatives: the passes ranges, shade and layers.
+// ---- Linear colour from surface points and their derivatives
 
 // Computes automatic numbers from the curvature of the volume's whole surface; independent of the view.
 class RangesPass : public Pass {
@@ -273,7 +271,7 @@ class LayersPass : public Pass {
   void run(FrameState& frame) override;
 };
 
-// Computes the final image from linear colour: the passes background and resolve.
+// ---- The final image from linear colour
 
 // Draws the pixels without a surface, if they do not depend on the view.
 class BackgroundPass : public Pass {

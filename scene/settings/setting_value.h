@@ -65,7 +65,7 @@ void assignChecked(const SettingInfo& setting, std::optional<T>& member, const n
   member = plain;
 }
 
-// Of a number, a text, a toggle or a choice.
+// Returns the JSON of a number, a text, a toggle or a choice.
 template <class T>
 nlohmann::json jsonOf(const T& value) {
   if constexpr (std::is_enum_v<T>)

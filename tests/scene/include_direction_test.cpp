@@ -187,11 +187,11 @@ TEST(IncludeDirection, NoFileOfTheTreePointsTheWrongWay) {
 }
 
 TEST(IncludeDirection, AcceptsWhatIsAllowed) {
-  EXPECT_THAT(
-      wrongIncludes("ui/window.cpp",
-                    "#include <QWidget>\n#include \"ui/window.h\"\n#include \"app/documents/session.h\"\n"
-                    "#include \"scene/scene.h\"\n#include <GL/gl.h>\n"),
-      IsEmpty());
+  EXPECT_THAT(wrongIncludes(
+                  "ui/window.cpp",
+                  "#include <QWidget>\n#include \"ui/theme/theme.h\"\n#include \"app/documents/session.h\"\n"
+                  "#include \"scene/scene.h\"\n#include <GL/gl.h>\n"),
+              IsEmpty());
   EXPECT_THAT(wrongIncludes("render/gl/gl.h", "#include <GL/glcorearb.h>\n#include \"volume/grid.h\"\n"),
               IsEmpty());
   EXPECT_THAT(wrongIncludes("scene/scene.h", "#include <string>\n#include <glm/vec3.hpp>\n"), IsEmpty());
@@ -203,7 +203,7 @@ TEST(IncludeDirection, AcceptsWhatIsAllowed) {
                             "#include <pybind11/numpy.h>\n#include \"app/options/scene_options.h\"\n#include "
                             "\"python/volume_thread.h\"\n"),
               IsEmpty());
-  EXPECT_THAT(wrongIncludes("scene/scene.h", "// see #include \"ui/window.h\"\n"), IsEmpty());
+  EXPECT_THAT(wrongIncludes("scene/scene.h", "// see #include \"ui/theme/theme.h\"\n"), IsEmpty());
   EXPECT_THAT(wrongIncludes("app/cluster/mpi_module.cpp", "#include <mpi.h>\n"), IsEmpty());
 }
 
@@ -239,7 +239,7 @@ TEST(IncludeDirection, FindsEachKindOfFault) {
               ElementsAre(HasSubstr("MPI only in")));
   EXPECT_THAT(wrongIncludes("volume/a.h", "#include \"readers/limits.h\""),
               ElementsAre(HasSubstr("only readers include readers")));
-  EXPECT_THAT(wrongIncludes("python/core.h", "#include \"ui/window.h\""),
+  EXPECT_THAT(wrongIncludes("python/core.h", "#include \"ui/theme/theme.h\""),
               ElementsAre(HasSubstr("must not include ui")));
   EXPECT_THAT(wrongIncludes("python/core.h", "#include \"app/commands/command.h\""),
               ElementsAre(HasSubstr("not for Python")));
@@ -249,7 +249,8 @@ TEST(IncludeDirection, FindsEachKindOfFault) {
               ElementsAre(HasSubstr("Python only in python")));
   EXPECT_THAT(wrongIncludes("readers/serve.h", "#include \"gi/sampling/environment.h\""),
               ElementsAre(HasSubstr("readers must not include gi")));
-  EXPECT_THAT(wrongIncludes("app/a.h", "#include \"../ui/window.h\""), testing::Contains(HasSubstr("root")));
+  EXPECT_THAT(wrongIncludes("app/a.h", "#include \"../ui/theme/theme.h\""),
+              testing::Contains(HasSubstr("root")));
   EXPECT_THAT(wrongIncludes("app/a.h", "#include \"tests/support/test_data.h\""), testing::Not(IsEmpty()));
 }
 

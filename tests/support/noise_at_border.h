@@ -1,4 +1,4 @@
-// What the shader of curvature says of noise near the border.
+// Computes the noise near the border as the curvature shader does.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What the program makes with a progress, for tests that watch none.
+// Calls functions of the program that take a progress, for tests that watch none.
 #pragma once
 
 #include "base/progress.h"

@@ -1,5 +1,5 @@
-// What is kept for this user between runs: what the machine is asked for (scene/settings/host_settings.h),
-// and how the window looks.
+// Stores a user's preferences between runs: host settings (scene/settings/host_settings.h) and how the window
+// looks.
 #pragma once
 
 #include "scene/settings/host_settings.h"

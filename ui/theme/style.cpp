@@ -35,10 +35,11 @@ class Style : public QProxyStyle {
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override {
     QProxyStyle::drawPrimitive(element, option, painter, widget);
-    const bool flat = (element == PE_PanelButtonCommand) &&
-                      static_cast<const QStyleOptionButton*>(option)->features & QStyleOptionButton::Flat;
-    if (element == PE_IndicatorCheckBox || element == PE_FrameLineEdit ||
-        (element == PE_PanelButtonCommand && !flat))
+    // Fusion draws tool buttons by this element, too, with options of another type.
+    const auto* const button = qstyleoption_cast<const QStyleOptionButton*>(option);
+    const bool raised =
+        element == PE_PanelButtonCommand && button && !(button->features & QStyleOptionButton::Flat);
+    if (element == PE_IndicatorCheckBox || element == PE_FrameLineEdit || raised)
       drawEdge(option, painter);
     else if (element == PE_IndicatorRadioButton)
       drawEdge(option, painter, 0.5 * option->rect.height());

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What the program makes of the session in that picture, in a process of its own.
+// Draws the session in that picture by the program, in a process of its own.
 render::ColorImage openedBy(const std::string& picture, const std::vector<std::string>& options,
                             const std::vector<std::string>& environment = {}) {
   const fs::path folder = temporaryFolder();
