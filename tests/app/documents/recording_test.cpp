@@ -35,6 +35,20 @@ std::string refusal(const std::string& text) {
   return {};
 }
 
+TEST(Recording, OfEveryVersionIsReadToItsEnd) {
+  std::size_t found = 0;
+  const fs::path folder = fs::path(ISOLUX_SOURCE_DIR) / "tests/app/same_picture/recordings";
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    SCOPED_TRACE(entry.path().filename());
+    const Recording recording = loadRecording(entry.path());
+    EXPECT_GE(recording.steps.size(), 3u);
+    Playback playback(recording);
+    EXPECT_NE(playback.at(recording.duration()), recording.start);
+    ++found;
+  }
+  EXPECT_GE(found, 8u);
+}
+
 TEST(Recording, RoundTrips) {
   const fs::path folder = test::temporaryFolder();
   Scene start;

@@ -243,6 +243,19 @@ TEST(Session, RefusesBadVersion1WithThePath) {
   EXPECT_THAT(sessionRefusal(R"({"isolux_session": 1, "scene": {}})"), HasSubstr("scene: unknown key"));
 }
 
+TEST(Session, OfEveryVersionOpensAndIsKeptBySaving) {
+  std::size_t found = 0;
+  const fs::path folder = fs::path(ISOLUX_SOURCE_DIR) / "tests/app/same_picture/sessions";
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    SCOPED_TRACE(entry.path().filename());
+    const Scene scene = loadSession(entry.path());
+    EXPECT_EQ(parseSession(sessionText(scene, "/"), "again.isolux", {"/"}), scene);
+    EXPECT_NE(scene, Scene{});
+    ++found;
+  }
+  EXPECT_GE(found, 30u);
+}
+
 TEST(Session, MissingKeysTakeDefaults) {
   EXPECT_TRUE(parseSession(R"({"isolux_session": 9})", "", {"/"}) == Scene{});
   EXPECT_TRUE(parseSession(R"({"isolux_session": 9, "scene": {}})", "", {"/"}) == Scene{});

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Prints a hash of the pixels of many pictures: equal lines of two programs on one machine mean equal pictures.
 
-hashes.py PROGRAM [--only TEXT] [--size WxH] [--data DIR]: draws the sessions of docs/gallery and pictures_0_1_0, and
-the built-in presets on phantoms, by both executors. Compare two programs with `diff`. Few samples of light keep it short.
+hashes.py PROGRAM [--only TEXT] [--size WxH] [--data DIR]: draws the sessions of docs/gallery, pictures_0_1_0 and sessions,
+the frames of recordings, and the built-in presets on phantoms, by both executors. Compare two programs with `diff`. Few
+samples of light keep it short.
 """
 import argparse
 import hashlib
@@ -12,16 +13,18 @@ import subprocess
 import sys
 import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parents[3]
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[2]
 PRESETS = ("ct_bone", "ct_skin", "ct_skin_bone", "mr_skin", "mr_brain", "simulation", "distance", "microscopy")
 SHORT = ("--set", "gi.samples=8", "--set", "gi.bounces=1", "--set", "picture.supersampling=1", "--context", "software")
 
 
-def subjects(data):
+def subjects():
     """Yields (name, arguments) of each picture."""
-    for png in sorted((ROOT / "docs/gallery").glob("*.png")) + sorted(
-            (ROOT / "tests/app/same_picture/pictures_0_1_0").glob("*.png")):
-        yield png.stem, [str(png)]
+    for folder in (ROOT / "docs/gallery", HERE / "pictures_0_1_0", HERE / "sessions"):
+        for file in sorted(folder.glob("*.*")):
+            if file.suffix in (".png", ".isolux"):
+                yield file.stem, [str(file)]
     for preset in PRESETS:
         for phantom in ("phantom:head:64", "phantom:torus:48"):
             yield f"{preset} {phantom}", [phantom, "--preset", preset]
@@ -51,7 +54,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         os.symlink(options.data.resolve(), pathlib.Path(folder, "data"))
         out = pathlib.Path(folder, "out.png")
-        for name, arguments in subjects(options.data):
+        for name, arguments in subjects():
             if options.only not in name:
                 continue
             if arguments[0].endswith(".png"):  # a copy beside a link to the data, as the gallery's images were drawn
@@ -64,6 +67,14 @@ def main():
                                       executor, "--out", out], capture_output=True, text=True, cwd=folder, check=False)
                 result = hashlib.sha256(pixels(out)).hexdigest()[:16] if run.returncode == 0 else run.stderr.strip()
                 print(f"{name} {executor}: {result}", flush=True)
+        for recording in sorted((HERE / "recordings").glob(f"*{options.only}*.jsonl")):
+            frames = pathlib.Path(folder, recording.stem)
+            run = subprocess.run([program, "replay", recording, "--fps", "10", "--size", options.size, "--context",
+                                  "software", "--out", frames], capture_output=True, text=True, check=False)
+            for frame in sorted(frames.glob("*.png")):
+                print(f"{recording.stem} {frame.stem}: {hashlib.sha256(pixels(frame)).hexdigest()[:16]}", flush=True)
+            if run.returncode != 0:
+                print(f"{recording.stem}: {run.stderr.strip()}", flush=True)
     return 0
 
 
