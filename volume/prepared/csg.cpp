@@ -15,7 +15,6 @@
 #include "volume/field/reconstruct.h"
 #include "volume/parallel/parallel_steps.h"
 #include "volume/read/input/patient.h"
-#include "volume/same_geometry.h"
 #include "volume/statistics/histogram.h"
 
 namespace isolux::volume {
@@ -100,7 +99,7 @@ class Resampled {
  public:
   Resampled(const Grid& grid, const GridGeometry& onto)
       : grid_(grid),
-        direct_(sameGeometry(grid.geometry(), onto)),
+        direct_(grid.geometry().sameAs(onto)),
         voxelFromVoxel_(grid.geometry().voxelFromWorld() * onto.worldFromVoxel) {}
 
   bool direct() const { return direct_; }

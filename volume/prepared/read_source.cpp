@@ -17,7 +17,6 @@
 #include "volume/read/plain_file.h"
 #include "volume/read/reader.h"
 #include "volume/read/step_files.h"
-#include "volume/same_geometry.h"
 
 namespace isolux::volume {
 
@@ -55,7 +54,7 @@ void checkSame(const std::string& first, const Layout& layout, const std::string
     differs = "size (" + sizeText(its.geometry.dims) + ", not " + sizeText(layout.geometry.dims) + ")";
   else if (its.type != layout.type)
     differs = "type (" + std::string(nameOf(its.type)) + ", not " + std::string(nameOf(layout.type)) + ")";
-  else if (!sameGeometry(its.geometry, layout.geometry))
+  else if (!its.geometry.sameAs(layout.geometry))
     differs = "spacing or position";
   else
     return;

@@ -84,6 +84,13 @@ Bounds<glm::dvec3> GridGeometry::worldBounds() const {
   return bounds;
 }
 
+bool GridGeometry::sameAs(const GridGeometry& other) const {
+  const double tolerance = 1e-6 * leastSpacingMm();
+  return dims == other.dims &&
+         std::ranges::equal(corners(), other.corners(),
+                            [&](const auto& a, const auto& b) { return !(glm::length(a - b) > tolerance); });
+}
+
 GridGeometry GridGeometry::make(glm::ivec3 dims, glm::dvec3 spacingMm, glm::dvec3 originMm,
                                 glm::dmat3 directions) {
   GridGeometry geometry;

@@ -54,7 +54,8 @@ struct GridGeometry {
   // cornerStep().
   std::array<glm::dvec3, 8> corners(const glm::dvec3& low, const glm::dvec3& high) const;
   std::array<glm::dvec3, 8> corners() const { return corners(glm::dvec3(0.0), glm::dvec3(dims - 1)); }
-  Bounds<glm::dvec3> worldBounds() const;  // of the domain, mm
+  Bounds<glm::dvec3> worldBounds() const;        // of the domain, mm
+  bool sameAs(const GridGeometry& other) const;  // voxels lie in the same places, to a millionth of one
 
   static GridGeometry make(glm::ivec3 dims, glm::dvec3 spacingMm, glm::dvec3 originMm = glm::dvec3(0.0),
                            glm::dmat3 directions = glm::dmat3(1.0));
