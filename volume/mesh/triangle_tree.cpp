@@ -5,13 +5,10 @@
 #include <cassert>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 
 #include <tbb/parallel_invoke.h>
 #include <glm/geometric.hpp>
-
-#include "volume/voxels/bounds.h"
 
 namespace isolux::volume {
 
@@ -23,8 +20,8 @@ double lengthSquared(const glm::dvec3& v) {
   return glm::dot(v, v);
 }
 
-double squaredToBox(const glm::dvec3& p, const glm::dvec3& low, const glm::dvec3& high) {
-  return lengthSquared(glm::max(glm::max(low - p, p - high), glm::dvec3(0.0)));
+double squaredToBox(const glm::dvec3& p, const Bounds<glm::dvec3>& box) {
+  return lengthSquared(glm::max(glm::max(box.low - p, p - box.high), glm::dvec3(0.0)));
 }
 
 glm::dvec3 closestOnEdge(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
@@ -75,22 +72,12 @@ class TriangleTree::Builder {
   }
 
  private:
-  // On each level there are but two neighbouring numbers of triangles, `few` and one more, times how often.
-  static std::int64_t nodesOf(int triangles) {
-    std::int64_t nodes = 0, few = triangles, ofFew = 1, ofMore = 0;
-    while (ofFew + ofMore > 0) {
-      nodes += ofFew + ofMore;
-      if (few <= kLeafTriangles) ofFew = 0;
-      if (few + 1 <= kLeafTriangles) ofMore = 0;
-      // few = 2 h: h, h; few + 1: h, h + 1.  few = 2 h + 1: h, h + 1; few + 1: h + 1, h + 1.
-      const bool even = few % 2 == 0;
-      const std::int64_t half = even ? 2 * ofFew + ofMore : ofFew,
-                         halfMore = even ? ofMore : ofFew + 2 * ofMore;
-      few /= 2;
-      ofFew = half;
-      ofMore = halfMore;
-    }
-    return nodes;
+  // Levels halve the triangles of their nodes, so each node has triangles / width of them or one more.
+  static std::int64_t nodesOf(std::int64_t triangles) {
+    std::int64_t width = 1;  // nodes of the first level that has leaves
+    while (triangles / width > kLeafTriangles) width *= 2;
+    const bool splitsMore = triangles / width == kLeafTriangles;  // those with one more triangle than a leaf
+    return 2 * width - 1 + (splitsMore ? 2 * (triangles % width) : 0);
   }
 
   void build(std::int64_t self, int begin, int end) {
@@ -118,14 +105,12 @@ class TriangleTree::Builder {
 
   // A leaf of these triangles, and the longest axis of their middles.
   Node bounded(int begin, int end, int& axis) const {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Node node{glm::dvec3(infinity), glm::dvec3(-infinity), begin, end - begin};
+    Node node{{}, begin, end - begin};
     Bounds<glm::dvec3> middles;
     for (int i = begin; i < end; ++i) {
       const auto index = static_cast<std::size_t>(order_[static_cast<std::size_t>(i)]);
       const Corners& t = triangles_[index];
-      node.low = glm::min(node.low, glm::min(t.a, glm::min(t.b, t.c)));
-      node.high = glm::max(node.high, glm::max(t.a, glm::max(t.b, t.c)));
+      for (const glm::dvec3& corner : {t.a, t.b, t.c}) node.box.add(corner);
       middles.add(middles_[index]);
     }
     const glm::dvec3 extent = middles.size();
@@ -203,7 +188,7 @@ double TriangleTree::distance(const glm::dvec3& p, double limit, int& nearest) c
   };
   std::array<Entry, 64> stack;  // the tree is balanced: no deeper than log2 of 2^31
   std::size_t size = 0;
-  stack[size++] = {0, squaredToBox(p, nodes_[0].low, nodes_[0].high)};
+  stack[size++] = {0, squaredToBox(p, nodes_[0].box)};
   while (size > 0) {
     const Entry entry = stack[--size];
     if (entry.squared >= best) continue;
@@ -214,8 +199,8 @@ double TriangleTree::distance(const glm::dvec3& p, double limit, int& nearest) c
     }
     const Node& l = nodes_[static_cast<std::size_t>(entry.node) + 1];
     const Node& r = nodes_[static_cast<std::size_t>(node.first)];
-    const Entry left{entry.node + 1, squaredToBox(p, l.low, l.high)};
-    const Entry right{node.first, squaredToBox(p, r.low, r.high)};
+    const Entry left{entry.node + 1, squaredToBox(p, l.box)};
+    const Entry right{node.first, squaredToBox(p, r.box)};
     const bool leftFirst = left.squared <= right.squared;
     stack[size++] = leftFirst ? right : left;
     stack[size++] = leftFirst ? left : right;

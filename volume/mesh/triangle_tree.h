@@ -9,6 +9,7 @@
 
 #include "base/progress.h"
 #include "volume/mesh/triangle_mesh.h"
+#include "volume/voxels/bounds.h"
 
 namespace isolux::volume {
 
@@ -34,7 +35,7 @@ class TriangleTree {
 
  private:
   struct Node {
-    glm::dvec3 low, high;
+    Bounds<glm::dvec3> box;
     int first;  // of its triangles; of an inner node: its right child (the left one follows it)
     int count;  // 0: an inner node
   };
