@@ -1,12 +1,16 @@
 #include "volume/write/writer.h"
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <vector>
 
+#include <glm/matrix.hpp>
+
 #include "base/error.h"
 #include "base/number_text.h"
 #include "base/pending_file.h"
+#include "base/words.h"
 #include "volume/read/input/text.h"
 
 namespace isolux::volume {
@@ -78,17 +82,12 @@ void fill(const Grid& grid, Values& values) {
   values.bytes = view(values.wide);
 }
 
-std::string joined(std::initializer_list<double> values, const char* separator = " ") {
-  std::string text;
-  for (double value : values) {
-    if (!text.empty()) text += separator;
-    text += base::exactText(value);
-  }
-  return text;
+std::string joined(const glm::dvec3& v, const char* separator = " ") {
+  return base::joined(std::array{v.x, v.y, v.z}, separator, base::exactText);
 }
 
-std::string joined(const glm::dvec3& v, const char* separator = " ") {
-  return joined({v.x, v.y, v.z}, separator);
+std::string joined(const glm::dmat3& columns) {
+  return joined(columns[0]) + " " + joined(columns[1]) + " " + joined(columns[2]);
 }
 
 std::string dimsText(const Grid& grid) {
@@ -110,11 +109,10 @@ std::string metaImageHeader(const Grid& grid, VoxelType type, const std::string&
                                           "MET_INT",   "MET_UINT",  "MET_LONG_LONG", "MET_ULONG_LONG",
                                           "MET_FLOAT", "MET_DOUBLE"};
   const GridGeometry& g = grid.geometry();
-  const glm::dmat3 d = g.directions();
   return "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nCompressedData = "
          "False\n"
          "TransformMatrix = " +
-         joined(d[0]) + " " + joined(d[1]) + " " + joined(d[2]) +
+         joined(g.directions()) +
          (axes == scene::WorldAxes::anatomical ? "\nAnatomicalOrientation = " + anatomicalOrientation(grid)
                                                : "") +
          "\nOffset = " + joined(g.originMm()) + "\nElementSpacing = " + joined(g.spacingMm()) +
@@ -139,7 +137,6 @@ std::string vtiHeader(const Grid& grid, VoxelType type, std::uint64_t bytes) {
   static constexpr const char* types[] = {"Int8",   "UInt8", "Int16",  "UInt16",  "Int32",
                                           "UInt32", "Int64", "UInt64", "Float32", "Float64"};
   const GridGeometry& g = grid.geometry();
-  const glm::dmat3 d = g.directions();
   const glm::ivec3 n = grid.dims();
   const std::string extent =
       "0 " + std::to_string(n.x - 1) + " 0 " + std::to_string(n.y - 1) + " 0 " + std::to_string(n.z - 1);
@@ -147,8 +144,7 @@ std::string vtiHeader(const Grid& grid, VoxelType type, std::uint64_t bytes) {
       "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
       "  <ImageData WholeExtent=\"" +
       extent + "\" Origin=\"" + joined(g.originMm()) + "\" Spacing=\"" + joined(g.spacingMm()) +
-      "\" Direction=\"" + joined({d[0].x, d[1].x, d[2].x, d[0].y, d[1].y, d[2].y, d[0].z, d[1].z, d[2].z}) +
-      "\">\n    <Piece Extent=\"" + extent +
+      "\" Direction=\"" + joined(glm::transpose(g.directions())) + "\">\n    <Piece Extent=\"" + extent +
       "\">\n      <PointData Scalars=\"value\">\n        <DataArray type=\"" + types[static_cast<int>(type)] +
       "\" Name=\"value\" format=\"appended\" offset=\"0\"/>\n"
       "      </PointData>\n    </Piece>\n  </ImageData>\n  <AppendedData encoding=\"raw\">\n   _";
