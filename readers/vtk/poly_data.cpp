@@ -1,7 +1,6 @@
 // VTK XML PolyData (.vtp), read by VTK, which knows all its encodings, after a check of what it claims.
 #include <array>
 
-#include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
@@ -53,11 +52,6 @@ void checkClaims(const Bytes& bytes, const base::Progress& progress) {
   if (!hasPiece) throwInput(bytes.name(), "Piece", "truncated: is missing");
 }
 
-void stopWhenAsked(vtkObject* caller, unsigned long, void* clientData, void*) {
-  if (static_cast<base::Progress*>(clientData)->stopRequested())
-    static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
-}
-
 // The cells of one array, each given to `add`; VTK does not check that its offsets grow.
 template <typename Add>
 void forEachCell(vtkCellArray* cells, const std::string& file, const char* name, Add&& add) {
@@ -89,10 +83,7 @@ TriangleMesh decodePolyData(const std::filesystem::path& path, base::Progress& p
   }
   VtkMessages messages;
   vtkNew<vtkXMLPolyDataReader> reader;
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetCallback(stopWhenAsked);
-  observer->SetClientData(&progress);
-  reader->AddObserver(vtkCommand::ProgressEvent, observer);
+  watch(reader, progress);
   reader->SetFileName(path.c_str());
   reader->Update();
   progress.throwIfStopped();
