@@ -15,6 +15,7 @@
 #include "readers/hdf5/attributes.h"
 #include "readers/hdf5/hdf5_handles.h"
 #include "volume/read/input/convert.h"
+#include "volume/read/input/image_header.h"
 #include "volume/read/input/text.h"
 #include "volume/read/zarr/ome.h"
 
@@ -255,9 +256,7 @@ void readVtkHdf(hid_t group, Candidate& chosen, const std::string& name, ArraySt
     axis.first = *axis.step * (extent[2 * d] + (cells && points > 1.0 ? 0.5 : 0.0));
     if (direction.size() == 9) axis.direction = {direction[d], direction[3 + d], direction[6 + d]};
   }
-  if (cells)
-    statements.warnings.emplace_back(
-        "the file has values of cells, not of points; each is taken at its cell's centre");
+  if (cells) statements.warnings.emplace_back(kValuesOfCells);
 }
 
 // ---- Imaris ----

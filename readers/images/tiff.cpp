@@ -7,6 +7,7 @@
 #include <memory>
 
 #include <tiffio.h>
+#include <glm/gtc/packing.hpp>
 
 #include "base/error.h"
 #include "base/number_text.h"
@@ -90,7 +91,7 @@ void unpack(const std::byte* row, std::int64_t first, std::int64_t count, const 
     } else if (samples.type == VoxelType::float32) {
       std::uint16_t half;
       std::memcpy(&half, row + i * 2, 2);
-      const float value = floatOfHalf(half);
+      const float value = glm::unpackHalf1x16(half);
       std::memcpy(out, &value, width);
     } else if (samples.bits == 24) {  // libtiff turns these into the machine's byte order
       std::int32_t value = 0;

@@ -17,25 +17,14 @@ namespace isolux::volume {
 namespace {
 
 // Longer words first: "uint16" contains "int16".
-constexpr std::array<TypeName, 19> namedTypes{{{"uint8", VoxelType::uint8},
-                                               {"uint16", VoxelType::uint16},
-                                               {"uint32", VoxelType::uint32},
-                                               {"uint64", VoxelType::uint64},
-                                               {"uchar", VoxelType::uint8},
-                                               {"ushort", VoxelType::uint16},
-                                               {"int8", VoxelType::int8},
-                                               {"int16", VoxelType::int16},
-                                               {"int32", VoxelType::int32},
-                                               {"int64", VoxelType::int64},
-                                               {"float32", VoxelType::float32},
-                                               {"float64", VoxelType::float64},
-                                               {"double", VoxelType::float64},
-                                               {"float", VoxelType::float32},
-                                               {"short", VoxelType::int16},
-                                               {"u8", VoxelType::uint8},
-                                               {"u16", VoxelType::uint16},
-                                               {"f32", VoxelType::float32},
-                                               {"f64", VoxelType::float64}}};
+constexpr TypeName namedTypes[] = {
+    {"uint8", VoxelType::uint8},    {"uint16", VoxelType::uint16},   {"uint32", VoxelType::uint32},
+    {"uint64", VoxelType::uint64},  {"uchar", VoxelType::uint8},     {"ushort", VoxelType::uint16},
+    {"int8", VoxelType::int8},      {"int16", VoxelType::int16},     {"int32", VoxelType::int32},
+    {"int64", VoxelType::int64},    {"float32", VoxelType::float32}, {"float64", VoxelType::float64},
+    {"double", VoxelType::float64}, {"float", VoxelType::float32},   {"short", VoxelType::int16},
+    {"u8", VoxelType::uint8},       {"u16", VoxelType::uint16},      {"f32", VoxelType::float32},
+    {"f64", VoxelType::float64}};
 
 // The types a file of so many bytes per voxel most often has.
 constexpr std::array<VoxelType, 4> commonTypes{VoxelType::uint8, VoxelType::int16, VoxelType::uint16,

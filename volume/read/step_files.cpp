@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "base/error.h"
+#include "base/words.h"
 #include "volume/read/file_format.h"
 #include "volume/read/input/bytes.h"
 #include "volume/read/input/text.h"
@@ -94,7 +95,7 @@ std::string pathOfSteps(const std::vector<std::string>& files) {
   while (behind < shorter && first[first.size() - 1 - behind] == last[last.size() - 1 - behind]) ++behind;
   const std::string pattern = first.substr(0, before) + kAny + first.substr(first.size() - behind);
   if (namesLike(folderOf(files.front()), pattern) == names) return (folder / pattern).string();
-  return (folder / joined(names, {&kBetween, 1})).string();
+  return (folder / base::joined(names, {&kBetween, 1})).string();
 }
 
 scene::Source sourceOfStep(scene::Source source, int step) {

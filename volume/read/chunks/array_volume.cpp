@@ -70,15 +70,11 @@ glm::ivec3 dimsOf(const ArrayLayout& layout, const ArrayAxes& axes) {
 
 }  // namespace
 
-VoxelType chunkedType(VoxelType fileType) {
-  return bytesOf(fileType) <= 2 ? fileType : VoxelType::float32;
-}
-
 ArrayVolume::ArrayVolume(ChunkedFacts facts, ArrayAxes axes,
                          std::vector<std::shared_ptr<const ChunkedArray>> arrays)
     : facts_(std::move(facts)), axes_(axes), arrays_(std::move(arrays)) {
   const ArrayLayout& finest = arrays_.front()->layout();
-  facts_.storedType = chunkedType(finest.type);
+  facts_.storedType = bytesOf(finest.type) <= 2 ? finest.type : VoxelType::float32;
   facts_.levels.resize(arrays_.size());
   for (std::size_t level = 0; level < arrays_.size(); ++level) {
     const ArrayLayout& layout = arrays_[level]->layout();
@@ -194,19 +190,16 @@ ArrayVolume::Whole ArrayVolume::readWhole(VolumePart part, base::Progress& progr
   const ChunkedLevel& level = facts_.levels.front();
   const glm::ivec3 dims = level.geometry.dims,
                    step = level.cheapParts ? wholeRows(dims, atOnce) : level.chunkDims;
-  const glm::ivec3 steps = (dims + step - 1) / step;
-  const auto nx = static_cast<std::size_t>(steps.x), ny = static_cast<std::size_t>(steps.y);
+  const Extent3 steps{(dims + step - 1) / step};
   Whole whole;
-  whole.chunks = nx * ny * static_cast<std::size_t>(steps.z);
+  whole.chunks = steps.count();
   std::atomic<std::size_t> missing{0};
   withType(fileType(), [&](auto zero) {
     using To = decltype(zero);
     std::vector<To> voxels;
     resizeStoppably(voxels, level.geometry.voxelCount(), progress);
     parallelSteps(whole.chunks, progress, {0.0, 1.0, "reading"}, [&](std::size_t i) {
-      const glm::ivec3 index(static_cast<int>(i % nx), static_cast<int>(i / nx % ny),
-                             static_cast<int>(i / nx / ny));
-      const glm::ivec3 low = index * step;
+      const glm::ivec3 low = steps.at(i) * step;
       std::size_t lacking = 0;
       readBox(part, 0, {low, glm::min(step, dims - low)}, {glm::ivec3(0), dims}, voxels.data(), &lacking);
       missing.fetch_add(lacking > 0 ? 1 : 0, std::memory_order_relaxed);

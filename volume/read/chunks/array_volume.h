@@ -19,9 +19,6 @@ struct ArrayAxes {
   std::optional<std::size_t> x, y, z, time, channel;
 };
 
-// The stored type that read() gives for numbers of a file's type: itself, or float32.
-VoxelType chunkedType(VoxelType fileType);
-
 class ArrayVolume final : public ChunkedVolume {
  public:
   // `facts` but storedType, levels' dims and chunkDims, times and channels, which come from the arrays: one

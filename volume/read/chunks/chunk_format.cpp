@@ -5,8 +5,11 @@
 #include <cstring>
 #include <limits>
 
+#include <glm/gtc/packing.hpp>
+
 #include "base/error.h"
 #include "base/memory_budget.h"
+#include "base/words.h"
 #include "volume/read/input/convert.h"
 
 namespace isolux::volume {
@@ -22,7 +25,7 @@ std::vector<std::byte> floatsOfHalves(std::span<const std::byte> halves) {
   for (std::size_t i = 0; i < halves.size() / 2; ++i) {
     std::uint16_t half = 0;
     std::memcpy(&half, halves.data() + 2 * i, 2);
-    const float wide = floatOfHalf(half);
+    const float wide = glm::unpackHalf1x16(half);
     std::memcpy(floats.data() + 4 * i, &wide, 4);
   }
   return floats;
@@ -139,6 +142,10 @@ ArrayChunk readChunk(const ChunkFormat& format, const Bytes& bytes, std::uint64_
   std::vector<std::byte> packed(static_cast<std::size_t>(stored));
   bytes.read(offset, packed);
   return unpackChunk(format, packed, bytes.name(), place);
+}
+
+std::string chunkPlace(std::span<const std::uint64_t> index) {
+  return "chunk " + base::joined(index, "/", [](std::uint64_t i) { return std::to_string(i); });
 }
 
 ArrayChunk missingChunk(const ChunkFormat& format) {

@@ -47,6 +47,9 @@ ArrayChunk readChunk(const ChunkFormat& format, const Bytes& bytes, std::uint64_
 ArrayChunk readPlainChunk(const ChunkFormat& format, const Bytes& bytes, std::uint64_t offset,
                           std::span<const std::uint64_t> low, std::span<const std::uint64_t> size);
 
+// "chunk 0/1/2", for messages.
+std::string chunkPlace(std::span<const std::uint64_t> index);
+
 // A chunk that the file does not have.
 ArrayChunk missingChunk(const ChunkFormat& format);
 

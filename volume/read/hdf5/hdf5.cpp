@@ -67,11 +67,9 @@ class Hdf5Array final : public ChunkedArray {
   ArrayChunk read(std::span<const std::uint64_t> index, std::span<const std::uint64_t> low,
                   std::span<const std::uint64_t> size) const override {
     std::uint64_t at = 0;
-    std::string place = "chunk ";
-    for (std::size_t axis = 0; axis < index.size(); ++axis) {
+    for (std::size_t axis = 0; axis < index.size(); ++axis)
       at = at * ((layout_.dims[axis] - 1) / layout_.chunk[axis] + 1) + index[axis];
-      place += (axis > 0 ? "/" : "") + std::to_string(index[axis]);
-    }
+    const std::string place = chunkPlace(index);
     const Hdf5Chunk& chunk = chunks_[static_cast<std::size_t>(at)];
     if (chunk.size == 0) return missingChunk(format_);
     if (chunk.file >= files_.size()) throwBadAnswer("a chunk is in no file");

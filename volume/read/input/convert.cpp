@@ -1,7 +1,6 @@
 #include "volume/read/input/convert.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -180,17 +179,6 @@ std::optional<VoxelType> integerType(std::size_t bytes, bool isSigned) {
     if (bytesOf(static_cast<VoxelType>(type)) == bytes)
       return static_cast<VoxelType>(isSigned ? type : type + 1);
   return std::nullopt;
-}
-
-float floatOfHalf(std::uint16_t half) {
-  const std::uint32_t sign = static_cast<std::uint32_t>(half & 0x8000u) << 16;
-  const std::uint32_t exponent = half >> 10 & 0x1fu, fraction = half & 0x3ffu;
-  if (exponent == 0) {
-    const float small = std::ldexp(static_cast<float>(fraction), -24);
-    return sign != 0 ? -small : small;
-  }
-  const std::uint32_t wide = exponent == 0x1fu ? 0xffu : exponent + 112u;
-  return std::bit_cast<float>(sign | wide << 23 | fraction << 13);
 }
 
 StoredVoxels toStored(FileVoxels&& voxels, const base::Progress& progress,

@@ -42,9 +42,6 @@ auto withType(VoxelType type, F&& f) {
 // Returns the integer type of 1, 2, 4 or 8 bytes; none for other sizes.
 std::optional<VoxelType> integerType(std::size_t bytes, bool isSigned);
 
-// IEEE 754 binary16, exactly.
-float floatOfHalf(std::uint16_t half);
-
 struct StoredVoxels {
   VoxelArray voxels;
   double slope = 1.0, intercept = 0.0;  // file value = slope * stored + intercept

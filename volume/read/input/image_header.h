@@ -70,6 +70,10 @@ struct ImageHeader {
 // fits 62 bits.
 void checkDims(const ImageHeader& header, const std::string& file, const std::string& place);
 
+// A warning of VTK's formats.
+inline constexpr const char* kValuesOfCells =
+    "the file has values of cells, not of points; each is taken at its cell's centre";
+
 // Builds worldFromVoxel. Documented defaults, each with a warning: spacing 0 or not finite -> 1 mm;
 // directions not finite or singular -> identity; origin not finite -> 0. Refused: |spacing| outside
 // 1e-9..1e9 mm, |origin| above 1e12 mm.

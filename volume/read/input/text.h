@@ -17,12 +17,6 @@ std::string_view nextWord(std::string_view& line);  // taken off the line; empty
 std::vector<std::string_view> wordsOf(std::string_view text);
 // Returns the parts between any of these characters, empty ones too.
 std::vector<std::string_view> splitAt(std::string_view text, std::string_view separators);
-template <class Texts>
-std::string joined(const Texts& texts, std::string_view between = ", ") {
-  std::string all;
-  for (const auto& text : texts) all.append(all.empty() ? "" : between).append(text);
-  return all;
-}
 
 // Return the number that the whole of `word` spells, or nullopt. Reals: "nan" and "inf" are numbers, too
 // large becomes infinite, too small becomes 0.

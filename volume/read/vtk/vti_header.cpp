@@ -258,8 +258,7 @@ void Check::placeVoxels() {
   glm::dvec3 first(static_cast<double>(whole_[0]), static_cast<double>(whole_[2]),
                    static_cast<double>(whole_[4]));
   if (header_.cells) {
-    image.warnings.push_back(
-        "the file has values of cells, not of points; each is taken at its cell's centre");
+    image.warnings.emplace_back(kValuesOfCells);
     for (std::size_t a = 0; a < 3; ++a) {
       if (image.dims[a] < 2)
         throwInput(file_, "CellData", "a volume of cells needs at least 2 points along each axis");

@@ -278,8 +278,7 @@ ImageHeader Parser::parse() {
   if (!hasSpacing_) header_.warnings.push_back("SPACING is missing; " + std::string(kSpacingAssumed));
   header_.worldFromVoxel = checkedGeometry(glm::dmat3(1.0), spacing_, origin_, file_, header_.warnings);
   if (cells_) {  // a value per cell: the samples are the centres of the cells
-    header_.warnings.push_back(
-        "the file has values of cells, not of points; each is taken at its cell's centre");
+    header_.warnings.emplace_back(kValuesOfCells);
     for (int axis = 0; axis < 3; ++axis) {
       auto& n = header_.dims[static_cast<std::size_t>(axis)];
       if (n < 2) continue;

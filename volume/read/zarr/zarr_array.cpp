@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "base/words.h"
 #include "volume/read/chunks/checksums.h"
 #include "volume/read/zarr/json_fields.h"
 #include "volume/read/zarr/zarr_statements.h"
@@ -16,13 +17,6 @@ using base::throwInput;
 namespace {
 
 constexpr std::uint64_t kMostChunksInShard = std::uint64_t{1} << 24;
-
-std::string placeText(std::span<const std::uint64_t> index) {
-  std::string text = "chunk ";
-  for (std::size_t axis = 0; axis < index.size(); ++axis)
-    text += (axis > 0 ? "/" : "") + std::to_string(index[axis]);
-  return text;
-}
 
 }  // namespace
 
@@ -68,10 +62,8 @@ ZarrArray::ZarrArray(std::shared_ptr<const ZarrStore> store, std::string key)
 }
 
 std::string ZarrArray::keyOf(std::span<const std::uint64_t> index) const {
-  std::string text = metadata_.keyPrefix;
-  for (std::size_t axis = 0; axis < index.size(); ++axis)
-    text += (axis > 0 ? metadata_.separator : "") + std::to_string(index[axis]);
-  return joinedKey(key_, text);
+  const auto textOf = [](std::uint64_t i) { return std::to_string(i); };
+  return joinedKey(key_, metadata_.keyPrefix + base::joined(index, metadata_.separator, textOf));
 }
 
 // A chunk that has no file has the fill value; but not where all is gone.
@@ -113,7 +105,7 @@ ZarrArray::Place ZarrArray::placeInShard(const Bytes& shard, const std::string& 
   constexpr std::uint64_t none = ~std::uint64_t{0};
   if (place.offset == none && place.size == none) return place;
   if (place.offset > shard.size() || place.size > shard.size() - place.offset)
-    throwInput(shard.name(), placeText(index), "damaged: beyond the end of the shard");
+    throwInput(shard.name(), chunkPlace(index), "damaged: beyond the end of the shard");
   return place;
 }
 
@@ -135,7 +127,7 @@ ArrayChunk ZarrArray::read(std::span<const std::uint64_t> index, std::span<const
     place = placeInShard(*bytes, key, index);
     if (place.offset == ~std::uint64_t{0} && place.size == ~std::uint64_t{0}) return missingChunk(format);
   }
-  return readChunk(format, *bytes, place.offset, place.size, low, size, placeText(index));
+  return readChunk(format, *bytes, place.offset, place.size, low, size, chunkPlace(index));
 }
 
 }  // namespace isolux::volume
