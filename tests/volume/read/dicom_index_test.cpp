@@ -137,15 +137,15 @@ TEST(DicomIndex, DamagedHeadersAreCountedWhateverTheyHold) {
 TEST(DicomIndex, AFileThatEndsTheReaderIsLeftOut) {
   std::vector<std::string> found;
   base::Progress progress;
-  const auto end = volume::indexDicomBy(
-      ISOLUX_FAKE_READER, "/index", [&](const DicomSeries& series) { found.push_back(series.description); },
-      progress);
+  const auto end = volume::indexDicom(
+      "/index", [&](const DicomSeries& series) { found.push_back(series.description); }, progress,
+      ISOLUX_FAKE_READER);
   EXPECT_EQ(end.unreadable, 2);
   EXPECT_THAT(end.firstReason, HasSubstr("/index/bad1"));
   EXPECT_THAT(end.firstReason, HasSubstr("segmentation fault"));
   EXPECT_EQ(found.back(), "skipped 2");
-  EXPECT_THROW(volume::indexDicomBy(
-                   ISOLUX_FAKE_READER, "/crashes everywhere", [](const DicomSeries&) {}, progress),
+  EXPECT_THROW(volume::indexDicom(
+                   "/crashes everywhere", [](const DicomSeries&) {}, progress, ISOLUX_FAKE_READER),
                base::Error);
 }
 
@@ -153,8 +153,8 @@ TEST(DicomIndex, AStopEndsIt) {
   base::Progress progress;
   progress.requestStop();
   try {
-    volume::indexDicomBy(
-        ISOLUX_FAKE_READER, "sleep", [](const DicomSeries&) {}, progress);
+    volume::indexDicom(
+        "sleep", [](const DicomSeries&) {}, progress, ISOLUX_FAKE_READER);
     FAIL();
   } catch (const base::Error& error) {
     EXPECT_EQ(error.kind(), base::ErrorKind::interrupted);

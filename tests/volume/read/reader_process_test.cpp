@@ -109,10 +109,11 @@ TEST(ReaderProcess, AnswersThatMakeNoSenseAreRefused) {
 
 TEST(ReaderProcess, MeshesAndImagesAreCheckedToo) {
   base::Progress progress;
-  expectRefusal(
-      outcomeOf([&](Outcome&) { volume::readMeshBy(fakeReader(), "wrong triangle", 1 << 20, progress); }),
-      "is not a point of the mesh");
-  expectRefusal(outcomeOf([&](Outcome&) { volume::readImageBy(fakeReader(), "endless image", progress); }),
+  expectRefusal(outcomeOf([&](Outcome&) {
+                  volume::readPolyDataMesh("wrong triangle", 1 << 20, progress, fakeReader());
+                }),
+                "is not a point of the mesh");
+  expectRefusal(outcomeOf([&](Outcome&) { volume::readImage("endless image", progress, fakeReader()); }),
                 "larger than one may be");
 }
 

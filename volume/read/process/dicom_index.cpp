@@ -4,7 +4,6 @@
 
 #include "base/error.h"
 #include "volume/read/process/foreign.h"
-#include "volume/read/process/reader_process.h"
 
 namespace isolux::volume {
 
@@ -12,13 +11,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* indexReader = "isolux-reader-dicom";
 constexpr std::size_t mostSkipped = 16;  // files that end the reader
 
 DicomIndexEnd indexOnce(const fs::path& program, const Request& request,
-                        const std::function<void(DicomSeries)>& found, base::Progress& progress,
-                        double patienceSeconds) {
-  ReaderProcess reader(program, request, progress, patienceSeconds);
+                        const std::function<void(DicomSeries)>& found, base::Progress& progress) {
+  ReaderProcess reader(program, request, progress);
   for (;;) {
     const auto message = reader.expectEither(MessageKind::series, MessageKind::index);
     if (message.kind == MessageKind::index) return decodeIndexEnd(message.body);
@@ -33,15 +30,14 @@ bool liesBelow(const fs::path& file, const fs::path& folder) {
 
 }  // namespace
 
-DicomIndexEnd indexDicomBy(const fs::path& program, const fs::path& folder,
-                           const std::function<void(DicomSeries)>& found, base::Progress& progress,
-                           double patienceSeconds) {
+DicomIndexEnd indexDicom(const fs::path& folder, const std::function<void(DicomSeries)>& found,
+                         base::Progress& progress, const fs::path& program) {
   progress.report(0.0, "looking for series");
   Request request{.task = Task::index, .path = folder.string()};
   std::string firstReason;
   for (;;) {
     try {
-      DicomIndexEnd end = indexOnce(program, request, found, progress, patienceSeconds);
+      DicomIndexEnd end = indexOnce(program, request, found, progress);
       end.unreadable += static_cast<std::int64_t>(request.skip.size());
       if (!firstReason.empty()) end.firstReason = firstReason;
       return end;
@@ -55,15 +51,10 @@ DicomIndexEnd indexDicomBy(const fs::path& program, const fs::path& folder,
   }
 }
 
-DicomIndexEnd indexDicom(const fs::path& folder, const std::function<void(DicomSeries)>& found,
-                         base::Progress& progress) {
-  return indexDicomBy(readerProgram(indexReader), folder, found, progress);
-}
-
 DecodedImage previewDicom(const fs::path& file, int frame, base::Progress& progress) {
   Request request{.task = Task::preview, .path = file.string()};
   request.options.timeStep = frame;
-  ReaderProcess reader(readerProgram(indexReader), request, progress);
+  ReaderProcess reader(readerProgram("isolux-reader-dicom"), request, progress);
   return receivedImage(reader);
 }
 

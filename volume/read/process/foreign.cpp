@@ -4,7 +4,6 @@
 
 #include "base/error.h"
 #include "volume/read/input/payload.h"
-#include "volume/read/process/reader_process.h"
 
 namespace isolux::volume {
 
@@ -17,15 +16,6 @@ constexpr const char* dicomReader = "isolux-reader-dicom";
 constexpr const char* imageReader = "isolux-reader-images";
 constexpr const char* surfaceReader = "isolux-reader-surface";
 constexpr const char* hdf5Reader = "isolux-reader-hdf5";
-
-Request requestFor(Task task, const fs::path& path, const ReadOptions& options) {
-  Request request{.task = task, .path = path.string()};
-  request.options.series = options.series;
-  request.options.component = options.component;
-  request.options.timeStep = options.timeStep;
-  request.options.budgetBytes = options.budgetBytes;
-  return request;
-}
 
 // What the reader says about a mesh it has read is not believed either.
 void checkMesh(const TriangleMesh& mesh, const fs::path& path) {
@@ -59,7 +49,8 @@ TriangleMesh receiveMesh(ReaderProcess& reader, const fs::path& path) {
 Volume readVolumeBy(const fs::path& program, const fs::path& path, const ReadOptions& options,
                     base::Progress& progress, double patienceSeconds) {
   progress.report(0.0, "reading");
-  ReaderProcess reader(program, requestFor(Task::volume, path, options), progress, patienceSeconds);
+  ReaderProcess reader(program, {.task = Task::volume, .path = path.string(), .options = options}, progress,
+                       patienceSeconds);
   DecodedVolume decoded = reader.announced(MessageKind::volume, decodeVolume);
   checkChoices(decoded.header, path.string(), options);
   reader.receive(bulkBytes(decoded));
@@ -77,20 +68,18 @@ Volume readVolumeBy(const fs::path& program, const fs::path& path, const ReadOpt
   return volume;
 }
 
-TriangleMesh readMeshBy(const fs::path& program, const fs::path& path, std::size_t budgetBytes,
-                        base::Progress& progress) {
-  ReadOptions options;
-  options.budgetBytes = budgetBytes;
-  ReaderProcess reader(program, requestFor(Task::mesh, path, options), progress);
+TriangleMesh readPolyDataMesh(const fs::path& path, std::size_t budgetBytes, base::Progress& progress,
+                              const fs::path& program) {
+  Request request{.task = Task::mesh, .path = path.string()};
+  request.options.budgetBytes = budgetBytes;
+  ReaderProcess reader(program, request, progress);
   return receiveMesh(reader, path);
 }
 
 TriangleMesh contour(glm::ivec3 dims, const std::function<void(std::span<float>)>& fill,
                      std::size_t budgetBytes, base::Progress& progress) {
-  ReadOptions options;
-  options.budgetBytes = budgetBytes;
-  Request request = requestFor(Task::contour, "the surface", options);
-  request.contourDims = dims;
+  Request request{.task = Task::contour, .path = "the surface", .contourDims = dims};
+  request.options.budgetBytes = budgetBytes;
   const std::uint64_t count = Extent3{dims}.count();
   ReaderProcess reader(readerProgram(surfaceReader), request, progress);
   reader.lend(count * sizeof(float), [&](std::span<std::byte> bytes) {
@@ -108,8 +97,8 @@ DecodedImage receivedImage(ReaderProcess& reader) {
   return image;
 }
 
-DecodedImage readImageBy(const fs::path& program, const fs::path& path, base::Progress& progress) {
-  ReaderProcess reader(program, requestFor(Task::image, path, ReadOptions()), progress);
+DecodedImage readImage(const fs::path& path, base::Progress& progress, const fs::path& program) {
+  ReaderProcess reader(program, {.task = Task::image, .path = path.string()}, progress);
   return receivedImage(reader);
 }
 
@@ -125,19 +114,11 @@ Volume readDicom(const fs::path& path, const ReadOptions& options, base::Progres
   return readVolumeBy(readerProgram(dicomReader), path, options, progress);
 }
 
-TriangleMesh readPolyDataMesh(const fs::path& path, std::size_t budgetBytes, base::Progress& progress) {
-  return readMeshBy(readerProgram(vtkReader), path, budgetBytes, progress);
-}
-
-DecodedImage readImage(const fs::path& path, base::Progress& progress) {
-  return readImageBy(readerProgram(imageReader), path, progress);
-}
-
 std::vector<std::string> readerVersions(base::Progress& progress) {
   std::vector<std::string> lines;
   for (const char* name : {vtkReader, dicomReader, imageReader, surfaceReader, hdf5Reader}) {
     try {
-      ReaderProcess reader(readerProgram(name), requestFor(Task::versions, name, ReadOptions()), progress);
+      ReaderProcess reader(readerProgram(name), {.task = Task::versions, .path = name}, progress);
       lines.push_back(reader.expect(MessageKind::text));
     } catch (const base::Error& error) {
       if (error.kind() == base::ErrorKind::interrupted) throw;

@@ -11,25 +11,25 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "volume/read/process/reader_messages.h"
 #include "volume/read/input/read_options.h"
+#include "volume/read/process/reader_process.h"
 #include "volume/volume.h"
 
 namespace isolux::volume {
-
-class ReaderProcess;
 
 // VTK XML image data (.vti); TIFF, a file or a folder; DICOM, a file or a folder.
 Volume readVti(const std::filesystem::path& path, const ReadOptions& options, base::Progress& progress);
 Volume readTiff(const std::filesystem::path& path, const ReadOptions& options, base::Progress& progress);
 Volume readDicom(const std::filesystem::path& path, const ReadOptions& options, base::Progress& progress);
 
-// VTK XML PolyData (.vtp). All points are finite and all indices in range.
+// VTK XML PolyData (.vtp). All points are finite and all indices in range. `program`: the reader.
 TriangleMesh readPolyDataMesh(const std::filesystem::path& path, std::size_t budgetBytes,
-                              base::Progress& progress);
+                              base::Progress& progress,
+                              const std::filesystem::path& program = readerProgram("isolux-reader-vtk"));
 
 // A flat image of one channel (grey) or more, as linear RGB (any format OpenImageIO knows).
-DecodedImage readImage(const std::filesystem::path& path, base::Progress& progress);
+DecodedImage readImage(const std::filesystem::path& path, base::Progress& progress,
+                       const std::filesystem::path& program = readerProgram("isolux-reader-images"));
 
 // Not a file, but VTK's as well: triangles where samples (x fastest, written by `fill`) pass 0; inside is at
 // least 0. Voxel coordinates, turned all the same way. budgetBytes: of the triangles.
@@ -39,13 +39,9 @@ TriangleMesh contour(glm::ivec3 dims, const std::function<void(std::span<float>)
 // "VTK 9.1.0", ...: what each reader reports, or why it cannot be asked. For `isolux doctor`.
 std::vector<std::string> readerVersions(base::Progress& progress);
 
-// The steps of those functions with any program in the reader's place.
+// The steps of the first three with any program in the reader's place.
 Volume readVolumeBy(const std::filesystem::path& program, const std::filesystem::path& path,
                     const ReadOptions& options, base::Progress& progress, double patienceSeconds = 30.0);
-TriangleMesh readMeshBy(const std::filesystem::path& program, const std::filesystem::path& path,
-                        std::size_t budgetBytes, base::Progress& progress);
 DecodedImage receivedImage(ReaderProcess& reader);  // that was asked for one
-DecodedImage readImageBy(const std::filesystem::path& program, const std::filesystem::path& path,
-                         base::Progress& progress);
 
 }  // namespace isolux::volume

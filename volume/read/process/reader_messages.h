@@ -50,7 +50,7 @@ enum class Task : std::uint64_t { volume = 1, mesh, image, versions, contour, in
 struct Request {
   Task task = Task::volume;
   std::string path;
-  ReadOptions options = {};            // series, component, timeStep and budgetBytes only
+  ReadOptions options = {};            // of which series, component, timeStep and budgetBytes are sent
   std::vector<std::string> skip = {};  // files that an index passes by
   glm::ivec3 contourDims{0};  // of a contour's samples: float32, x fastest; the surface is where they are 0
   int parent = 0;             // process number of the program: a reader must not outlive it
