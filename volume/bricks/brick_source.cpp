@@ -259,7 +259,7 @@ BrickSource::Request BrickSource::request(std::size_t level, glm::ivec3 index, i
           }));
   }
   state_->requested.notify_one();
-  return Request(wanted);
+  return wanted;
 }
 
 void BrickSource::copyBox(std::size_t level, glm::ivec3 first, glm::ivec3 size, std::span<std::byte> voxels,

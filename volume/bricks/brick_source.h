@@ -52,15 +52,7 @@ class BrickSource {
 
   // A brick that somebody will want: read by a thread of the source, unless all who asked have let go before
   // it began. Of those that wait, higher priorities first. Errors are left for brick().
-  class Request {
-   public:
-    Request() = default;
-
-   private:
-    friend class BrickSource;
-    explicit Request(std::shared_ptr<void> wanted) : wanted_(std::move(wanted)) {}
-    std::shared_ptr<void> wanted_;
-  };
+  using Request = std::shared_ptr<void>;
   [[nodiscard]] Request request(std::size_t level, glm::ivec3 index, int priority);
 
   // The voxels first .. first + size - 1 of a level; beyond the border the border voxel repeats. unknown:

@@ -29,11 +29,39 @@ LevelOrigin originOf(const ChunkedFacts& facts, int level) {
   return origin;
 }
 
+// Behind it nothing would change.
+int coarsestLevel(const ChunkedFacts& facts) {
+  const glm::ivec3 dims = facts.levels.back().geometry.dims;
+  int level = static_cast<int>(facts.levels.size()) - 1;
+  for (int longest = std::max({dims.x, dims.y, dims.z}); longest / 2 >= kLeastVoxels; longest /= 2) ++level;
+  return level;
+}
+
+// 0 <= level <= coarsestLevel().
+GridGeometry levelGeometry(const ChunkedFacts& facts, int level) {
+  const LevelOrigin origin = originOf(facts, level);
+  GridGeometry geometry = facts.levels[origin.fileLevel].geometry;
+  if (origin.factor == glm::ivec3(1)) return geometry;
+  const glm::dvec3 factor(origin.factor);
+  geometry.dims = (geometry.dims + origin.factor - 1) / origin.factor;
+  geometry.worldFromVoxel = glm::scale(glm::translate(geometry.worldFromVoxel, 0.5 * (factor - 1.0)), factor);
+  return geometry;
+}
+
 std::string timesText(glm::dvec3 n) {
   return base::shortText(n.x) + "x" + base::shortText(n.y) + "x" + base::shortText(n.z);
 }
 
-// Before all that the header says.
+// What level is missing and what that hides, in a sentence.
+std::string levelNote(const ChunkedFacts& facts, int level) {
+  const GridGeometry& whole = facts.levels.front().geometry;
+  const GridGeometry coarse = levelGeometry(facts, level);
+  const glm::dvec3 factor = coarse.spacingMm() / whole.spacingMm(), thin = 2.0 * coarse.spacingMm();
+  return "level " + std::to_string(level) + ": each voxel is the mean of " + timesText(factor) +
+         " of the file's " + timesText(whole.dims) + "; structures thinner than " +
+         base::shortText(std::max({thin.x, thin.y, thin.z}), 3) + " mm may be missing";
+}
+
 // Where any are missing, of a type that knows missing ones.
 FileVoxels voxelsOf(LevelVoxels&& read, const scene::Source& source, const ReadOptions& options,
                     base::Progress& progress) {
@@ -46,36 +74,10 @@ FileVoxels voxelsOf(LevelVoxels&& read, const scene::Source& source, const ReadO
 
 }  // namespace
 
-int coarsestLevel(const ChunkedFacts& facts) {
-  const glm::ivec3 dims = facts.levels.back().geometry.dims;
-  int level = static_cast<int>(facts.levels.size()) - 1;
-  for (int longest = std::max({dims.x, dims.y, dims.z}); longest / 2 >= kLeastVoxels; longest /= 2) ++level;
-  return level;
-}
-
-GridGeometry levelGeometry(const ChunkedFacts& facts, int level) {
-  const LevelOrigin origin = originOf(facts, level);
-  GridGeometry geometry = facts.levels[origin.fileLevel].geometry;
-  if (origin.factor == glm::ivec3(1)) return geometry;
-  const glm::dvec3 factor(origin.factor);
-  geometry.dims = (geometry.dims + origin.factor - 1) / origin.factor;
-  geometry.worldFromVoxel = glm::scale(glm::translate(geometry.worldFromVoxel, 0.5 * (factor - 1.0)), factor);
-  return geometry;
-}
-
 std::size_t levelBytes(const ChunkedFacts& facts, int level) {
   const std::size_t voxels = levelGeometry(facts, level).voxelCount();
   const std::size_t own = bytesOf(facts.storedType);
   return voxels * (level == 0 ? std::max(own, facts.wholeVoxelBytes) : own) + voxels / 2;
-}
-
-std::string levelNote(const ChunkedFacts& facts, int level) {
-  const GridGeometry& whole = facts.levels.front().geometry;
-  const GridGeometry coarse = levelGeometry(facts, level);
-  const glm::dvec3 factor = coarse.spacingMm() / whole.spacingMm(), thin = 2.0 * coarse.spacingMm();
-  return "level " + std::to_string(level) + ": each voxel is the mean of " + timesText(factor) +
-         " of the file's " + timesText(whole.dims) + "; structures thinner than " +
-         base::shortText(std::max({thin.x, thin.y, thin.z}), 3) + " mm may be missing";
 }
 
 int levelThatFits(const VolumeFile& file, int finest, double share) {

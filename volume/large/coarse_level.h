@@ -16,16 +16,9 @@
 
 namespace isolux::volume {
 
-// Behind it nothing would change.
-int coarsestLevel(const ChunkedFacts& facts);
-// 0 <= level <= coarsestLevel().
-GridGeometry levelGeometry(const ChunkedFacts& facts, int level);
 // What a level's voxels take in memory while they are read, with the bounds of boxes that pictures skip space
 // by.
 std::size_t levelBytes(const ChunkedFacts& facts, int level);
-
-// What level is missing and what that hides, in a sentence.
-std::string levelNote(const ChunkedFacts& facts, int level);
 
 // The finest level of the volume, from `finest` on, that fits into what the machine's memory budget has left:
 // 0 where the volume itself does, or where it cannot be read in parts; the coarsest where none fits. share:
@@ -33,8 +26,8 @@ std::string levelNote(const ChunkedFacts& facts, int level);
 int levelThatFits(const VolumeFile& file, int finest = 0, double share = 1.0);
 
 // `source`, whose file is open, at its level, 0 included, as readVolume(); the first warnings are what could
-// not be read (Source::aroundDamage) and levelNote(). Throws base::Error: usage where it has no such level or
-// cannot be read in parts, memory, input (also where nothing can be read), interrupted.
+// not be read (Source::aroundDamage) and what the level hides. Throws base::Error: usage where it has no such
+// level or cannot be read in parts, memory, input (also where nothing can be read), interrupted.
 Volume readLevel(const VolumeFile& file, const scene::Source& source, base::Progress& progress);
 
 }  // namespace isolux::volume

@@ -263,16 +263,8 @@ void VolumeIndex::countFloats(const ChunkedVolume& file, base::Progress& progres
     progress.throwIfStopped();
     progress.report(static_cast<double>(z) / dims().z, "counting values");
     const std::span<const float> slab = reader.slices<float>(z, std::min(z + step, dims().z), progress);
-    tbb::combinable<std::vector<std::uint64_t>> partial(
-        [&] { return std::vector<std::uint64_t>(bins.count); });
-    parallelPieces(slab.size(), std::size_t{1} << 18, progress, {}, [&](std::size_t from, std::size_t to) {
-      std::vector<std::uint64_t>& counts = partial.local();
-      for (std::size_t i = from; i != to; ++i)
-        if (!std::isnan(slab[i])) ++counts[std::min(bins.binOf(slab[i]), bins.count - 1)];
-    });
-    partial.combine_each([&](const std::vector<std::uint64_t>& counts) {
-      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += counts[i];
-    });
+    const std::vector<std::uint64_t> counts = countVoxels(slab, bins, progress);
+    std::ranges::transform(counts, sum, sum.begin(), std::plus<>());
   }
   bytesRead_ += reader.bytesRead();
   counts_ = std::move(sum);

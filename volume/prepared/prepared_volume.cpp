@@ -33,28 +33,18 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-struct BlockBox {
-  glm::ivec3 first, last;  // of blocks; last.x < 0 when there is none
-};
-
 // The smallest box with all blocks for which isWanted(index) holds.
 template <class IsWanted>
-BlockBox boxOfBlocks(const MinMaxBlocks& blocks, const IsWanted& isWanted, base::Progress& progress) {
-  const glm::ivec3 dims = blocks.dims();
-  tbb::combinable<BlockBox> partial([&] { return BlockBox{dims, glm::ivec3(-1)}; });
-  parallelSteps(Extent3{dims}.rows(), progress, {}, [&](std::size_t row) {
-    BlockBox& box = partial.local();
-    for (glm::ivec3 at = Extent3{dims}.firstOfRow(row); at.x < dims.x; ++at.x)
-      if (isWanted(blocks.index(at))) {
-        box.first = glm::min(box.first, at);
-        box.last = glm::max(box.last, at);
-      }
+Bounds<glm::dvec3> boxOfBlocks(const MinMaxBlocks& blocks, const IsWanted& isWanted,
+                               base::Progress& progress) {
+  const Extent3 extent{blocks.dims()};
+  tbb::combinable<Bounds<glm::dvec3>> partial;
+  parallelSteps(extent.rows(), progress, {}, [&](std::size_t row) {
+    for (glm::ivec3 at = extent.firstOfRow(row); at.x < extent.dims.x; ++at.x)
+      if (isWanted(blocks.index(at))) partial.local().add(glm::dvec3(at));
   });
-  BlockBox all{dims, glm::ivec3(-1)};
-  partial.combine_each([&](const BlockBox& box) {
-    all.first = glm::min(all.first, box.first);
-    all.last = glm::max(all.last, box.last);
-  });
+  Bounds<glm::dvec3> all;
+  partial.combine_each([&](const Bounds<glm::dvec3>& box) { all.add(box); });
   return all;
 }
 
@@ -82,16 +72,16 @@ void setBounds(PreparedVolume& prepared, base::Progress& progress) {
     const auto lower = grid.storedIsovalue(0.5 * (background + facts.suggestedIsovalue));
     const auto contrast =
         static_cast<float>(0.1 * (grid.maximum() - grid.minimum()) / std::abs(grid.slope()));
-    const BlockBox box = boxOfBlocks(
+    const Bounds<glm::dvec3> box = boxOfBlocks(
         blocks,
         [&](std::size_t i) {
           return blocks.active(i, upper) || blocks.active(i, lower) ||
                  blocks.maximum(i) - blocks.minimum(i) > contrast;
         },
         progress);
-    if (box.last.x >= 0) {
-      low = box.first * blocks.blockCells();
-      high = glm::min((box.last + 1) * blocks.blockCells(), high);
+    if (box.low.x <= box.high.x) {
+      low = glm::ivec3(box.low) * blocks.blockCells();
+      high = glm::min((glm::ivec3(box.high) + 1) * blocks.blockCells(), high);
     }
   }
   Bounds<glm::dvec3> bounds;
@@ -220,25 +210,6 @@ void setFacts(const std::shared_ptr<PreparedVolume>& prepared, Histogram histogr
   setFirstView(*prepared, progress);
 }
 
-std::shared_ptr<PreparedVolume> prepare(Volume volume, base::Progress& progress) {
-  const Clock::time_point start = Clock::now();
-  progress.report(0.0, "building blocks");
-  noteLabels(volume, progress);
-  auto blocks = std::make_shared<MinMaxBlocks>(*volume.grid, kBlockCells, progress);
-  const std::shared_ptr<PreparedVolume> prepared = withBlocks(std::move(volume), std::move(blocks));
-  progress.report(0.3, "building blocks");
-  prepared->boxes = std::make_shared<BoxBounds>(prepared->grid(), progress);
-  progress.report(0.7, "counting values");
-  const Grid& grid = prepared->grid();
-  Histogram histogram = makeHistogram(grid, 512, progress);
-  const double step = typicalStep(
-      grid.dims(), [&](int y, int z) { return valuesOfRow(grid, y, z); }, progress);
-  setFacts(prepared, std::move(histogram), step, progress);
-  prepared->prepareSeconds = secondsSince(start);
-  progress.report(1.0, "ready");
-  return prepared;
-}
-
 // The index of the file, made where there is none; what hinders keeping it is a warning.
 VolumeIndex indexOf(const ChunkedVolume& file, const scene::Source& source,
                     std::vector<std::string>& warnings, base::Progress& progress) {
@@ -314,8 +285,23 @@ bool stays(const VolumeFile& file, const scene::Source& source, scene::VoxelPlac
 
 }  // namespace
 
-std::shared_ptr<const PreparedVolume> prepareVolume(Volume volume, base::Progress& progress) {
-  return prepare(std::move(volume), progress);
+std::shared_ptr<PreparedVolume> prepareVolume(Volume volume, base::Progress& progress) {
+  const Clock::time_point start = Clock::now();
+  progress.report(0.0, "building blocks");
+  noteLabels(volume, progress);
+  auto blocks = std::make_shared<MinMaxBlocks>(*volume.grid, kBlockCells, progress);
+  const std::shared_ptr<PreparedVolume> prepared = withBlocks(std::move(volume), std::move(blocks));
+  progress.report(0.3, "building blocks");
+  prepared->boxes = std::make_shared<BoxBounds>(prepared->grid(), progress);
+  progress.report(0.7, "counting values");
+  const Grid& grid = prepared->grid();
+  Histogram histogram = makeHistogram(grid, 512, progress);
+  const double step = typicalStep(
+      grid.dims(), [&](int y, int z) { return valuesOfRow(grid, y, z); }, progress);
+  setFacts(prepared, std::move(histogram), step, progress);
+  prepared->prepareSeconds = secondsSince(start);
+  progress.report(1.0, "ready");
+  return prepared;
 }
 
 std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, const scene::HostSettings& host,
@@ -337,7 +323,7 @@ std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, co
   if (source.csg != scene::Csg::none) read.volume.noise.reset();  // known of the first alone
   const double readSeconds = secondsSince(start);
   read.volume.kind = source.kind;
-  const std::shared_ptr<PreparedVolume> prepared = prepare(std::move(read.volume), progress);
+  const std::shared_ptr<PreparedVolume> prepared = prepareVolume(std::move(read.volume), progress);
   prepared->readSeconds = readSeconds;
   prepared->facts.csgIsovalue = read.secondIsovalue;
   return prepared;

@@ -32,26 +32,6 @@ double between(double low, double high, double t) {
   return std::isfinite(range) ? low + t * range : (1.0 - t) * low + t * high;
 }
 
-// Counts the voxels that are not missing, on all cores.
-template <class T>
-Counts countVoxels(const std::vector<T>& voxels, const HistogramBinning& bins, base::Progress& progress) {
-  tbb::combinable<Counts> partial([&] { return Counts(bins.count, 0); });
-  parallelPieces(voxels.size(), std::size_t{1} << 18, progress, {}, [&](std::size_t begin, std::size_t end) {
-    Counts& counts = partial.local();
-    for (std::size_t i = begin; i != end; ++i) {
-      if constexpr (std::is_floating_point_v<T>) {
-        if (std::isnan(voxels[i])) continue;
-      }
-      ++counts[std::min(bins.binOf(voxels[i]), bins.count - 1)];
-    }
-  });
-  Counts sum(bins.count, 0);
-  partial.combine_each([&](const Counts& counts) {
-    for (std::size_t i = 0; i < bins.count; ++i) sum[i] += counts[i];
-  });
-  return sum;
-}
-
 // Counts smoothed by a binomial filter over five bins (with many bins), on a logarithmic scale.
 std::vector<double> smoothedLog(const Counts& counts) {
   const auto size = static_cast<int>(counts.size());
@@ -247,6 +227,27 @@ std::vector<double> classBorders(const Histogram& histogram, double first) {
 
 }  // namespace
 
+template <class T>
+Counts countVoxels(std::span<const T> voxels, const HistogramBinning& bins, base::Progress& progress) {
+  tbb::combinable<Counts> partial([&] { return Counts(bins.count, 0); });
+  parallelPieces(voxels.size(), std::size_t{1} << 18, progress, {}, [&](std::size_t begin, std::size_t end) {
+    Counts& counts = partial.local();
+    for (std::size_t i = begin; i != end; ++i) {
+      if constexpr (std::is_floating_point_v<T>) {
+        if (std::isnan(voxels[i])) continue;
+      }
+      ++counts[std::min(bins.binOf(voxels[i]), bins.count - 1)];
+    }
+  });
+  Counts sum(bins.count, 0);
+  partial.combine_each([&](const Counts& counts) {
+    for (std::size_t i = 0; i < bins.count; ++i) sum[i] += counts[i];
+  });
+  return sum;
+}
+// For large volumes.
+template Counts countVoxels(std::span<const float>, const HistogramBinning&, base::Progress&);
+
 double Histogram::binCentre(std::size_t bin) const {
   const auto bins = static_cast<double>(counts.size());
   return between(minimum, maximum, (static_cast<double>(bin) + 0.5) / bins);
@@ -292,7 +293,7 @@ Histogram histogramOf(const HistogramBinning& bins, std::vector<std::uint64_t> c
 Histogram makeHistogram(const Grid& grid, int bins, base::Progress& progress) {
   const HistogramBinning binning =
       HistogramBinning::of(grid.storedType(), grid.storedMinimum(), grid.storedMaximum(), bins);
-  const auto count = [&](const auto& voxels) { return countVoxels(voxels, binning, progress); };
+  const auto count = [&](const auto& voxels) { return countVoxels(std::span(voxels), binning, progress); };
   return histogramOf(binning, std::visit(count, grid.voxels()), grid);
 }
 

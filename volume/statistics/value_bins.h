@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -31,6 +32,11 @@ struct HistogramBinning {
       return static_cast<std::size_t>(std::max((static_cast<double>(v) - low) * scale, 0.0));
   }
 };
+
+// Counts the voxels that are not missing in each bin, on all cores.
+template <class T>
+std::vector<std::uint64_t> countVoxels(std::span<const T> voxels, const HistogramBinning& bins,
+                                       base::Progress& progress);
 
 // What makeHistogram() makes of a volume whose voxels fall into the bins like this. Of `grid` slope and
 // intercept.
