@@ -147,18 +147,6 @@ std::uint32_t TransferBasis::code(std::span<const std::uint32_t> words, std::siz
   return words[static_cast<std::size_t>(field.word)] >> field.shift & ((1u << field.bits) - 1u);
 }
 
-void TransferBasis::decode(std::span<const std::uint32_t> words, std::span<float> transfer) const {
-  assert(transfer.size() == mean_.size() && words.size() == words_);
-  const auto d = static_cast<Eigen::Index>(mean_.size());
-  const auto components = static_cast<Eigen::Index>(fields_.size());
-  Vector c(components);
-  for (std::size_t k = 0; k < fields_.size(); ++k)
-    c[static_cast<Eigen::Index>(k)] = fields_[k].low + static_cast<float>(code(words, k)) * fields_[k].step;
-  Eigen::Map<Vector>(transfer.data(), d) =
-      Eigen::Map<const Vector>(mean_.data(), d) +
-      Eigen::Map<const Rows>(basis_.data(), components, d).transpose() * c;
-}
-
 TransferBasis::Lighting TransferBasis::under(std::span<const glm::vec3> environment) const {
   const auto ofChannel = static_cast<std::size_t>(content_.order) * static_cast<std::size_t>(content_.order);
   assert(environment.size() == ofChannel);

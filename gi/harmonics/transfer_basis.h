@@ -44,10 +44,8 @@ class TransferBasis {
   std::size_t words() const { return words_; }                  // 32-bit words per texel
   const LightContent& content() const { return content_; }
 
-  // Encode and decode a transfer vector; values beyond the range of a field are clamped. `words` has words()
-  // elements.
+  // Encodes a transfer vector; values beyond the range of a field are clamped. `words` has words() elements.
   void encode(std::span<const float> transfer, std::span<std::uint32_t> words) const;
-  void decode(std::span<const std::uint32_t> words, std::span<float> transfer) const;
   std::uint32_t code(std::span<const std::uint32_t> words, std::size_t component) const;
 
   // The factors of a frame under an environment of order^2 RGB coefficients: E = offset + sum_k code_k

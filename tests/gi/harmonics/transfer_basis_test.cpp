@@ -50,10 +50,8 @@ std::vector<float> vectorOf(std::uint64_t texel, int d) {
 
 std::vector<float> roundTrip(const TransferBasis& basis, const std::vector<float>& vector) {
   std::vector<std::uint32_t> codes(basis.words());
-  std::vector<float> out(vector.size());
   basis.encode(vector, codes);
-  basis.decode(codes, out);
-  return out;
+  return test::decoded(basis, codes);
 }
 
 double rmsOf(const TransferBasis& basis, int texels) {
@@ -150,9 +148,8 @@ TEST(TransferBasis, LightingIsThatOfTheDecodedTransfer) {
       const TransferBasis::Lighting lighting = basis->under(environment);
       for (std::uint64_t t = 0; t < 512; ++t) {
         std::vector<std::uint32_t> codes(basis->words());
-        std::vector<float> transfer(static_cast<std::size_t>(d));
         basis->encode(vectorOf(t, d), codes);
-        basis->decode(codes, transfer);
+        const std::vector<float> transfer = test::decoded(*basis, codes);
         glm::dvec3 expected(0.0), got(lighting.offset);
         for (int channel = 0; channel < 3; ++channel)
           for (std::size_t i = 0; i < 16; ++i)

@@ -607,9 +607,8 @@ TEST_F(LightGlTest, TransferIsTheDotProductOfItsCodes) {
         expectIrradiance(
             [&](glm::dvec3 voxel, auto) {
               std::vector<std::uint32_t> codes(basis.words());
-              std::vector<float> decoded(components);
               basis.encode(transfer(glm::ivec3(voxel + 0.5)), codes);
-              basis.decode(codes, decoded);
+              const std::vector<float> decoded = test::decoded(basis, codes);
               glm::dvec3 e(0.0);
               for (int c = 0; c < 3; ++c)
                 for (std::size_t i = 0; i < 9; ++i)
