@@ -45,7 +45,7 @@ Environment averaged(const Environment& of, int rows) {
   }
   std::vector<glm::vec3> pixels;
   for (std::size_t i = 0; i < sums.size(); ++i) pixels.emplace_back(sums[i] / weights[i]);
-  return Environment::fromImage(columns, rows, std::move(pixels));
+  return Environment(columns, rows, std::move(pixels));
 }
 
 // The integral with the lobe about the middle of each pixel.
@@ -83,7 +83,7 @@ Environment convolved(const Environment& of, float exponent) {
                                        : of.pixels()[static_cast<std::size_t>(row * width + column)]);
     }
   }
-  return Environment::fromImage(width, height, std::move(pixels));
+  return Environment(width, height, std::move(pixels));
 }
 
 }  // namespace

@@ -137,7 +137,7 @@ Environment builtInEnvironment(scene::BuiltInLight light) {
           light, {base::portableSin(polar) * base::portableSin(turn),
                   base::portableSin(polar) * base::portableCos(turn), base::portableCos(polar)}));
     }
-  return Environment::fromImage(kWidth, kHeight, std::move(pixels));
+  return Environment(kWidth, kHeight, std::move(pixels));
 }
 
 }  // namespace isolux::gi

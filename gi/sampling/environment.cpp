@@ -5,6 +5,8 @@
 #include <bit>
 #include <cassert>
 #include <cmath>
+#include <filesystem>
+#include <new>
 #include <numbers>
 #include <span>
 
@@ -18,6 +20,7 @@
 #include "gi/harmonics/spherical_harmonics.h"
 #include "gi/sampling/directions.h"
 #include "gi/sampling/guide_table.h"
+#include "volume/read/process/foreign.h"
 
 namespace isolux::gi {
 
@@ -89,8 +92,16 @@ Environment Environment::constant(glm::dvec3 radiance) {
   return Environment(1, 1, {glm::vec3(radiance)});
 }
 
-Environment Environment::fromImage(int width, int height, std::vector<glm::vec3> pixels) {
-  return Environment(width, height, std::move(pixels));
+Environment Environment::load(const std::string& path) {
+  base::Progress progress;
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) base::throwInput(path, "", "is not a file");
+  try {
+    volume::DecodedImage image = volume::readImage(path, progress);
+    return Environment(image.width, image.height, std::move(image.pixels));
+  } catch (const std::bad_alloc&) {
+    throw base::Error(base::ErrorKind::memory, path, "", "is too large for the memory of this computer");
+  }
 }
 
 Environment::Environment(int width, int height, std::vector<glm::vec3> pixels)

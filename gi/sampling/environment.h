@@ -32,7 +32,7 @@ class Environment {
   // Makes an environment of width * height `pixels`, row by row, row 0 up; both are at least 1. Throws
   // Error{memory} for 2^31 pixels or more. Negative values become 0. A pixel with NaN or infinity becomes the
   // mean of its up to 8 finite neighbours, or 0 if none is finite.
-  static Environment fromImage(int width, int height, std::vector<glm::vec3> pixels);
+  Environment(int width, int height, std::vector<glm::vec3> pixels);
   // Reads any format of OpenImageIO: .hdr, .exr and others of one channel (grey) or more. Decodes integer
   // samples and those marked sRGB from the sRGB curve; ignores alpha. Throws base::Error of kind input,
   // naming file, place and reason, and of kind memory. A sandboxed process parses the file
@@ -82,7 +82,6 @@ class Environment {
     std::size_t index;
   };
 
-  Environment(int width, int height, std::vector<glm::vec3> pixels);
   void repair();
   void sumUp();
   void buildDistribution();

@@ -55,13 +55,12 @@ void setUnitSky(gi::LightScene& light) {
 std::shared_ptr<const gi::Environment> environmentOf(int width, int height,
                                                      const std::function<double(glm::dvec3)>& radiance) {
   std::vector<glm::vec3> pixels;
-  const gi::Environment black = gi::Environment::fromImage(
+  const gi::Environment black = gi::Environment(
       width, height, std::vector<glm::vec3>(static_cast<std::size_t>(width * height), glm::vec3(0.0f)));
   for (int row = 0; row < height; ++row)
     for (int column = 0; column < width; ++column)
       pixels.emplace_back(static_cast<float>(radiance(black.directionOf(column + 0.5, row + 0.5))));
-  return std::make_shared<const gi::Environment>(
-      gi::Environment::fromImage(width, height, std::move(pixels)));
+  return std::make_shared<const gi::Environment>(width, height, std::move(pixels));
 }
 
 gi::PathTracer tracerOf(gi::LightScene light) {

@@ -162,7 +162,7 @@ TEST_F(ClusterBakeProtocol, TwoAnswersThatDifferNameBothHosts) {
 TEST_F(ClusterBakeProtocol, AVolumeAndALightProbeThatAreSentAreTheSame) {
   const auto hub = std::make_shared<RankHub>(2);
   std::vector<glm::vec3> pixels{{1, 2, 3}, {0, 0, 0}, {4, 5, 6}, {7, 1, 1}};
-  const auto probe = std::make_shared<gi::Environment>(gi::Environment::fromImage(2, 2, pixels));
+  const auto probe = std::make_shared<gi::Environment>(2, 2, pixels);
   base::Progress progress;
   ThreadRanks sender(hub, 0), receiver(hub, 1);
   app::broadcastVolume(sender, volume_, progress);

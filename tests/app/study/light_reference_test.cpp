@@ -53,7 +53,7 @@ LightReference referenceOf(const Subject& subject, std::size_t points, const Lig
 std::shared_ptr<const gi::Environment> brightAbove() {
   std::vector<glm::vec3> pixels(16, glm::vec3(0.0f));
   std::fill_n(pixels.begin(), 8, glm::vec3(1.0f));
-  return std::make_shared<const gi::Environment>(gi::Environment::fromImage(8, 2, std::move(pixels)));
+  return std::make_shared<const gi::Environment>(8, 2, std::move(pixels));
 }
 
 // E = pi (1 + cos tilt) / 2 under a sky that is bright above the horizon: each of 300 points is an estimate

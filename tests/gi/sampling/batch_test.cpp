@@ -33,7 +33,7 @@ Environment probe(int width, int height) {
     const bool black = (height > 3 && row % 4 == 1) || i % 7 == 2;
     if (!black || pixels.size() == 1) pixels[i] = glm::vec3(std::pow(noise(1, i), 12.0f), noise(2, i), 0.1f);
   }
-  return Environment::fromImage(width, height, pixels);
+  return Environment(width, height, pixels);
 }
 
 std::vector<Environment> probes() {
@@ -41,11 +41,11 @@ std::vector<Environment> probes() {
   for (const auto& [width, height] : {std::pair(1, 1), std::pair(1, 9), std::pair(9, 1), std::pair(37, 20),
                                       std::pair(64, 32), std::pair(513, 257)})
     all.push_back(probe(width, height));
-  all.push_back(Environment::fromImage(8, 4, std::vector<glm::vec3>(32)));
+  all.push_back(Environment(8, 4, std::vector<glm::vec3>(32)));
   all.push_back(Environment::constant({1, 2, 3}));
   std::vector<glm::vec3> sun(64 * 32, glm::vec3(1e-6f));
   sun[10 * 64 + 63] = glm::vec3(1e6f);
-  all.push_back(Environment::fromImage(64, 32, sun));
+  all.push_back(Environment(64, 32, sun));
   return all;
 }
 

@@ -45,12 +45,12 @@ glm::vec3 randomSkyDirection(std::uint32_t i) {
 
 Environment painted(int width, int height, const std::function<glm::dvec3(glm::dvec3)>& function) {
   const Environment frame =
-      Environment::fromImage(width, height, std::vector<glm::vec3>(static_cast<std::size_t>(width) * height));
+      Environment(width, height, std::vector<glm::vec3>(static_cast<std::size_t>(width) * height));
   std::vector<glm::vec3> pixels;
   for (int row = 0; row < height; ++row)
     for (int column = 0; column < width; ++column)
       pixels.emplace_back(function(frame.directionOf(column + 0.5, row + 0.5)));
-  return Environment::fromImage(width, height, std::move(pixels));
+  return Environment(width, height, std::move(pixels));
 }
 
 // Images of every kind that sampling must stand up to.
@@ -75,22 +75,22 @@ std::vector<Case> cases() {
   for (int i = 0; i < 12; ++i) top[i] = glm::vec3(3.0f);
   std::vector<Case> all;
   all.push_back({"constant", Environment::constant({0.2, 1, 3})});
-  all.push_back({"black", Environment::fromImage(8, 4, std::vector<glm::vec3>(32))});
-  all.push_back({"noise", Environment::fromImage(24, 11, noise)});
-  all.push_back({"sun", Environment::fromImage(64, 32, sun)});
-  all.push_back({"range", Environment::fromImage(16, 8, range)});
-  all.push_back({"sparse", Environment::fromImage(16, 8, sparse)});
-  all.push_back({"blue", Environment::fromImage(6, 5, blue)});
-  all.push_back({"top", Environment::fromImage(12, 6, top)});
-  all.push_back({"column", Environment::fromImage(1, 7, std::vector<glm::vec3>(7, glm::vec3(2.0f)))});
-  all.push_back({"row", Environment::fromImage(9, 1, std::vector<glm::vec3>(9, glm::vec3(2.0f)))});
+  all.push_back({"black", Environment(8, 4, std::vector<glm::vec3>(32))});
+  all.push_back({"noise", Environment(24, 11, noise)});
+  all.push_back({"sun", Environment(64, 32, sun)});
+  all.push_back({"range", Environment(16, 8, range)});
+  all.push_back({"sparse", Environment(16, 8, sparse)});
+  all.push_back({"blue", Environment(6, 5, blue)});
+  all.push_back({"top", Environment(12, 6, top)});
+  all.push_back({"column", Environment(1, 7, std::vector<glm::vec3>(7, glm::vec3(2.0f)))});
+  all.push_back({"row", Environment(9, 1, std::vector<glm::vec3>(9, glm::vec3(2.0f)))});
   return all;
 }
 
 TEST(Environment, SolidAnglesCoverTheSphere) {
   for (const auto& [width, height] : {std::pair(1, 1), std::pair(5, 3), std::pair(1024, 512)}) {
-    const auto environment = Environment::fromImage(
-        width, height, std::vector<glm::vec3>(static_cast<std::size_t>(width) * height));
+    const auto environment =
+        Environment(width, height, std::vector<glm::vec3>(static_cast<std::size_t>(width) * height));
     double sum = 0;
     for (int row = 0; row < height; ++row) sum += width * environment.solidAngle(row);
     EXPECT_NEAR(sum, 4 * pi, 1e-11);
@@ -101,7 +101,7 @@ TEST(Environment, SolidAnglesCoverTheSphere) {
 TEST(Environment, LooksWhereTheHeaderSays) {
   std::vector<glm::vec3> pixels(8 * 4);
   for (int i = 0; i < 32; ++i) pixels[i] = glm::vec3(static_cast<float>(i));
-  const auto environment = Environment::fromImage(8, 4, pixels);
+  const auto environment = Environment(8, 4, pixels);
   const auto at = [&](glm::vec3 d) { return static_cast<int>(environment.radiance(glm::normalize(d)).r); };
   const float e = 0.1f;
   EXPECT_EQ(at({e, 0.02f, 1}) / 8, 0);
@@ -127,7 +127,7 @@ TEST(Environment, EveryPointOfAPixelFindsIt) {
   constexpr int width = 128, height = 64;
   std::vector<glm::vec3> pixels(width * height);
   for (int i = 0; i < width * height; ++i) pixels[i] = glm::vec3(static_cast<float>(i));
-  const auto environment = Environment::fromImage(width, height, pixels);
+  const auto environment = Environment(width, height, pixels);
   for (int i = 0; i < width * height; ++i)
     for (const double f : {1e-3, 0.5, 1 - 1e-3})
       for (const double g : {1e-3, 0.5, 1 - 1e-3})
@@ -218,7 +218,7 @@ TEST(Environment, SamplesAreEvenWithinAPixel) {
   for (const int bright : {0, 1}) {
     std::vector<glm::vec3> pixels(3 * 2);
     pixels[bright * 3 + 2] = glm::vec3(1.0f);
-    const auto environment = Environment::fromImage(3, 2, pixels);
+    const auto environment = Environment(3, 2, pixels);
     std::vector<double> counts(100);
     constexpr int samples = 100000;
     for (int i = 0; i < samples; ++i) {
@@ -247,7 +247,7 @@ TEST(Environment, SampleRadianceAndPdfAgree) {
     }
     EXPECT_LT(differ, 20) << name;
   }
-  const Environment black = Environment::fromImage(8, 4, std::vector<glm::vec3>(32));
+  const Environment black = Environment(8, 4, std::vector<glm::vec3>(32));
   for (const glm::vec2& u : {glm::vec2(0), glm::vec2(1 - 0x1p-24f), glm::vec2(0.5f)}) {
     const Environment::Sample s = black.sample(u);
     EXPECT_EQ(s.radiance, glm::vec3(0.0f));
@@ -294,7 +294,7 @@ TEST(Environment, IrradianceByBothSamplingsIsThatOfQuadrature) {
 TEST(Environment, BrightTopLightsUpwardSurfaces) {
   std::vector<glm::vec3> pixels(16 * 8);
   for (int i = 0; i < 16; ++i) pixels[i] = glm::vec3(1.0f);
-  const auto environment = Environment::fromImage(16, 8, pixels);
+  const auto environment = Environment(16, 8, pixels);
   const auto sh = environment.project(5);
   EXPECT_GT(test::irradianceSh(5, sh, glm::dvec3(0, 0, 1)).g,
             3 * test::irradianceSh(5, sh, glm::dvec3(1, 0, 0)).g);
@@ -310,8 +310,7 @@ TEST(Environment, MeanIsOverTheSphere) {
   std::vector<glm::vec3> top(16 * 8);
   for (int i = 0; i < 16; ++i) top[i] = glm::vec3(2, 0, 1);
   const double part = (1 - std::cos(pi / 8)) / 2;  // of the sphere
-  EXPECT_NEAR(glm::distance(Environment::fromImage(16, 8, top).mean(), part * glm::dvec3(2, 0, 1)), 0.0,
-              1e-12);
+  EXPECT_NEAR(glm::distance(Environment(16, 8, top).mean(), part * glm::dvec3(2, 0, 1)), 0.0, 1e-12);
 }
 
 // Exact over pixels: against quadrature of the radiance itself, subdivided; and the first coefficient is the
@@ -374,14 +373,14 @@ TEST(Environment, NonFinitePixelsBecomeTheMeanOfTheirNeighboursAndAreCounted) {
   pixels[8] = glm::vec3(1, infinity, 3);
   pixels[12] = glm::vec3(1, 2, -infinity);
   pixels[23] = glm::vec3(-5, 2, 3);
-  const auto environment = Environment::fromImage(6, 4, pixels);
+  const auto environment = Environment(6, 4, pixels);
   EXPECT_EQ(environment.badPixels(), 4u);
   for (int i = 0; i < 23; ++i)
     EXPECT_NEAR(glm::distance(environment.pixels()[i], glm::vec3(1, 2, 3)), 0, i == 12 ? 0.15 : 0) << i;
   EXPECT_EQ(environment.pixels()[23], glm::vec3(0, 2, 3));
   // Beside the left edge lies the right one: pixel 12 has pixel 23 among the seven that are finite.
   EXPECT_NEAR(environment.pixels()[12].r, 6.0f / 7.0f, 1e-6f);
-  const auto none = Environment::fromImage(2, 1, {glm::vec3(nan), glm::vec3(infinity)});
+  const auto none = Environment(2, 1, {glm::vec3(nan), glm::vec3(infinity)});
   EXPECT_EQ(none.badPixels(), 2u);
   EXPECT_TRUE(none.isBlack());
   EXPECT_EQ(Environment::constant({1, 1, 1}).badPixels(), 0u);
@@ -395,7 +394,7 @@ TEST(Environment, ARarePixelIsNeverWithoutProbability) {
     for (const int rareToo : {1, 30, 46}) {
       std::vector<glm::vec3> pixels(width * height, glm::vec3(1.0f));
       pixels[rare] = pixels[rareToo] = glm::vec3(1e-20f);
-      const auto environment = Environment::fromImage(width, height, pixels);
+      const auto environment = Environment(width, height, pixels);
       for (const int i : {rare, rareToo}) {
         const glm::vec3 middle(environment.directionOf(i % width + 0.5, i / width + 0.5));
         ASSERT_EQ(environment.radiance(middle).r, 1e-20f);
@@ -405,7 +404,7 @@ TEST(Environment, ARarePixelIsNeverWithoutProbability) {
   // A first row of little light, too.
   std::vector<glm::vec3> pixels(width * height, glm::vec3(1.0f));
   std::fill_n(pixels.begin(), width, glm::vec3(1e-20f));
-  const auto environment = Environment::fromImage(width, height, pixels);
+  const auto environment = Environment(width, height, pixels);
   EXPECT_GT(environment.lookUp(glm::vec3(environment.directionOf(2.5, 0.5))).pdf, 0.0f);
 }
 
@@ -413,7 +412,7 @@ TEST(Environment, RowsWithoutLightHaveNoDistribution) {
   std::vector<glm::vec3> pixels(8 * 4, glm::vec3(0.0f));
   pixels[2 * 8 + 3] = glm::vec3(1.0f);
   const test::InvalidOperations invalid;
-  const auto environment = Environment::fromImage(8, 4, pixels);
+  const auto environment = Environment(8, 4, pixels);
   EXPECT_FALSE(invalid.met());
   EXPECT_EQ(environment.lookUp(glm::vec3(environment.directionOf(3.5, 1.5))).pdf, 0.0f);
   EXPECT_NEAR(environment.lookUp(glm::vec3(environment.directionOf(3.5, 2.5))).pdf,
@@ -423,7 +422,7 @@ TEST(Environment, RowsWithoutLightHaveNoDistribution) {
 TEST(Environment, HugeValuesStayFinite) {
   std::vector<glm::vec3> pixels(8 * 4, glm::vec3(3e38f));
   pixels[5] = glm::vec3(1e-45f);
-  const auto environment = Environment::fromImage(8, 4, pixels);
+  const auto environment = Environment(8, 4, pixels);
   EXPECT_GT(environment.lookUp(glm::vec3(environment.directionOf(5.5, 0.5))).pdf, 0.0f);
   for (int i = 0; i < 1000; ++i) EXPECT_TRUE(std::isfinite(environment.sample(point(i)).pdf));
   EXPECT_TRUE(std::isfinite(environment.mean().r));
@@ -431,15 +430,15 @@ TEST(Environment, HugeValuesStayFinite) {
 
 TEST(Environment, KnowsWhatIsConstantAndHashesPixels) {
   EXPECT_TRUE(Environment::constant({1, 0, 0}).isConstant());
-  EXPECT_TRUE(Environment::fromImage(3, 2, std::vector<glm::vec3>(6, glm::vec3(0.5f))).isConstant());
+  EXPECT_TRUE(Environment(3, 2, std::vector<glm::vec3>(6, glm::vec3(0.5f))).isConstant());
   std::vector<glm::vec3> pixels(6, glm::vec3(0.5f));
   pixels[5].b = 0.25f;
-  const auto a = Environment::fromImage(3, 2, pixels), b = Environment::fromImage(2, 3, pixels);
+  const auto a = Environment(3, 2, pixels), b = Environment(2, 3, pixels);
   EXPECT_FALSE(a.isConstant());
-  EXPECT_EQ(a.hash(), Environment::fromImage(3, 2, pixels).hash());
+  EXPECT_EQ(a.hash(), Environment(3, 2, pixels).hash());
   EXPECT_NE(a.hash(), b.hash());
   std::swap(pixels[4], pixels[5]);
-  EXPECT_NE(a.hash(), Environment::fromImage(3, 2, pixels).hash());
+  EXPECT_NE(a.hash(), Environment(3, 2, pixels).hash());
 }
 
 TEST(Sky, QuaternionTurnsTheEnvironmentAndScaleMultipliesIt) {

@@ -693,13 +693,13 @@ TEST_F(LightGlTest, WithoutLightTheImageIsUnknown) {
 // The picture of a volume out of sight is the environment: what lies ahead is in the middle.
 TEST_F(LightGlTest, TheEnvironmentIsBehindTheSurface) {
   std::vector<glm::vec3> pixels(64 * 32, glm::vec3(0.0f));
-  const gi::Environment directions = gi::Environment::fromImage(64, 32, pixels);
+  const gi::Environment directions = gi::Environment(64, 32, pixels);
   for (int y = 0; y < 32; ++y)
     for (int x = 0; x < 64; ++x)
       pixels[static_cast<std::size_t>(y * 64 + x)] =
           0.2f + 0.1f * glm::vec3(directions.directionOf(x + 0.5, y + 0.5));
   auto light = pictureLight(nullptr);
-  light->background = std::make_shared<gi::Environment>(gi::Environment::fromImage(64, 32, pixels));
+  light->background = std::make_shared<gi::Environment>(64, 32, pixels);
   light->backgroundScale = 2.0f;
   const glm::dmat3 world = glm::dmat3(gi::worldFromEnvironment(glm::dquat(0.5, 0.3, -0.7, 0.4)));
   light->environmentFromWorld = glm::mat3(glm::transpose(world));
