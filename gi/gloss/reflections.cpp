@@ -87,35 +87,42 @@ struct LobeRays {
   }
 };
 
-// Fraction of each light source that the points see, weighted by the lobe.
-void addLamps(const PathSetup& setup, std::span<const GlossPoint> points, std::uint32_t samples,
-              std::span<Reflection> reflections) {
+// The rays from points to samples of a light source.
+struct LampRays {
   std::vector<LampRay> aimed;
-  std::vector<std::size_t> of;
-  std::vector<volume::TraceRay> rays;
-  for (int lamp = 0; lamp < std::min(setup.lamps.count(), static_cast<int>(kLamps)); ++lamp) {
-    if (!setup.lamps.hasShadows(lamp)) continue;
-    const std::uint32_t count = setup.lamps.hasExtent(lamp) ? samples : 1;
-    aimed.clear();
-    of.clear();
-    rays.clear();
+  std::vector<std::size_t> of;        // points
+  std::vector<std::uint8_t> blocked;  // none without shadows
+
+  // Leaves out directions whose D is `least` of the mirror direction's or less.
+  LampRays(const PathSetup& setup, std::span<const GlossPoint> points, int lamp, std::uint32_t samples,
+           float least) {
+    std::vector<volume::TraceRay> rays;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const PairPattern pattern(setup.light->sequence, points[i].seed,
                                 kFirstLampPair + static_cast<std::uint32_t>(lamp));
-      for (std::uint32_t k = 0; k < count; ++k) {
+      for (std::uint32_t k = 0; k < samples; ++k) {
         LampRay ray;
         if (!aimAt(setup, points[i], lamp, pattern(points[i].sample + k), ray)) continue;
-        if (!(ray.lobe > 1e-6f * (points[i].exponent + 1.0f))) continue;
+        if (!(ray.lobe > least * (points[i].exponent + 1.0f))) continue;
         aimed.push_back(ray);
         of.push_back(i);
         rays.push_back(ray.ray);
       }
     }
-    std::vector<std::uint8_t> blocked(rays.size());
-    setup.light->tracer->anyEntries(rays, blocked);
+    blocked.resize(rays.size());
+    if (setup.lamps.hasShadows(lamp)) setup.light->tracer->anyEntries(rays, blocked);
+  }
+};
+
+// Fraction of each light source that the points see, weighted by the lobe.
+void addLamps(const PathSetup& setup, std::span<const GlossPoint> points, std::uint32_t samples,
+              std::span<Reflection> reflections) {
+  for (int lamp = 0; lamp < std::min(setup.lamps.count(), static_cast<int>(kLamps)); ++lamp) {
+    if (!setup.lamps.hasShadows(lamp)) continue;
+    const LampRays rays(setup, points, lamp, setup.lamps.hasExtent(lamp) ? samples : 1, 1e-6f);
     std::vector<glm::vec2> seen(points.size(), glm::vec2(0.0f));
-    for (std::size_t i = 0; i < aimed.size(); ++i)
-      seen[of[i]] += aimed[i].lobe * glm::vec2(blocked[i] == 0 ? 1.0f : 0.0f, 1.0f);
+    for (std::size_t i = 0; i < rays.aimed.size(); ++i)
+      seen[rays.of[i]] += rays.aimed[i].lobe * glm::vec2(rays.blocked[i] == 0 ? 1.0f : 0.0f, 1.0f);
     for (std::size_t i = 0; i < points.size(); ++i)
       if (seen[i].y > 0.0f) reflections[i].lamps[lamp] = seen[i].x / seen[i].y;
   }
@@ -123,9 +130,9 @@ void addLamps(const PathSetup& setup, std::span<const GlossPoint> points, std::u
 
 }  // namespace
 
-const FilteredEnvironment* GlossLight::of(float roughness) const {
+std::shared_ptr<const FilteredEnvironment> GlossLight::of(float roughness) const {
   const auto found = std::ranges::find(environments, roughness, &FilteredEnvironment::roughness);
-  return found == environments.end() ? nullptr : found->get();
+  return found == environments.end() ? nullptr : *found;
 }
 
 std::shared_ptr<const GlossLight> makeGlossLight(const scene::Scene& resolved,
@@ -134,16 +141,13 @@ std::shared_ptr<const GlossLight> makeGlossLight(const scene::Scene& resolved,
   const std::vector<scene::GlossySurface> surfaces = scene::glossySurfaces(resolved);
   if (surfaces.empty()) return nullptr;
   auto gloss = std::make_shared<GlossLight>();
-  const GlossLight none;
   const bool same = before && before->scene->environment == light->environment;
-  const auto& kept = (same ? *before : none).environments;
   for (const scene::GlossySurface& surface : surfaces) {
     const auto roughness = static_cast<float>(surface.roughness);
     if (gloss->of(roughness)) continue;
-    const auto found = std::ranges::find(kept, roughness, &FilteredEnvironment::roughness);
-    gloss->environments.push_back(
-        found != kept.end() ? *found
-                            : std::make_shared<const FilteredEnvironment>(*light->environment, roughness));
+    auto filtered = same ? before->of(roughness) : nullptr;
+    if (!filtered) filtered = std::make_shared<const FilteredEnvironment>(*light->environment, roughness);
+    gloss->environments.push_back(std::move(filtered));
   }
   gloss->scene = std::move(light);
   return gloss;
@@ -244,25 +248,10 @@ bool reflectedRadiance(const PathTracer& paths, std::span<const GlossPoint> poin
       lamps[i] = albedo * lampsMet[k] * std::numbers::inv_pi_v<float>;
     }
     for (int lamp = 0; lamp < setup.lamps.count(); ++lamp) {
-      std::vector<volume::TraceRay> toLamp;
-      std::vector<std::size_t> from;
-      std::vector<glm::vec3> worth;
-      for (std::size_t i = 0; i < of.size(); ++i) {
-        const glm::vec2 u =
-            samplePair(scene.sequence, of[i].seed, sample, kFirstLampPair + static_cast<std::uint32_t>(lamp));
-        LampRay ray;
-        if (!aimAt(setup, of[i], lamp, u, ray)) continue;
-        toLamp.push_back(ray.ray);
-        from.push_back(i);
-        worth.push_back(ray.radiance * ray.lobe);
-      }
-      std::vector<std::uint8_t> blocked(toLamp.size(), 0);
-      if (setup.lamps.hasShadows(lamp)) {
-        scene.tracer->anyEntries(toLamp, blocked);
-        rays += toLamp.size();
-      }
-      for (std::size_t k = 0; k < from.size(); ++k)
-        if (blocked[k] == 0) lamps[from[k]] += worth[k];
+      const LampRays toLamp(setup, of, lamp, 1, -1.0f);
+      if (setup.lamps.hasShadows(lamp)) rays += toLamp.aimed.size();
+      for (std::size_t k = 0; k < toLamp.aimed.size(); ++k)
+        if (toLamp.blocked[k] == 0) lamps[toLamp.of[k]] += toLamp.aimed[k].radiance * toLamp.aimed[k].lobe;
     }
     for (std::size_t i = 0; i < of.size(); ++i) {
       sums[i].sky += glm::dvec3(sky[i]);

@@ -35,7 +35,7 @@ struct GlossLight {
   std::vector<std::shared_ptr<const FilteredEnvironment>>
       environments;  // one for each roughness in the scene
 
-  const FilteredEnvironment* of(float roughness) const;  // null: not in the scene
+  std::shared_ptr<const FilteredEnvironment> of(float roughness) const;  // null: not in the scene
 };
 
 // Returns null if no shown surface of the scene is glossy (scene::showsGloss()). `before` may be null; its

@@ -240,7 +240,7 @@ void ReflectionsPass::trace(FrameState& frame, const Target& target, const Targe
       points[k] = {voxel,         grid.storedIsovalue(value),
                    normal,        ray - 2.0f * std::min(glm::dot(ray, normal), 0.0f) * normal,
                    exponent,      seedOf(cell),
-                   placeOf(cell), light.gloss->of(roughness)};
+                   placeOf(cell), light.gloss->of(roughness).get()};
     }
   });
   std::vector<gi::Reflection> traced(points.size()), alone(cells.size());

@@ -168,7 +168,7 @@ TEST(Gloss, ABallAboveHidesItsConeOfTheSky) {
     gloss->environments = {std::make_shared<const FilteredEnvironment>(*scene->environment, roughness)};
     PictureLight picture;
     picture.gloss = gloss;
-    point.environment = gloss->of(roughness);
+    point.environment = gloss->of(roughness).get();
     Reflection reflection;
     ASSERT_TRUE(reflectionsOf(picture, std::span(&point, 1), 4096, std::span(&reflection, 1), {}));
     EXPECT_NEAR(static_cast<double>(reflection.visible / reflection.open), wanted, 0.02);
@@ -212,7 +212,7 @@ TEST(Gloss, WithoutShadowsNothingIsHidden) {
       PictureLight picture;  // stores no light: of the surface, the unoccluded is seen
       picture.irradianceSh[0] = glm::vec3(static_cast<float>(pi * std::sqrt(4.0 * pi)));
       picture.gloss = gloss;
-      point.environment = gloss->of(roughness);
+      point.environment = gloss->of(roughness).get();
       Reflection reflection;
       ASSERT_TRUE(reflectionsOf(picture, std::span(&point, 1), 4096, std::span(&reflection, 1), {}));
       EXPECT_FLOAT_EQ(reflection.visible, reflection.open);
