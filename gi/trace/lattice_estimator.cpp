@@ -82,16 +82,7 @@ bool LatticeEstimator::add(std::span<const glm::ivec3> texels, std::span<const T
   const LightContent content = this->content();
   if (content.kind == LightContent::Kind::transfer)
     return tracer_.addTransfer(points, range, sums, rays, stop);
-  const auto channels = static_cast<std::size_t>(content.channels);
-  std::vector<glm::dvec3> light(texels.size(), glm::dvec3(0.0));
-  for (std::size_t i = 0; i < texels.size(); ++i)
-    for (std::size_t channel = 0; channel < channels; ++channel)
-      light[i][static_cast<int>(channel)] = sums[i * channels + channel];
-  if (!tracer_.addIrradiance(part_, points, range, light, rays, stop)) return false;
-  for (std::size_t i = 0; i < texels.size(); ++i)
-    for (std::size_t channel = 0; channel < channels; ++channel)
-      sums[i * channels + channel] = light[i][static_cast<int>(channel)];
-  return true;
+  return tracer_.addIrradiance(part_, points, range, content.channels, sums, rays, stop);
 }
 
 }  // namespace isolux::gi

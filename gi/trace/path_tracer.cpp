@@ -134,13 +134,15 @@ bool PathTracer::irradiance(LightPart part, std::span<const LightPoint> points, 
 }
 
 bool PathTracer::addIrradiance(LightPart part, std::span<const LightPoint> points, SampleRange range,
-                               std::span<glm::dvec3> sums, std::uint64_t& rays,
+                               int channels, std::span<double> sums, std::uint64_t& rays,
                                const std::stop_token& stop) const {
-  assert(sums.size() == points.size());
-  return forEachEstimate(part, points, range, rays, stop,
-                         [&](std::size_t point, glm::vec3 direct, glm::vec3 light) {
-                           sums[point] += glm::dvec3(direct) + glm::dvec3(light);
-                         });
+  assert(sums.size() == points.size() * static_cast<std::size_t>(channels));
+  const auto add = [&](std::size_t point, glm::vec3 direct, glm::vec3 light) {
+    double* const sum = sums.data() + point * static_cast<std::size_t>(channels);
+    for (int c = 0; c < channels; ++c)
+      sum[c] += static_cast<double>(direct[c]) + static_cast<double>(light[c]);
+  };
+  return forEachEstimate(part, points, range, rays, stop, add);
 }
 
 bool PathTracer::addTransfer(std::span<const LightPoint> points, SampleRange range, std::span<double> sums,

@@ -47,10 +47,10 @@ class PathTracer {
   bool irradiance(LightPart part, std::span<const LightPoint> points, SampleRange range,
                   std::span<glm::vec3> means, std::span<float> variances, std::uint64_t& rays,
                   const std::stop_token& stop) const;
-  // Adds the same estimates to each point's sum in the order of the samples. The sums are bit-identical
-  // however the samples are split among calls.
-  bool addIrradiance(LightPart part, std::span<const LightPoint> points, SampleRange range,
-                     std::span<glm::dvec3> sums, std::uint64_t& rays, const std::stop_token& stop) const;
+  // Adds the same estimates, of the first `channels`, to each point's sums in the order of the samples. The
+  // sums are bit-identical however the samples are split among calls.
+  bool addIrradiance(LightPart part, std::span<const LightPoint> points, SampleRange range, int channels,
+                     std::span<double> sums, std::uint64_t& rays, const std::stop_token& stop) const;
   // Adds transfer vectors, light.choice.channels * order^2 numbers per point (LightContent), in the same way.
   bool addTransfer(std::span<const LightPoint> points, SampleRange range, std::span<double> sums,
                    std::uint64_t& rays, const std::stop_token& stop) const;

@@ -357,36 +357,34 @@ bool PathWave::lightUp(const Job& job, std::span<glm::vec3> light) {
   return true;
 }
 
-bool PathWave::directLight(const PathSetup& setup, std::span<const LightPoint> points,
-                           std::span<glm::vec3> light, Counters& counters, const std::stop_token& stop) {
-  const Range range{points, {0, 1}};
-  const Job job{setup, range, counters, stop, 0.0f};
+// The light of the lamps that have an extent, or of those that have none, at the points themselves.
+bool PathWave::lightPoints(const Job& job, bool extended, std::span<glm::vec3> light) {
+  const LampSampler& lamps = job.setup.lamps;
   std::fill(light.begin(), light.end(), glm::vec3(0.0f));
   start(job);
   departures_.clear();
   rays_.clear();
-  for (int lamp = 0; lamp < setup.lamps.count(); ++lamp) {
-    if (setup.lamps.hasExtent(lamp)) continue;
-    for (const Vertex& vertex : vertices_) aim(job, vertex, lamp, glm::vec2(0.5f), glm::vec3(1.0f), light);
+  for (int lamp = 0; lamp < lamps.count(); ++lamp) {
+    if (lamps.hasExtent(lamp) != extended) continue;
+    for (const Vertex& vertex : vertices_)
+      aim(job, vertex, lamp, extended ? job.pair(vertex.path, firstLampPair(lamp)) : glm::vec2(0.5f),
+          glm::vec3(1.0f), light);
     if (!lightUp(job, light)) return false;
   }
   return true;
+}
+
+bool PathWave::directLight(const PathSetup& setup, std::span<const LightPoint> points,
+                           std::span<glm::vec3> light, Counters& counters, const std::stop_token& stop) {
+  const Range range{points, {0, 1}};
+  return lightPoints({setup, range, counters, stop, 0.0f}, false, light);
 }
 
 bool PathWave::lampLight(const PathSetup& setup, const Range& range, std::span<glm::vec3> light,
                          Counters& counters, const std::stop_token& stop) {
   const Job job{setup, range, counters, stop, 0.0f};
   const LampSampler& lamps = setup.lamps;
-  std::fill(light.begin(), light.end(), glm::vec3(0.0f));
-  start(job);
-  departures_.clear();
-  rays_.clear();
-  for (int lamp = 0; lamp < lamps.count(); ++lamp) {
-    if (!lamps.hasExtent(lamp)) continue;
-    for (const Vertex& vertex : vertices_)
-      aim(job, vertex, lamp, job.pair(vertex.path, firstLampPair(lamp)), glm::vec3(1.0f), light);
-    if (!lightUp(job, light)) return false;
-  }
+  if (!lightPoints(job, true, light)) return false;
   const auto end = static_cast<std::uint32_t>(setup.bounces);
   for (std::uint32_t depth = 1; depth <= end && !vertices_.empty(); ++depth) {
     depart(job, depth - 1);

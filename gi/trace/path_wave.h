@@ -117,6 +117,7 @@ class PathWave {
   void aim(const Job& job, const Vertex& vertex, int lamp, glm::vec2 u, glm::vec3 throughput,
            std::span<glm::vec3> light);
   bool lightUp(const Job& job, std::span<glm::vec3> light);
+  bool lightPoints(const Job& job, bool extended, std::span<glm::vec3> light);
 
   // Decisions of a few hundred vertices at once.
   struct Batch {
