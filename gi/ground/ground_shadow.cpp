@@ -59,9 +59,7 @@ std::vector<Occluder> occludersOf(const scene::Scene& resolved, const volume::Gr
 }
 
 // The box of the shown surfaces, mm from the ground's middle along right, back and up.
-struct Bounds {
-  glm::dvec3 low, high;
-};
+using Bounds = volume::Bounds<glm::dvec3>;
 
 // Places the ground under the surfaces. Returns false if there is none.
 bool putUnder(GroundShadow& ground, Bounds& bounds, const scene::Scene& resolved,

@@ -1,5 +1,7 @@
 #include "gi/sampling/directions.h"
 
+#include <glm/integer.hpp>
+
 #include "base/random.h"
 
 namespace isolux::gi {
@@ -9,14 +11,6 @@ using base::hash64;
 namespace {
 
 constexpr std::uint64_t singleDimensions = 0x5bd1e995u;  // tells sampleOne()'s patterns from samplePair()'s
-
-std::uint32_t reverseBits(std::uint32_t x) {
-  x = (x >> 1 & 0x55555555u) | (x & 0x55555555u) << 1;
-  x = (x >> 2 & 0x33333333u) | (x & 0x33333333u) << 2;
-  x = (x >> 4 & 0x0f0f0f0fu) | (x & 0x0f0f0f0fu) << 4;
-  x = (x >> 8 & 0x00ff00ffu) | (x & 0x00ff00ffu) << 8;
-  return x >> 16 | x << 16;
-}
 
 // Owen scrambling of a number whose first binary digit is bit 0: every bit may flip, by what the bits below
 // it and the key are (a Laine-Karras permutation, constants by Vegdahl 2021).
@@ -31,7 +25,7 @@ std::uint32_t scrambleReversed(std::uint32_t x, std::uint32_t key) {
 
 // The place in the sequence of sample `index`, in an order that keeps aligned blocks of 2^k together.
 std::uint32_t shuffle(std::uint32_t index, std::uint32_t key) {
-  return reverseBits(scrambleReversed(reverseBits(index), key));
+  return glm::bitfieldReverse(scrambleReversed(glm::bitfieldReverse(index), key));
 }
 
 // Sobol's second dimension, first binary digit in bit 0. Digit j is the sum modulo 2 of binomial(k, j) over
@@ -58,8 +52,8 @@ std::uint64_t keyOf(std::uint32_t seed, std::uint64_t stream) {
 glm::vec2 sobolPair(std::uint64_t key, std::uint32_t sample, bool shuffled) {
   const auto first = static_cast<std::uint32_t>(key), second = static_cast<std::uint32_t>(key >> 32);
   const std::uint32_t index = shuffled ? shuffle(sample, first ^ (second * 0x9e3779b1u)) : sample;
-  return {toUnit(reverseBits(scrambleReversed(index, first))),
-          toUnit(reverseBits(scrambleReversed(sobolSecondReversed(index), second)))};
+  return {toUnit(glm::bitfieldReverse(scrambleReversed(index, first))),
+          toUnit(glm::bitfieldReverse(scrambleReversed(sobolSecondReversed(index), second)))};
 }
 
 glm::vec2 r2Pair(std::uint64_t key, std::uint32_t sample) {
@@ -106,7 +100,7 @@ float sampleOne(DirectionSequence sequence, std::uint32_t seed, std::uint32_t sa
     return toUnit(static_cast<std::uint32_t>(randomBits(hash64(key), sample) >> 32));
   const std::uint64_t keys = hash64(key);
   const auto first = static_cast<std::uint32_t>(keys), second = static_cast<std::uint32_t>(keys >> 32);
-  return toUnit(reverseBits(scrambleReversed(shuffle(sample, second), first)));
+  return toUnit(glm::bitfieldReverse(scrambleReversed(shuffle(sample, second), first)));
 }
 
 }  // namespace isolux::gi
