@@ -8,12 +8,29 @@
 #define ISOLUX_VOLUME_CAST_KEPT_CROSSINGS_INL_H
 #endif
 
-#include "volume/cast/crossing_finders-inl.h"
+#include <variant>
+
+#include "volume/cast/cubic_cells-inl.h"
+#include "volume/cast/first_crossing-inl.h"
+#include "volume/cast/trilinear_cells-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isolux::volume::tracing {
 namespace HWY_NAMESPACE {
 #if HWY_TARGET == ISOLUX_SIMD_TARGET
+
+// Calls use(finder) with the finder of crossings for the view's field and samples.
+template <class Use>
+HWY_INLINE void withFinder(const CastView& view, const Use& use) {
+  std::visit(
+      [&](const auto* samples) {
+        if (view.cubic)
+          use(CrossingFinder(view, CubicCells(view, samples)));
+        else
+          use(CrossingFinder(view, TrilinearCells(view, samples)));
+      },
+      view.samples);
+}
 
 struct IntervalLanes {
   VF begin, end;

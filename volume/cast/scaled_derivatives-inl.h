@@ -44,12 +44,6 @@ struct Lanes8 {
     for (std::size_t i = 0; i < kParts; ++i) out.part[i] = hn::Sub(part[i], hn::Set(Part(), reference));
     return out;
   }
-  // this + factor v
-  HWY_INLINE Lanes8 plus(float factor, const Lanes8& v) const {
-    Lanes8 out = *this;
-    out.add(factor, v);
-    return out;
-  }
   HWY_INLINE void store(float* eight) const {
     for (std::size_t i = 0; i < kParts; ++i) hn::StoreU(part[i], Part(), eight + i * kWidth);
   }
@@ -84,8 +78,11 @@ struct Weights8 {
   template <int order>
   static HWY_INLINE Lanes8 polynomial(float t) {
     Lanes8 sum = Lanes8::load(kQuinticFactors<order>.of[5 - order]);
-    for (int power = 4 - order; power >= 0; --power)
-      sum = Lanes8::load(kQuinticFactors<order>.of[power]).plus(t, sum);
+    for (int power = 4 - order; power >= 0; --power) {
+      Lanes8 next = Lanes8::load(kQuinticFactors<order>.of[power]);
+      next.add(t, sum);
+      sum = next;
+    }
     return sum;
   }
 };

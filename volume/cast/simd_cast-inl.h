@@ -7,7 +7,6 @@
 #include <hwy/foreach_target.h>  // before highway.h
 #include <hwy/highway.h>
 
-#include "volume/cast/crossing_finders-inl.h"
 #include "volume/cast/derivatives-inl.h"
 #include "volume/cast/edges-inl.h"
 #include "volume/cast/kept_crossings-inl.h"
