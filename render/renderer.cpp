@@ -64,7 +64,7 @@ void Renderer::setLight(std::shared_ptr<const gi::PictureLight> light) {
 
 void Renderer::invalidate() {
   parts_->graph.invalidate();
-  for (const auto& pass : parts_->passes) pass->forget();
+  *parts_->frame.lookTextures = {};
 }
 
 const scene::Scene& Renderer::Parts::completed(const scene::Scene& scene, const FrameRequest& request) {
@@ -158,7 +158,7 @@ void Renderer::Parts::plan() {
   frame.withHessian = frame.gradientShared = false;
   for (const PlannedPass& entry : planned) {
     if (entry.state == PassState::skipped) continue;
-    frame.used.push_back(passes[entry.index].get());
+    frame.used.push_back(&passes[entry.index]);
     for (const std::string& image : declared[entry.index].writes) {
       frame.withHessian = frame.withHessian || image == image::hessian;
       if (image == image::gradient) frame.gradientShared = frame.used.back()->name == pass::hessian;
@@ -173,7 +173,7 @@ void Renderer::Parts::draw() {
   if (Bricks* const bricks = frame.bricks()) bricks->beginFrame();
   PassClock clock(frame.gl);
   for (const PlannedPass& now : planned) {
-    const Pass& pass = *passes[now.index];
+    const Pass& pass = passes[now.index];
     const bool ran = now.state == PassState::ran, inBands = ran && frame.bandRows > 0;
     if (inBands && pass.name == pass::resolve)
       runInBands(clock);
@@ -190,7 +190,7 @@ void Renderer::Parts::draw() {
 }
 
 void Renderer::Parts::run(const PlannedPass& now, PassClock& clock) {
-  Pass& pass = *passes[now.index];
+  const Pass& pass = passes[now.index];
   throwIfStopped(frame.request);
   makeRoom(now.index);
   clock.begin();
@@ -211,7 +211,7 @@ void Renderer::Parts::runInBands(PassClock& clock) {
     for (const std::size_t index : {indexOf(pass::shade), indexOf(pass::resolve)}) {
       throwIfStopped(frame.request);
       clock.begin();
-      passes[index]->run(frame);
+      passes[index].run(frame);
       clock.end(index);
     }
   frame.bandRow = 0;
@@ -236,10 +236,10 @@ BrickState Renderer::Parts::brickState() {
   return {true, !bricks->holdsAll(), frame.volume->bricksMade(), bricksAsked};
 }
 
-void Renderer::Parts::runInBricks(Pass& pass) {
+void Renderer::Parts::runInBricks(const Pass& pass) {
   BrickRounds rounds(frame, pass, [&] {
     for (const PlannedPass& at : planned)
-      if (at.state == PassState::ran && passes[at.index]->kind.atHits) passes[at.index]->run(frame);
+      if (at.state == PassState::ran && passes[at.index].kind.atHits) passes[at.index].run(frame);
     frame.keepHits = true;
   });
   if (pass.name == pass::cast)
@@ -285,7 +285,7 @@ std::size_t Renderer::Parts::indexOf(std::string_view pass) const {
 }
 
 std::size_t Renderer::Parts::bytesOf(std::size_t pass) const {
-  if (const std::optional<std::size_t> own = passes[pass]->bytes(frame)) return *own;
+  if (passes[pass].bytes) return passes[pass].bytes(frame);
   std::size_t sum = 0;
   for (const std::string& image : declared[pass].writes) sum += frame.images.bytesOf(image);
   return sum;

@@ -108,7 +108,7 @@ void Renderer::Parts::makeRoom(std::size_t next) {
 
 void Renderer::Parts::freeAfter(std::size_t index) {
   if (frame.request.keepImages) return;
-  if (passes[index]->name == pass::layers) frame.images.dropEnding(kEndOfLayers);
+  if (passes[index].name == pass::layers) frame.images.dropEnding(kEndOfLayers);
   for (const auto& [image, last] : lastUse) {
     if (last != index) continue;
     frame.images.drop(image);

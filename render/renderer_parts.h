@@ -104,7 +104,7 @@ struct Renderer::Parts {
   void freeAfter(std::size_t index);
   // Runs shade and resolve in turn, band by band.
   void runInBands(PassClock& clock);
-  void runInBricks(Pass& pass);  // which casts rays
+  void runInBricks(const Pass& pass);  // which casts rays
   void reportBricks();
   void writeReport();
   // A frame has ended before it was complete. Stopped: the passes that were complete are good for the next

@@ -8,7 +8,6 @@
 
 #include <cstdint>
 #include <initializer_list>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -33,8 +32,8 @@ struct OnProcessor {
   bool all = false;
 };
 
-class Pass;
-using PassList = std::vector<std::unique_ptr<Pass>>;
+struct Pass;
+using PassList = std::vector<Pass>;
 
 // Names of passes used outside the pass's own file.
 namespace pass {
@@ -172,36 +171,24 @@ struct LookInput {
   bool (*isRead)(const scene::Scene& scene) = nullptr;  // null: never
 };
 
-class Pass {
- public:
+struct Pass {
+  std::string_view name;           // compared as text: equal literals may have different addresses
+  void (*declare)(Declaring& d);   // declares the pass for a frame; pure, and without GL
+  void (*run)(FrameState& frame);  // draws the declared images, for the frame's current crossing
+  LookInput lookInput{};
   struct Kind {
     bool castsRays = false;   // in bricks, rays may reach some that are not resident: drawn in rounds
     bool atHits = false;      // reads voxels at the hits: in bricks, drawn before those are replaced
     bool ofCrossing = false;  // drawn again for each crossing behind a transparent surface
-  };
-  Pass(const char* itsName, const char* itsShader, const Kind& itsKind, LookInput itsInput = {})
-      : name(itsName), shader(itsShader), kind(itsKind), lookInput(std::move(itsInput)) {}
-  virtual ~Pass() = default;
-  Pass(const Pass&) = delete;
-  Pass& operator=(const Pass&) = delete;
+  } kind{};
+  enum class Cpu { never, casts, all, always };       // casts, all: as OnProcessor says
+  Cpu cpu = Cpu::never;                               // whether the CPU computes it
+  std::size_t (*bytes)(const FrameState&) = nullptr;  // that it writes outside the image pool; null: none
 
-  const std::string_view name;  // compared as text: equal literals may have different addresses
-  const char* const shader;     // the fragment shader; "": it draws nothing
-  const Kind kind;
-  const LookInput lookInput;
   bool isReadByLook(const scene::Scene& scene) const { return lookInput.isRead && lookInput.isRead(scene); }
-
-  // Declares the pass for a frame. Pure, and without GL.
-  virtual void declare(Declaring& d) const = 0;
-
-  // Draws the declared images, for the frame's current crossing. This and the following members use GL.
-  virtual void run(FrameState& frame) = 0;
-  // Returns the bytes that it writes outside the image pool.
-  virtual std::optional<std::size_t> bytes(const FrameState&) const { return std::nullopt; }
-  // Returns whether the CPU computes it.
-  virtual bool isOn(const OnProcessor&) const { return false; }
-  // Discards the data that the pass reuses between frames.
-  virtual void forget() {}
+  bool isOn(const OnProcessor& on) const {
+    return cpu == Cpu::always || (cpu == Cpu::casts && on.casts) || (cpu == Cpu::all && on.all);
+  }
 };
 
 }  // namespace isolux::render

@@ -13,7 +13,7 @@ constexpr int kSmallestArea = 8;   // rays per axis
 constexpr int kAreaOfFiles = 128;  // rays per axis whose bricks are neighbours in a file
 }  // namespace
 
-BrickRounds::BrickRounds(FrameState& frame, Pass& pass, std::function<void()> drawAtHits)
+BrickRounds::BrickRounds(FrameState& frame, const Pass& pass, std::function<void()> drawAtHits)
     : frame_(frame),
       pass_(pass),
       bricks_(*frame.volume->bricks()),

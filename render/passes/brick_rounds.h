@@ -16,7 +16,7 @@ class BrickRounds {
  public:
   // Takes a pass that casts rays. `drawAtHits` runs the passes that need the bricks at the hits found so far;
   // it does not change pixels drawn before.
-  BrickRounds(FrameState& frame, Pass& pass, std::function<void()> drawAtHits);
+  BrickRounds(FrameState& frame, const Pass& pass, std::function<void()> drawAtHits);
 
   // Rays without a result.
   struct Unfinished {
@@ -35,7 +35,7 @@ class BrickRounds {
   Unfinished settle(const volume::Rectangle& area);
 
   FrameState& frame_;
-  Pass& pass_;
+  const Pass& pass_;
   Bricks& bricks_;
   std::function<void()> drawAtHits_;
   bool complete_;    // the image may not miss any part

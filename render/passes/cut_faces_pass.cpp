@@ -44,16 +44,7 @@ void findRow(const volume::CutFaces& faces, const volume::PictureRays& rays, int
   if (last >= 0) area.add(y, first, last + 1);
 }
 
-}  // namespace
-
-CutFaceImage::CutFaceImage(glm::ivec2 size)
-    : held(base::machineMemory().reserve(volume::Extent2{size}.count() * (sizeof(glm::vec2) + sizeof(float)),
-                                         "cut faces of the picture", "a smaller image needs less")),
-      area(size),
-      ends(volume::Extent2{size}.count()),
-      texels(ends.size()) {}
-
-void CutFacesPass::declare(Declaring& d) const {
+void declareCutFaces(Declaring& d) {
   d.writes(image::cutFaces, 8);
   if (!scene::showsCutFaces(d.asked.scene)) {
     d.notNeeded("no cut face is shown");
@@ -67,7 +58,7 @@ void CutFacesPass::declare(Declaring& d) const {
   d.input("which isosurfaces are opaque", scene::isOpaque(s.isosurface), filled);
 }
 
-void CutFacesPass::run(FrameState& frame) {
+void findCutFaces(FrameState& frame) {
   const glm::ivec2 size = frame.raySize();
   Target& target = frame.target(image::cutFaces, {GL_RG32F});
   if (!frame.cutFaces || frame.cutFaces->area.size() != size) frame.cutFaces.emplace(size);
@@ -89,6 +80,19 @@ void CutFacesPass::run(FrameState& frame) {
   target.images[0].write(GL_RG, GL_FLOAT, out.texels.data());
   target.drawn = out.area;
 }
+
+}  // namespace
+
+Pass cutFacesPass() {
+  return {.name = "cut faces", .declare = declareCutFaces, .run = findCutFaces, .cpu = Pass::Cpu::always};
+}
+
+CutFaceImage::CutFaceImage(glm::ivec2 size)
+    : held(base::machineMemory().reserve(volume::Extent2{size}.count() * (sizeof(glm::vec2) + sizeof(float)),
+                                         "cut faces of the picture", "a smaller image needs less")),
+      area(size),
+      ends(volume::Extent2{size}.count()),
+      texels(ends.size()) {}
 
 glm::vec3 CutFaceColors::at(float value) const {
   const auto last = static_cast<float>(row.size() - 1);

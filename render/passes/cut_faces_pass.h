@@ -7,13 +7,7 @@ namespace isolux::render {
 
 // Finds t (mm; -1: none) and the value (data units) of the cap that each ray meets (volume/clip/cut_faces.h).
 // Always runs on the CPU. Rays end at caps; `resolve` colours them behind everything in front.
-class CutFacesPass : public Pass {
- public:
-  CutFacesPass() : Pass("cut faces", "", {}) {}
-  void declare(Declaring& d) const override;
-  void run(FrameState& frame) override;
-  bool isOn(const OnProcessor&) const override { return true; }
-};
+Pass cutFacesPass();
 
 // The colours of a scene's caps.
 struct CutFaceColors {

@@ -5,6 +5,7 @@
 #include "render/gl/constants.h"
 #include "render/passes/pass_declarations.h"
 #include "render/passes/passes.h"
+#include "render/passes/second_volume_pass.h"
 #include "scene/rules/needs.h"
 #include "volume/edge/surface_edges.h"
 #include "volume/field/curvature.h"
@@ -29,7 +30,7 @@ bool hessianIsRead(const Asked& asked) {
 
 // At that scale, by shaders. `hessian`: into the images of the Hessian, too, which the target's framebuffer
 // then has.
-void drawDerivatives(FrameState& frame, Target& target, const char* shader, double scaleMm, bool hessian) {
+void drawDerivatives(FrameState& frame, Target& target, double scaleMm, bool hessian) {
   const FieldAt field{frame.scene->derivatives.field, scaleMm};
   // In bricks, what was drawn in an earlier round of the frame stays.
   if (frame.empty() || (frame.bricks() && !frame.keepHits)) frame.clear(target, {kZero});
@@ -40,7 +41,7 @@ void drawDerivatives(FrameState& frame, Target& target, const char* shader, doub
   else if (field.field != scene::Field::trilinear)
     defines += "#define CUBIC\n";
   if (frame.scene->derivatives.fetch == scene::Fetch::fast) defines += "#define FAST\n";
-  Program& p = frame.program(shader, defines);
+  Program& p = frame.program("derivatives.frag.glsl", defines);
   frame.setView(p);
   frame.volume->bind(p, field);
   p.setTexture("uSurface", 2, frame.image(image::surface));
@@ -50,9 +51,7 @@ void drawDerivatives(FrameState& frame, Target& target, const char* shader, doub
   frame.drawHits(target, p);
 }
 
-}  // namespace
-
-void GradientPass::declare(Declaring& d) const {
+void declareGradient(Declaring& d) {
   d.reads(image::surface).volume().settings({"derivatives.field", "derivatives.normal_scale"});
   if (scene::normalScale(d.asked.scene) == 0.0) d.settings({"derivatives.fetch"});
   d.input("executor at the hits", d.asked.onProcessor.all);
@@ -62,7 +61,7 @@ void GradientPass::declare(Declaring& d) const {
     d.writes(image::gradient, 16);
 }
 
-void GradientPass::run(FrameState& frame) {
+void drawGradient(FrameState& frame) {
   const double scaleMm = scene::normalScale(*frame.scene);
   const FieldAt field{frame.scene->derivatives.field, scaleMm};
   if (frame.gradientInStrips) return deriveOnProcessor(frame, nullptr, field, false);
@@ -70,10 +69,10 @@ void GradientPass::run(FrameState& frame) {
   if (frame.onProcessor.all)
     deriveOnProcessor(frame, &target, field, false);
   else
-    drawDerivatives(frame, target, shader, scaleMm, false);
+    drawDerivatives(frame, target, scaleMm, false);
 }
 
-void HessianPass::declare(Declaring& d) const {
+void declareHessian(Declaring& d) {
   // The processor's Hessians stay in memory (HostImages).
   d.reads(image::surface).writes(image::hessian, d.asked.onProcessor.all ? 0 : 32);
   d.writes(image::tangents, 16);
@@ -83,7 +82,7 @@ void HessianPass::declare(Declaring& d) const {
   d.input("executor at the hits", d.asked.onProcessor.all);
 }
 
-void HessianPass::run(FrameState& frame) {
+void drawHessian(FrameState& frame) {
   Target& target = frame.target(image::tangents, {GL_RGBA32F});
   const double scaleMm = scene::derivativesScale(*frame.scene);
   if (frame.onProcessor.all) {
@@ -94,17 +93,17 @@ void HessianPass::run(FrameState& frame) {
   Target& hessian = frame.target(image::hessian, {GL_RGBA32F, GL_RGBA32F});
   target.framebuffer = Framebuffer(frame.gl, {&target.images[0], &hessian.images[0], &hessian.images[1]});
   target.drawn.add(hessian.drawn);
-  drawDerivatives(frame, target, shader, scaleMm, true);
+  drawDerivatives(frame, target, scaleMm, true);
   hessian.drawn = target.drawn;
   // A framebuffer would hold the memory of freed images.
   target.framebuffer = Framebuffer(frame.gl, {&target.images[0]});
 }
 
-std::optional<std::size_t> HessianPass::bytes(const FrameState& frame) const {
+std::size_t bytesOfHessian(const FrameState& frame) {
   return frame.images.bytesOf(image::tangents) + frame.images.bytesOf(image::hessian);
 }
 
-void CurvaturePass::declare(Declaring& d) const {
+void declareCurvature(Declaring& d) {
   const bool asImage = readsDirection(d.asked.request);
   d.reads(image::surface).reads(image::tangents).reads(image::hessian);
   const bool flowline = readsFlowline(d.asked.scene, d.asked.request);
@@ -113,7 +112,7 @@ void CurvaturePass::declare(Declaring& d) const {
   d.settings({"isosurface.inside", "derivatives.noise"});
 }
 
-void CurvaturePass::run(FrameState& frame) {
+void drawCurvature(FrameState& frame) {
   // For pictures, half floats are enough for directions.
   const GLenum direction = readsDirection(frame.request) ? GL_RGBA32F : GL_RGBA16F;
   const bool flowline = readsFlowline(*frame.scene, frame.request);
@@ -123,7 +122,7 @@ void CurvaturePass::run(FrameState& frame) {
   const FieldAt field = frame.curvatureField();
   std::string defines = field.scaleMm > 0.0 ? "#define SCALED\n" : "";
   if (flowline) defines += "#define FLOWLINE\n";
-  Program& p = frame.program(shader, defines);
+  Program& p = frame.program("curvature.frag.glsl", defines);
   p.setTexture("uGradient", 0, frame.image(image::tangents));
   p.set("uOutward", static_cast<float>(frame.outward()));
   const volume::GridGeometry& geometry = frame.volume->grid().geometry();
@@ -144,13 +143,13 @@ void CurvaturePass::run(FrameState& frame) {
   frame.drawHits(target, p);
 }
 
-void EdgePass::declare(Declaring& d) const {
+void declareEdge(Declaring& d) {
   d.reads(image::surface).writes(image::edge, 8).volume();
   d.settings({"derivatives.field", "derivatives.scale", "derivatives.noise", "isosurface.inside", "edge."});
   d.input("executor at the hits", d.asked.onProcessor.all);
 }
 
-void EdgePass::run(FrameState& frame) {
+void drawEdge(FrameState& frame) {
   Target& target = frame.target(image::edge, {GL_RG32F});
   const float none[4] = {kNoEdge, 0.0f, 0.0f, 0.0f};
   if (frame.clearIfEmpty(target, {none})) return;
@@ -167,7 +166,7 @@ void EdgePass::run(FrameState& frame) {
   const volume::Grid& grid = frame.volume->grid();
   std::string defines = field.scaleMm > 0.0 ? "#define SCALED\n" : "";
   if (grid.missingCount() > 0) defines += "#define GAPS\n";
-  Program& p = frame.program(shader, defines);
+  Program& p = frame.program("edge.frag.glsl", defines);
   frame.setView(p);
   frame.volume->bind(p, field);
   p.setTexture("uSurface", 2, frame.image(image::surface));
@@ -182,6 +181,29 @@ void EdgePass::run(FrameState& frame) {
   p.set("uContrast", static_cast<float>(search.contrast));
   p.set("uLeastStep", static_cast<float>(search.leastStepMm));
   frame.drawHits(target, p);
+}
+
+}  // namespace
+
+PassList derivativePasses() {
+  const Pass::Kind ofCrossing{.ofCrossing = true}, atHits{.atHits = true, .ofCrossing = true};
+  const LookInput edge{image::edge, "EDGE", {"uEdge"}, scene::needsEdge},
+      curvature{image::curvature, "CURVATURE", {"uKappa", "uDirection", "uFlowline"}, scene::needsCurvature};
+  return {
+      // Computes the world gradient for normals at the surface point, at derivatives.normal_scale.
+      {pass::gradient, declareGradient, drawGradient, {}, atHits, Pass::Cpu::all},
+      // Computes the world gradient and Hessian from the same samples, at derivatives.scale. Runs if second
+      // derivatives are read, and replaces the gradient pass if both scales are equal.
+      {pass::hessian, declareHessian, drawHessian, {}, atHits, Pass::Cpu::all, bytesOfHessian},
+      // Computes principal curvatures, first direction and confidence.
+      {"curvature", declareCurvature, drawCurvature, curvature, ofCrossing},
+      // Computes the distance of the object's edge from the surface point along the outward normal, and the
+      // ratio of the gradient there to its noise.
+      {"edge", declareEdge, drawEdge, edge, ofCrossing, Pass::Cpu::all},
+      secondVolumePass(),
+      piecePass(),
+      rangesPass(),
+  };
 }
 
 }  // namespace isolux::render

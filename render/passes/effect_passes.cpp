@@ -39,9 +39,7 @@ double phaseOf(const scene::Flow& flow) {
   return periods - std::floor(periods);
 }
 
-}  // namespace
-
-void ShadowPass::declare(Declaring& d) const {
+void declareShadow(Declaring& d) {
   d.reads(image::surface).reads(image::gradient).reads(image::activeBlocks).writes(image::shadow, 1);
   d.settings({"camera.", "hit.method", "hit.field", "light.space", "light.direction"}).cuts();
   const scene::Scene& s = d.asked.scene;
@@ -51,7 +49,7 @@ void ShadowPass::declare(Declaring& d) const {
   d.input("executor at the hits", d.asked.onProcessor.all);
 }
 
-void ShadowPass::run(FrameState& frame) {
+void drawShadow(FrameState& frame) {
   Target& target = frame.target(image::shadow, {GL_R8});
   if (frame.clearIfEmpty(target, {kZero})) return;
   int opaque = 0;
@@ -61,7 +59,7 @@ void ShadowPass::run(FrameState& frame) {
     shadowOnProcessor(frame, target, opaque);
     return;
   }
-  Program& p = frame.program(shader, traceDefines(frame));
+  Program& p = frame.program("shadow.frag.glsl", traceDefines(frame));
   setTrace(frame, p);
   frame.setPoint(p, 4);
   p.set("uVoxelFromWorld", glm::mat3(frame.volume->grid().geometry().voxelFromWorld()));
@@ -70,27 +68,16 @@ void ShadowPass::run(FrameState& frame) {
   frame.drawHits(target, p);
 }
 
-int occlusionCell(const FrameRequest& request) {
-  if (request.beforeTiles) return 1;
-  const int rays = std::max(request.size.x, request.size.y) * request.supersampling;
-  return std::max(kPixelsOfCell * request.supersampling, (rays + kMostCells - 1) / kMostCells);
-}
-
-glm::ivec2 occlusionCells(const FrameRequest& request) {
-  const int cell = occlusionCell(request);
-  return (request.size * request.supersampling + cell - 1) / cell;
-}
-
-void OpennessPass::declare(Declaring& d) const {
+void declareOpenness(Declaring& d) {
   d.reads(image::surface).reads(image::gradient).writes(image::openness);
   d.settings({"camera.", "isosurface.inside", "look.occlusion_radius"}).pictureSize();
 }
 
-void OpennessPass::run(FrameState& frame) {
+void drawOpenness(FrameState& frame) {
   const glm::ivec2 cells = occlusionCells(frame.request);
   Target& target = frame.images.make(frame.gl, image::openness + frame.layer, cells, {GL_RGBA16F});
   if (frame.clearIfEmpty(target, {kZero})) return;
-  Program& p = frame.program(shader);
+  Program& p = frame.program("openness.frag.glsl");
   frame.setView(p);
   frame.setPoint(p, 0);
   p.set("uDepthRange", glm::vec2(frame.view->depthRangeMm));
@@ -111,23 +98,37 @@ void OpennessPass::run(FrameState& frame) {
   target.drawn = area;
 }
 
-void OcclusionPass::declare(Declaring& d) const {
+void declareOcclusion(Declaring& d) {
   d.reads(image::surface).writes(image::occlusion).pictureSize();
   d.input("of the tiles' whole picture", d.asked.request.tile.has_value(), d.asked.request.beforeTiles);
   if (!d.asked.request.tile) d.reads(image::openness);
 }
 
-void OcclusionPass::run(FrameState& frame) {
-  crossing_ = frame.layer.empty() ? 0 : crossing_ + 1;
+// Another name for each crossing: layers behind share two.
+std::string keptName(int crossing) {
+  return std::string(image::occlusion) + " of the whole picture, crossing " + std::to_string(crossing);
+}
+
+void takeKept(FrameState& frame) {
+  const std::string kept = keptName(frame.occlusionCrossing), own = image::occlusion + frame.layer;
+  if (!frame.images.has(kept))
+    return frame.clear(frame.images.make(frame.gl, own, glm::ivec2(1), {GL_RG32F}), {kAllOpen});
+  const glm::ivec2 size(frame.images.at(kept).images[0].size());
+  frame.copy(frame.images.at(kept), frame.images.make(frame.gl, own, size, {GL_RG32F}));
+}
+
+void drawOcclusion(FrameState& frame) {
+  int& crossing = frame.occlusionCrossing;
+  crossing = frame.layer.empty() ? 0 : crossing + 1;
   if (frame.request.tile) return takeKept(frame);
-  if (frame.request.beforeTiles && crossing_ == 0)  // those of an earlier picture
+  if (frame.request.beforeTiles && crossing == 0)  // those of an earlier picture
     for (int i = 0; frame.images.has(keptName(i)); ++i) frame.images.drop(keptName(i));
   const glm::ivec2 cells = occlusionCells(frame.request);
   Target& target = frame.images.make(frame.gl, image::occlusion + frame.layer, cells, {GL_RG32F});
   if (frame.empty()) {
     frame.clear(target, {kAllOpen});
   } else {
-    Program& p = frame.program(shader);
+    Program& p = frame.program("occlusion.frag.glsl");
     frame.setView(p);
     p.setTexture("uOpenness", 0, frame.image(image::openness));
     p.set("uDepthRange", glm::vec2(frame.view->depthRangeMm));
@@ -135,23 +136,10 @@ void OcclusionPass::run(FrameState& frame) {
     frame.drawHits(target, p, inCells(frame, cells));
   }
   if (frame.request.beforeTiles)
-    frame.copy(target, frame.images.make(frame.gl, keptName(crossing_), cells, {GL_RG32F}));
+    frame.copy(target, frame.images.make(frame.gl, keptName(crossing), cells, {GL_RG32F}));
 }
 
-// Another name for each crossing: layers behind share two.
-std::string OcclusionPass::keptName(int crossing) {
-  return std::string(image::occlusion) + " of the whole picture, crossing " + std::to_string(crossing);
-}
-
-void OcclusionPass::takeKept(FrameState& frame) {
-  const std::string kept = keptName(crossing_), own = image::occlusion + frame.layer;
-  if (!frame.images.has(kept))
-    return frame.clear(frame.images.make(frame.gl, own, glm::ivec2(1), {GL_RG32F}), {kAllOpen});
-  const glm::ivec2 size(frame.images.at(kept).images[0].size());
-  frame.copy(frame.images.at(kept), frame.images.make(frame.gl, own, size, {GL_RG32F}));
-}
-
-void FlowFieldPass::declare(Declaring& d) const {
+void declareFlowField(Declaring& d) {
   d.reads(image::surface)
       .reads(image::gradient)
       .reads(image::tangents)
@@ -162,12 +150,12 @@ void FlowFieldPass::declare(Declaring& d) const {
   d.input("pixel ratio", d.asked.request.pixelRatio);
 }
 
-void FlowFieldPass::run(FrameState& frame) {
+void drawFlowField(FrameState& frame) {
   Target& target = frame.target(image::flowField, {GL_RGBA32F, GL_RGBA16F});
   if (frame.clearIfEmpty(target, {kNoField, kZero})) return;
   const scene::Flow& flow = frame.scene->flow;
-  Program& p =
-      frame.program(shader, flow.direction == scene::FlowDirection::minimum ? "#define MINIMUM\n" : "");
+  Program& p = frame.program("flow_field.frag.glsl",
+                             flow.direction == scene::FlowDirection::minimum ? "#define MINIMUM\n" : "");
   frame.setView(p);
   frame.setPoint(p, 0);
   p.setTexture("uKappa", 3, frame.image(image::curvature, 0));
@@ -179,14 +167,14 @@ void FlowFieldPass::run(FrameState& frame) {
   frame.drawHits(target, p);
 }
 
-void FlowPass::declare(Declaring& d) const {
+void declareFlow(Declaring& d) {
   d.reads(image::flowField).writes(image::flow, 2).settings({"flow.length", "flow.grain"}).pictureSize();
   d.input("pixel ratio", d.asked.request.pixelRatio);
   const bool moves = d.asked.acts("flow.time");  // flow.time and flow.speed act through the phase alone
   d.input("phase of the flow", moves ? phaseOf(d.asked.scene.flow) : 0.0);
 }
 
-void FlowPass::run(FrameState& frame) {
+void drawFlow(FrameState& frame) {
   Target& target = frame.target(image::flow, {GL_R16F});
   const scene::Flow& flow = frame.scene->flow;
   const double raysPerPixel = frame.raysPerWidth(), grain = flow.grain * raysPerPixel;
@@ -195,7 +183,7 @@ void FlowPass::run(FrameState& frame) {
   const double step = std::max({1.0, 0.5 * grain, half / 128.0});
   Texture& noise = frame.images.at(image::flowField + frame.layer).images[1];
   noise.setFilter(GL_LINEAR);
-  Program& p = frame.program(shader);
+  Program& p = frame.program("flow.frag.glsl");
   p.setTexture("uField", 0, frame.image(image::flowField, 0));
   p.setTexture("uNoise", 1, noise);
   p.set("uHalfLength", static_cast<float>(std::max(half, step)));
@@ -203,6 +191,41 @@ void FlowPass::run(FrameState& frame) {
   p.set("uGrain", static_cast<float>(grain));
   p.set("uPhase", static_cast<float>(2.0 * std::numbers::pi * phaseOf(flow)));
   frame.drawHits(target, p);
+}
+
+}  // namespace
+
+PassList effectPasses() {
+  const Pass::Kind ofCrossing{.ofCrossing = true}, castsRays{.castsRays = true, .ofCrossing = true};
+  const LookInput shadow{image::shadow, "SHADOW", {"uLit"}, scene::showsShadow},
+      occlusion{image::occlusion, "OCCLUSION", {"uOpen"}, scene::showsOcclusion};
+  return {
+      // Casts a second ray from each surface point towards the key light.
+      {pass::shadow, declareShadow, drawShadow, shadow, castsRays, Pass::Cpu::all},
+      // Computes the fraction of directions around a surface point that nearby geometry leaves open, from the
+      // image's own points [Jimenez et al. 2016, "Practical Real-Time Strategies for Accurate Indirect
+      // Occlusion"]. Works on cells of some rays each, along one line in the image, which changes from cell
+      // to cell, and averages over neighbours.
+      {pass::openness, declareOpenness, drawOpenness, {}, ofCrossing},
+      // Turns openness into occlusion. A tile contains only a part of the nearby geometry. It therefore uses
+      // its part of the small image drawn before the tiles.
+      {"occlusion", declareOcclusion, drawOcclusion, occlusion, ofCrossing},
+      // Computes the direction of the flow on the screen, and noise on the surface.
+      {"flow field", declareFlowField, drawFlowField, {}, ofCrossing},
+      // Draws streaks along the flow field.
+      {"flow", declareFlow, drawFlow, {image::flow, "FLOW", {"uFlow"}, scene::showsFlow}, ofCrossing},
+  };
+}
+
+int occlusionCell(const FrameRequest& request) {
+  if (request.beforeTiles) return 1;
+  const int rays = std::max(request.size.x, request.size.y) * request.supersampling;
+  return std::max(kPixelsOfCell * request.supersampling, (rays + kMostCells - 1) / kMostCells);
+}
+
+glm::ivec2 occlusionCells(const FrameRequest& request) {
+  const int cell = occlusionCell(request);
+  return (request.size * request.supersampling + cell - 1) / cell;
 }
 
 }  // namespace isolux::render

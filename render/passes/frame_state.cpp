@@ -7,6 +7,7 @@
 
 #include "render/passes/cut_faces_pass.h"
 #include "render/passes/light_passes.h"
+#include "render/passes/passes.h"
 #include "scene/albedo.h"
 #include "scene/shown_surfaces.h"
 #include "volume/edge/surface_edges.h"
@@ -50,6 +51,7 @@ std::vector<double> valuesOf(const std::vector<Surface>& surfaces) {
 FrameState::FrameState(GlPtr pointer)
     : gl(std::move(pointer)),
       lighting(std::make_unique<FrameLight>(gl)),
+      lookTextures(std::make_unique<LookTextures>()),
       emptyArray_(gl),
       anySamples_(gl, GL_ANY_SAMPLES_PASSED),
       samples_(gl, GL_SAMPLES_PASSED) {}

@@ -53,6 +53,7 @@ FieldAt edgeFieldOf(const scene::Scene& scene);
 
 class FrameLight;
 struct CutFaceColors;
+struct LookTextures;
 
 // The caps that rays meet (render/passes/cut_faces_pass.h), bottom row first.
 struct CutFaceImage {
@@ -87,10 +88,12 @@ struct FrameState {
   std::unique_ptr<FrameLight> lighting;    // the light on the GPU
   volume::CurvatureStatistics statistics;  // set by the ranges pass
   ImagePool images;
-  OnProcessor onProcessor;                 // instead of shaders
-  std::map<std::string, HostImages> host;  // crossings found on the CPU, by layer
-  std::optional<RayStarts> starts;         // of the rays that shaders cast; set by the segments pass
-  std::vector<Pass*> used;                 // the passes that this frame needs, run or cached, in order
+  std::unique_ptr<LookTextures> lookTextures;  // of the shade pass
+  int occlusionCrossing = 0;                   // of the occlusion pass: 0 is the first crossing
+  OnProcessor onProcessor;                     // instead of shaders
+  std::map<std::string, HostImages> host;      // crossings found on the CPU, by layer
+  std::optional<RayStarts> starts;             // of the rays that shaders cast; set by the segments pass
+  std::vector<const Pass*> used;               // the passes that this frame needs, run or cached, in order
 
   // Rays in bricks (render/passes/brick_rounds.h). `onlyWaiting`: the cast is of the rays that waited for a
   // brick. `keepHits`: passes do not clear the images of the hits, because some parts cannot be drawn again.

@@ -161,44 +161,8 @@ glm::dvec3 ofOctahedron(glm::dvec2 at) {
   return glm::normalize(direction);
 }
 
-}  // namespace
-
-int reachOfGloss() {
-  return kPixelsInMotion * (kAround / 2 + 2);
-}
-
-void ReflectionsPass::declare(Declaring& d) const {
-  const LightState& light = d.asked.light;
-  d.reads(image::surface).reads(image::gradient).reads(image::light).writes(image::reflections);
-  d.notNeeded("no surface is glossy");
-  declareGloss(d);
-  if (!light.gloss) return;
-  d.pictureSize().input("stored light", light.skyRevision, light.lampsRevision);
-}
-
-void ReflectionsPass::run(FrameState& frame) {
-  const Cells cells = cellsOf(frame);
-  Target& target = frame.images.make(frame.gl, image::reflections + frame.layer, cells.size,
-                                     {GL_RGBA16F, GL_RGBA8, GL_R32F});
-  static constexpr float open[4] = {0.0f, 0.0f, 0.0f, 1.0f}, white[4] = {1.0f, 1.0f, 1.0f, 1.0f},
-                         none[4] = {kNotTraced};
-  frame.clear(target, {open, white, none});
-  if (frame.layer.empty()) frame.reflectedHits.clear();
-  if (frame.empty() || !frame.light || !frame.light->gloss) return;
-  const std::string name = "points of reflections";
-  Target& points = frame.images.make(frame.gl, name, cells.size, {GL_RGBA32F, GL_RGBA32F, GL_RGBA32F});
-  Program& p = frame.program(shader);
-  frame.setView(p);
-  frame.setPoint(p, 0);
-  p.set("uCell", cellOf(frame.request));
-  p.set("uFirstCell", cells.first);
-  frame.begin(points);
-  frame.drawFullscreen(p);
-  trace(frame, target, points, cells.first);
-  frame.images.drop(name);
-}
-
-void ReflectionsPass::trace(FrameState& frame, const Target& target, const Target& found, glm::ivec2 first) {
+// `first`: the cell in the whole image that the images begin with.
+void traceReflections(FrameState& frame, const Target& target, const Target& found, glm::ivec2 first) {
   const glm::ivec2 size(found.images[0].size());
   const std::vector<float> places = found.images[0].readFloats(4), normals = found.images[1].readFloats(4),
                            rays = found.images[2].readFloats(4);
@@ -266,14 +230,52 @@ void ReflectionsPass::trace(FrameState& frame, const Target& target, const Targe
   target.images[2].write(GL_RED, GL_FLOAT, depths.data());
 }
 
+void declareReflections(Declaring& d) {
+  const LightState& light = d.asked.light;
+  d.reads(image::surface).reads(image::gradient).reads(image::light).writes(image::reflections);
+  d.notNeeded("no surface is glossy");
+  declareGloss(d);
+  if (!light.gloss) return;
+  d.pictureSize().input("stored light", light.skyRevision, light.lampsRevision);
+}
+
+void drawReflections(FrameState& frame) {
+  const Cells cells = cellsOf(frame);
+  Target& target = frame.images.make(frame.gl, image::reflections + frame.layer, cells.size,
+                                     {GL_RGBA16F, GL_RGBA8, GL_R32F});
+  static constexpr float open[4] = {0.0f, 0.0f, 0.0f, 1.0f}, white[4] = {1.0f, 1.0f, 1.0f, 1.0f},
+                         none[4] = {kNotTraced};
+  frame.clear(target, {open, white, none});
+  if (frame.layer.empty()) frame.reflectedHits.clear();
+  if (frame.empty() || !frame.light || !frame.light->gloss) return;
+  const std::string name = "points of reflections";
+  Target& points = frame.images.make(frame.gl, name, cells.size, {GL_RGBA32F, GL_RGBA32F, GL_RGBA32F});
+  Program& p = frame.program("reflections.frag.glsl");
+  frame.setView(p);
+  frame.setPoint(p, 0);
+  p.set("uCell", cellOf(frame.request));
+  p.set("uFirstCell", cells.first);
+  frame.begin(points);
+  frame.drawFullscreen(p);
+  traceReflections(frame, target, points, cells.first);
+  frame.images.drop(name);
+}
+
+}  // namespace
+
+Pass reflectionsPass() {
+  const LookInput input{
+      image::reflections, "GLOSS", {"uReflected", "uLampsSeen", "uCellDepth"}, scene::showsGloss};
+  return {pass::reflections, declareReflections, drawReflections, input, {.ofCrossing = true}};
+}
+
+int reachOfGloss() {
+  return kPixelsInMotion * (kAround / 2 + 2);
+}
+
 void GlossUniforms::declare(Declaring& d) {
   declareGloss(d);
   if (d.asked.light.gloss) d.settings({"isosurface.specular", "isosurface#.specular"});
-}
-
-void GlossUniforms::forget() {
-  environments_ = Texture();
-  of_.clear();
 }
 
 void GlossUniforms::set(FrameState& frame, Program& p, int unit) {

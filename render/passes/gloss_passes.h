@@ -18,25 +18,13 @@
 namespace isolux::render {
 
 // Traces reflections at one point of each cell.
-class ReflectionsPass : public Pass {
- public:
-  ReflectionsPass()
-      : Pass(pass::reflections, "reflections.frag.glsl", {.ofCrossing = true},
-             {image::reflections, "GLOSS", {"uReflected", "uLampsSeen", "uCellDepth"}, scene::showsGloss}) {}
-  void declare(Declaring& d) const override;
-  void run(FrameState& frame) override;
-
- private:
-  // `first`: the cell in the whole image that the images begin with.
-  static void trace(FrameState& frame, const Target& target, const Target& points, glm::ivec2 first);
-};
+Pass reflectionsPass();
 
 // Sets the uniforms of gloss.glsl that are not of the reflections' images.
 class GlossUniforms {
  public:
   static void declare(Declaring& d);
   void set(FrameState& frame, Program& program, int unit);
-  void forget();
 
  private:
   Texture environments_;  // squares in the order of GlossLight::environments

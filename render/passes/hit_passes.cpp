@@ -3,6 +3,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "render/passes/cut_faces_pass.h"
 #include "render/passes/passes.h"
 
 namespace isolux::render {
@@ -32,28 +33,21 @@ void clearHits(const FrameState& frame, Target& target) {
     frame.clear(target, {kNoBracket});
 }
 
-}  // namespace
-
-Target& surfaceTarget(FrameState& frame) {
-  const GLenum info = hasSmallInfos(*frame.scene, frame.request) ? GL_RG16F : GL_RG32F;
-  return frame.target(image::surface, {GL_RGBA32F, info});
-}
-
-void BlocksPass::declare(Declaring& d) const {
+void declareBlocks(Declaring& d) {
   d.volume().isovalues().settings({"hit.field"}).input("graphics copy of the volume", d.asked.volume.made);
   d.writes(image::activeBlocks);
 }
 
-void BlocksPass::run(FrameState& frame) {
+void findBlocks(FrameState& frame) {
   if (!frame.volume) return;
   frame.volume->activate(frame.scene->hit.field, valuesOf(frame.surfaces), frame.hidden);
 }
 
-std::optional<std::size_t> BlocksPass::bytes(const FrameState& frame) const {
+std::size_t bytesOfBlocks(const FrameState& frame) {
   return frame.volume ? frame.volume->blockBytes() : 0;
 }
 
-void SegmentsPass::declare(Declaring& d) const {
+void declareSegments(Declaring& d) {
   if (d.asked.onProcessor.casts) {
     d.writes(image::segments).notNeeded("the processor casts the rays");
     return;
@@ -62,7 +56,7 @@ void SegmentsPass::declare(Declaring& d) const {
   d.settings({"camera."}).pictureSize();
 }
 
-void SegmentsPass::run(FrameState& frame) {
+void findSegments(FrameState& frame) {
   if (!frame.starts) frame.starts.emplace(frame.gl);
   if (frame.empty()) {
     frame.starts->clear(frame.raySize());
@@ -77,11 +71,11 @@ void SegmentsPass::run(FrameState& frame) {
       shift, frame.raySize());
 }
 
-std::optional<std::size_t> SegmentsPass::bytes(const FrameState& frame) const {
+std::size_t bytesOfSegments(const FrameState& frame) {
   return frame.starts ? frame.starts->bytes() : 0;
 }
 
-void BricksPass::declare(Declaring& d) const {
+void declareBricks(Declaring& d) {
   d.writes(image::bricks);
   d.notNeeded(d.asked.onProcessor.all ? "nothing on the graphics card reads voxels"
                                       : "the volume is one texture");
@@ -90,16 +84,16 @@ void BricksPass::declare(Declaring& d) const {
   d.input("graphics memory", d.asked.bricks.made).input("what rays ask for", d.asked.bricks.asked);
 }
 
-void BricksPass::run(FrameState& frame) {
+void uploadBricks(FrameState& frame) {
   Bricks& bricks = *frame.volume->bricks();
   if (frame.request.brickUploadBytes > 0) bricks.serve(bricks.frameRound(), frame.request.brickUploadBytes);
 }
 
-std::optional<std::size_t> BricksPass::bytes(const FrameState& frame) const {
+std::size_t bytesOfBricks(const FrameState& frame) {
   return frame.volume && frame.volume->bricks() ? frame.volume->bricks()->bytes() : 0;
 }
 
-void CastPass::declare(Declaring& d) const {
+void declareCast(Declaring& d) {
   const bool exact = d.asked.scene.hit.method == scene::HitMethod::exact;
   d.reads(image::activeBlocks);
   d.writes(exact ? image::surface : image::bracket, hasSmallInfos(d.asked.scene, d.asked.request) ? 20
@@ -116,7 +110,9 @@ void CastPass::declare(Declaring& d) const {
   if (d.asked.bricks.inUse) d.reads(image::bricks);
 }
 
-Program& CastPass::program(FrameState& frame, Rays rays) const {
+enum class Rays { all, again, behind };
+
+Program& castProgram(FrameState& frame, Rays rays) {
   const scene::Hit& hit = frame.scene->hit;
   std::string defines = "#define TILES\n" + traceDefines(frame);
   if (rays == Rays::behind) defines += "#define BEHIND\n";
@@ -124,7 +120,7 @@ Program& CastPass::program(FrameState& frame, Rays rays) const {
   if (rays != Rays::behind && frame.request.asksFor(Aov::value_error)) defines += "#define VALUE_ERROR\n";
   if (rays == Rays::again) defines += "#define AGAIN\n";
   if (frame.cutFaceColors) defines += "#define CUT_FACES\n";
-  Program& p = frame.program(shader, defines);
+  Program& p = frame.program("cast.frag.glsl", defines);
   setTrace(frame, p);
   frame.starts->bind(p, 2);
   if (frame.cutFaceColors) p.setTexture("uCutFaces", 7, frame.images.at(image::cutFaces).images[0]);
@@ -139,7 +135,20 @@ Program& CastPass::program(FrameState& frame, Rays rays) const {
   return p;
 }
 
-void CastPass::run(FrameState& frame) {
+void castBehind(FrameState& frame) {
+  Target& target = castTarget(frame);
+  frame.begin(target);
+  clearHits(frame, target);
+  Program& p = castProgram(frame, Rays::behind);
+  const Target& surface = frame.images.at(image::surface + frame.layerBefore);
+  p.setTexture("uSurface", 4, surface.images[0]);
+  p.setTexture("uInfo", 5, surface.images[1]);
+  p.setTexture("uColor", 6, frame.images.at(image::color).images[0]);
+  frame.anyBehind = frame.drawsAny([&] { frame.drawStarts(p); });
+  target.drawn = surface.drawn;
+}
+
+void castRays(FrameState& frame) {
   if (frame.onProcessor.casts) {
     castOnProcessor(frame);
     if (!frame.layer.empty()) frame.anyBehind = !frame.area().empty();
@@ -153,7 +162,7 @@ void CastPass::run(FrameState& frame) {
   if (!frame.onlyWaiting || frame.empty()) clearHits(frame, target);
   if (frame.empty()) return;
   frame.begin(target);
-  Program& p = program(frame, frame.onlyWaiting ? Rays::again : Rays::all);
+  Program& p = castProgram(frame, frame.onlyWaiting ? Rays::again : Rays::all);
   if (frame.onlyWaiting) {  // each pixel reads only what it wrote itself
     frame.gl->TextureBarrier();
     p.setTexture("uBefore", 4, target.images.back());
@@ -162,20 +171,7 @@ void CastPass::run(FrameState& frame) {
   target.drawn = frame.starts->area();
 }
 
-void CastPass::castBehind(FrameState& frame) const {
-  Target& target = castTarget(frame);
-  frame.begin(target);
-  clearHits(frame, target);
-  Program& p = program(frame, Rays::behind);
-  const Target& surface = frame.images.at(image::surface + frame.layerBefore);
-  p.setTexture("uSurface", 4, surface.images[0]);
-  p.setTexture("uInfo", 5, surface.images[1]);
-  p.setTexture("uColor", 6, frame.images.at(image::color).images[0]);
-  frame.anyBehind = frame.drawsAny([&] { frame.drawStarts(p); });
-  target.drawn = surface.drawn;
-}
-
-void RefinePass::declare(Declaring& d) const {
+void declareRefine(Declaring& d) {
   if (d.asked.scene.hit.method == scene::HitMethod::exact) {
     d.writes("refined points").notNeeded("exact hits are solved in their cells");
     return;
@@ -184,19 +180,69 @@ void RefinePass::declare(Declaring& d) const {
   d.volume().isovalues().pictureSize().settings({"camera.", "hit.field", "hit.refinements"});
 }
 
-void RefinePass::run(FrameState& frame) {
+void refineHits(FrameState& frame) {
   Target& target = surfaceTarget(frame);
   // In bricks, what was refined in an earlier round of the frame stays.
   if (frame.empty() || (frame.bricks() && !frame.keepHits)) frame.clear(target, {kNoSurface, kZero});
   if (frame.empty()) return;
   const scene::Field field = frame.scene->hit.field;
-  Program& p = frame.program(shader, field == scene::Field::trilinear ? "" : "#define CUBIC\n");
+  Program& p = frame.program("refine.frag.glsl", field == scene::Field::trilinear ? "" : "#define CUBIC\n");
   frame.setView(p);
   frame.volume->bind(p, {field});
   frame.setIsovalues(p, field);
   p.setTexture("uBrackets", 2, frame.image(image::bracket));
   p.set("uRefinements", frame.scene->hit.refinements);
   frame.drawHits(target, p, frame.images.at(image::bracket + frame.layer).drawn);
+}
+
+void setHidden(FrameState& frame, Program& p) {
+  frame.volume->surface().bindHidden(p, 14);
+  if (frame.scene->hit.field == scene::Field::trilinear) return;
+  glm::vec4 isovalues(0.0f);
+  for (std::size_t i = 0; i < frame.surfaces.size(); ++i)
+    isovalues[static_cast<int>(i)] = static_cast<float>(frame.volume->texelOf(frame.surfaces[i].value));
+  p.set("uSampleIsovalues", isovalues);
+}
+
+void setCut(const FrameState& frame, Program& p) {
+  const auto faces = frame.cut.region().faces();
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    p.set(("uClip[" + std::to_string(i) + "]").c_str(), glm::vec4(faces[i]));
+  const auto removed = frame.cut.region().removed();
+  for (std::size_t i = 0; i < removed.size(); ++i) {
+    p.set(("uRemovedLow[" + std::to_string(i) + "]").c_str(), glm::vec3(removed[i].low));
+    p.set(("uRemovedHigh[" + std::to_string(i) + "]").c_str(), glm::vec3(removed[i].high));
+  }
+  if (!removed.empty()) p.set("uRemovedAxes", glm::mat3(frame.cut.region().axes()));
+  p.set("uClipped", frame.clippedBits());
+}
+
+}  // namespace
+
+PassList hitPasses() {
+  const Pass::Kind casts{.castsRays = true, .ofCrossing = true}, atHits{.atHits = true, .ofCrossing = true};
+  return {
+      // Finds the active blocks of the isovalues, and which of their sub-blocks can contain a surface.
+      {.name = "blocks", .declare = declareBlocks, .run = findBlocks, .bytes = bytesOfBlocks},
+      // Finds the depths between which the rays of each tile can meet anything, by projecting the active
+      // blocks.
+      {.name = "segments", .declare = declareSegments, .run = findSegments, .bytes = bytesOfSegments},
+      // Uploads the bricks that the rays of the previous frame requested; does nothing for a volume in one
+      // texture.
+      {.name = pass::bricks, .declare = declareBricks, .run = uploadBricks, .bytes = bytesOfBricks},
+      cutFacesPass(),
+      // Finds the first crossing of an isovalue on each ray: exact hits are the surface points, sampled ones
+      // still a bracket [t0, t1]. In a layer, finds the crossing behind that of the previous layer; pixels
+      // without one are unchanged.
+      {pass::cast, declareCast, castRays, {}, casts, Pass::Cpu::casts},
+      // Refines a sampled hit to a surface point, by narrowing its bracket on the exact field of hit.field.
+      {pass::refine, declareRefine, refineHits, {}, atHits},
+  };
+}
+
+Target& surfaceTarget(FrameState& frame) {
+  const GLenum info = hasSmallInfos(*frame.scene, frame.request) ? GL_RG16F : GL_RG32F;
+  return frame.target(image::surface, {GL_RGBA32F, info});
 }
 
 bool anyHit(FrameState& frame) {
@@ -225,32 +271,6 @@ std::string traceDefines(const FrameState& frame) {
     defines += "#define REMOVED " + std::to_string(region.removed().size()) + "\n";
   return defines;
 }
-
-namespace {
-
-void setHidden(FrameState& frame, Program& p) {
-  frame.volume->surface().bindHidden(p, 14);
-  if (frame.scene->hit.field == scene::Field::trilinear) return;
-  glm::vec4 isovalues(0.0f);
-  for (std::size_t i = 0; i < frame.surfaces.size(); ++i)
-    isovalues[static_cast<int>(i)] = static_cast<float>(frame.volume->texelOf(frame.surfaces[i].value));
-  p.set("uSampleIsovalues", isovalues);
-}
-
-void setCut(const FrameState& frame, Program& p) {
-  const auto faces = frame.cut.region().faces();
-  for (std::size_t i = 0; i < faces.size(); ++i)
-    p.set(("uClip[" + std::to_string(i) + "]").c_str(), glm::vec4(faces[i]));
-  const auto removed = frame.cut.region().removed();
-  for (std::size_t i = 0; i < removed.size(); ++i) {
-    p.set(("uRemovedLow[" + std::to_string(i) + "]").c_str(), glm::vec3(removed[i].low));
-    p.set(("uRemovedHigh[" + std::to_string(i) + "]").c_str(), glm::vec3(removed[i].high));
-  }
-  if (!removed.empty()) p.set("uRemovedAxes", glm::mat3(frame.cut.region().axes()));
-  p.set("uClipped", frame.clippedBits());
-}
-
-}  // namespace
 
 void setTrace(FrameState& frame, Program& p) {
   const scene::Field field = frame.scene->hit.field;

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "gi/ground/ground_shadow.h"
+#include "render/passes/passes.h"
 #include "scene/camera.h"
 #include "scene/opacity.h"
 #include "scene/rules/needs.h"
@@ -295,7 +296,9 @@ void FrameLight::setGround(FrameState& frame, Program& p, int unit) {
   p.set("uGroundCrowding", static_cast<float>(gi::GroundShadow::kCrowding));
 }
 
-void LightPass::declare(Declaring& d) const {
+namespace {
+
+void declareLight(Declaring& d) {
   const LightState& light = d.asked.light;
   d.writes(image::light).notNeeded("no look reads baked light");
   d.input("lattice", light.storage).input("stored light", light.skyRevision, light.lampsRevision);
@@ -303,15 +306,15 @@ void LightPass::declare(Declaring& d) const {
   d.input("uploads left over", light.unfinished);
 }
 
-void LightPass::run(FrameState& frame) {
+void uploadLight(FrameState& frame) {
   frame.lighting->upload(frame.request.lightUploadBytes);
 }
 
-std::optional<std::size_t> LightPass::bytes(const FrameState& frame) const {
+std::size_t bytesOfLight(const FrameState& frame) {
   return frame.lighting->atlasBytes();
 }
 
-void IrradiancePass::declare(Declaring& d) const {
+void declareIrradiance(Declaring& d) {
   const LightState& light = d.asked.light;
   d.reads(image::surface).reads(image::gradient).writes(image::irradiance, 16);
   d.notNeeded("no look reads light of the surface points");
@@ -332,14 +335,27 @@ void IrradiancePass::declare(Declaring& d) const {
   d.input("gi.interpolation", d.asked.scene.gi.interpolation);  // wherever light is stored, planned or not
 }
 
-void IrradiancePass::run(FrameState& frame) {
+void drawIrradiance(FrameState& frame) {
   Target& target = frame.target(image::irradiance, {GL_RGBA32F});
   if (frame.clearIfEmpty(target, {kZero})) return;
-  Program& p = frame.program(shader, frame.lighting->defines(frame));
+  Program& p = frame.program("irradiance.frag.glsl", frame.lighting->defines(frame));
   frame.setView(p);
   frame.setPoint(p, 0);
   frame.lighting->bind(frame, p);
   frame.drawHits(target, p);
+}
+
+}  // namespace
+
+PassList lightPasses() {
+  const LookInput irradiance{image::irradiance, "", {"uIrradiance"}, scene::usesGi};  // by SHADING
+  return {
+      // Uploads baked lighting that changed since the last frame.
+      {.name = "light", .declare = declareLight, .run = uploadLight, .bytes = bytesOfLight},
+      // Looks up baked lighting at the surface points, or unshadowed light where nothing is baked.
+      {pass::irradiance, declareIrradiance, drawIrradiance, irradiance, {.ofCrossing = true}},
+      reflectionsPass(),
+  };
 }
 
 }  // namespace isolux::render

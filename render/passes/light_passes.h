@@ -57,25 +57,6 @@ class FrameLight {
   std::uint64_t unfinished_ = 0;
 };
 
-// Uploads baked lighting that changed since the last frame.
-class LightPass : public Pass {
- public:
-  LightPass() : Pass("light", "", {}) {}
-  void declare(Declaring& d) const override;
-  void run(FrameState& frame) override;
-  std::optional<std::size_t> bytes(const FrameState& frame) const override;
-};
-
-// Looks up baked lighting at the surface points, or unshadowed light where nothing is baked.
-class IrradiancePass : public Pass {
- public:
-  IrradiancePass()
-      : Pass(pass::irradiance, "irradiance.frag.glsl", {.ofCrossing = true},
-             {image::irradiance, "", {"uIrradiance"}, scene::usesGi}) {}  // by SHADING
-  void declare(Declaring& d) const override;
-  void run(FrameState& frame) override;
-};
-
 // Returns 2^stops, the exposure factor of an image lit by baked lighting.
 float exposureOf(const scene::Scene& scene, const gi::PictureLight* light);
 void addExposure(Declaring& d);  // declares that the result depends on it

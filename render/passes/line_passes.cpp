@@ -90,28 +90,20 @@ void dependOnRanges(Declaring& d) {
   d.settings({"look.ridge_threshold"});
 }
 
-}  // namespace
-
-double reachOfLines(const scene::Scene& scene, int heightInRays) {
-  if (!scene::drawsLines(scene)) return 0.0;
-  return mostRays(heightInRays) + std::max(1.5 * mostDifference(heightInRays), mostRays(heightInRays)) +
-         heightInRays / 90.0;
-}
-
-void ExtremaPass::declare(Declaring& d) const {
+void declareExtrema(Declaring& d) {
   dependOnPoints(d);
   d.writes(image::extrema, 8);
 }
 
-void ExtremaPass::run(FrameState& frame) {
+void drawExtrema(FrameState& frame) {
   Target& target = frame.target(image::extrema, {GL_RG32F});
   if (frame.clearIfEmpty(target, {kUnknown})) return;
-  Program& p = frame.program(shader);
+  Program& p = frame.program("extrema.frag.glsl");
   setNeighbours(frame, p, 0);
   frame.drawHits(target, p);
 }
 
-void LineFieldPass::declare(Declaring& d) const {
+void declareLineField(Declaring& d) {
   dependOnPoints(d);
   dependOnRanges(d);
   d.writes(image::lineField, 8 * static_cast<int>(kindsOf(d.asked.scene).size()));
@@ -122,11 +114,11 @@ void LineFieldPass::declare(Declaring& d) const {
   d.settings({"look.contour_width"}).input("pixel ratio", d.asked.request.pixelRatio);
 }
 
-void LineFieldPass::run(FrameState& frame) {
+void drawLineField(FrameState& frame) {
   const std::size_t kinds = kindsOf(*frame.scene).size();
   Target& target = frame.target(image::lineField, std::vector<GLenum>(kinds, GL_RGBA16F));
   if (frame.clearIfEmpty(target, {kNoLine})) return;
-  Program& p = frame.program(shader, definesOfLines(*frame.scene));
+  Program& p = frame.program("line_field.frag.glsl", definesOfLines(*frame.scene));
   setNeighbours(frame, p, 0);
   if (frame.scene->look.ridges > 0.0) p.setTexture("uExtrema", 5, frame.image(image::extrema));
   p.set("uRidgeThresholds", glm::vec2(thresholdsOf(frame)));
@@ -136,7 +128,7 @@ void LineFieldPass::run(FrameState& frame) {
   frame.drawHits(target, p);
 }
 
-void LinesPass::declare(Declaring& d) const {
+void declareLines(Declaring& d) {
   dependOnPoints(d);
   dependOnRanges(d);
   d.reads(image::lineField).writes(image::lines, 4);
@@ -144,11 +136,11 @@ void LinesPass::declare(Declaring& d) const {
   d.input("pixel ratio", d.asked.request.pixelRatio);
 }
 
-void LinesPass::run(FrameState& frame) {
+void drawLines(FrameState& frame) {
   Target& target = frame.target(image::lines, {GL_RGBA8});
   if (frame.clearIfEmpty(target, {kZero})) return;
   const scene::Look& look = frame.scene->look;
-  Program& p = frame.program(shader, definesOfLines(*frame.scene));
+  Program& p = frame.program("lines.frag.glsl", definesOfLines(*frame.scene));
   setPoints(frame, p, 0);
   int unit = 3;
   for (const LineKind& line : kindsOf(*frame.scene)) {
@@ -168,6 +160,26 @@ void LinesPass::run(FrameState& frame) {
   p.set("uRidgeLengths", glm::vec2(ridgeLengths(*frame.scene, thresholdsOf(frame))));
   p.set("uContourWidth", static_cast<float>(look.contourWidth * pixel));
   frame.drawHits(target, p);
+}
+
+}  // namespace
+
+PassList linePasses() {
+  const Pass::Kind ofCrossing{.ofCrossing = true};
+  return {
+      // Computes the change of each principal curvature along its own direction: 0 on ridges and valleys.
+      {"extrema", declareExtrema, drawExtrema, {}, ofCrossing},
+      // Finds the lines near each pixel: ridges and valleys, suggestive contours, outlines.
+      {"line field", declareLineField, drawLineField, {}, ofCrossing},
+      // Computes the coverage of each pixel by lines that are long and strong enough.
+      {"lines", declareLines, drawLines, {image::lines, "LINES", {"uLines"}, scene::drawsLines}, ofCrossing},
+  };
+}
+
+double reachOfLines(const scene::Scene& scene, int heightInRays) {
+  if (!scene::drawsLines(scene)) return 0.0;
+  return mostRays(heightInRays) + std::max(1.5 * mostDifference(heightInRays), mostRays(heightInRays)) +
+         heightInRays / 90.0;
 }
 
 }  // namespace isolux::render

@@ -146,15 +146,7 @@ bool fogIsBackground(const Asked& asked) {
   return asked.acts("look.fog_color") && !asked.scene.look.fogColor;
 }
 
-}  // namespace
-
-RangesPass::RangesPass()
-    : Pass("ranges", "", {},
-           {image::ranges, "", {}, [](const scene::Scene& scene) {  // FrameState::statistics
-              return readsCurvatureRanges(scene) || readsSecondRange(scene);
-            }}) {}
-
-void RangesPass::declare(Declaring& d) const {
+void declareRanges(Declaring& d) {
   d.writes(image::ranges).volume().isovalues().settings({"isosurface.inside"});
   // The curvature of the samples' spline, or of the one through them.
   d.input("derivatives.field", d.asked.scene.derivatives.field == scene::Field::cubic_interpolating);
@@ -164,7 +156,7 @@ void RangesPass::declare(Declaring& d) const {
   if (readsSecondRange(d.asked.scene)) d.second();
 }
 
-void RangesPass::run(FrameState& frame) {
+void findRanges(FrameState& frame) {
   std::vector<volume::CurvatureStatistics> all;
   if (frame.volume)
     for (const Surface& surface : frame.surfaces)
@@ -178,7 +170,7 @@ void RangesPass::run(FrameState& frame) {
   if (frame.volume && readsSecondRange(*frame.scene)) frame.secondRange = automaticSecondRange(frame);
 }
 
-void ShadePass::setSurfaces(FrameState& frame, Program& p) const {
+void setSurfaces(FrameState& frame, Program& p) {
   glm::vec4 opacities(1.0f), facing(1.0f);
   for (std::size_t i = 0; i < frame.surfaces.size(); ++i) {
     p.set(("uAlbedos[" + std::to_string(i) + "]").c_str(), glm::vec3(frame.surfaces[i].albedo));
@@ -189,7 +181,7 @@ void ShadePass::setSurfaces(FrameState& frame, Program& p) const {
   p.set("uFacing", facing);
 }
 
-void ShadePass::setLight(FrameState& frame, Program& p) const {
+void setLight(FrameState& frame, Program& p) {
   const scene::Light& light = frame.scene->light;
   p.set("uLight", glm::vec3(frame.towardLight()));
   p.set("uLightColor", glm::vec3(light.color * light.intensity));
@@ -212,29 +204,32 @@ void ShadePass::setLight(FrameState& frame, Program& p) const {
   if (scene::usesGi(*frame.scene)) p.set("uExposure", exposureOf(*frame.scene, frame.light.get()));
 }
 
-void ShadePass::setMeasure(FrameState& frame, Program& p) {
+void setMeasure(FrameState& frame, Program& p) {
   const scene::Look& look = frame.scene->look;
   p.set("uFlat", static_cast<float>(frame.flatCurvature()));
   if (!scene::isMeasure(look.mode)) return;
-  const bool same = colors_ && colorsOf_.mode == look.mode && colorsOf_.colormap == look.colormap &&
-                    colorsOf_.colormapPoints == look.colormapPoints &&
-                    colorsOf_.curvaturePoints == look.curvaturePoints;
+  LookTextures& textures = *frame.lookTextures;
+  const bool same = textures.colors && textures.colorsOf.mode == look.mode &&
+                    textures.colorsOf.colormap == look.colormap &&
+                    textures.colorsOf.colormapPoints == look.colormapPoints &&
+                    textures.colorsOf.curvaturePoints == look.curvaturePoints;
   if (!same) {
     const MeasureColors colors = measureColors(look);
-    colors_ = colorTexture(frame, colors.size, colors.texels);
-    colorsOf_ = look;
+    textures.colors = colorTexture(frame, colors.size, colors.texels);
+    textures.colorsOf = look;
   }
-  p.setTexture("uColorMap", colorMapUnit, colors_);
+  p.setTexture("uColorMap", colorMapUnit, textures.colors);
   p.set("uRange", glm::vec2(measureRange(*frame.scene, frame.statistics, frame.flatCurvature())));
 }
 
-void ShadePass::setSecond(FrameState& frame, Program& p, int unit) {
+void setSecond(FrameState& frame, Program& p, int unit) {
   const scene::ColorVolume& color = frame.scene->color;
-  if (!secondColors_ || secondColorsOf_ != color.map) {
-    secondColors_ = colorTexture(frame, {kSecondColors, 1}, secondColors(*frame.scene));
-    secondColorsOf_ = color.map;
+  LookTextures& textures = *frame.lookTextures;
+  if (!textures.secondColors || textures.secondColorsOf != color.map) {
+    textures.secondColors = colorTexture(frame, {kSecondColors, 1}, secondColors(*frame.scene));
+    textures.secondColorsOf = color.map;
   }
-  p.setTexture("uSecondColors", unit, secondColors_);
+  p.setTexture("uSecondColors", unit, textures.secondColors);
   p.set("uSecondRange", glm::vec2(secondRange(frame)));
   p.set("uSecondStrength", static_cast<float>(color.strength));
   p.set("uSecondFades", color.fade ? 1 : 0);
@@ -242,17 +237,18 @@ void ShadePass::setSecond(FrameState& frame, Program& p, int unit) {
   p.set("uIsolineWidth", static_cast<float>(color.isolineWidth * frame.raysPerWidth()));
 }
 
-void ShadePass::setCrevices(const FrameState& frame, Program& p, int unit) {
+void setCrevices(FrameState& frame, Program& p, int unit) {
   const auto& points = frame.scene->look.accessibilityPoints;
-  if (!crevices_ || crevicesOf_ != points) {
+  LookTextures& textures = *frame.lookTextures;
+  if (!textures.crevices || textures.crevicesOf != points) {
     constexpr int samples = 256;
-    crevices_ = colorTexture(frame, {samples, 1}, scene::pointSamples(*points, samples));
-    crevicesOf_ = points;
+    textures.crevices = colorTexture(frame, {samples, 1}, scene::pointSamples(*points, samples));
+    textures.crevicesOf = points;
   }
-  p.setTexture("uCrevices", unit, crevices_);
+  p.setTexture("uCrevices", unit, textures.crevices);
 }
 
-void ShadePass::setOverlays(FrameState& frame, Program& p) const {
+void setOverlays(FrameState& frame, Program& p) {
   const scene::Scene& scene = *frame.scene;
   const scene::Look& look = scene.look;
   const bool full = look.mode == scene::LookMode::accessibility;
@@ -272,15 +268,15 @@ void ShadePass::setOverlays(FrameState& frame, Program& p) const {
   p.set("uFogColor", glm::vec3(look.fogColor.value_or(glm::dvec3(0.0))));
 }
 
-void ShadePass::declare(Declaring& d) const {
+void declareShade(Declaring& d) {
   const bool transparent = scene::isTransparent(d.asked.scene);
   d.reads(image::surface).writes(transparent ? image::front : image::color, 8);
   d.input("surfaces let light through", transparent);
   // Where no ray can hit anything, colours read nothing of the surface.
   if (d.asked.volume.crossed) {
     if (scene::needsGradient(d.asked.scene)) d.reads(image::gradient);  // FrameState::setPoint() binds them
-    for (const auto& pass : d.passes)
-      if (pass->isReadByLook(d.asked.scene)) d.reads(pass->lookInput.image);
+    for (const Pass& pass : d.passes)
+      if (pass.isReadByLook(d.asked.scene)) d.reads(pass.lookInput.image);
   }
   d.settings({"camera.", "isosurface.", "isosurface#."},
              {"isosurface.value", "isosurface.inside", "isosurface.layers", "isosurface.ghost",
@@ -305,18 +301,19 @@ void ShadePass::declare(Declaring& d) const {
   if (scene::showsGloss(d.asked.scene)) GlossUniforms::declare(d);
 }
 
-Program& ShadePass::prepared(FrameState& frame) {
+Program& preparedShade(FrameState& frame) {
   const std::vector<const LookInput*> inputs = inputsOf(frame);
   const bool gloss = scene::showsGloss(*frame.scene);
-  Program& p = frame.program(shader, definesOf(*frame.scene, frame.bricks() != nullptr, inputs) +
-                                         (gloss ? frame.lighting->lampDefines(frame) : std::string()));
+  Program& p =
+      frame.program("shade.frag.glsl", definesOf(*frame.scene, frame.bricks() != nullptr, inputs) +
+                                           (gloss ? frame.lighting->lampDefines(frame) : std::string()));
   frame.setView(p);
   frame.setPoint(p, surfaceUnit);
   int unit = firstInputUnit;
   for (const LookInput* input : inputs)
     for (std::size_t i = 0; i < input->samplers.size(); ++i)
       if (p.uses(input->samplers[i])) p.setTexture(input->samplers[i], unit++, frame.image(input->image, i));
-  if (gloss) gloss_.set(frame, p, unit++);
+  if (gloss) frame.lookTextures->gloss.set(frame, p, unit++);
   if (scene::showsSecondVolume(*frame.scene)) setSecond(frame, p, unit++);
   if (p.uses("uCrevices")) setCrevices(frame, p, unit);
   setSurfaces(frame, p);
@@ -327,33 +324,13 @@ Program& ShadePass::prepared(FrameState& frame) {
   return p;
 }
 
-void ShadePass::run(FrameState& frame) {
-  const Gl& gl = *frame.gl;
-  if (!frame.layer.empty()) {  // premultiplied, front to back
-    frame.begin(frame.images.at(image::color));
-    gl.Enable(GL_BLEND);
-    gl.BlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
-    frame.drawRectangles(prepared(frame), frame.area().rectangles());
-    gl.Disable(GL_BLEND);
-    gl.BlendFunc(GL_ONE, GL_ZERO);
-    return;
-  }
-  const bool transparent = scene::isTransparent(*frame.scene);
-  if (frame.bandRows > 0) return drawBand(frame);
-  Target& target = frame.target(transparent ? image::front : image::color, {GL_RGBA16F});
-  if (frame.empty())
-    frame.clear(target, {kZero});
-  else
-    frame.drawHits(target, prepared(frame));
-}
-
 // The rows of frame.bandRow to `color`, whose first row that is.
-void ShadePass::drawBand(FrameState& frame) {
+void drawBand(FrameState& frame) {
   const glm::ivec2 size(frame.raySize().x, frame.bandRows);
   Target& target = frame.images.make(frame.gl, image::color, size, {GL_RGBA16F});
   frame.clear(target, {kZero});
   if (frame.empty()) return;
-  Program& p = prepared(frame);
+  Program& p = preparedShade(frame);
   p.set("uFirstRow", frame.bandRow);
   const glm::ivec2 low(0, frame.bandRow);
   if (frame.gradientInStrips) setGradientStrip(frame, p, gradientUnit, frame.bandRow, frame.bandRows);
@@ -366,7 +343,27 @@ void ShadePass::drawBand(FrameState& frame) {
       target.drawn.add(part.low.y + y, part.low.x, part.low.x + part.size.x);
 }
 
-void LayersPass::declare(Declaring& d) const {
+void drawShade(FrameState& frame) {
+  const Gl& gl = *frame.gl;
+  if (!frame.layer.empty()) {  // premultiplied, front to back
+    frame.begin(frame.images.at(image::color));
+    gl.Enable(GL_BLEND);
+    gl.BlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
+    frame.drawRectangles(preparedShade(frame), frame.area().rectangles());
+    gl.Disable(GL_BLEND);
+    gl.BlendFunc(GL_ONE, GL_ZERO);
+    return;
+  }
+  const bool transparent = scene::isTransparent(*frame.scene);
+  if (frame.bandRows > 0) return drawBand(frame);
+  Target& target = frame.target(transparent ? image::front : image::color, {GL_RGBA16F});
+  if (frame.empty())
+    frame.clear(target, {kZero});
+  else
+    frame.drawHits(target, preparedShade(frame));
+}
+
+void declareLayers(Declaring& d) {
   if (reportsHits(d.asked.request, d.asked.scene)) d.input("points behind", d.asked.request.hits);
   d.reads(image::surface);
   if (!scene::isTransparent(d.asked.scene)) {
@@ -378,17 +375,17 @@ void LayersPass::declare(Declaring& d) const {
   const std::vector<bool> used = usedPasses(d.earlier, {image::front});
   std::set<std::string> own;
   for (std::size_t i = 0; i < d.earlier.size(); ++i)
-    if (used[i] && d.passes[i]->kind.ofCrossing)
+    if (used[i] && d.passes[i].kind.ofCrossing)
       own.insert(d.earlier[i].writes.begin(), d.earlier[i].writes.end());
   for (std::size_t i = 0; i < d.earlier.size(); ++i) {
-    if (!used[i] || !d.passes[i]->kind.ofCrossing) continue;
+    if (!used[i] || !d.passes[i].kind.ofCrossing) continue;
     for (const Parameter& parameter : d.earlier[i].parameters) d.add(parameter);
     for (const std::string& image : d.earlier[i].reads)
       if (own.count(image) == 0) d.reads(image.c_str());
   }
 }
 
-void LayersPass::run(FrameState& frame) {
+void drawLayers(FrameState& frame) {
   Target& color = frame.target(image::color, {GL_RGBA16F});
   const Target& front = frame.images.at(image::front);
   frame.copy(front, color);
@@ -401,7 +398,7 @@ void LayersPass::run(FrameState& frame) {
   frame.anyBehind = true;
   for (int layer = 1; layer < layers && frame.anyBehind; ++layer) {
     frame.layer = names[layer % 2];
-    for (Pass* pass : frame.used)
+    for (const Pass* pass : frame.used)
       if (pass->kind.ofCrossing && frame.anyBehind) pass->run(frame);  // the first is the cast
     if (frame.request.stop.stop_requested()) break;
     if (frame.anyBehind && reportsHits(frame.request, *frame.scene))
@@ -410,6 +407,25 @@ void LayersPass::run(FrameState& frame) {
     frame.layerBefore = frame.layer;
   }
   frame.layer.clear();
+}
+
+}  // namespace
+
+Pass rangesPass() {
+  const auto isRead = [](const scene::Scene& scene) {  // FrameState::statistics
+    return readsCurvatureRanges(scene) || readsSecondRange(scene);
+  };
+  return {"ranges", declareRanges, findRanges, {image::ranges, "", {}, isRead}};
+}
+
+PassList lookPasses() {
+  return {
+      // Shades the first crossing in linear colour; a layer is blended behind the colour drawn so far.
+      {pass::shade, declareShade, drawShade, {}, {.ofCrossing = true}},
+      // Draws crossings behind transparent surfaces, one after another until none is visible. For each
+      // crossing, runs all passes from cast to shade again.
+      {pass::layers, declareLayers, drawLayers, {}, {.castsRays = true}},
+  };
 }
 
 }  // namespace isolux::render

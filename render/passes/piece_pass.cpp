@@ -40,13 +40,11 @@ std::vector<float> idsOf(const FrameState& frame, const PiecesOfSurfaces& pieces
   return ids;
 }
 
-}  // namespace
-
-void PiecePass::declare(Declaring& d) const {
+void declarePiece(Declaring& d) {
   d.reads(image::surface).writes(image::piece, 4).volume().isovalues().settings({"isosurface.inside"});
 }
 
-void PiecePass::run(FrameState& frame) {
+void findPieces(FrameState& frame) {
   Target& target = frame.target(image::piece, {GL_R32F});
   const float none[4] = {kNoPiece, 0.0f, 0.0f, 0.0f};
   frame.clear(target, {none});
@@ -54,6 +52,12 @@ void PiecePass::run(FrameState& frame) {
   const PiecesOfSurfaces pieces = piecesOf(frame);
   for (const volume::Rectangle& part : frame.area().rectangles())
     target.images[0].write(GL_RED, GL_FLOAT, idsOf(frame, pieces, part).data(), part);
+}
+
+}  // namespace
+
+Pass piecePass() {
+  return {.name = "piece", .declare = declarePiece, .run = findPieces, .cpu = Pass::Cpu::always};
 }
 
 }  // namespace isolux::render

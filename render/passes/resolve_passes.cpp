@@ -56,9 +56,7 @@ std::optional<Tile> drawLegendOf(FrameState& frame, const Target& picture) {
   return {};
 }
 
-}  // namespace
-
-void BackgroundPass::declare(Declaring& d) const {
+void declareBackground(Declaring& d) {
   d.writes(image::background).pictureSize().settings({"look.background_top", "look.background_bottom"});
   d.notNeeded(d.asked.scene.picture.transparent ? "the picture is transparent"
               : showsEnvironment(d.asked.scene, d.asked.light.background)
@@ -66,17 +64,17 @@ void BackgroundPass::declare(Declaring& d) const {
                   : "the ground is behind the surface");
 }
 
-void BackgroundPass::run(FrameState& frame) {
+void drawBackground(FrameState& frame) {
   // Nobody else reads it in a frame that keeps no images: the picture is drawn over it.
   const char* const name = frame.request.keepImages ? image::background : image::picture;
   const Target& target = frame.images.make(frame.gl, name, frame.drawnSize(), {GL_RGBA8});
   frame.begin(target, frame.drawnSize());
-  Program& p = frame.program(shader, "#define NOTHING_ELSE\n");
+  Program& p = frame.program("resolve.frag.glsl", "#define NOTHING_ELSE\n");
   setBehind(frame, p);
   frame.drawFullscreen(p);
 }
 
-void ResolvePass::declare(Declaring& d) const {
+void declareResolve(Declaring& d) {
   const scene::Scene& scene = d.asked.scene;
   const bool ground = showsGround(scene, d.asked.light.ground != 0);
   d.reads(image::color).writes(image::picture).pictureSize().settings({"look.legend", "look.legend_corner"});
@@ -105,29 +103,14 @@ void ResolvePass::declare(Declaring& d) const {
   }
 }
 
-void ResolvePass::run(FrameState& frame) {
-  Target& target = frame.images.make(frame.gl, image::picture, frame.drawnSize(), {GL_RGBA8});
-  if (environmentIsSeen(frame) || groundIsSeen(frame) || frame.scene->picture.transparent)
-    drawAll(frame, target, curveOf(frame));
-  else
-    drawHits(frame, target);
-  frame.legend.reset();
-  if (!frame.empty() && scene::showsLegend(*frame.scene)) frame.legend = drawLegendOf(frame, target);
-  if (frame.request.linear)
-    drawAll(frame, frame.images.make(frame.gl, image::linear, frame.drawnSize(), {GL_RGBA32F}),
-            "#define LINEAR\n");
-  else
-    frame.images.drop(image::linear);
-}
-
-Program& ResolvePass::prepared(FrameState& frame, const std::string& defines) const {
+Program& preparedResolve(FrameState& frame, const std::string& defines) {
   const bool environment = environmentIsSeen(frame);
   const bool ground = groundIsSeen(frame);
   const bool faces = frame.cutFaceColors != nullptr;
-  Program& p =
-      frame.program(shader, defines + (environment ? "#define ENVIRONMENT\n" : "") +
-                                (ground ? "#define GROUND\n" : "") + (faces ? "#define CUT_FACES\n" : "") +
-                                (frame.scene->picture.transparent ? "#define TRANSPARENT\n" : ""));
+  Program& p = frame.program("resolve.frag.glsl",
+                             defines + (environment ? "#define ENVIRONMENT\n" : "") +
+                                 (ground ? "#define GROUND\n" : "") + (faces ? "#define CUT_FACES\n" : "") +
+                                 (frame.scene->picture.transparent ? "#define TRANSPARENT\n" : ""));
   if (faces) setCutFaces(frame, p, kCutFacesUnit);
   if (environment) frame.lighting->setBackground(frame, p, kEnvironmentUnit);
   if (ground) frame.lighting->setGround(frame, p, kGroundUnit);
@@ -137,18 +120,44 @@ Program& ResolvePass::prepared(FrameState& frame, const std::string& defines) co
   return p;
 }
 
-void ResolvePass::drawAll(FrameState& frame, const Target& target, const std::string& defines) const {
-  Program& p = prepared(frame, defines);
+void resolveAll(FrameState& frame, const Target& target, const std::string& defines) {
+  Program& p = preparedResolve(frame, defines);
   frame.begin(target, frame.drawnSize());
   frame.drawFullscreen(p);
 }
 
 // The background's own pixels, with the surface's over them.
-void ResolvePass::drawHits(FrameState& frame, Target& target) const {
+void resolveHits(FrameState& frame, Target& target) {
   if (frame.request.keepImages) frame.copy(frame.images.at(image::background), target);
-  Program& p = prepared(frame, curveOf(frame));
+  Program& p = preparedResolve(frame, curveOf(frame));
   frame.begin(target, frame.drawnSize());
   frame.drawRectangles(p, frame.surfacePixels());
+}
+
+void drawResolve(FrameState& frame) {
+  Target& target = frame.images.make(frame.gl, image::picture, frame.drawnSize(), {GL_RGBA8});
+  if (environmentIsSeen(frame) || groundIsSeen(frame) || frame.scene->picture.transparent)
+    resolveAll(frame, target, curveOf(frame));
+  else
+    resolveHits(frame, target);
+  frame.legend.reset();
+  if (!frame.empty() && scene::showsLegend(*frame.scene)) frame.legend = drawLegendOf(frame, target);
+  if (frame.request.linear)
+    resolveAll(frame, frame.images.make(frame.gl, image::linear, frame.drawnSize(), {GL_RGBA32F}),
+               "#define LINEAR\n");
+  else
+    frame.images.drop(image::linear);
+}
+
+}  // namespace
+
+PassList resolvePasses() {
+  return {
+      // Draws the pixels without a surface, if they do not depend on the view.
+      {"background", declareBackground, drawBackground},
+      // Adds the background, averages supersamples, encodes sRGB and adds the legend.
+      {pass::resolve, declareResolve, drawResolve},
+  };
 }
 
 }  // namespace isolux::render

@@ -68,15 +68,13 @@ std::vector<glm::vec4> texelsOf(const FrameState& frame, const SecondAtPoints& s
   return texels;
 }
 
-}  // namespace
-
-void SecondVolumePass::declare(Declaring& d) const {
+void declareSecondVolume(Declaring& d) {
   d.reads(image::surface).writes(image::second, 16).second();
   if (d.asked.volume.second != 0 && d.asked.scene.color.below > 0.0)
     d.reads(image::gradient).settings({"isosurface.inside"});
 }
 
-void SecondVolumePass::run(FrameState& frame) {
+void lookUpSecondVolume(FrameState& frame) {
   Target& target = frame.target(image::second, {GL_RGBA32F});
   const float none[4] = {kNoValue, 0.0f, 0.0f, 0.0f};
   frame.clear(target, {none});
@@ -84,6 +82,14 @@ void SecondVolumePass::run(FrameState& frame) {
   const SecondAtPoints second(frame);
   for (const volume::Rectangle& part : frame.area().rectangles())
     target.images[0].write(GL_RGBA, GL_FLOAT, texelsOf(frame, second, part).data(), part);
+}
+
+}  // namespace
+
+Pass secondVolumePass() {
+  const Pass::Kind ofCrossing{.ofCrossing = true};
+  const LookInput input{image::second, "SECOND", {"uSecond"}, scene::showsSecondVolume};
+  return {"second volume", declareSecondVolume, lookUpSecondVolume, input, ofCrossing, Pass::Cpu::always};
 }
 
 bool readsSecondRange(const scene::Scene& scene) {

@@ -11,15 +11,7 @@ namespace isolux::render {
 
 // Looks up value and world gradient at the surface points. Always runs on the CPU: nothing of that volume is
 // uploaded.
-class SecondVolumePass : public Pass {
- public:
-  SecondVolumePass()
-      : Pass("second volume", "", {.ofCrossing = true},
-             {image::second, "SECOND", {"uSecond"}, scene::showsSecondVolume}) {}
-  void declare(Declaring& d) const override;
-  void run(FrameState& frame) override;
-  bool isOn(const OnProcessor&) const override { return true; }
-};
+Pass secondVolumePass();
 
 // Returns whether an end of its colour map is automatic and follows the surface.
 bool readsSecondRange(const scene::Scene& scene);
