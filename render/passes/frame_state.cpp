@@ -260,15 +260,10 @@ double FrameState::flatCurvature() const {
 }
 
 void FrameState::setIsovalues(Program& program, scene::Field field) const {
-  glm::vec4 isovalues(0.0f), shifts(0.0f);
-  const double first = volume->texelOf(surfaces[0].value, field);
-  for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    const double own = volume->texelOf(surfaces[i].value, field);
-    isovalues[static_cast<int>(i)] = static_cast<float>(own);
-    shifts[static_cast<int>(i)] = static_cast<float>(own - first);
-  }
-  program.set("uIsovalues", isovalues);
-  program.set("uIsovalueShifts", shifts);
+  const auto texel = [&](const Surface& surface) { return volume->texelOf(surface.value, field); };
+  const double first = texel(surfaces[0]);
+  program.set("uIsovalues", ofSurfaces(texel));
+  program.set("uIsovalueShifts", ofSurfaces([&](const Surface& own) { return texel(own) - first; }));
 }
 
 FieldAt edgeFieldOf(const scene::Scene& scene) {

@@ -198,6 +198,14 @@ struct FrameState {
   bool drawsAny(const std::function<void()>& draw);  // returns whether any sample passed
   // Returns how many passed; colours are unchanged.
   std::int64_t samplesOf(const std::function<void()>& draw);
+  // Returns a number of each surface, of(surface), and `others` behind the last.
+  template <class Of>
+  glm::vec4 ofSurfaces(const Of& of, float others = 0.0f) const {
+    glm::vec4 numbers(others);
+    for (std::size_t i = 0; i < surfaces.size(); ++i)
+      numbers[static_cast<int>(i)] = static_cast<float>(of(surfaces[i]));
+    return numbers;
+  }
   // Sets uIsovalues and uIsovalueShifts, as texels of the texture that `field` is made from.
   void setIsovalues(Program& program, scene::Field field) const;
 

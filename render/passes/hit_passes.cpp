@@ -198,10 +198,8 @@ void refineHits(FrameState& frame) {
 void setHidden(FrameState& frame, Program& p) {
   frame.volume->surface().bindHidden(p, 14);
   if (frame.scene->hit.field == scene::Field::trilinear) return;
-  glm::vec4 isovalues(0.0f);
-  for (std::size_t i = 0; i < frame.surfaces.size(); ++i)
-    isovalues[static_cast<int>(i)] = static_cast<float>(frame.volume->texelOf(frame.surfaces[i].value));
-  p.set("uSampleIsovalues", isovalues);
+  const auto texel = [&](const Surface& surface) { return frame.volume->texelOf(surface.value); };
+  p.set("uSampleIsovalues", frame.ofSurfaces(texel));
 }
 
 void setCut(const FrameState& frame, Program& p) {

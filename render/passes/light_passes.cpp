@@ -221,14 +221,9 @@ void FrameLight::setLattice(const FrameState& frame, Program& p) {
   p.set("uSkyScale", frame.light->skyScale * atlas_.layout().skyUnit);
   p.set("uLampsUnit", atlas_.layout().lampsUnit);
   if (atlas_.holdsPartsOfOpenSky()) p.set("uPerMeanSky", atlas_.openSky().perMean());
-  glm::vec4 isovalues(0.0f), shadows(1.0f);
-  for (std::size_t i = 0; i < frame.surfaces.size(); ++i) {
-    const Surface& surface = frame.surfaces[i];
-    isovalues[static_cast<int>(i)] = frame.volume->grid().storedIsovalue(surface.value);
-    shadows[static_cast<int>(i)] = static_cast<float>(scene::shadowShown(surface));
-  }
-  p.set("uStoredIsovalues", isovalues);
-  p.set("uShadowShown", shadows);
+  const auto isovalue = [&](const Surface& s) { return frame.volume->grid().storedIsovalue(s.value); };
+  p.set("uStoredIsovalues", frame.ofSurfaces(isovalue));
+  p.set("uShadowShown", frame.ofSurfaces([](const Surface& s) { return scene::shadowShown(s); }, 1.0f));
   const LightTexelLayout& layout = atlas_.layout();
   if (layout.sky != LightPacking::codes) return;
   const gi::TransferBasis::Lighting lighting = frame.light->basis->under(frame.light->environment);

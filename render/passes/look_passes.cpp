@@ -171,14 +171,10 @@ void findRanges(FrameState& frame) {
 }
 
 void setSurfaces(FrameState& frame, Program& p) {
-  glm::vec4 opacities(1.0f), facing(1.0f);
-  for (std::size_t i = 0; i < frame.surfaces.size(); ++i) {
+  for (std::size_t i = 0; i < frame.surfaces.size(); ++i)
     p.set(("uAlbedos[" + std::to_string(i) + "]").c_str(), glm::vec3(frame.surfaces[i].albedo));
-    opacities[static_cast<int>(i)] = static_cast<float>(frame.surfaces[i].opacity);
-    facing[static_cast<int>(i)] = static_cast<float>(frame.surfaces[i].facingOpacity);
-  }
-  p.set("uOpacities", opacities);
-  p.set("uFacing", facing);
+  p.set("uOpacities", frame.ofSurfaces([](const Surface& surface) { return surface.opacity; }, 1.0f));
+  p.set("uFacing", frame.ofSurfaces([](const Surface& surface) { return surface.facingOpacity; }, 1.0f));
 }
 
 void setLight(FrameState& frame, Program& p) {
