@@ -65,10 +65,10 @@ void compareDerivatives(const volume::Grid& grid) {
   const volume::DerivativeImages gradients{gradient, {}, {}}, hessians{gradient, diagonal, mixed};
   const volume::PictureArea area = volume::PictureArea::whole({kPicture, kPicture});
   const auto plain = [&](const volume::DerivativeImages& images) {
-    return [&] { surfaceDerivatives(grid, volume::DerivedField::spline, nullptr, points, area, images); };
+    return [&] { surfaceDerivatives(grid, {}, points, area, images); };
   };
   const auto atScale = [&](const volume::DerivativeImages& images) {
-    return [&] { surfaceDerivatives(grid, scaled, points, area, images); };
+    return [&] { surfaceDerivatives(grid, {.scaled = &scaled}, points, area, images); };
   };
   const std::vector<double> times =
       medians({plain(gradients), atScale(gradients), plain(hessians), atScale(hessians)}, 15);

@@ -8,6 +8,7 @@
 #include <memory>
 #include <span>
 #include <utility>
+#include <variant>
 
 #include <glm/vec3.hpp>
 
@@ -55,6 +56,11 @@ class Grid {
   const VoxelArray& voxels() const {
     if (source_) throwNotWhole();
     return voxels_;
+  }
+  // Calls use(vector of the stored type) with all voxels. Throws as voxels() does.
+  template <class Use>
+  decltype(auto) visit(const Use& use) const {
+    return std::visit(use, voxels());
   }
   VoxelArray takeVoxels() && { return std::move(voxels_); }
 

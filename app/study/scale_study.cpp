@@ -106,16 +106,14 @@ Grid ScaleStudyRunner::noisy(int seed, base::Progress& progress) const {
   std::vector<float> values =
       unitNoise(grid.dims(), noise_.correlation, static_cast<std::uint64_t>(seed), progress);
   const double storedDeviation = deviation_ / std::abs(grid.slope());
-  std::visit(
-      [&](const auto& voxels) {
-        volume::parallelPieces(
-            values.size(), std::size_t{1} << 16, progress, {}, [&](std::size_t begin, std::size_t end) {
-              for (std::size_t i = begin; i < end; ++i)
-                values[i] = static_cast<float>(static_cast<double>(voxels[i]) +
-                                               storedDeviation * static_cast<double>(values[i]));
-            });
-      },
-      grid.voxels());
+  grid.visit([&](const auto& voxels) {
+    volume::parallelPieces(
+        values.size(), std::size_t{1} << 16, progress, {}, [&](std::size_t begin, std::size_t end) {
+          for (std::size_t i = begin; i < end; ++i)
+            values[i] = static_cast<float>(static_cast<double>(voxels[i]) +
+                                           storedDeviation * static_cast<double>(values[i]));
+        });
+  });
   return Grid(grid.geometry(), std::move(values), grid.slope(), grid.intercept(), progress);
 }
 

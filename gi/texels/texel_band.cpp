@@ -5,7 +5,6 @@
 #include <atomic>
 #include <type_traits>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "gi/lattice/texel_bits.h"
@@ -126,20 +125,18 @@ std::vector<BlockRequest> texelsOfBand(const LatticeGeometry& lattice, const vol
   const Footprints footprints(lattice, reach, field == scene::Field::trilinear ? 0 : 1);
   std::vector<BlockRequest> wanted(lattice.blockCount());
   std::atomic<std::size_t> done{0};
-  std::visit(
-      [&](const auto& voxels) {
-        using T = typename std::decay_t<decltype(voxels)>::value_type;
-        volume::parallelRanges(lattice.blockCount(), 16, [&](const volume::Indices<std::uint32_t>& range) {
-          BlockScan<T> scan(lattice, grid, voxels);
-          for (std::uint32_t block = range.begin(); block != range.end(); ++block) {
-            if (progress.stopRequested()) return;
-            wanted[block] = {block, scan.run(block, footprints, from, to)};
-          }
-          const std::size_t now = done += range.size();
-          progress.report(static_cast<double>(now) / lattice.blockCount(), "finding the band's texels");
-        });
-      },
-      grid.voxels());
+  grid.visit([&](const auto& voxels) {
+    using T = typename std::decay_t<decltype(voxels)>::value_type;
+    volume::parallelRanges(lattice.blockCount(), 16, [&](const volume::Indices<std::uint32_t>& range) {
+      BlockScan<T> scan(lattice, grid, voxels);
+      for (std::uint32_t block = range.begin(); block != range.end(); ++block) {
+        if (progress.stopRequested()) return;
+        wanted[block] = {block, scan.run(block, footprints, from, to)};
+      }
+      const std::size_t now = done += range.size();
+      progress.report(static_cast<double>(now) / lattice.blockCount(), "finding the band's texels");
+    });
+  });
   progress.throwIfStopped();
   std::erase_if(wanted, [](const BlockRequest& block) { return block.texels.none(); });
   return wanted;

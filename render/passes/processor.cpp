@@ -66,15 +66,11 @@ std::vector<float> alphaOf(const Texture& color, const volume::PictureArea& befo
 void derive(const GpuVolume& volume, const FieldAt& field, const volume::CrossingImage& crossings,
             const volume::PictureArea& area, const volume::DerivativeImages& out,
             const std::stop_token& stop) {
-  constexpr auto widest = volume::TracerTarget::automatic;
-  if (const volume::ScaledField* const scaled = volume.scaled(field)) {
-    volume::surfaceDerivatives(volume.grid(), *scaled, crossings.points, area, out, widest, stop);
-    return;
-  }
-  const bool trilinear = field.field == scene::Field::trilinear;
-  volume::surfaceDerivatives(volume.grid(),
-                             trilinear ? volume::DerivedField::trilinear : volume::DerivedField::spline,
-                             volume.coefficients(field.field), crossings.points, area, out, widest, stop);
+  const volume::ScaledField* const scaled = volume.scaled(field);
+  const volume::DerivedField of{scaled ? nullptr : volume.coefficients(field.field), scaled,
+                                field.field == scene::Field::trilinear};
+  volume::surfaceDerivatives(volume.grid(), of, crossings.points, area, out, volume::TracerTarget::automatic,
+                             stop);
 }
 
 volume::SurfaceCaster casterOf(const FrameState& frame) {
@@ -113,8 +109,8 @@ void findEdges(const FrameState& frame, const FieldAt& field, const volume::Edge
                const std::vector<glm::vec4>& points, const volume::PictureArea& area,
                std::vector<glm::vec2>& edges) {
   const GpuVolume& volume = *frame.volume;
-  volume::surfaceEdges(volume.grid(), volume.scaled(field), volume.coefficients(field.field), search, points,
-                       area, edges, kNoEdge, volume::TracerTarget::automatic, frame.request.stop);
+  volume::surfaceEdges(volume.grid(), {volume.coefficients(field.field), volume.scaled(field)}, search,
+                       points, area, edges, kNoEdge, volume::TracerTarget::automatic, frame.request.stop);
 }
 
 }  // namespace

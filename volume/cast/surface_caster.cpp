@@ -121,7 +121,7 @@ SurfaceCaster::SurfaceCaster(const CastField& field, std::span<const double> sto
     takeCoefficients(*field.coefficients, grid, view);
     origin = field.coefficients->offset;
   } else {
-    std::visit([&](const auto& voxels) { view.samples = voxels.data(); }, grid.voxels());
+    grid.visit([&](const auto& voxels) { view.samples = voxels.data(); });
     scaleVoxels(grid, view);
     origin = static_cast<double>(view.offset);
   }

@@ -11,11 +11,14 @@ namespace isolux::volume {
 
 namespace {
 
-casting::DerivativesView viewOf(const Grid& grid) {
+casting::DerivativesView viewOf(const Grid& grid, const DerivedField& field) {
   casting::DerivativesView view;
   view.dims = grid.dims();
-  std::visit([&](const auto& voxels) { view.samples = voxels.data(); }, grid.voxels());
+  grid.visit([&](const auto& voxels) { view.samples = voxels.data(); });
   view.spline = view.samples;
+  if (field.coefficients) view.spline = field.coefficients->values.data();
+  if (field.scaled) view.scaled = field.scaled->coefficients.values.data();
+  view.cubic = !field.trilinear;
   view.worldFromVoxel = glm::mat3(glm::transpose(glm::inverse(glm::dmat3(grid.geometry().worldFromVoxel))));
   view.dataUnits = static_cast<float>(grid.slope());
   return view;
@@ -37,12 +40,16 @@ void deriveRows(const PictureArea& area, const std::stop_token& stop, const Deri
   });
 }
 
-void derive(const casting::DerivativesView& view, std::span<const glm::vec4> points, const PictureArea& area,
-            const DerivativeImages& images, TracerTarget wanted, const std::stop_token& stop) {
+}  // namespace
+
+void surfaceDerivatives(const Grid& grid, const DerivedField& field, std::span<const glm::vec4> points,
+                        const PictureArea& area, const DerivativeImages& images, TracerTarget wanted,
+                        const std::stop_token& stop) {
   const casting::CastKernels* const kernels = casting::castKernels(wanted);
   assert(kernels && images.gradient.size() == points.size());
   assert(points.size() == Extent2{area.size()}.count());
   assert(images.diagonal.size() == images.mixed.size());
+  const casting::DerivativesView view = viewOf(grid, field);
   deriveRows(area, stop, [&](std::size_t first, std::size_t count) {
     const auto of = [&](std::span<glm::vec4> image) { return image.empty() ? nullptr : &image[first]; };
     kernels->derivatives(view,
@@ -50,33 +57,12 @@ void derive(const casting::DerivativesView& view, std::span<const glm::vec4> poi
   });
 }
 
-}  // namespace
-
-void surfaceDerivatives(const Grid& grid, DerivedField field, const Coefficients* coefficients,
-                        std::span<const glm::vec4> points, const PictureArea& area,
-                        const DerivativeImages& images, TracerTarget wanted, const std::stop_token& stop) {
-  casting::DerivativesView view = viewOf(grid);
-  view.cubic = field == DerivedField::spline;
-  if (coefficients) view.spline = coefficients->values.data();
-  derive(view, points, area, images, wanted, stop);
-}
-
-void surfaceDerivatives(const Grid& grid, const ScaledField& scaled, std::span<const glm::vec4> points,
-                        const PictureArea& area, const DerivativeImages& images, TracerTarget wanted,
-                        const std::stop_token& stop) {
-  casting::DerivativesView view = viewOf(grid);
-  view.scaled = scaled.coefficients.values.data();
-  derive(view, points, area, images, wanted, stop);
-}
-
-void surfaceEdges(const Grid& grid, const ScaledField* scaled, const Coefficients* coefficients,
-                  const EdgeSearch<float>& search, std::span<const glm::vec4> points, const PictureArea& area,
-                  std::span<glm::vec2> edges, float none, TracerTarget wanted, const std::stop_token& stop) {
+void surfaceEdges(const Grid& grid, const DerivedField& field, const EdgeSearch<float>& search,
+                  std::span<const glm::vec4> points, const PictureArea& area, std::span<glm::vec2> edges,
+                  float none, TracerTarget wanted, const std::stop_token& stop) {
   const casting::CastKernels* const kernels = casting::castKernels(wanted);
   assert(kernels && edges.size() == points.size());
-  casting::EdgeView view{viewOf(grid), search, grid.missingCount() > 0};
-  if (scaled) view.field.scaled = scaled->coefficients.values.data();
-  if (coefficients) view.field.spline = coefficients->values.data();
+  const casting::EdgeView view{viewOf(grid, field), search, grid.missingCount() > 0};
   deriveRows(area, stop, [&](std::size_t first, std::size_t count) {
     kernels->edges(view, {&points[first], count, &edges[first], none});
   });

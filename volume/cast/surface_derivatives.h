@@ -25,29 +25,26 @@ struct DerivativeImages {
   std::span<glm::vec4> gradient, diagonal, mixed;
 };
 
-enum class DerivedField { trilinear, spline };
+// What is derived. At a scale `samples are the volume's own` where all 6^3 coefficients of a lookup are, and
+// axes may have a single voxel.
+struct DerivedField {
+  const Coefficients* coefficients = nullptr;  // of the spline; null: the samples themselves
+  const ScaledField* scaled = nullptr;         // instead of the spline, unless it is null
+  bool trilinear = false;                      // the trilinear field instead
+};
 
 // points: voxel coordinates, w < 0 where there is no surface; those beyond `area` are left alone, and
-// some within once a stop is asked for.
-// coefficients: of the spline; null: the samples themselves. On all threads of the caller's arena. Needs
+// some within once a stop is asked for. On all threads of the caller's arena. Needs
 // SurfaceCaster::available().
-void surfaceDerivatives(const Grid& grid, DerivedField field, const Coefficients* coefficients,
-                        std::span<const glm::vec4> points, const PictureArea& area,
-                        const DerivativeImages& images, TracerTarget wanted = TracerTarget::automatic,
-                        const std::stop_token& stop = {});
-
-// The same of the field at a scale; `samples are the volume's own`: all 6^3 coefficients of a lookup are.
-// Axes may have a single voxel.
-void surfaceDerivatives(const Grid& grid, const ScaledField& scaled, std::span<const glm::vec4> points,
+void surfaceDerivatives(const Grid& grid, const DerivedField& field, std::span<const glm::vec4> points,
                         const PictureArea& area, const DerivativeImages& images,
                         TracerTarget wanted = TracerTarget::automatic, const std::stop_token& stop = {});
 
 // Where the edge of the object is (volume/edge/edge_walk.h): offset, mm, and strength at each point, `none`
-// and 0 where there is neither; of the field at a scale, or, null, of the spline of `coefficients`, or of the
-// samples.
-void surfaceEdges(const Grid& grid, const ScaledField* scaled, const Coefficients* coefficients,
-                  const EdgeSearch<float>& search, std::span<const glm::vec4> points, const PictureArea& area,
-                  std::span<glm::vec2> edges, float none, TracerTarget wanted = TracerTarget::automatic,
+// and 0 where there is neither. The field: a spline, or one at a scale.
+void surfaceEdges(const Grid& grid, const DerivedField& field, const EdgeSearch<float>& search,
+                  std::span<const glm::vec4> points, const PictureArea& area, std::span<glm::vec2> edges,
+                  float none, TracerTarget wanted = TracerTarget::automatic,
                   const std::stop_token& stop = {});
 
 }  // namespace isolux::volume

@@ -9,14 +9,13 @@ namespace isolux::volume {
 namespace {
 
 CubicField made(const Grid& grid, scene::Field field, base::Progress& progress) {
-  if (field == scene::Field::cubic) {
+  std::shared_ptr<const Coefficients> coefficients;
+  if (field == scene::Field::cubic)
     progress.report(0.0, "building blocks");
-    MinMaxBlocks blocks = MinMaxBlocks::ofCubic(grid, kBlockCells, progress);
-    return {nullptr, std::move(blocks), BoxBounds::ofCubic(grid, progress)};
-  }
-  auto coefficients = std::make_shared<const Coefficients>(interpolatingCoefficients(grid, progress));
-  MinMaxBlocks blocks = MinMaxBlocks::ofCubic(*coefficients, grid, kBlockCells, progress);
-  BoxBounds boxes = BoxBounds::ofCubic(*coefficients, grid, progress);
+  else
+    coefficients = std::make_shared<const Coefficients>(interpolatingCoefficients(grid, progress));
+  MinMaxBlocks blocks = MinMaxBlocks::ofCubic(grid, coefficients.get(), kBlockCells, progress);
+  BoxBounds boxes = BoxBounds::ofCubic(grid, coefficients.get(), progress);
   return {std::move(coefficients), std::move(blocks), std::move(boxes)};
 }
 

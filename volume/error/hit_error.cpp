@@ -119,12 +119,10 @@ void roundField(const HitSource& source, double isovalue, HitEnclosure& out) {
 }  // namespace
 
 double lowestStored(const Grid& grid) {
-  return std::visit(
-      [](const auto& voxels) {
-        using Stored = typename std::decay_t<decltype(voxels)>::value_type;
-        return std::is_integral_v<Stored> ? static_cast<double>(std::numeric_limits<Stored>::lowest()) : 0.0;
-      },
-      grid.voxels());
+  return grid.visit([](const auto& voxels) {
+    using Stored = typename std::decay_t<decltype(voxels)>::value_type;
+    return std::is_integral_v<Stored> ? static_cast<double>(std::numeric_limits<Stored>::lowest()) : 0.0;
+  });
 }
 
 RayRounding rayRounding(const PictureRays& rays, glm::dvec2 fragment, const Ray& exact, double startMm,

@@ -68,15 +68,13 @@ Coefficients samplesApart(const Grid& grid, base::Progress& progress, base::Prog
   const double middle = 0.5 * grid.storedMinimum() + 0.5 * grid.storedMaximum();
   if (std::abs(middle) > grid.storedMaximum() - grid.storedMinimum()) result.offset = middle;
   resizeStoppably(result.values, grid.geometry().voxelCount(), progress);
-  std::visit(
-      [&, offset = result.offset, values = result.values.data()](const auto& voxels) {
-        parallelPieces(voxels.size(), std::size_t{1} << 18, progress, share,
-                       [&](std::size_t begin, std::size_t end) {
-                         for (std::size_t i = begin; i < end; ++i)
-                           values[i] = static_cast<float>(static_cast<double>(voxels[i]) - offset);
-                       });
-      },
-      grid.voxels());
+  grid.visit([&, offset = result.offset, values = result.values.data()](const auto& voxels) {
+    parallelPieces(voxels.size(), std::size_t{1} << 18, progress, share,
+                   [&](std::size_t begin, std::size_t end) {
+                     for (std::size_t i = begin; i < end; ++i)
+                       values[i] = static_cast<float>(static_cast<double>(voxels[i]) - offset);
+                   });
+  });
   return result;
 }
 

@@ -2,6 +2,7 @@
 // through the samples (the field cubic_interpolating).
 #pragma once
 
+#include <cassert>
 #include <vector>
 
 #include "base/progress.h"
@@ -23,6 +24,14 @@ struct Coefficients {
   base::MemoryBudget::Held held{};
   bool empty() const { return values.empty(); }
 };
+
+// Calls visit(numbers) with the coefficients of a spline: those given, one for each voxel, or the samples
+// where they are null.
+template <class Visit>
+auto visitSpline(const Grid& grid, const Coefficients* coefficients, const Visit& visit) {
+  assert(!coefficients || coefficients->values.size() == grid.geometry().voxelCount());
+  return coefficients ? visit(coefficients->values) : grid.visit(visit);
+}
 
 // What makers begin and end with: the samples, missing ones NaN, less the offset; least and most.
 Coefficients samplesApart(const Grid& grid, base::Progress& progress, base::ProgressRange share);

@@ -74,15 +74,13 @@ FieldSample sampleTrilinear(const Grid& grid, glm::dvec3 voxel) {
     t[axis] = at.t;
   }
   double c[2][2][2];
-  std::visit(
-      [&](const auto& voxels) {
-        for (int k = 0; k < 2; ++k)
-          for (int j = 0; j < 2; ++j)
-            for (int i = 0; i < 2; ++i)
-              c[k][j][i] = static_cast<double>(
-                  voxels[grid.index(i ? high[0] : low[0], j ? high[1] : low[1], k ? high[2] : low[2])]);
-      },
-      grid.voxels());
+  grid.visit([&](const auto& voxels) {
+    for (int k = 0; k < 2; ++k)
+      for (int j = 0; j < 2; ++j)
+        for (int i = 0; i < 2; ++i)
+          c[k][j][i] = static_cast<double>(
+              voxels[grid.index(i ? high[0] : low[0], j ? high[1] : low[1], k ? high[2] : low[2])]);
+  });
   // Edges along x, then along y, then along z: value and slope of each.
   double v[2][2], vx[2][2];
   for (int k = 0; k < 2; ++k) {
@@ -110,7 +108,7 @@ FieldSample sampleTrilinear(const Grid& grid, glm::dvec3 voxel) {
 
 FieldSample sampleCubic(const Grid& grid, glm::dvec3 voxel) {
   const auto sum = [&](const auto& voxels) { return sumAt(grid, voxels, voxel, cubicTapsAt); };
-  FieldSample out = std::visit(sum, grid.voxels());
+  FieldSample out = grid.visit(sum);
   toDataUnits(out, grid);
   return out;
 }

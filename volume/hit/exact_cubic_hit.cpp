@@ -183,12 +183,9 @@ SideChanges changesIn(const CellCoefficients& cell, glm::dvec3 from, glm::dvec3 
   return result;
 }
 
-// Calls visit(numbers, isovalue) of the spline: coefficients, or voxels where these are null. Coefficients
-// lack their offset, and so does what they are compared with.
-template <class Visit>
-auto visitSpline(const Grid& grid, const Coefficients* coefficients, double isovalue, const Visit& visit) {
-  if (coefficients) return visit(coefficients->values, isovalue - grid.slope() * coefficients->offset);
-  return std::visit([&](const auto& voxels) { return visit(voxels, isovalue); }, grid.voxels());
+// Coefficients lack their offset, and so does what they are compared with.
+double levelOf(const Grid& grid, const Coefficients* coefficients, double isovalue) {
+  return coefficients ? isovalue - grid.slope() * coefficients->offset : isovalue;
 }
 
 // `gaps`: cells with a missing corner hold no surface, whatever their coefficients.
@@ -241,14 +238,16 @@ CubicHit firstHitOfField(const Grid& grid, scene::Field field, const Coefficient
   if (field == scene::Field::trilinear) return {firstHit(grid, blocks, isovalue, ray, hidden)};
   const ShownCells shown(grid, hidden.voxels, isovalue, hidden.inside, field, coefficients);
   const bool gaps = coefficients && grid.missingCount() > 0;
-  return visitSpline(grid, coefficients, isovalue, [&](const auto& stored, double level) {
+  const double level = levelOf(grid, coefficients, isovalue);
+  return visitSpline(grid, coefficients, [&](const auto& stored) {
     return firstHitCubic(stored, grid, blocks, level, ray, hidden.voxels ? &shown : nullptr, gaps);
   });
 }
 
 SideChanges sideChangesOfCell(const Grid& grid, const Coefficients* coefficients, double isovalue,
                               glm::ivec3 cell, glm::dvec3 from, glm::dvec3 to) {
-  return visitSpline(grid, coefficients, isovalue, [&](const auto& stored, double level) {
+  const double level = levelOf(grid, coefficients, isovalue);
+  return visitSpline(grid, coefficients, [&](const auto& stored) {
     return changesIn(CellCoefficients(stored, grid, level, cell), from, to);
   });
 }

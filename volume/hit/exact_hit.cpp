@@ -58,18 +58,16 @@ std::optional<RayHit> firstHit(const Grid& grid, const MinMaxBlocks& blocks, dou
                                const HiddenPieces& hidden) {
   const ShownCells cells(grid, hidden.voxels, isovalue, hidden.inside);
   const ShownCells* const shown = hidden.voxels ? &cells : nullptr;
-  return std::visit(
-      [&](const auto& voxels) {
-        const auto cross = [&](const CellWalk& walk, Side& side) {
-          const CornerValues cell(grid, voxels, isovalue, walk.cell());
-          return crossCell(cell, walk, shown, side, [&](const CellWalk::Segment& segment) {
-            const BernsteinCubic cubic = BernsteinCubic::along(cell.corner, segment.from, segment.to);
-            return firstChange(cubic, side);
-          });
-        };
-        return firstCrossing<RayHit>(grid, blocks, isovalue, ray, shown, cross);
-      },
-      grid.voxels());
+  return grid.visit([&](const auto& voxels) {
+    const auto cross = [&](const CellWalk& walk, Side& side) {
+      const CornerValues cell(grid, voxels, isovalue, walk.cell());
+      return crossCell(cell, walk, shown, side, [&](const CellWalk::Segment& segment) {
+        const BernsteinCubic cubic = BernsteinCubic::along(cell.corner, segment.from, segment.to);
+        return firstChange(cubic, side);
+      });
+    };
+    return firstCrossing<RayHit>(grid, blocks, isovalue, ray, shown, cross);
+  });
 }
 
 }  // namespace isolux::volume

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cmath>
-#include <variant>
 #include <vector>
 
 #include <glm/common.hpp>
@@ -58,34 +57,32 @@ bool fewCells(const Grid& grid, const MinMaxBlocks& blocks, double isovalue);
 template <class Visit>
 void visitCells(const Grid& grid, double isovalue, double sign, glm::ivec3 low, glm::ivec3 high,
                 const Visit& visit) {
-  std::visit(
-      [&](const auto& voxels) {
-        const auto value = [&](std::size_t index) {
-          return sign * (grid.valueOfStored(static_cast<double>(voxels[index])) - isovalue);
+  grid.visit([&](const auto& voxels) {
+    const auto value = [&](std::size_t index) {
+      return sign * (grid.valueOfStored(static_cast<double>(voxels[index])) - isovalue);
+    };
+    for (int z = low.z; z < high.z; ++z)
+      for (int y = low.y; y < high.y; ++y) {
+        const std::size_t rows[4] = {grid.index(0, y, z), grid.index(0, y + 1, z), grid.index(0, y, z + 1),
+                                     grid.index(0, y + 1, z + 1)};
+        CellCorners corner{};
+        const auto load = [&](int x) {
+          for (std::size_t i = 0; i < 4; ++i)
+            corner[2 * i + 1] = value(rows[i] + static_cast<std::size_t>(x));
         };
-        for (int z = low.z; z < high.z; ++z)
-          for (int y = low.y; y < high.y; ++y) {
-            const std::size_t rows[4] = {grid.index(0, y, z), grid.index(0, y + 1, z),
-                                         grid.index(0, y, z + 1), grid.index(0, y + 1, z + 1)};
-            CellCorners corner{};
-            const auto load = [&](int x) {
-              for (std::size_t i = 0; i < 4; ++i)
-                corner[2 * i + 1] = value(rows[i] + static_cast<std::size_t>(x));
-            };
-            load(low.x);
-            for (int x = low.x; x < high.x; ++x) {
-              for (std::size_t i = 0; i < 8; i += 2) corner[i] = corner[i + 1];
-              load(x + 1);
-              int inside = 0, missing = 0;
-              for (const double c : corner) {
-                inside += c >= 0.0;
-                missing += std::isnan(c);
-              }
-              if (inside > 0) visit(glm::ivec3(x, y, z), corner, inside, missing);
-            }
+        load(low.x);
+        for (int x = low.x; x < high.x; ++x) {
+          for (std::size_t i = 0; i < 8; i += 2) corner[i] = corner[i + 1];
+          load(x + 1);
+          int inside = 0, missing = 0;
+          for (const double c : corner) {
+            inside += c >= 0.0;
+            missing += std::isnan(c);
           }
-      },
-      grid.voxels());
+          if (inside > 0) visit(glm::ivec3(x, y, z), corner, inside, missing);
+        }
+      }
+  });
 }
 
 // Returns ofRow(y, z) of each row of blocks along x, layer by layer; on all cores. Throws Error{interrupted}.

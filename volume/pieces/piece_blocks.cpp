@@ -1,7 +1,6 @@
 #include "volume/pieces/piece_blocks.h"
 
 #include <algorithm>
-#include <variant>
 
 #include "volume/parallel/parallel_steps.h"
 #include "volume/skip/row_lanes.h"
@@ -45,12 +44,10 @@ PieceBlocks::PieceBlocks(const Grid& grid, const MinMaxBlocks& blocks, InsideLev
   crossed_.resize(extent.count());
   rows_.resize(extent.rows());
   const bool anyMissing = grid.missingCount() > 0;
-  std::visit(
-      [&](const auto& voxels) {
-        parallelSteps(extent.rows(), progress, {0.0, 0.3, "finding pieces"},
-                      [&](std::size_t row) { fillRow(voxels, blocks, anyMissing, row); });
-      },
-      grid.voxels());
+  grid.visit([&](const auto& voxels) {
+    parallelSteps(extent.rows(), progress, {0.0, 0.3, "finding pieces"},
+                  [&](std::size_t row) { fillRow(voxels, blocks, anyMissing, row); });
+  });
   numberNodes();
   held_.add(reserveForPieces(bytes() - held_.bytes()));
 }

@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <numeric>
-#include <variant>
 
 #include "volume/hit/cell_pieces.h"
 #include "volume/hit/surface_voxel.h"
@@ -105,12 +104,10 @@ NodeVolumes joinBlocks(const Grid& grid, const PieceBlocks& blocks, InsideLevel 
       }
     }
   };
-  std::visit(
-      [&](const auto& voxels) {
-        parallelSteps(extent.rows(), progress, {0.3, 0.9, "finding pieces"},
-                      [&](std::size_t row) { joinRow(voxels, row); });
-      },
-      grid.voxels());
+  grid.visit([&](const auto& voxels) {
+    parallelSteps(extent.rows(), progress, {0.3, 0.9, "finding pieces"},
+                  [&](std::size_t row) { joinRow(voxels, row); });
+  });
   return volumes;
 }
 

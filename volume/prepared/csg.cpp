@@ -51,7 +51,7 @@ void forEachCut(const Grid& grid, double isovalue, base::Progress& progress, con
         }
     });
   };
-  std::visit(look, grid.voxels());
+  grid.visit(look);
 }
 
 // How many of the cuts' slopes have each key, which keyOf() tells (below 2^16, or none).

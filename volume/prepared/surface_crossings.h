@@ -57,7 +57,7 @@ void eachCrossing(const PreparedVolume& volume, const ShownSurface& surface, sce
       }
     });
   };
-  std::visit(look, grid.voxels());
+  grid.visit(look);
 }
 
 }  // namespace isolux::volume

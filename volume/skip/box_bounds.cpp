@@ -96,19 +96,11 @@ BoxBounds::BoxBounds(glm::ivec3 voxels, const base::Progress& progress) {
 BoxBounds::BoxBounds(const Grid& grid, base::Progress& progress)
     : BoxBounds(ofPart(grid.voxels(), grid.dims(), grid, progress)) {}
 
-BoxBounds BoxBounds::ofCubic(const Grid& grid, base::Progress& progress) {
+BoxBounds BoxBounds::ofCubic(const Grid& grid, const Coefficients* coefficients, base::Progress& progress) {
   BoxBounds result(grid.dims(), progress);
-  const Range range = rangeOf(grid);
-  std::visit(
-      [&](const auto& voxels) { result.fill(voxels, range.low, range.high, grid.dims(), 1, progress); },
-      grid.voxels());
-  return result;
-}
-
-BoxBounds BoxBounds::ofCubic(const Coefficients& coefficients, const Grid& grid, base::Progress& progress) {
-  assert(coefficients.values.size() == grid.geometry().voxelCount());
-  BoxBounds result(grid.dims(), progress);
-  result.fill(coefficients.values, coefficients.least, coefficients.most, grid.dims(), 1, progress);
+  const Range range = coefficients ? Range{coefficients->least, coefficients->most} : rangeOf(grid);
+  visitSpline(grid, coefficients,
+              [&](const auto& samples) { result.fill(samples, range, grid.dims(), 1, progress); });
   return result;
 }
 
@@ -116,15 +108,15 @@ BoxBounds BoxBounds::ofPart(const VoxelArray& voxels, glm::ivec3 dims, const Gri
                             base::Progress& progress) {
   BoxBounds result(dims, progress);
   const Range range = rangeOf(whole);
-  std::visit([&](const auto& part) { result.fill(part, range.low, range.high, dims, 0, progress); }, voxels);
+  std::visit([&](const auto& part) { result.fill(part, range, dims, 0, progress); }, voxels);
   return result;
 }
 
 template <class T>
-void BoxBounds::fill(const std::vector<T>& voxels, float lowest, float highest, glm::ivec3 voxelDims,
-                     int apron, base::Progress& progress) {
-  origin_ = static_cast<double>(lowest);
-  const double extent = static_cast<double>(highest) - origin_;
+void BoxBounds::fill(const std::vector<T>& voxels, const Range& range, glm::ivec3 voxelDims, int apron,
+                     base::Progress& progress) {
+  origin_ = static_cast<double>(range.low);
+  const double extent = static_cast<double>(range.high) - origin_;
   if (!(extent > 0.0)) {  // constant or missing: nothing can be crossed
     origin_ = 0.0;
     for (Bounds& bounds : bounds_) {

@@ -25,10 +25,9 @@ class BoxBounds {
   // Of the trilinear field. Multithreaded; 256 bytes for each block of 8x8x8 cells; throws
   // Error: memory, before anything is made; interrupted.
   BoxBounds(const Grid& grid, base::Progress& progress);
-  // Of the cubic B-spline whose coefficients are the samples themselves, or those given (without
-  // their offset).
-  static BoxBounds ofCubic(const Grid& grid, base::Progress& progress);
-  static BoxBounds ofCubic(const Coefficients& coefficients, const Grid& grid, base::Progress& progress);
+  // Of the cubic B-spline with these coefficients (without their offset), or, where they are null, of that
+  // whose coefficients are the samples.
+  static BoxBounds ofCubic(const Grid& grid, const Coefficients* coefficients, base::Progress& progress);
 
   // Of the trilinear field of a part of a volume: `dims` voxels, x fastest. Bounds are those of the same
   // voxels in the BoxBounds of `whole`, whose voxels need not be in memory.
@@ -49,7 +48,7 @@ class BoxBounds {
   };
   BoxBounds(glm::ivec3 voxels, const base::Progress& progress);
   template <class T>
-  void fill(const std::vector<T>& voxels, float lowest, float highest, glm::ivec3 voxelDims, int apron,
+  void fill(const std::vector<T>& voxels, const volume::Bounds<float>& range, glm::ivec3 voxelDims, int apron,
             base::Progress& progress);
 
   glm::ivec3 dims_;

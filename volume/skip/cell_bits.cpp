@@ -122,13 +122,11 @@ void cellBits(const Grid& grid, glm::ivec3 blocks, std::span<const std::uint64_t
       }
     }
   };
-  std::visit(
-      [&](const auto& voxels) {
-        parallelRanges(extent.rows(), 4, [&](const Indices<std::size_t>& range) {
-          for (std::size_t row = range.begin(); row < range.end(); ++row) ofRow(voxels, row);
-        });
-      },
-      grid.voxels());
+  grid.visit([&](const auto& voxels) {
+    parallelRanges(extent.rows(), 4, [&](const Indices<std::size_t>& range) {
+      for (std::size_t row = range.begin(); row < range.end(); ++row) ofRow(voxels, row);
+    });
+  });
 }
 
 }  // namespace isolux::volume

@@ -18,17 +18,15 @@ constexpr std::uint8_t kMissing = 255;
 // Some 2^16 voxels, evenly spread, that are not missing; ascending.
 std::vector<float> sortedSample(const Grid& grid) {
   std::vector<float> sample;
-  std::visit(
-      [&](const auto& voxels) {
-        // An odd step, coprime to usual row lengths.
-        const std::size_t step = (voxels.size() >> 16) | 1;
-        sample.reserve(voxels.size() / step + 1);
-        for (std::size_t i = 0; i < voxels.size(); i += step) {
-          const float v = static_cast<float>(voxels[i]);
-          if (!std::isnan(v)) sample.push_back(v);
-        }
-      },
-      grid.voxels());
+  grid.visit([&](const auto& voxels) {
+    // An odd step, coprime to usual row lengths.
+    const std::size_t step = (voxels.size() >> 16) | 1;
+    sample.reserve(voxels.size() / step + 1);
+    for (std::size_t i = 0; i < voxels.size(); i += step) {
+      const float v = static_cast<float>(voxels[i]);
+      if (!std::isnan(v)) sample.push_back(v);
+    }
+  });
   std::sort(sample.begin(), sample.end());
   return sample;
 }
@@ -113,27 +111,24 @@ class BlockRow {
 std::vector<std::uint8_t> binsOf(const Grid& grid, const ValueBins& bins, base::Progress& progress) {
   std::vector<std::uint8_t> result;
   resizeStoppably(result, grid.geometry().voxelCount(), progress);
-  std::visit(
-      [&](const auto& voxels) {
-        using T = typename std::decay_t<decltype(voxels)>::value_type;
-        // Of integers every value's bin is found once.
-        std::vector<std::uint8_t> ofInteger;
-        constexpr int lowest =
-            std::is_same_v<T, float> ? 0 : static_cast<int>(std::numeric_limits<T>::lowest());
-        if constexpr (!std::is_same_v<T, float>)
-          for (int v = lowest; v <= static_cast<int>(std::numeric_limits<T>::max()); ++v)
-            ofInteger.push_back(bins(static_cast<float>(v)));
-        parallelRanges(voxels.size(), 1 << 16, [&](const Indices<std::size_t>& range) {
-          if (progress.stopRequested()) return;
-          for (std::size_t i = range.begin(); i != range.end(); ++i) {
-            if constexpr (std::is_same_v<T, float>)
-              result[i] = std::isnan(voxels[i]) ? kMissing : bins(voxels[i]);
-            else
-              result[i] = ofInteger[static_cast<std::size_t>(voxels[i] - lowest)];
-          }
-        });
-      },
-      grid.voxels());
+  grid.visit([&](const auto& voxels) {
+    using T = typename std::decay_t<decltype(voxels)>::value_type;
+    // Of integers every value's bin is found once.
+    std::vector<std::uint8_t> ofInteger;
+    constexpr int lowest = std::is_same_v<T, float> ? 0 : static_cast<int>(std::numeric_limits<T>::lowest());
+    if constexpr (!std::is_same_v<T, float>)
+      for (int v = lowest; v <= static_cast<int>(std::numeric_limits<T>::max()); ++v)
+        ofInteger.push_back(bins(static_cast<float>(v)));
+    parallelRanges(voxels.size(), 1 << 16, [&](const Indices<std::size_t>& range) {
+      if (progress.stopRequested()) return;
+      for (std::size_t i = range.begin(); i != range.end(); ++i) {
+        if constexpr (std::is_same_v<T, float>)
+          result[i] = std::isnan(voxels[i]) ? kMissing : bins(voxels[i]);
+        else
+          result[i] = ofInteger[static_cast<std::size_t>(voxels[i] - lowest)];
+      }
+    });
+  });
   progress.throwIfStopped();
   return result;
 }

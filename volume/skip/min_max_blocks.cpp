@@ -42,20 +42,13 @@ MinMaxBlocks::MinMaxBlocks(glm::ivec3 voxels, int blockCells) : blockCells_(bloc
 
 MinMaxBlocks::MinMaxBlocks(const Grid& grid, int blockCells, base::Progress& progress)
     : MinMaxBlocks(grid.dims(), blockCells) {
-  std::visit([&](const auto& voxels) { fill(voxels, grid, 0, progress); }, grid.voxels());
+  grid.visit([&](const auto& voxels) { fill(voxels, grid, 0, progress); });
 }
 
-MinMaxBlocks MinMaxBlocks::ofCubic(const Grid& grid, int blockCells, base::Progress& progress) {
-  MinMaxBlocks blocks(grid.dims(), blockCells);
-  std::visit([&](const auto& voxels) { blocks.fill(voxels, grid, 1, progress); }, grid.voxels());
-  return blocks;
-}
-
-MinMaxBlocks MinMaxBlocks::ofCubic(const Coefficients& coefficients, const Grid& grid, int blockCells,
+MinMaxBlocks MinMaxBlocks::ofCubic(const Grid& grid, const Coefficients* coefficients, int blockCells,
                                    base::Progress& progress) {
-  assert(coefficients.values.size() == grid.geometry().voxelCount());
   MinMaxBlocks blocks(grid.dims(), blockCells);
-  blocks.fill(coefficients.values, grid, 1, progress);
+  visitSpline(grid, coefficients, [&](const auto& samples) { blocks.fill(samples, grid, 1, progress); });
   return blocks;
 }
 

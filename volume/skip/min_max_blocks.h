@@ -46,11 +46,10 @@ class MinMaxBlocks {
     maximum_[block] = maximum;
   }
 
-  // Returns bounds of the cubic B-spline whose coefficients are the samples themselves, or those given (one
-  // per voxel of `grid`: interpolatingCoefficients()). Bounds are in stored units; given coefficients count
-  // without their offset.
-  static MinMaxBlocks ofCubic(const Grid& grid, int blockCells, base::Progress& progress);
-  static MinMaxBlocks ofCubic(const Coefficients& coefficients, const Grid& grid, int blockCells,
+  // Returns bounds of the cubic B-spline with these coefficients (one per voxel of `grid`:
+  // interpolatingCoefficients()), or, if they are null, of that whose coefficients are the samples. Bounds
+  // are in stored units; given coefficients count without their offset.
+  static MinMaxBlocks ofCubic(const Grid& grid, const Coefficients* coefficients, int blockCells,
                               base::Progress& progress);
 
   int blockCells() const { return blockCells_; }

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <bit>
-#include <variant>
 
 #include <glm/common.hpp>
 
@@ -60,7 +59,7 @@ ShownRows::ShownRows(const Grid& grid, const VoxelMask& hidden, InsideLevel leve
             static_cast<std::uint16_t>(bits);
       }
   };
-  std::visit(fill, grid.voxels());
+  grid.visit(fill);
 }
 
 // The bits x + 4 y + 16 z of `mask` that stay: boxes of `size`^3 cells from `first` on.

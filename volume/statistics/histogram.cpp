@@ -294,7 +294,7 @@ Histogram makeHistogram(const Grid& grid, int bins, base::Progress& progress) {
   const HistogramBinning binning =
       HistogramBinning::of(grid.storedType(), grid.storedMinimum(), grid.storedMaximum(), bins);
   const auto count = [&](const auto& voxels) { return countVoxels(std::span(voxels), binning, progress); };
-  return histogramOf(binning, std::visit(count, grid.voxels()), grid);
+  return histogramOf(binning, grid.visit(count), grid);
 }
 
 ValueClasses threeClasses(const Histogram& histogram) {

@@ -5,7 +5,6 @@
 #include <limits>
 #include <map>
 #include <type_traits>
-#include <variant>
 
 #include "base/random.h"
 #include "volume/parallel/parallel_steps.h"
@@ -152,14 +151,12 @@ NoiseSamples::NoiseSamples(const Grid& grid) : grid_(grid), mostFrequent_(mostFr
 
 std::vector<NoiseSample> NoiseSamples::list(base::Progress& progress) const {
   std::vector<NoiseSample> places(std::min<std::uint64_t>(kPlaces, 4 * grid_.geometry().voxelCount()));
-  std::visit(
-      [&](const auto& voxels) {
-        const NoiseSampler sampler(grid_, voxels, mostFrequent_);
-        parallelPieces(places.size(), 4096, progress, {}, [&](std::size_t begin, std::size_t end) {
-          for (std::size_t i = begin; i < end; ++i) places[i] = sampler.at(i);
-        });
-      },
-      grid_.voxels());
+  grid_.visit([&](const auto& voxels) {
+    const NoiseSampler sampler(grid_, voxels, mostFrequent_);
+    parallelPieces(places.size(), 4096, progress, {}, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) places[i] = sampler.at(i);
+    });
+  });
   std::erase_if(places, [](const NoiseSample& place) {
     return std::isnan(place.value) || std::isnan(place.steepness);
   });
@@ -169,14 +166,12 @@ std::vector<NoiseSample> NoiseSamples::list(base::Progress& progress) const {
 std::vector<NoiseDifferences> NoiseSamples::differencesAt(std::span<const NoiseSample> places,
                                                           base::Progress& progress) const {
   std::vector<NoiseDifferences> list(places.size());
-  std::visit(
-      [&](const auto& voxels) {
-        const NoiseSampler sampler(grid_, voxels, mostFrequent_);
-        parallelPieces(places.size(), 512, progress, {}, [&](std::size_t begin, std::size_t end) {
-          for (std::size_t i = begin; i < end; ++i) list[i] = sampler.differencesAt(places[i].number);
-        });
-      },
-      grid_.voxels());
+  grid_.visit([&](const auto& voxels) {
+    const NoiseSampler sampler(grid_, voxels, mostFrequent_);
+    parallelPieces(places.size(), 512, progress, {}, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) list[i] = sampler.differencesAt(places[i].number);
+    });
+  });
   return list;
 }
 

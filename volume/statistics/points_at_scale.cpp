@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <variant>
 
 #include "scene/noise.h"
 #include "volume/field/cubic_weights.h"
@@ -133,7 +132,7 @@ std::vector<PointDerivatives> derivativesAtScale(const Grid& grid, std::span<con
   if (filled)
     sum(*filled);
   else
-    std::visit(sum, grid.voxels());
+    grid.visit(sum);
   return out;
 }
 

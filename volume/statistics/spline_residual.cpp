@@ -49,7 +49,7 @@ FieldSample residualAt(const Grid& grid, glm::dvec3 voxel, double trilinear) {
                            return static_cast<double>(voxels[grid.index(x, y, z)]) - trilinear;
                          });
   };
-  return std::visit(sum, grid.voxels());
+  return grid.visit(sum);
 }
 
 }  // namespace

@@ -123,22 +123,20 @@ IsosurfaceTracer::IsosurfaceTracer(std::shared_ptr<const Grid> grid, scene::Insi
   view_->cellBytes = ranges.cellBytes();
   view_->wide =
       wide || grid_->geometry().voxelCount() > std::size_t{1} << 32 || ranges.bytes() > std::size_t{1} << 33;
-  std::visit(
-      [&](const auto& voxels) {
-        using T = typename std::decay_t<decltype(voxels)>::value_type;
-        if constexpr (std::is_same_v<T, float>) {
-          view_->float32 = voxels.data();
-          const double range = grid_->storedMaximum() - grid_->storedMinimum();
-          if (range > 0.0) view_->scale *= std::ldexp(1.0f, std::clamp(-std::ilogb(range), -126, 126));
-        } else if constexpr (std::is_same_v<T, std::uint16_t>) {
-          view_->unsigned16 = voxels.data();
-        } else if constexpr (std::is_same_v<T, std::int16_t>) {
-          view_->signed16 = voxels.data();
-        } else {
-          view_->signed16 = tables_->widened().data();
-        }
-      },
-      grid_->voxels());
+  grid_->visit([&](const auto& voxels) {
+    using T = typename std::decay_t<decltype(voxels)>::value_type;
+    if constexpr (std::is_same_v<T, float>) {
+      view_->float32 = voxels.data();
+      const double range = grid_->storedMaximum() - grid_->storedMinimum();
+      if (range > 0.0) view_->scale *= std::ldexp(1.0f, std::clamp(-std::ilogb(range), -126, 126));
+    } else if constexpr (std::is_same_v<T, std::uint16_t>) {
+      view_->unsigned16 = voxels.data();
+    } else if constexpr (std::is_same_v<T, std::int16_t>) {
+      view_->signed16 = voxels.data();
+    } else {
+      view_->signed16 = tables_->widened().data();
+    }
+  });
 }
 
 IsosurfaceTracer::~IsosurfaceTracer() = default;

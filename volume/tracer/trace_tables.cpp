@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <mutex>
 #include <type_traits>
-#include <variant>
 
 #include "base/huge_pages.h"
 #include "volume/parallel/parallel_steps.h"
@@ -48,23 +47,21 @@ TraceTables::TraceTables(std::shared_ptr<const Grid> grid, base::Progress& progr
                                           "a volume of fewer voxels or gi.mode=off needs less")),
       grid_(std::move(grid)),
       ranges_(*grid_, progress) {
-  std::visit(
-      [&](const auto& voxels) {
-        using T = typename std::decay_t<decltype(voxels)>::value_type;
-        if constexpr (sizeof(T) > 1) {
-          preferHugePages(voxels.data(), voxels.size() * sizeof(T), progress);
-        } else {
-          widened_.reserve(voxels.size());
-          preferHugePages(widened_.data(), widened_.capacity() * sizeof widened_[0], progress);
-          resizeStoppably(widened_, voxels.size(), progress);
-          parallelPieces(voxels.size(), std::size_t{1} << 20, progress, {},
-                         [&](std::size_t begin, std::size_t end) {
-                           for (std::size_t i = begin; i < end; ++i)
-                             widened_[i] = voxels[i];  // NOLINT(bugprone-signed-char-misuse): no character
-                         });
-        }
-      },
-      grid_->voxels());
+  grid_->visit([&](const auto& voxels) {
+    using T = typename std::decay_t<decltype(voxels)>::value_type;
+    if constexpr (sizeof(T) > 1) {
+      preferHugePages(voxels.data(), voxels.size() * sizeof(T), progress);
+    } else {
+      widened_.reserve(voxels.size());
+      preferHugePages(widened_.data(), widened_.capacity() * sizeof widened_[0], progress);
+      resizeStoppably(widened_, voxels.size(), progress);
+      parallelPieces(voxels.size(), std::size_t{1} << 20, progress, {},
+                     [&](std::size_t begin, std::size_t end) {
+                       for (std::size_t i = begin; i < end; ++i)
+                         widened_[i] = voxels[i];  // NOLINT(bugprone-signed-char-misuse): no character
+                     });
+    }
+  });
   progress.throwIfStopped();
   held_.shrinkTo(bytes());
 }

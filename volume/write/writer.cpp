@@ -29,24 +29,20 @@ struct Values {
 
 template <typename T>
 std::vector<T> applied(const Grid& grid) {
-  return std::visit(
-      [&](const auto& array) {
-        std::vector<T> out;
-        out.reserve(array.size());
-        for (const auto v : array) out.push_back(static_cast<T>(grid.valueOfStored(static_cast<double>(v))));
-        return out;
-      },
-      grid.voxels());
+  return grid.visit([&](const auto& array) {
+    std::vector<T> out;
+    out.reserve(array.size());
+    for (const auto v : array) out.push_back(static_cast<T>(grid.valueOfStored(static_cast<double>(v))));
+    return out;
+  });
 }
 
 bool every(const Grid& grid, bool (*test)(double)) {
-  return std::visit(
-      [&](const auto& array) {
-        for (const auto v : array)
-          if (!test(grid.valueOfStored(static_cast<double>(v)))) return false;
-        return true;
-      },
-      grid.voxels());
+  return grid.visit([&](const auto& array) {
+    for (const auto v : array)
+      if (!test(grid.valueOfStored(static_cast<double>(v)))) return false;
+    return true;
+  });
 }
 
 // The stored type where slope and intercept lead back into it exactly; else the narrowest type that holds
@@ -55,7 +51,7 @@ void fill(const Grid& grid, Values& values) {
   const auto view = [](const auto& array) { return std::as_bytes(std::span(array)); };
   values.type = grid.storedType();
   if (grid.slope() == 1.0 && grid.intercept() == 0.0) {
-    values.bytes = std::visit(view, grid.voxels());
+    values.bytes = grid.visit(view);
     return;
   }
   const auto integers = [](double v) { return v == std::trunc(v) && std::abs(v) <= 65535.0; };

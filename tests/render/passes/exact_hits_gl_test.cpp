@@ -145,8 +145,8 @@ TEST_P(ExactHitsGlTest, NoPixelOfACubicFieldIsMissed) {
       const volume::Coefficients coefficients = volume::interpolatingCoefficients(grid);
       base::Progress progress;
       const bool interpolating = field == scene::Field::cubic_interpolating;
-      const auto blocks = interpolating ? volume::MinMaxBlocks::ofCubic(coefficients, grid, 8, progress)
-                                        : volume::MinMaxBlocks::ofCubic(grid, 8, progress);
+      const auto blocks =
+          volume::MinMaxBlocks::ofCubic(grid, interpolating ? &coefficients : nullptr, 8, progress);
       Counts counts;
       for (int k = 0; k < 8; ++k) {
         scene::Scene scene = view(k, *volume);

@@ -93,19 +93,18 @@ void expectDerivatives(const Grid& grid, const Derive& derive, const Reference& 
   }
 }
 
-void expectReference(const Grid& grid, DerivedField field, const Coefficients* coefficients,
-                     double gradientError, double hessianError) {
+void expectReference(const Grid& grid, const DerivedField& field, double gradientError, double hessianError) {
   expectDerivatives(
       grid,
       [&](const std::vector<glm::vec4>& points, const DerivativeImages& images, TracerTarget target) {
-        surfaceDerivatives(grid, field, coefficients, points, all(points), images, target);
+        surfaceDerivatives(grid, field, points, all(points), images, target);
       },
       [&](glm::dvec3 p) {
-        return field == DerivedField::trilinear ? sampleTrilinear(grid, p)
-               : coefficients                   ? sampleCubic(*coefficients, grid, p)
-                                                : sampleCubic(grid, p);
+        return field.trilinear      ? sampleTrilinear(grid, p)
+               : field.coefficients ? sampleCubic(*field.coefficients, grid, p)
+                                    : sampleCubic(grid, p);
       },
-      field == DerivedField::trilinear ? 0 : 2, gradientError, hessianError);
+      field.trilinear ? 0 : 2, gradientError, hessianError);
 }
 
 void expectScaledReference(const Grid& grid, double scaleMm, double gradientError, double hessianError) {
@@ -114,7 +113,7 @@ void expectScaledReference(const Grid& grid, double scaleMm, double gradientErro
   expectDerivatives(
       grid,
       [&](const std::vector<glm::vec4>& points, const DerivativeImages& images, TracerTarget target) {
-        surfaceDerivatives(grid, scaled, points, all(points), images, target);
+        surfaceDerivatives(grid, {.scaled = &scaled}, points, all(points), images, target);
       },
       [&](glm::dvec3 p) { return sampleScaled(scaled, grid, p); }, 0, gradientError, hessianError);
 }
@@ -122,9 +121,9 @@ void expectScaledReference(const Grid& grid, double scaleMm, double gradientErro
 TEST(SurfaceDerivatives, AreThoseOfTheFields) {
   const Grid grid = test::gridOfVoxels(obliqueGeometry({23, 19, 21}), smooth);
   const Coefficients coefficients = interpolatingCoefficients(grid);
-  expectReference(grid, DerivedField::spline, nullptr, 2e-6, 2e-6);
-  expectReference(grid, DerivedField::spline, &coefficients, 2e-6, 2e-6);
-  expectReference(grid, DerivedField::trilinear, nullptr, 2e-6, 2e-6);
+  expectReference(grid, {}, 2e-6, 2e-6);
+  expectReference(grid, {&coefficients}, 2e-6, 2e-6);
+  expectReference(grid, {.trilinear = true}, 2e-6, 2e-6);
 }
 
 TEST(SurfaceDerivatives, AtAScaleAreThoseOfTheFieldAtThatScale) {
@@ -153,8 +152,8 @@ TEST(SurfaceDerivatives, ReadEveryTypeOfVoxels) {
     return Grid(obliqueGeometry(dims), VoxelArray(std::move(voxels)), 0.25, 7.0);
   };
   const auto expectAll = [](const Grid& of, double error) {
-    expectReference(of, DerivedField::spline, nullptr, error, error);
-    expectReference(of, DerivedField::trilinear, nullptr, error, error);
+    expectReference(of, {}, error, error);
+    expectReference(of, {.trilinear = true}, error, error);
   };
   expectAll(grid(std::int8_t{}, 15.0), 2e-5);
   expectAll(grid(std::uint8_t{}, 30.0), 2e-5);
@@ -165,8 +164,8 @@ TEST(SurfaceDerivatives, ReadEveryTypeOfVoxels) {
 TEST(SurfaceDerivatives, LoseNothingOfValuesLikeAMillionAndSome) {
   const Grid near = test::gridOfVoxels(
       obliqueGeometry({16, 16, 16}), [](glm::dvec3 p) { return 1e6 + std::round(16.0 * smooth(p)) / 16.0; });
-  expectReference(near, DerivedField::spline, nullptr, 1e-5, 1e-5);
-  expectReference(near, DerivedField::trilinear, nullptr, 1e-5, 1e-5);
+  expectReference(near, {}, 1e-5, 1e-5);
+  expectReference(near, {.trilinear = true}, 1e-5, 1e-5);
 }
 
 // Where a sample of the spline is missing: the trilinear gradient and no Hessian; where a corner is: nothing.
@@ -179,8 +178,8 @@ TEST(SurfaceDerivatives, SayWhereSamplesAreMissing) {
       {6.5f, 8.2f, 8.3f, 1.0f}, {7.5f, 7.5f, 7.5f, 1.0f}, {3.5f, 3.5f, 3.5f, 1.0f}};
   for (const TracerTarget target : vectorTargets()) {
     Images images(points.size());
-    surfaceDerivatives(grid, DerivedField::spline, nullptr, points, all(points),
-                       {images.gradient, images.diagonal, images.mixed}, target);
+    surfaceDerivatives(grid, {}, points, all(points), {images.gradient, images.diagonal, images.mixed},
+                       target);
     const glm::dvec3 trilinear = sampleTrilinear(grid, glm::dvec3(points[0])).gradient;
     EXPECT_LT(glm::distance(glm::dvec3(images.gradient[0]), trilinear), 1e-6);
     EXPECT_EQ(images.diagonal[0].w, 0.0f);
@@ -198,9 +197,8 @@ TEST(SurfaceDerivatives, AreMadeInTheAreaAlone) {
   ASSERT_EQ(points.size(), 600u);
   const PictureArea area = PictureArea::of(size, {{5, 16}, {9, 3}});
   Images whole(points.size()), part(points.size());
-  surfaceDerivatives(grid, DerivedField::spline, nullptr, points, PictureArea::whole(size),
-                     {whole.gradient, {}, {}});
-  surfaceDerivatives(grid, DerivedField::spline, nullptr, points, area, {part.gradient, {}, {}});
+  surfaceDerivatives(grid, {}, points, PictureArea::whole(size), {whole.gradient, {}, {}});
+  surfaceDerivatives(grid, {}, points, area, {part.gradient, {}, {}});
   for (int i = 0; i < 600; ++i) {
     const auto at = static_cast<std::size_t>(i);
     const bool within = i / size.x >= 16 && i % size.x >= 5 && i % size.x < 14;

@@ -92,8 +92,8 @@ TEST(Coefficients, AGreatOffsetOfTheValuesCostsDerivativesNothing) {
     for (int c = 0; c < 3; ++c) EXPECT_LT(glm::distance(found.hessian[c], expected.hessian[c]), 2e-5);
   }
   base::Progress progress;
-  const MinMaxBlocks blocksA = MinMaxBlocks::ofCubic(a, plain, 8, progress),
-                     blocksB = MinMaxBlocks::ofCubic(b, shifted, 8, progress);
+  const MinMaxBlocks blocksA = MinMaxBlocks::ofCubic(plain, &a, 8, progress),
+                     blocksB = MinMaxBlocks::ofCubic(shifted, &b, 8, progress);
   int hits = 0;
   for (std::uint64_t i = 0; i < 300; ++i) {
     const Ray ray{{base::uniformNoise(1, i) * 23.0, base::uniformNoise(2, i) * 23.0, -1.0}, {0.1, 0.05, 1.0}};

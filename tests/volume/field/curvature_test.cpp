@@ -431,7 +431,7 @@ Errors curvatureErrors(const std::string& name, const GridGeometry& geometry, do
   base::Progress progress;
   const Grid grid = test::phantomGrid(name, geometry);
   const Coefficients coefficients = interpolatingCoefficients(grid);
-  const MinMaxBlocks blocks = MinMaxBlocks::ofCubic(coefficients, grid, 8, progress);
+  const MinMaxBlocks blocks = MinMaxBlocks::ofCubic(grid, &coefficients, 8, progress);
   const auto reference = test::analyticField(name, geometry);
   const CurvatureScale scale = curvatureScale(geometry, scene::Field::cubic_interpolating, 1e-6);
   struct Sum {

@@ -98,20 +98,15 @@ std::vector<Path> pathsOf(const std::shared_ptr<const Grid>& grid) {
                      cubic});
     if (target == TracerTarget::scalar) continue;
     const std::string name = std::string("cast, ") + tracer->target() + ", ";
-    const auto ofField = [grid, target](DerivedField field, std::shared_ptr<const Coefficients> of) {
+    const auto ofField = [=](const DerivedField& field) {  // the oracles keep what it refers to
       return castPath([=](const auto& at, const PictureArea& area, const DerivativeImages& images) {
-        surfaceDerivatives(*grid, field, of.get(), at, area, images, target);
+        surfaceDerivatives(*grid, field, at, area, images, target);
       });
     };
-    paths.push_back({name + "trilinear", ofField(DerivedField::trilinear, nullptr), trilinear});
-    paths.push_back({name + "spline", ofField(DerivedField::spline, nullptr), cubic});
-    paths.push_back(
-        {name + "prefiltered spline", ofField(DerivedField::spline, coefficients), interpolating});
-    paths.push_back({name + "at a scale",
-                     castPath([=](const auto& at, const PictureArea& area, const DerivativeImages& images) {
-                       surfaceDerivatives(*grid, *scaled, at, area, images, target);
-                     }),
-                     atScale});
+    paths.push_back({name + "trilinear", ofField({.trilinear = true}), trilinear});
+    paths.push_back({name + "spline", ofField({}), cubic});
+    paths.push_back({name + "prefiltered spline", ofField({coefficients.get()}), interpolating});
+    paths.push_back({name + "at a scale", ofField({.scaled = scaled.get()}), atScale});
   }
   return paths;
 }

@@ -35,8 +35,7 @@ struct SplineCase {
   SplineCase(Grid samples, bool interpolating)
       : grid(std::move(samples)),
         coefficients(interpolating ? interpolatingCoefficients(grid) : Coefficients()),
-        blocks(interpolating ? MinMaxBlocks::ofCubic(coefficients, grid, 8, progress)
-                             : MinMaxBlocks::ofCubic(grid, 8, progress)) {}
+        blocks(MinMaxBlocks::ofCubic(grid, interpolating ? &coefficients : nullptr, 8, progress)) {}
 
   CubicHit firstHit(double isovalue, const Ray& ray) const {
     return coefficients.empty() ? firstHitOfField(grid, scene::Field::cubic, nullptr, blocks, isovalue, ray)

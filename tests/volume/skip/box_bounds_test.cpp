@@ -48,8 +48,9 @@ TEST(BoxBoundsTest, NoBoxWithACrossingIsLeftOutAndFewOthersAreKept) {
         const Grid grid = randomGrid(dims, random, gaps);
         base::Progress progress;
         const MinMaxBlocks blocks =
-            apron ? MinMaxBlocks::ofCubic(grid, 8, progress) : MinMaxBlocks(grid, 8, progress);
-        const BoxBounds boxes = apron ? BoxBounds::ofCubic(grid, progress) : BoxBounds(grid, progress);
+            apron ? MinMaxBlocks::ofCubic(grid, nullptr, 8, progress) : MinMaxBlocks(grid, 8, progress);
+        const BoxBounds boxes =
+            apron ? BoxBounds::ofCubic(grid, nullptr, progress) : BoxBounds(grid, progress);
         ASSERT_EQ(boxes.blockDims(), blocks.dims());
         for (const float isovalue : {0.0f, 0.05f, -0.2f, 0.4f}) {
           std::vector<std::uint8_t> flags;

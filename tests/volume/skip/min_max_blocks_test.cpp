@@ -116,8 +116,7 @@ TEST(MinMaxBlocks, OnlyBlocksThatACrossingCanBeInAreActive) {
 // Every coefficient of every cell, and the field itself at random points of the block.
 void compareCubicWithCells(const Grid& grid, const Coefficients* coefficients, int blockCells) {
   base::Progress progress;
-  const MinMaxBlocks blocks = coefficients ? MinMaxBlocks::ofCubic(*coefficients, grid, blockCells, progress)
-                                           : MinMaxBlocks::ofCubic(grid, blockCells, progress);
+  const MinMaxBlocks blocks = MinMaxBlocks::ofCubic(grid, coefficients, blockCells, progress);
   EXPECT_EQ(blocks.dims(), MinMaxBlocks(grid, blockCells, progress).dims());
   const glm::ivec3 last = grid.dims() - 1;
   BlockBounds bounds(blocks.count());
