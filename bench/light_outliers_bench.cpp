@@ -25,12 +25,12 @@ struct Judged {
 app::LightErrors errorsOf(const std::shared_ptr<const render::Gl>& gl, const VolumePointer& volume,
                           scene::Scene scene, int paths) {
   scene.gi.samples = paths;
-  app::QualitySetting knob = app::parseQualitySettings("texels").front();
-  knob.cost = app::Cost::lookupMilliseconds;
+  app::QualitySetting quality = app::parseQualitySettings("texels").front();
+  quality.cost = app::Cost::lookupMilliseconds;
   base::Progress progress;
   const app::QualityStudy study =
       app::StudyRunner(gl, {volume, scene, {.executor = scene::Executor::cpu}, kPictureSize, 1})
-          .study(knob, progress, 0.0, 1.0);
+          .study(quality, progress, 0.0, 1.0);
   for (const app::StudySetting& setting : study.settings)
     if (setting.isDefault) return setting.errors.light;
   throw std::logic_error("gi.texels has no default");

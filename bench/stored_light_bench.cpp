@@ -33,10 +33,10 @@ std::vector<Lit> litSubjects() {
 }
 
 // Where texels are lit; light of one bake is drawn for each value.
-app::QualitySetting texelsKnob() {
-  app::QualitySetting knob = app::parseQualitySettings("texels").front();
-  knob.cost = app::Cost::lookupMilliseconds;
-  return knob;
+app::QualitySetting texelsQuality() {
+  app::QualitySetting quality = app::parseQualitySettings("texels").front();
+  quality.cost = app::Cost::lookupMilliseconds;
+  return quality;
 }
 
 class Row {
@@ -71,7 +71,7 @@ class Row {
     scene.gi.samples = samples;
     base::Progress progress;
     return app::StudyRunner(context_->gl(), {volume_, scene, {.executor = executor}, size, 5})
-        .study(texelsKnob(), progress, 0.0, 1.0);
+        .study(texelsQuality(), progress, 0.0, 1.0);
   }
   static const app::StudySetting& of(const app::QualityStudy& study, std::string_view value) {
     for (const app::StudySetting& setting : study.settings)

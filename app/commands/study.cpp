@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct StudyOptions {
-  std::string path, out, knobs, size = "256x256";
+  std::string path, out, qualities, size = "256x256";
   int repeat = 7;
   std::shared_ptr<render::ContextChoice> context;
   std::shared_ptr<SceneOptions> scene;
@@ -26,10 +26,11 @@ struct StudyOptions {
 // Nothing that the study writes may be what it reads, say a session beside older results.
 void checkOutputs(const fs::path& folder, const std::vector<QualitySetting>& chosen, OutputGuard guard) {
   for (const char* name : {"study.json", "study.md"}) guard.writes(folder / name, "--out");
-  for (const QualitySetting& knob : chosen) guard.writes(folder / (std::string(knob.name) + ".svg"), "--out");
+  for (const QualitySetting& quality : chosen)
+    guard.writes(folder / (std::string(quality.name) + ".svg"), "--out");
 }
 
-// Writes what is finished after every knob, so that a stop leaves it.
+// Writes what is finished after every quality setting, so that a stop leaves it.
 class StudyFolder {
  public:
   StudyFolder(fs::path folder, StudySubject subject, render::ContextDescription context)
@@ -42,14 +43,14 @@ class StudyFolder {
 
   void add(QualityStudy study, std::size_t of, base::Progress& progress) {
     if (!gnuplot_.empty() && study.skipped.empty()) {
-      const std::string name = std::string(study.knob.name) + ".svg";
+      const std::string name = std::string(study.quality.name) + ".svg";
       std::string reason;
       if (writePlot(gnuplot_, study, subject_.volume->volume.name, folder_ / name, progress, reason))
         study.plot = name;
       else
-        note_ = "no plot of " + std::string(study.knob.name) + ": " + reason;
+        note_ = "no plot of " + std::string(study.quality.name) + ": " + reason;
     }
-    if (!study.skipped.empty()) skipped_.emplace_back(study.knob.name);
+    if (!study.skipped.empty()) skipped_.emplace_back(study.quality.name);
     studies_.push_back(std::move(study));
     const bool complete = studies_.size() == of;
     writeTextFile(folder_ / "study.md", studyMarkdown(subject_, context_, studies_, complete));
@@ -66,12 +67,12 @@ class StudyFolder {
   fs::path gnuplot_;
   std::vector<QualityStudy> studies_;
   std::string note_;                  // about plots that are not there
-  std::vector<std::string> skipped_;  // knobs
+  std::vector<std::string> skipped_;  // quality settings
 };
 
 void runStudy(const StudyOptions& options, base::Progress& progress) {
   requireSource(options.path, *options.scene);
-  const std::vector<QualitySetting> chosen = parseQualitySettings(options.knobs);
+  const std::vector<QualitySetting> chosen = parseQualitySettings(options.qualities);
   const glm::ivec2 size = parseSize(options.size);
   const scene::Scene asked = sceneOf(options.path, *options.scene);
   checkOutputs(options.out, chosen, outputGuard(options.path, *options.scene, asked));
@@ -106,8 +107,8 @@ Command makeStudy(CLI::App& program) {
   addOption(*parser, "--out", options->out, "DIR",
             "Folder for study.md, study.json and a plot per quality setting; created if missing")
       ->required();
-  addOption(*parser, "--knobs,--settings", options->knobs, "LIST",
-            "Study only these of " + base::joined(knobs(), ",", &QualitySetting::name));
+  addOption(*parser, "--knobs,--settings", options->qualities, "LIST",
+            "Study only these of " + base::joined(qualitySettings(), ",", &QualitySetting::name));
   addOption(*parser, "--size", options->size, "WxH", "Pixels of the image; default 256x256");
   addOption(*parser, "--repeat", options->repeat, "N", "Frames measured per value, in turns; default 7")
       ->check(within(1, 1000));

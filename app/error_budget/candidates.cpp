@@ -23,7 +23,7 @@ bool isFixed(const Turning& turning, const char* path) {
   return std::ranges::find(turning.fixed, path) != turning.fixed.end();
 }
 
-// The values of a knob, or the scene's own where it is fixed.
+// The values of a quality setting, or the scene's own where it is fixed.
 Values valuesOf(const Turning& turning, const char* path, Values values) {
   if (!isFixed(turning, path)) return values;
   return {scene::setting(path).get(turning.given).get<double>()};

@@ -26,7 +26,8 @@ namespace {
 using base::Error;
 using base::ErrorKind;
 
-// What nobody asked for is kept as well where its knobs are turned, or cheap hits would miss what they like.
+// What nobody asked for is kept as well where its quality settings are turned, or cheap hits would miss what
+// they like.
 constexpr Limit kUnasked[] = {{Quantity::depthVoxels, 0.1},
                               {Quantity::missed, 0.001},
                               {Quantity::normal, 2.0},

@@ -1,5 +1,5 @@
 // What settings cost, as counts of work instead of times: the same on every machine, and monotone in each
-// knob.
+// quality setting.
 //
 // The unit is an exact trilinear hit by a shader. The constants are ratios of passes that `isolux study` and
 // `isolux_bench render` measured in software OpenGL (docs/explanation/accuracy.md,

@@ -1,4 +1,5 @@
-// Irradiance at surface points by path tracing, as sure as asked for: the yardstick of the knobs of light.
+// Irradiance at surface points by path tracing, as sure as asked for: the yardstick of the quality settings
+// of light.
 //
 // Every point is estimated kReplicates times independently, with patterns of directions of its own
 // (randomised quasi-Monte Carlo): the mean is the estimate, their spread its variance, unbiased also for

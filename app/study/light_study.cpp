@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kBounces = "bounces";
 constexpr int kLeastBakes = 2;      // of each value, in turns
-constexpr double kTruthPart = 0.2;  // of a knob's progress
+constexpr double kTruthPart = 0.2;  // of a quality setting's progress
 
 double bounded(double from, double to, double part) {
   return from + (to - from) * std::min(part, 1.0);
@@ -113,19 +113,20 @@ void LightStudyRunner::time(Alternative& alternative, int frames, base::Progress
   }
 }
 
-QualityStudy LightStudyRunner::study(const QualitySetting& knob, base::Progress& progress, double from,
+QualityStudy LightStudyRunner::study(const QualitySetting& quality, base::Progress& progress, double from,
                                      double to) {
   prepareHits(progress);
   std::vector<Alternative> alternatives;
-  for (const std::string& value : knob.values)
-    alternatives.push_back({{.value = value, .isDefault = value == defaultValue(knob), .light = LightCost{}},
-                            turned(knob, value, subject_.scene, subject_.volume->facts)});
-  const bool bakes = knob.cost == Cost::bakeSeconds;
+  for (const std::string& value : quality.values)
+    alternatives.push_back(
+        {{.value = value, .isDefault = value == defaultValue(quality), .light = LightCost{}},
+         turned(quality, value, subject_.scene, subject_.volume->facts)});
+  const bool bakes = quality.cost == Cost::bakeSeconds;
   const scene::Scene& lit = alternatives.front().scene;
   const scene::Scene given = scene::resolve(subject_.scene, subject_.volume->facts);
 
-  QualityStudy result{.knob = knob};
-  result.truthBounces = knob.name == kBounces ? kTruthBounces : given.gi.bounces;
+  QualityStudy result{.quality = quality};
+  result.truthBounces = quality.name == kBounces ? kTruthBounces : given.gi.bounces;
   progress.report(from, "tracing the truth");
   const LightReference& truth = referenceOf(lit, result.truthBounces, progress);
   result.truthSamples = truth.samples;
@@ -139,7 +140,8 @@ QualityStudy LightStudyRunner::study(const QualitySetting& knob, base::Progress&
   for (int round = 0; round < rounds; ++round)
     for (Alternative& alternative : alternatives) {
       progress.report(bounded(begin, to, done++ / steps), bakes || round == 0 ? "baking light" : "measuring");
-      // The first anew: light of the knob before may be better than is asked for, and would be kept.
+      // The first anew: light of the quality setting before may be better than is asked for, and would be
+      // kept.
       const bool first = round == 0 && &alternative == &alternatives.front();
       if (bakes || round == 0) bake(alternative, bakes || first, bakes, progress);
       if (round == 0) alternative.irradiance = draw(alternative);
@@ -149,7 +151,7 @@ QualityStudy LightStudyRunner::study(const QualitySetting& knob, base::Progress&
   renderer_.setLight(nullptr);
 
   const auto reference = std::ranges::find_if(
-      alternatives, [&](const Alternative& a) { return a.setting.value == knob.reference; });
+      alternatives, [&](const Alternative& a) { return a.setting.value == quality.reference; });
   for (Alternative& alternative : alternatives) {
     StudySetting& setting = alternative.setting;
     LightCost& cost = alternative.cost();

@@ -1,10 +1,10 @@
-// The knobs of light: each value's light is baked for what the view shows, drawn, and compared with per-pixel
-// path tracing at the exact hits.
+// The quality settings of light: each value's light is baked for what the view shows, drawn, and compared
+// with per-pixel path tracing at the exact hits.
 //
-// Bakes of a knob are made in turns with all others of it, anew each time; values that only change how the
-// same stored light is kept or read share one bake. The truth has the scene's bounces, for the knob `bounces`
-// kTruthBounces of them; it knows no lattice, no spherical harmonics and no compression. Pixels that show
-// the surface from inside are left out.
+// Bakes of a quality setting are made in turns with all others of it, anew each time; values that only change
+// how the same stored light is kept or read share one bake. The truth has the scene's bounces, for the
+// quality setting `bounces` kTruthBounces of them; it knows no lattice, no spherical harmonics and no
+// compression. Pixels that show the surface from inside are left out.
 #pragma once
 
 #include <map>
@@ -26,8 +26,8 @@ class LightStudyRunner {
   // All are the StudyRunner's own.
   LightStudyRunner(render::Renderer& renderer, SurfaceReference& reference, const StudySubject& subject);
 
-  // A knob that has an effect in this scene. Throws Error{interrupted}.
-  QualityStudy study(const QualitySetting& knob, base::Progress& progress, double from, double to);
+  // A quality setting that has an effect in this scene. Throws Error{interrupted}.
+  QualityStudy study(const QualitySetting& quality, base::Progress& progress, double from, double to);
 
  private:
   struct Alternative;

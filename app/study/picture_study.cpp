@@ -60,14 +60,14 @@ ComparedPicture PictureStudyRunner::manyRays(const scene::Scene& scene, base::Pr
   return comparedPicture(render::drawStill(renderer_, scene, request, inner).linear);
 }
 
-QualityStudy PictureStudyRunner::study(const QualitySetting& knob, base::Progress& progress, double from,
+QualityStudy PictureStudyRunner::study(const QualitySetting& quality, base::Progress& progress, double from,
                                        double to) {
   std::vector<Alternative> alternatives;
-  for (const std::string& value : knob.values) {
-    scene::Scene scene = turned(knob, value, subject_.scene, subject_.volume->facts);
+  for (const std::string& value : quality.values) {
+    scene::Scene scene = turned(quality, value, subject_.scene, subject_.volume->facts);
     completeFields(scene, *subject_.volume, true, progress);
-    const int rays = knob.measure == Measure::edges ? scene.picture.supersampling : 1;
-    const bool isDefault = value == defaultValue(knob);
+    const int rays = quality.measure == Measure::edges ? scene.picture.supersampling : 1;
+    const bool isDefault = value == defaultValue(quality);
     alternatives.push_back({{.value = value, .isDefault = isDefault}, std::move(scene), rays});
   }
   const double steps = static_cast<double>(alternatives.size()) * (subject_.repeat + 1) + 1.0;
@@ -85,16 +85,16 @@ QualityStudy PictureStudyRunner::study(const QualitySetting& knob, base::Progres
 
   ComparedPicture reference;
   std::vector<bool> edges;
-  if (knob.measure == Measure::edges) {
+  if (quality.measure == Measure::edges) {
     const ComparedPicture fine = manyRays(alternatives.front().scene, progress);
     reference = blockMeans(fine, kReferenceBlock);
     edges = edgePixels(fine, kReferenceBlock, kEdgeContrast);
   } else {
     for (const Alternative& alternative : alternatives)
-      if (alternative.setting.value == knob.reference) reference = alternative.picture;
+      if (alternative.setting.value == quality.reference) reference = alternative.picture;
   }
 
-  QualityStudy result{.knob = knob};
+  QualityStudy result{.quality = quality};
   for (Alternative& alternative : alternatives) {
     StudySetting& setting = alternative.setting;
     setMedians(setting);

@@ -1,4 +1,4 @@
-// The knobs that are judged by the picture of the scene's look alone.
+// The quality settings that are judged by the picture of the scene's look alone.
 //
 // `supersampling`: against the same picture with kReferenceBlock x kReferenceBlock times its pixels, each of
 // 4 x 4 rays, averaged in linear light: 256 rays per pixel; an edge is where colours within a pixel of that
@@ -28,8 +28,8 @@ class PictureStudyRunner {
   // All are the StudyRunner's own. software: the processor draws.
   PictureStudyRunner(render::Renderer& renderer, bool software, const StudySubject& subject);
 
-  // A knob of edges or shadow that has an effect in this scene. Throws Error{interrupted, memory}.
-  QualityStudy study(const QualitySetting& knob, base::Progress& progress, double from, double to);
+  // A quality setting of edges or shadow that has an effect in this scene. Throws Error{interrupted, memory}.
+  QualityStudy study(const QualitySetting& quality, base::Progress& progress, double from, double to);
 
  private:
   struct Alternative;

@@ -11,13 +11,13 @@
 
 namespace isolux::app {
 
-scene::Scene withQualitySettingAt(const QualitySetting& knob, const std::string& value, scene::Scene scene,
+scene::Scene withQualitySettingAt(const QualitySetting& quality, const std::string& value, scene::Scene scene,
                                   const scene::VolumeFacts& facts) {
-  const scene::Setting& setting = scene::setting(knob.setting);
-  if (value == defaultValue(knob))
+  const scene::Setting& setting = scene::setting(quality.setting);
+  if (value == defaultValue(quality))
     setting.set(scene, setting.defaultValue());
   else
-    setting.set(scene, setting.get(turned(knob, value, scene, facts)));
+    setting.set(scene, setting.get(turned(quality, value, scene, facts)));
   return scene;
 }
 
@@ -31,16 +31,16 @@ void markFront(std::vector<QualityPoint>& points) {
 
 std::vector<QualityPoint> pointsOf(const QualityStudy& study, const scene::Scene& scene,
                                    const scene::VolumeFacts& facts) {
-  const Panel& panel = panelsOf(study.knob)[0];
-  const scene::Setting& setting = scene::setting(study.knob.setting);
+  const Panel& panel = panelsOf(study.quality)[0];
+  const scene::Setting& setting = scene::setting(study.quality.setting);
   std::vector<QualityPoint> points;
   for (const StudySetting& measured : study.settings) {
     if (measured.comparison) continue;
-    QualityPoint point{measured.value, costOf(study.knob, measured, panel), panel.error(judged(measured)),
+    QualityPoint point{measured.value, costOf(study.quality, measured, panel), panel.error(judged(measured)),
                        measured.isDefault || measured.settingDefault};
     if (!std::isfinite(point.cost) || !std::isfinite(point.error)) continue;
     point.isPresent =
-        setting.get(scene) == setting.get(withQualitySettingAt(study.knob, measured.value, scene, facts));
+        setting.get(scene) == setting.get(withQualitySettingAt(study.quality, measured.value, scene, facts));
     points.push_back(std::move(point));
   }
   markFront(points);
@@ -51,10 +51,10 @@ std::vector<QualitySetting> actingQualitySettings(const scene::Scene& scene,
                                                   const scene::VolumeFacts& facts) {
   const scene::Scene resolved = scene::resolve(scene, facts);
   std::vector<QualitySetting> acting;
-  for (const QualitySetting& knob : knobs()) {
-    if (knob.measure == Measure::light && !scene::usesGi(scene)) continue;
-    if (knob.measure == Measure::shadow) continue;  // on or off: that is a look
-    if (scene::whyInactive(knob.setting, resolved).empty()) acting.push_back(knob);
+  for (const QualitySetting& quality : qualitySettings()) {
+    if (quality.measure == Measure::light && !scene::usesGi(scene)) continue;
+    if (quality.measure == Measure::shadow) continue;  // on or off: that is a look
+    if (scene::whyInactive(quality.setting, resolved).empty()) acting.push_back(quality);
   }
   return acting;
 }

@@ -1,5 +1,5 @@
-// Of what a knob was found to cost and to err by: the points of a plot, and which of them are worth their
-// time.
+// Of what a quality setting was found to cost and to err by: the points of a plot, and which of them are
+// worth their time.
 #pragma once
 
 #include <string>
@@ -18,19 +18,20 @@ struct QualityPoint {
   bool onFront = false;    // no other point is as cheap and as accurate, and better in one of them
 };
 
-// Of knob.values of the study's first panel; those without an error (NaN) are left out. `scene` as the user
-// gave it.
+// Of quality.values of the study's first panel; those without an error (NaN) are left out. `scene` as
+// the user gave it.
 std::vector<QualityPoint> pointsOf(const QualityStudy& study, const scene::Scene& scene,
                                    const scene::VolumeFacts& facts);
 // Sets onFront. Equal points are all on the front.
 void markFront(std::vector<QualityPoint>& points);
 
-// The scene with the knob at one of its values and nothing else changed: what is the default stays automatic.
-scene::Scene withQualitySettingAt(const QualitySetting& knob, const std::string& value, scene::Scene scene,
+// The scene with the quality setting at one of its values and nothing else changed: what is the default stays
+// automatic.
+scene::Scene withQualitySettingAt(const QualitySetting& quality, const std::string& value, scene::Scene scene,
                                   const scene::VolumeFacts& facts);
 
-// Those that change pictures of this scene, in the order of knobs(): nothing of sampling where hits are
-// exact, none of light where no stored light is read. `scene` as the user gave it.
+// Those that change pictures of this scene, in the order of qualitySettings(): nothing of sampling where hits
+// are exact, none of light where no stored light is read. `scene` as the user gave it.
 std::vector<QualitySetting> actingQualitySettings(const scene::Scene& scene, const scene::VolumeFacts& facts);
 
 }  // namespace isolux::app

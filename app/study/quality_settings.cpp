@@ -26,35 +26,35 @@ scene::Scene resolvedFirstSurface(scene::Scene scene, const scene::VolumeFacts& 
 }  // namespace
 
 std::vector<QualitySetting> parseQualitySettings(const std::string& list) {
-  if (list.empty()) return knobs();
+  if (list.empty()) return qualitySettings();
   std::vector<std::string> known;
-  for (const QualitySetting& knob : knobs()) known.emplace_back(knob.name);
+  for (const QualitySetting& quality : qualitySettings()) known.emplace_back(quality.name);
   std::vector<QualitySetting> chosen;
   std::istringstream words(list);
   for (std::string word; std::getline(words, word, ',');) {
-    const auto knob = std::ranges::find(knobs(), word, &QualitySetting::name);
-    if (knob == knobs().end())
+    const auto quality = std::ranges::find(qualitySettings(), word, &QualitySetting::name);
+    if (quality == qualitySettings().end())
       throw base::Error(base::ErrorKind::usage, "", "--knobs",
                         "unknown quality setting \"" + word + '"' +
                             base::didYouMean(word, known, "; choose from " + base::joined(known, " ")));
-    chosen.push_back(*knob);
+    chosen.push_back(*quality);
   }
   return chosen;
 }
 
-scene::Scene turned(const QualitySetting& knob, const std::string& value, scene::Scene scene,
+scene::Scene turned(const QualitySetting& quality, const std::string& value, scene::Scene scene,
                     const scene::VolumeFacts& facts) {
-  if (knob.sampled) scene.hit.method = scene::HitMethod::sampled;
-  if (knob.measure == Measure::light) scene = litScene(knob, std::move(scene));
-  if (knob.name == kScale) {
+  if (quality.sampled) scene.hit.method = scene::HitMethod::sampled;
+  if (quality.measure == Measure::light) scene = litScene(quality, std::move(scene));
+  if (quality.name == kScale) {
     scene.derivatives.scale.reset();
     if (value != kAutomatic)
       scene.derivatives.scale =
           *base::readNumber(value) * std::cbrt(facts.spacingMm.x * facts.spacingMm.y * facts.spacingMm.z);
     return resolvedFirstSurface(std::move(scene), facts);
   }
-  if (knob.name != kThreshold) {
-    scene::applyAssignment(scene, std::string(knob.setting) + '=' + value);
+  if (quality.name != kThreshold) {
+    scene::applyAssignment(scene, std::string(quality.setting) + '=' + value);
     return resolvedFirstSurface(std::move(scene), facts);
   }
   scene.hit.nearThreshold.reset();
@@ -63,47 +63,47 @@ scene::Scene turned(const QualitySetting& knob, const std::string& value, scene:
   return scene;
 }
 
-std::string defaultValue(const QualitySetting& knob) {
-  if (knob.name == kThreshold) return "1";
-  if (knob.name == kScale) return std::string(kAutomatic);
-  const scene::Setting& setting = scene::setting(knob.setting);
-  for (const std::string& value : knob.values) {
+std::string defaultValue(const QualitySetting& quality) {
+  if (quality.name == kThreshold) return "1";
+  if (quality.name == kScale) return std::string(kAutomatic);
+  const scene::Setting& setting = scene::setting(quality.setting);
+  for (const std::string& value : quality.values) {
     scene::Scene scene;
-    scene::applyAssignment(scene, std::string(knob.setting) + '=' + value);
+    scene::applyAssignment(scene, std::string(quality.setting) + '=' + value);
     if (setting.get(scene) == setting.defaultValue()) return value;
   }
   return {};
 }
 
-std::string whyWithoutEffect(const QualitySetting& knob, const scene::Scene& scene) {
-  if (knob.measure == Measure::shadow) return std::string(scene::whyInactive(knob.setting, scene));
-  if (knob.measure == Measure::shape && !knob.field) {
+std::string whyWithoutEffect(const QualitySetting& quality, const scene::Scene& scene) {
+  if (quality.measure == Measure::shadow) return std::string(scene::whyInactive(quality.setting, scene));
+  if (quality.measure == Measure::shape && !quality.field) {
     scene::Scene curved = scene;
     curved.look.mode = scene::LookMode::kappa1;
-    return std::string(scene::whyInactive(knob.setting, curved));
+    return std::string(scene::whyInactive(quality.setting, curved));
   }
-  if (knob.measure != Measure::light) return {};
-  const scene::Scene lit = litScene(knob, scene);
-  if (knob.transfer && scene::hasOneColor(scene.light.environment) && scene.gi.mode != scene::GiMode::off)
+  if (quality.measure != Measure::light) return {};
+  const scene::Scene lit = litScene(quality, scene);
+  if (quality.transfer && scene::hasOneColor(scene.light.environment) && scene.gi.mode != scene::GiMode::off)
     return "the environment is constant: transfer needs one number only";
-  return std::string(scene::whyInactive(knob.setting, lit));
+  return std::string(scene::whyInactive(quality.setting, lit));
 }
 
-double effortOf(const QualitySetting& knob, const scene::Scene& scene) {
-  if (!whyWithoutEffect(knob, scene).empty()) return 0.01;
-  const auto values = static_cast<double>(knob.values.size());
-  if (knob.measure == Measure::edges) return 10.0 * values;
-  if (knob.measure != Measure::light) return values;
-  return knob.cost == Cost::bakeSeconds ? 6.0 * values : 2.0 * values;
+double effortOf(const QualitySetting& quality, const scene::Scene& scene) {
+  if (!whyWithoutEffect(quality, scene).empty()) return 0.01;
+  const auto values = static_cast<double>(quality.values.size());
+  if (quality.measure == Measure::edges) return 10.0 * values;
+  if (quality.measure != Measure::light) return values;
+  return quality.cost == Cost::bakeSeconds ? 6.0 * values : 2.0 * values;
 }
 
-scene::Scene litScene(const QualitySetting& knob, scene::Scene scene) {
+scene::Scene litScene(const QualitySetting& quality, scene::Scene scene) {
   scene.look.mode = scene::LookMode::gi;
   scene.hit.method = scene::HitMethod::exact;
   scene.hit.field = scene::Field::trilinear;
   scene.gi.extent = scene::GiExtent::view;
   scene.isosurface.opacity = scene.isosurface.facingOpacity = 1.0;
-  if (!knob.transfer || scene.gi.mode == scene::GiMode::off) return scene;
+  if (!quality.transfer || scene.gi.mode == scene::GiMode::off) return scene;
   scene.gi.mode = scene::GiMode::automatic;
   scene.light.environment.moves = true;
   return scene;

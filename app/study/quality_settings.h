@@ -1,4 +1,4 @@
-// The quality knobs that `isolux study` turns: each with the values it takes and what it is judged by.
+// The quality settings that `isolux study` turns: each with the values it takes and what it is judged by.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace isolux::app {
 
-// What a knob trades for time or memory: where the surface is, how it is bent, what noise makes of that, how
-// it is lit, how smooth edges of the picture are, or whether the key light throws a shadow.
+// What a quality setting trades for time or memory: where the surface is, how it is bent, what noise makes of
+// that, how it is lit, how smooth edges of the picture are, or whether the key light throws a shadow.
 enum class Measure { hits, shape, scale, light, edges, shadow };
 // What it costs: the time of passes, or of the whole frame; of light, tracing it, reading it, or keeping it.
 enum class Cost { passes, frameMilliseconds, bakeSeconds, lookupMilliseconds, gpuMegabytes };
@@ -27,8 +27,8 @@ struct Panel {
   double (*error)(const Errors&);
 };
 struct QualitySetting;
-// What a knob is plotted by; the first decides which setting reaches an error.
-const std::array<Panel, 2>& panelsOf(const QualitySetting& knob);
+// What a quality setting is plotted by; the first decides which setting reaches an error.
+const std::array<Panel, 2>& panelsOf(const QualitySetting& quality);
 
 struct QualitySetting {
   const char* name;     // as in --knobs
@@ -46,28 +46,29 @@ struct QualitySetting {
   bool ordered = false;   // its values are numbers in order, joined by a line in plots
   bool transfer = false;  // acts on stored transfer: turned where the environment moves
 };
-const std::vector<QualitySetting>& knobs();
+const std::vector<QualitySetting>& qualitySettings();
 
-// A list "rate,method"; empty: all, in the order of knobs(). Throws Error{usage} with the nearest name.
+// A list "rate,method"; empty: all, in the order of qualitySettings(). Throws Error{usage} with the nearest
+// name.
 std::vector<QualitySetting> parseQualitySettings(const std::string& list);
 
-// The scene with the knob at one value. `scene` as the user gave it: what is automatic follows the knob.
-// Resolved, and with the first isosurface only; for knobs of light, litScene().
-scene::Scene turned(const QualitySetting& knob, const std::string& value, scene::Scene scene,
+// The scene with the quality setting at one value. `scene` as the user gave it: what is automatic follows the
+// quality setting. Resolved, and with the first isosurface only; for quality settings of light, litScene().
+scene::Scene turned(const QualitySetting& quality, const std::string& value, scene::Scene scene,
                     const scene::VolumeFacts& facts);
 
 // The one of its values that the default scene has; "" for none.
-std::string defaultValue(const QualitySetting& knob);
+std::string defaultValue(const QualitySetting& quality);
 
 inline constexpr const char* kExactHits = "exact hits";
 
-// Why a knob of light, shadow or fetches has no effect in this scene, resolved where its scales count, as one
-// clause; "" where it has, and for others.
-std::string whyWithoutEffect(const QualitySetting& knob, const scene::Scene& scene);
+// Why a quality setting of light, shadow or fetches has no effect in this scene, resolved where its scales
+// count, as one clause; "" where it has, and for others.
+std::string whyWithoutEffect(const QualitySetting& quality, const scene::Scene& scene);
 // How long studying it takes, roughly, in arbitrary units: parts of a progress bar.
-double effortOf(const QualitySetting& knob, const scene::Scene& scene);
-// The scene whose light the knob is judged by: lit by all there is, exact hits of the trilinear field, only
-// what is seen is baked.
-scene::Scene litScene(const QualitySetting& knob, scene::Scene scene);
+double effortOf(const QualitySetting& quality, const scene::Scene& scene);
+// The scene whose light the quality setting is judged by: lit by all there is, exact hits of the trilinear
+// field, only what is seen is baked.
+scene::Scene litScene(const QualitySetting& quality, scene::Scene scene);
 
 }  // namespace isolux::app

@@ -1,4 +1,4 @@
-// The knobs.
+// The quality settings.
 #include <sstream>
 
 #include "app/study/quality_settings.h"
@@ -9,7 +9,7 @@ namespace {
 
 constexpr unsigned kSampled = 1, kField = 2, kOrdered = 4, kTransfer = 8;
 
-struct KnobRow {
+struct QualityRow {
   const char *name, *setting, *label;
   Measure measure;
   const char *values, *reference;
@@ -19,9 +19,9 @@ struct KnobRow {
 
 constexpr const char *kFields = "trilinear cubic cubic_interpolating", *kSpline = "cubic_interpolating";
 
-// Knobs of light that share a bake follow one another, and what reads the most texels of it is the last of
-// them.
-constexpr KnobRow kRows[] = {
+// Quality settings of light that share a bake follow one another, and what reads the most texels of it is the
+// last of them.
+constexpr QualityRow kRows[] = {
     {"rate", "hit.rate", "sampling rate, samples per voxel", Measure::hits, "0.5 1 2 4 8 16", kExactHits,
      Cost::passes, kSampled},
     {"near_factor", "hit.near_factor", "near factor r1/r0", Measure::hits, "1 2 4 8 16", kExactHits,
@@ -65,23 +65,23 @@ constexpr KnobRow kRows[] = {
      "8", Cost::gpuMegabytes, kTransfer},
 };
 
-QualitySetting qualitySettingOf(const KnobRow& row) {
-  QualitySetting knob{row.name, row.setting, row.label, row.measure, {}, row.reference, row.cost};
-  knob.field = (row.traits & kField) != 0;
-  knob.sampled = (row.traits & kSampled) != 0;
-  knob.ordered = (row.traits & kOrdered) != 0;
-  knob.transfer = (row.traits & kTransfer) != 0;
+QualitySetting qualitySettingOf(const QualityRow& row) {
+  QualitySetting quality{row.name, row.setting, row.label, row.measure, {}, row.reference, row.cost};
+  quality.field = (row.traits & kField) != 0;
+  quality.sampled = (row.traits & kSampled) != 0;
+  quality.ordered = (row.traits & kOrdered) != 0;
+  quality.transfer = (row.traits & kTransfer) != 0;
   std::istringstream words(row.values);
-  for (std::string word; words >> word;) knob.values.push_back(word);
-  return knob;
+  for (std::string word; words >> word;) quality.values.push_back(word);
+  return quality;
 }
 
 }  // namespace
 
-const std::vector<QualitySetting>& knobs() {
+const std::vector<QualitySetting>& qualitySettings() {
   static const std::vector<QualitySetting> list = [] {
     std::vector<QualitySetting> all;
-    for (const KnobRow& row : kRows) all.push_back(qualitySettingOf(row));
+    for (const QualityRow& row : kRows) all.push_back(qualitySettingOf(row));
     return all;
   }();
   return list;

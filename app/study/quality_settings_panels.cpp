@@ -1,4 +1,4 @@
-// What each kind of knob is judged by.
+// What each kind of quality setting is judged by.
 #include "app/study/quality_settings.h"
 #include "render/graph/pass.h"
 
@@ -6,7 +6,7 @@ namespace isolux::app {
 
 namespace pass = render::pass;
 
-const std::array<Panel, 2>& panelsOf(const QualitySetting& knob) {
+const std::array<Panel, 2>& panelsOf(const QualitySetting& quality) {
   using Passes = std::vector<const char*>;
   using E = const Errors&;
   static const Passes ofHits{pass::cast, pass::refine}, ofGradient{pass::gradient}, ofHessian{pass::hessian},
@@ -39,7 +39,7 @@ const std::array<Panel, 2>& panelsOf(const QualitySetting& knob) {
                        [](E e) { return e.picture.flip; }},
                  Panel{"picture_rms", "colour difference to it, RMS, fraction of the range", none,
                        "difference", " % of the range", 100.0, [](E e) { return e.picture.rms; }}}};
-  return panels[static_cast<std::size_t>(knob.measure)];
+  return panels[static_cast<std::size_t>(quality.measure)];
 }
 
 }  // namespace isolux::app

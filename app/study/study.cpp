@@ -112,7 +112,7 @@ void StudyRunner::judgeScale(const Alternative& alternative, StudySetting& setti
   setting.scale = {scaleMm, findings.buildSeconds, unknownShare(alternative.images)};
 }
 
-StudySetting StudyRunner::judge(const QualitySetting& knob, const Alternative& alternative,
+StudySetting StudyRunner::judge(const QualitySetting& quality, const Alternative& alternative,
                                 base::Progress& progress) {
   const scene::Scene& scene = alternative.scene;
   const auto errors = [&](scene::Field hitField, const scene::Derivatives& shape) {
@@ -122,72 +122,75 @@ StudySetting StudyRunner::judge(const QualitySetting& knob, const Alternative& a
   };
   StudySetting setting = alternative.setting;
   setMedians(setting);
-  // A knob of sampled hits has no effect in what the program does by default, where hits are exact.
-  const bool chosen = !setting.comparison && setting.value == defaultValue(knob);
-  const bool sampled = knob.sampled && scene::Scene{}.hit.method == scene::HitMethod::exact;
+  // A quality setting of sampled hits has no effect in what the program does by default, where hits are
+  // exact.
+  const bool chosen = !setting.comparison && setting.value == defaultValue(quality);
+  const bool sampled = quality.sampled && scene::Scene{}.hit.method == scene::HitMethod::exact;
   setting.isDefault = sampled ? setting.comparison : chosen;
   setting.settingDefault = sampled && chosen;
-  if (knob.measure == Measure::scale) {
+  if (quality.measure == Measure::scale) {
     judgeScale(alternative, setting, progress);
     return setting;
   }
   setting.errors = errors(scene.hit.field, scene.derivatives);
   constexpr scene::Field best = scene::Field::cubic_interpolating;
-  if (!knob.field) return setting;
+  if (!quality.field) return setting;
   scene::Derivatives through = scene.derivatives;  // at the same scales
   through.field = best;
   setting.fieldErrors =
-      knob.measure == Measure::hits ? errors(best, scene.derivatives) : errors(scene.hit.field, through);
+      quality.measure == Measure::hits ? errors(best, scene.derivatives) : errors(scene.hit.field, through);
   return setting;
 }
 
-void StudyRunner::study(const std::vector<QualitySetting>& knobs, base::Progress& progress,
+void StudyRunner::study(const std::vector<QualitySetting>& qualities, base::Progress& progress,
                         const std::function<void(QualityStudy)>& each) {
   double all = 0.0, done = 0.0;
-  for (const QualitySetting& knob : knobs) all += effortOf(knob, subject_.scene);
-  for (const QualitySetting& knob : knobs) {
+  for (const QualitySetting& quality : qualities) all += effortOf(quality, subject_.scene);
+  for (const QualitySetting& quality : qualities) {
     const double from = done / all;
-    done += effortOf(knob, subject_.scene);
-    each(study(knob, progress, from, done / all));
+    done += effortOf(quality, subject_.scene);
+    each(study(quality, progress, from, done / all));
   }
 }
 
-QualityStudy StudyRunner::study(const QualitySetting& knob, base::Progress& progress, double from,
+QualityStudy StudyRunner::study(const QualitySetting& quality, base::Progress& progress, double from,
                                 double to) {
-  scene::Scene first = turned(knob, knob.values.front(), subject_.scene, subject_.volume->facts);
+  scene::Scene first = turned(quality, quality.values.front(), subject_.scene, subject_.volume->facts);
   completeFields(first, *subject_.volume, true, progress);
-  const bool shape = knob.measure == Measure::shape;
-  QualityStudy skipped{.knob = knob, .skipped = whyWithoutEffect(knob, shape ? first : subject_.scene)};
+  const bool shape = quality.measure == Measure::shape;
+  QualityStudy skipped{.quality = quality,
+                       .skipped = whyWithoutEffect(quality, shape ? first : subject_.scene)};
   if (!skipped.skipped.empty()) return skipped;
   requireSurface(first, progress);
-  const bool light = knob.measure == Measure::light;
-  if (!light && knob.measure != Measure::edges && knob.measure != Measure::shadow)
-    return studySurface(knob, progress, from, to);
+  const bool light = quality.measure == Measure::light;
+  if (!light && quality.measure != Measure::edges && quality.measure != Measure::shadow)
+    return studySurface(quality, progress, from, to);
   drawnField_.reset();
   if (!light_ && light) light_.emplace(renderer_, reference_, subject_);
   if (!picture_ && !light) picture_.emplace(renderer_, software_, subject_);
-  return light ? light_->study(knob, progress, from, to) : picture_->study(knob, progress, from, to);
+  return light ? light_->study(quality, progress, from, to) : picture_->study(quality, progress, from, to);
 }
 
-QualityStudy StudyRunner::studySurface(const QualitySetting& knob, base::Progress& progress, double from,
+QualityStudy StudyRunner::studySurface(const QualitySetting& quality, base::Progress& progress, double from,
                                        double to) {
   std::vector<Alternative> alternatives;
-  for (const std::string& value : knob.values)
-    alternatives.push_back({{.value = value}, turned(knob, value, subject_.scene, subject_.volume->facts)});
-  if (knob.sampled) {
+  for (const std::string& value : quality.values)
+    alternatives.push_back(
+        {{.value = value}, turned(quality, value, subject_.scene, subject_.volume->facts)});
+  if (quality.sampled) {
     scene::Scene exact = alternatives.front().scene;
     exact.hit.method = scene::HitMethod::exact;
     alternatives.push_back({{.value = kExactHits, .comparison = true}, std::move(exact)});
   }
   const double measured = from + 0.6 * (to - from);
   measure(alternatives, progress, from, measured);
-  QualityStudy result{.knob = knob};
+  QualityStudy result{.quality = quality};
   result.eightBitVoxels = volume::bytesOf(subject_.volume->grid().storedType()) == 1;
   const auto reference = std::ranges::find_if(
-      alternatives, [&](const Alternative& a) { return a.setting.value == knob.reference; });
+      alternatives, [&](const Alternative& a) { return a.setting.value == quality.reference; });
   for (const Alternative& alternative : alternatives) {
-    result.settings.push_back(judge(knob, alternative, progress));
-    if (knob.measure == Measure::shape && result.settings.back().isDefault) {
+    result.settings.push_back(judge(quality, alternative, progress));
+    if (quality.measure == Measure::shape && result.settings.back().isDefault) {
       result.normalScaleMm = scene::normalScale(alternative.scene);
       result.curvatureScaleMm = scene::derivativesScale(alternative.scene);
     }
@@ -204,17 +207,17 @@ QualityStudy StudyRunner::studySurface(const QualitySetting& knob, base::Progres
   return result;
 }
 
-std::unique_ptr<StudyTask> studyTask(StudySubject subject, std::vector<QualitySetting> knobs) {
-  const auto work = [subject = std::move(subject), knobs = std::move(knobs)](base::Progress& progress,
-                                                                             const auto& tell) {
+std::unique_ptr<StudyTask> studyTask(StudySubject subject, std::vector<QualitySetting> qualities) {
+  const auto work = [subject = std::move(subject), qualities = std::move(qualities)](base::Progress& progress,
+                                                                                     const auto& tell) {
     giveWay();
     const auto context = render::OffscreenContext::create(render::ContextChoice::automatic);
     context->makeCurrent();
     StudyRunner studio(context->gl(), subject);
-    const double part = 1.0 / static_cast<double>(knobs.size());
-    for (std::size_t i = 0; i < knobs.size(); ++i) {
+    const double part = 1.0 / static_cast<double>(qualities.size());
+    for (std::size_t i = 0; i < qualities.size(); ++i) {
       const double from = part * static_cast<double>(i);
-      QualityStudy study = studio.study(knobs[i], progress, from, from + part);
+      QualityStudy study = studio.study(qualities[i], progress, from, from + part);
       tell([&](std::vector<QualityStudy>& found) { found.push_back(std::move(study)); });
     }
   };

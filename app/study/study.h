@@ -1,9 +1,9 @@
-// `isolux study`: what each quality knob costs in time, and how far its pictures are from the truth: double
-// precision for surfaces, path tracing for their light (app/study/light_study.h).
+// `isolux study`: what each quality setting costs in time, and how far its pictures are from the truth:
+// double precision for surfaces, path tracing for their light (app/study/light_study.h).
 //
-// A knob is turned while all else stays as the scene has it; knobs that act on sampled hits are turned with
-// hit.method sampled, and exact hits are measured beside them for comparison. All settings of a knob are
-// drawn in turns within one run, so that their times compare.
+// A quality setting is turned while all else stays as the scene has it; quality settings that act on sampled
+// hits are turned with hit.method sampled, and exact hits are measured beside them for comparison. All
+// values of a quality setting are drawn in turns within one run, so that their times compare.
 #pragma once
 
 #include <functional>
@@ -26,12 +26,12 @@ class StudyRunner {
   // `gl` stays current. Throws Error{usage} where no pixel of the view shows the surface.
   StudyRunner(const std::shared_ptr<const render::Gl>& gl, StudySubject subject);
 
-  // Studies one knob after the other; `each` takes a study as soon as it is finished. Throws
+  // Studies one quality setting after the other; `each` takes a study as soon as it is finished. Throws
   // Error{interrupted}.
-  void study(const std::vector<QualitySetting>& knobs, base::Progress& progress,
+  void study(const std::vector<QualitySetting>& qualities, base::Progress& progress,
              const std::function<void(QualityStudy)>& each);
   // `from`, `to`: what part of the progress this is. Throws Error{interrupted}.
-  QualityStudy study(const QualitySetting& knob, base::Progress& progress, double from, double to);
+  QualityStudy study(const QualitySetting& quality, base::Progress& progress, double from, double to);
 
  private:
   struct Alternative;
@@ -39,9 +39,9 @@ class StudyRunner {
   void drawOnce(Alternative& alternative, bool timed);
   void requireSurface(const scene::Scene& scene, base::Progress& progress);
   DrawnImages imagesOf(const scene::Scene& scene);
-  QualityStudy studySurface(const QualitySetting& knob, base::Progress& progress, double from, double to);
+  QualityStudy studySurface(const QualitySetting& quality, base::Progress& progress, double from, double to);
   void judgeScale(const Alternative& alternative, StudySetting& setting, base::Progress& progress);
-  StudySetting judge(const QualitySetting& knob, const Alternative& alternative, base::Progress& progress);
+  StudySetting judge(const QualitySetting& quality, const Alternative& alternative, base::Progress& progress);
 
   StudySubject subject_;
   bool software_;  // the processor draws
@@ -53,9 +53,9 @@ class StudyRunner {
   std::optional<PictureStudyRunner> picture_;  // the same
 };
 
-// Studies knobs in the view of a scene on a background thread that gives way, with a renderer of its own.
-// Its news: the knobs that have been studied, in their order.
+// Studies quality settings in the view of a scene on a background thread that gives way, with a renderer of
+// its own. Its news: the quality settings that have been studied, in their order.
 using StudyTask = base::Task<void, std::vector<QualityStudy>>;
-std::unique_ptr<StudyTask> studyTask(StudySubject subject, std::vector<QualitySetting> knobs);
+std::unique_ptr<StudyTask> studyTask(StudySubject subject, std::vector<QualitySetting> qualities);
 
 }  // namespace isolux::app

@@ -79,8 +79,8 @@ struct Errors {
   std::size_t undecided = 0;  // would be one of these, but the truth's own answer hangs on a rounding
   Spread depthVoxels, depthMm, normalDegrees;
   Spread curvature;     // max |error of kappa1, kappa2| / max(|kappa1|, |kappa2|, flatCurvature)
-  NoiseErrors noise;    // of the knob of the scale, beside the above
-  LightErrors light;    // of knobs of light, which have nothing of the above
+  NoiseErrors noise;    // of the quality setting of the scale, beside the above
+  LightErrors light;    // of quality settings of light, which have nothing of the above
   ImageErrors picture;  // of the scene's look, against the picture of QualitySetting::reference
 
   double missedPpm() const;  // of the picture's pixels

@@ -41,8 +41,8 @@ double milliseconds(const StudySetting& setting, const Panel& panel) {
   return sum;
 }
 
-double costOf(const QualitySetting& knob, const StudySetting& setting, const Panel& panel) {
-  switch (knob.cost) {
+double costOf(const QualitySetting& quality, const StudySetting& setting, const Panel& panel) {
+  switch (quality.cost) {
     case Cost::passes:
       break;
     case Cost::frameMilliseconds:
@@ -71,8 +71,8 @@ std::vector<double> passSums(const StudySetting& setting, const Panel& panel) {
   return sums;
 }
 
-std::vector<double> costsOf(const QualitySetting& knob, const StudySetting& setting, const Panel& panel) {
-  switch (knob.cost) {
+std::vector<double> costsOf(const QualitySetting& quality, const StudySetting& setting, const Panel& panel) {
+  switch (quality.cost) {
     case Cost::passes:
       return passSums(setting, panel);
     case Cost::frameMilliseconds:
@@ -89,9 +89,9 @@ std::vector<double> costsOf(const QualitySetting& knob, const StudySetting& sett
 
 }  // namespace
 
-TimeSpread costSpread(const QualitySetting& knob, const StudySetting& setting, const Panel& panel) {
-  const double cost = costOf(knob, setting, panel);
-  std::vector<double> costs = costsOf(knob, setting, panel);
+TimeSpread costSpread(const QualitySetting& quality, const StudySetting& setting, const Panel& panel) {
+  const double cost = costOf(quality, setting, panel);
+  std::vector<double> costs = costsOf(quality, setting, panel);
   if (costs.empty()) return {cost, cost, cost};
   const TimeSpread spread = spreadOfTimes(std::move(costs));
   return {cost, std::min(cost, spread.low), std::max(cost, spread.high)};
@@ -102,9 +102,11 @@ const Errors& judged(const StudySetting& setting) {
 }
 
 const StudySetting* cheapest(const QualityStudy& study, double error) {
-  const Panel& panel = panelsOf(study.knob)[0];
+  const Panel& panel = panelsOf(study.quality)[0];
   const auto errorOf = [&](const StudySetting& setting) { return panel.error(judged(setting)); };
-  const auto spreadOf = [&](const StudySetting& setting) { return costSpread(study.knob, setting, panel); };
+  const auto spreadOf = [&](const StudySetting& setting) {
+    return costSpread(study.quality, setting, panel);
+  };
   const StudySetting* least = nullptr;
   for (const StudySetting& setting : study.settings)
     if (errorOf(setting) <= error && (!least || spreadOf(setting).median < spreadOf(*least).median))

@@ -11,13 +11,14 @@ namespace {
 
 using Rows = std::vector<const StudySetting*>;
 
-// Rows of a knob as advice compares them: by the first panel.
+// Rows of a quality setting as advice compares them: by the first panel.
 class Comparing {
  public:
-  explicit Comparing(const QualityStudy& study) : knob_(study.knob), panel_(panelsOf(study.knob)[0]) {}
+  explicit Comparing(const QualityStudy& study)
+      : quality_(study.quality), panel_(panelsOf(study.quality)[0]) {}
 
   double error(const StudySetting& row) const { return panel_.error(judged(row)); }
-  TimeSpread cost(const StudySetting& row) const { return costSpread(knob_, row, panel_); }
+  TimeSpread cost(const StudySetting& row) const { return costSpread(quality_, row, panel_); }
   bool missesNoMore(const StudySetting& a, const StudySetting& b) const {
     return judged(a).missed <= judged(b).missed;
   }
@@ -36,10 +37,10 @@ class Comparing {
   // "0.031 voxels (66 missed)"
   std::string errorOf(const StudySetting& row) const {
     std::string text = errorText(panel_, error(row));
-    if (knob_.measure == Measure::hits) text += " (" + std::to_string(judged(row).missed) + " missed)";
+    if (quality_.measure == Measure::hits) text += " (" + std::to_string(judged(row).missed) + " missed)";
     return text;
   }
-  std::string costOf(const StudySetting& row) const { return costText(knob_, cost(row).median); }
+  std::string costOf(const StudySetting& row) const { return costText(quality_, cost(row).median); }
   std::string noun() const { return panel_.noun; }
 
  private:
@@ -47,7 +48,7 @@ class Comparing {
     return row.light ? row.errors.light.relative(row.errors.light.rmseStandardError) : 0.0;
   }
 
-  const QualitySetting& knob_;
+  const QualitySetting& quality_;
   const Panel& panel_;
 };
 
@@ -56,7 +57,7 @@ std::string quoted(const std::string& text) {
 }
 
 std::string quotedSetting(const QualityStudy& study) {
-  return quoted(study.knob.setting);
+  return quoted(study.quality.setting);
 }
 
 const StudySetting* defaultRow(const QualityStudy& study) {
@@ -164,7 +165,7 @@ std::string fieldAdvice(const QualityStudy& study, const Comparing& by, const St
   const StudySetting* const through = rowNamed(study, "cubic_interpolating");
   if (!through || through == &now) return {};
   const std::string ratio = timesTheCost(by, *through, now);
-  if (study.knob.measure == Measure::hits)
+  if (study.quality.measure == Measure::hits)
     return "Leave " + quotedSetting(study) + " at " + quoted(now.value) +
            " while the view moves: `cubic_interpolating` has " + ratio + ", and its surface lies " +
            by.errorOf(now) +
@@ -216,20 +217,20 @@ std::string scaleAdvice(const QualityStudy& study, const Comparing& by, const St
 
 std::string adviceOf(const QualityStudy& study) {
   const Comparing by(study);
-  if (study.knob.measure == Measure::shadow) return shadowAdvice(study, by);
-  if (study.knob.sampled) return sampledAdvice(study, by);
+  if (study.quality.measure == Measure::shadow) return shadowAdvice(study, by);
+  if (study.quality.sampled) return sampledAdvice(study, by);
   const StudySetting* const now = defaultRow(study);
   if (!now || !std::isfinite(by.error(*now))) return "No recommendation: no pixel has a " + by.noun() + '.';
-  if (study.knob.field)
+  if (study.quality.field)
     if (std::string text = fieldAdvice(study, by, *now); !text.empty()) return text;
-  if (study.knob.measure == Measure::scale) return scaleAdvice(study, by, *now);
+  if (study.quality.measure == Measure::scale) return scaleAdvice(study, by, *now);
   Rows rows;
   for (const StudySetting& row : study.settings) rows.push_back(&row);
   return capitalized(choiceAmong(by, quotedSetting(study), rows, *now));
 }
 
 std::string noteOf(const QualityStudy& study) {
-  if (!study.knob.sampled) return {};
+  if (!study.quality.sampled) return {};
   const Comparing by(study);
   const StudySetting *finest = nullptr, *best = nullptr, *exact = nullptr;
   for (const StudySetting& row : study.settings) {

@@ -1,4 +1,4 @@
-// What a knob's table says to do, in a sentence or two of Markdown.
+// What a quality setting's table says to do, in a sentence or two of Markdown.
 #pragma once
 
 #include <string>

@@ -16,16 +16,16 @@ namespace {
 
 constexpr std::string_view kTruth = "cubic_interpolating";
 
-std::string costLabel(const QualitySetting& knob, const Panel& panel) {
-  if (knob.cost == Cost::frameMilliseconds) return "time of a frame, ms";
-  if (knob.cost == Cost::bakeSeconds) return "bake time of the visible part, s";
-  if (knob.cost == Cost::gpuMegabytes) return "light on the graphics card, MiB";
+std::string costLabel(const QualitySetting& quality, const Panel& panel) {
+  if (quality.cost == Cost::frameMilliseconds) return "time of a frame, ms";
+  if (quality.cost == Cost::bakeSeconds) return "bake time of the visible part, s";
+  if (quality.cost == Cost::gpuMegabytes) return "light on the graphics card, MiB";
   return "time of " + base::joined(panel.passes, " + ") + ", ms";
 }
 
 // "Paths per texel: head"
-std::string titleOf(const QualitySetting& knob, const std::string& subject) {
-  std::string title = knob.label;
+std::string titleOf(const QualitySetting& quality, const std::string& subject) {
+  std::string title = quality.label;
   title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
   return title + ": " + subject;
 }
@@ -53,11 +53,11 @@ ErrorAxis axisOf(const QualityStudy& study, const Panel& panel) {
   return axis;
 }
 
-void row(std::ostream& out, const QualitySetting& knob, const StudySetting& setting, const Errors& errors,
+void row(std::ostream& out, const QualitySetting& quality, const StudySetting& setting, const Errors& errors,
          const std::string& label) {
   out << label << '\t' << (setting.isDefault ? 1 : 0);
-  for (const Panel& panel : panelsOf(knob)) {
-    const TimeSpread cost = costSpread(knob, setting, panel);
+  for (const Panel& panel : panelsOf(quality)) {
+    const TimeSpread cost = costSpread(quality, setting, panel);
     out << '\t' << cost.median << '\t' << cost.low << '\t' << cost.high << '\t';
     if (const double error = panel.error(errors); std::isfinite(error))
       out << error;
@@ -79,29 +79,29 @@ bool hasPoints(const QualityStudy& study, const Panel& panel) {
 }  // namespace
 
 std::string plotScript(const QualityStudy& study, const std::string& subject, const std::string& picture) {
-  const QualitySetting& knob = study.knob;
-  const auto& panels = panelsOf(knob);
+  const QualitySetting& quality = study.quality;
+  const auto& panels = panelsOf(quality);
   const std::array<ErrorAxis, 2> axes{axisOf(study, panels[0]), axisOf(study, panels[1])};
-  std::ostringstream own, other;  // a knob has exact hits beside it, or other errors, or neither
+  std::ostringstream own, other;  // a quality setting has exact hits beside it, or other errors, or neither
   bool comparison = false, fields = false;
   for (const StudySetting& setting : study.settings) {
-    row(setting.comparison ? other : own, knob, setting, setting.errors, setting.value);
+    row(setting.comparison ? other : own, quality, setting, setting.errors, setting.value);
     // Its own truth: the same point again, whose label stands there.
     if (setting.fieldErrors)
-      row(other, knob, setting, *setting.fieldErrors, setting.value == kTruth ? "" : setting.value);
+      row(other, quality, setting, *setting.fieldErrors, setting.value == kTruth ? "" : setting.value);
     comparison = comparison || setting.comparison;
     fields = fields || setting.fieldErrors.has_value();
   }
   std::ostringstream out;
-  out << "picture = " << gnuplotText(picture) << "\ntitle = " << gnuplotText(titleOf(knob, subject))
-      << "\nseries = " << gnuplotText(knob.field ? "against the same field" : "each value")
-      << "\njoined = " << (knob.sampled || knob.ordered) << "\nbars = " << (knob.measure == Measure::light)
-      << "\ncomparison = " << comparison << "\nfields = " << fields << "\narray xlabels[2] = ["
-      << gnuplotText(costLabel(knob, panels[0])) << ", " << gnuplotText(costLabel(knob, panels[1]))
-      << "]\narray ylabels[2] = [" << gnuplotText(panels[0].label) << ", " << gnuplotText(panels[1].label)
-      << "]\narray bottoms[2] = [" << axes[0].bottom << ", " << axes[1].bottom << "]\narray tops[2] = ["
-      << axes[0].top << ", " << axes[1].top << "]\nzeros = " << (axes[0].zeros || axes[1].zeros)
-      << "\n$data << END_OF_DATA\n";
+  out << "picture = " << gnuplotText(picture) << "\ntitle = " << gnuplotText(titleOf(quality, subject))
+      << "\nseries = " << gnuplotText(quality.field ? "against the same field" : "each value")
+      << "\njoined = " << (quality.sampled || quality.ordered)
+      << "\nbars = " << (quality.measure == Measure::light) << "\ncomparison = " << comparison
+      << "\nfields = " << fields << "\narray xlabels[2] = [" << gnuplotText(costLabel(quality, panels[0]))
+      << ", " << gnuplotText(costLabel(quality, panels[1])) << "]\narray ylabels[2] = ["
+      << gnuplotText(panels[0].label) << ", " << gnuplotText(panels[1].label) << "]\narray bottoms[2] = ["
+      << axes[0].bottom << ", " << axes[1].bottom << "]\narray tops[2] = [" << axes[0].top << ", "
+      << axes[1].top << "]\nzeros = " << (axes[0].zeros || axes[1].zeros) << "\n$data << END_OF_DATA\n";
   out << own.str() << "\n\n" << other.str();
   out << "END_OF_DATA\n" << studyPlotScript;
   return out.str();
@@ -109,7 +109,7 @@ std::string plotScript(const QualityStudy& study, const std::string& subject, co
 
 bool writePlot(const std::filesystem::path& gnuplot, const QualityStudy& study, const std::string& subject,
                const std::filesystem::path& picture, base::Progress& progress, std::string& reason) {
-  for (const Panel& panel : panelsOf(study.knob))
+  for (const Panel& panel : panelsOf(study.quality))
     if (!hasPoints(study, panel)) {
       reason = std::string("no pixel has a ") + panel.label;
       return false;

@@ -1,4 +1,4 @@
-// A knob's study as a picture: error against time, by gnuplot and resources/plots/study.gp.
+// A quality setting's study as a picture: error against time, by gnuplot and resources/plots/study.gp.
 #pragma once
 
 #include <filesystem>

@@ -112,7 +112,7 @@ ordered_json scaleJson(const StudySetting& setting) {
           {"normal_99_degrees", errors.normalDegrees.most99}};
 }
 
-ordered_json settingJson(const QualitySetting& knob, const StudySetting& setting, glm::ivec2 size) {
+ordered_json settingJson(const QualitySetting& quality, const StudySetting& setting, glm::ivec2 size) {
   ordered_json json{{"value", setting.value},
                     {"default", setting.isDefault},
                     {"setting_default", setting.isDefault || setting.settingDefault},
@@ -134,42 +134,43 @@ ordered_json settingJson(const QualitySetting& knob, const StudySetting& setting
     json["pass_milliseconds_quartiles"][name] = quartilesJson(times);
   if (setting.scale)
     json["scale"] = scaleJson(setting);
-  else if (knob.measure == Measure::hits || knob.measure == Measure::shape)
+  else if (quality.measure == Measure::hits || quality.measure == Measure::shape)
     json["errors"] = errorsJson(setting.errors);
   if (setting.fieldErrors) json["field_errors"] = errorsJson(*setting.fieldErrors);
   return json;
 }
 
 ordered_json truthJson(const QualityStudy& study) {
-  const Measure measure = study.knob.measure;
+  const Measure measure = study.quality.measure;
   if (measure == Measure::light)
     return {{"truth", {{"samples", study.truthSamples}, {"bounces", study.truthBounces}}}};
   if (measure == Measure::scale)
     return {{"added_noise", study.addedNoise}, {"compared_with", study.knowsTruth ? "phantom" : "itself"}};
   if (measure != Measure::hits && measure != Measure::shape) return ordered_json::object();
-  ordered_json json{{"passes", panelsOf(study.knob)[0].passes},
-                    {"method", study.knob.sampled ? "sampled" : "as in the scene"}};
+  ordered_json json{{"passes", panelsOf(study.quality)[0].passes},
+                    {"method", study.quality.sampled ? "sampled" : "as in the scene"}};
   if (measure == Measure::shape)
     json["scales_mm"] = {{"normals", study.normalScaleMm}, {"curvature", study.curvatureScaleMm}};
   return json;
 }
 
-ordered_json knobJson(const QualityStudy& study, glm::ivec2 size) {
-  const auto& panels = panelsOf(study.knob);
-  ordered_json json{{"name", study.knob.name}, {"setting", study.knob.setting}, {"label", study.knob.label}};
+ordered_json qualityJson(const QualityStudy& study, glm::ivec2 size) {
+  const auto& panels = panelsOf(study.quality);
+  ordered_json json{
+      {"name", study.quality.name}, {"setting", study.quality.setting}, {"label", study.quality.label}};
   if (!study.skipped.empty()) {
     json["skipped"] = study.skipped;
     json["settings"] = ordered_json::array();
     return json;
   }
   json.update(truthJson(study));
-  const std::string reference = study.knob.reference;
+  const std::string reference = study.quality.reference;
   json["picture_reference"] = reference.empty() ? "256 rays per pixel" : reference;
   json["settings"] = ordered_json::array();
   for (const StudySetting& setting : study.settings)
-    json["settings"].push_back(settingJson(study.knob, setting, size));
+    json["settings"].push_back(settingJson(study.quality, setting, size));
   json["reach"] = ordered_json::array();
-  for (const double error : errorsToReach(study.knob.measure)) {
+  for (const double error : errorsToReach(study.quality.measure)) {
     const StudySetting* const setting = cheapest(study, error);
     ordered_json reach{{"error", panels[0].key}, {"at_most", error}};
     reach["value"] = setting ? ordered_json(setting->value) : ordered_json();
@@ -185,10 +186,10 @@ ordered_json knobJson(const QualityStudy& study, glm::ivec2 size) {
 // ---- Markdown
 
 void reachLine(std::ostream& out, const QualityStudy& study) {
-  const Panel& panel = panelsOf(study.knob)[0];
+  const Panel& panel = panelsOf(study.quality)[0];
   out << "\nThe cheapest whose " << panel.noun << " is at most ";
   bool first = true;
-  for (const double error : errorsToReach(study.knob.measure)) {
+  for (const double error : errorsToReach(study.quality.measure)) {
     const StudySetting* const setting = cheapest(study, error);
     out << (first ? "" : "; ") << errorText(panel, error) << ": ";
     first = false;
@@ -196,8 +197,8 @@ void reachLine(std::ostream& out, const QualityStudy& study) {
       out << "none";
       continue;
     }
-    out << '`' << setting->value << "` (" << costText(study.knob, costOf(study.knob, *setting, panel));
-    if (study.knob.measure == Measure::hits) out << ", " << judged(*setting).missed << " missed";
+    out << '`' << setting->value << "` (" << costText(study.quality, costOf(study.quality, *setting, panel));
+    if (study.quality.measure == Measure::hits) out << ", " << judged(*setting).missed << " missed";
     out << ')';
   }
   out << ".\n";
@@ -205,8 +206,8 @@ void reachLine(std::ostream& out, const QualityStudy& study) {
 
 void closing(std::ostream& out, const QualityStudy& study) {
   // Of a scan more smoothing is always less error, of what can be counted.
-  const bool blind = study.knob.measure == Measure::scale && !study.knowsTruth;
-  if (study.knob.measure != Measure::shadow && !blind) reachLine(out, study);
+  const bool blind = study.quality.measure == Measure::scale && !study.knowsTruth;
+  if (study.quality.measure != Measure::shadow && !blind) reachLine(out, study);
   if (const std::string note = noteOf(study); !note.empty()) out << '\n' << note << '\n';
   out << "\n"
          "**Recommendation.** "
@@ -254,7 +255,7 @@ std::string studyJson(const StudySubject& subject, const render::ContextDescript
                    {"lookup_milliseconds", "ms of the pass irradiance, median"}};
   json["wall_per_processor_time"] = timesAsLong(studies);
   json["knobs"] = ordered_json::array();
-  for (const QualityStudy& study : studies) json["knobs"].push_back(knobJson(study, subject.size));
+  for (const QualityStudy& study : studies) json["knobs"].push_back(qualityJson(study, subject.size));
   json["scene"] = scene::toJson(scene::resolve(subject.scene, subject.volume->facts));
   return jsonText(json);
 }
@@ -280,14 +281,14 @@ std::string studyMarkdown(const StudySubject& subject, const render::ContextDesc
         << " times as long as their CPU time. Times are uncertain; errors are not.\n";
   if (!complete) out << "\n*Not complete: the study was stopped, or is still running.*\n";
   for (const QualityStudy& study : studies) {
-    out << "\n## " << study.knob.name << " (`" << study.knob.setting << "`)\n\n";
+    out << "\n## " << study.quality.name << " (`" << study.quality.setting << "`)\n\n";
     if (!study.skipped.empty()) {
       out << "Not studied: " << study.skipped << ".\n";
       continue;
     }
-    writeKnobTable(out, study);
+    writeQualityTable(out, study);
     closing(out, study);
-    if (!study.plot.empty()) out << "\n![" << study.knob.label << "](" << study.plot << ")\n";
+    if (!study.plot.empty()) out << "\n![" << study.quality.label << "](" << study.plot << ")\n";
   }
   writeLightReach(out, studies);
   return out.str();

@@ -1,4 +1,5 @@
-// A study as study.json (docs/reference/outputs.md has its keys) and as study.md, a table per knob.
+// A study as study.json (docs/reference/outputs.md has its keys) and as study.md, a table per quality
+// setting.
 #pragma once
 
 #include <string>
@@ -9,7 +10,7 @@
 
 namespace isolux::app {
 
-// `context`: what drew. `complete`: every knob that was asked for is there.
+// `context`: what drew. `complete`: every quality setting that was asked for is there.
 std::string studyJson(const StudySubject& subject, const render::ContextDescription& context,
                       const std::vector<QualityStudy>& studies, bool complete);
 std::string studyMarkdown(const StudySubject& subject, const render::ContextDescription& context,

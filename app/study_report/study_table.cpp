@@ -16,10 +16,10 @@ std::string tableNumber(double value, int digits) {
   return base::shortText(value, digits);
 }
 
-std::string costText(const QualitySetting& knob, double cost) {
+std::string costText(const QualitySetting& quality, double cost) {
   const char* unit = " ms";
-  if (knob.cost == Cost::bakeSeconds) unit = " s";
-  if (knob.cost == Cost::gpuMegabytes) unit = " MiB";
+  if (quality.cost == Cost::bakeSeconds) unit = " s";
+  if (quality.cost == Cost::gpuMegabytes) unit = " MiB";
   return tableNumber(cost) + unit;
 }
 
@@ -52,7 +52,7 @@ std::string cellText(double number) {
 class StudyTable {
  public:
   explicit StudyTable(const QualityStudy& study)
-      : study_(study), heads_("| " + std::string(study.knob.label)) {
+      : study_(study), heads_("| " + std::string(study.quality.label)) {
     for (const StudySetting& setting : study.settings) rows_.push_back("| " + markedValue(setting));
   }
 
@@ -64,7 +64,7 @@ class StudyTable {
     for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i] += " | " + cellText(cell(study_.settings[i]));
   }
   void addCost(const std::string& head, const Panel& panel) {
-    add(head, [&](const StudySetting& s) { return tableTime(costSpread(study_.knob, s, panel)); });
+    add(head, [&](const StudySetting& s) { return tableTime(costSpread(study_.quality, s, panel)); });
   }
   // The processor's own time of a frame; no column where none was measured.
   void addProcessor() {
@@ -73,12 +73,12 @@ class StudyTable {
         [](const StudySetting& s) { return tableTime(spreadOfTimes(s.processorTimes)); });
   }
   // FLIP and root mean square of the whole picture, in steps of 255; their heads say against what. None where
-  // all rows have the same picture: the look does not show what the knob changes.
+  // all rows have the same picture: the look does not show what the quality setting changes.
   void addPicture() {
     if (std::ranges::all_of(study_.settings,
                             [](const StudySetting& s) { return s.errors.picture.rms == 0.0; }))
       return;
-    const std::string reference = study_.knob.reference;
+    const std::string reference = study_.quality.reference;
     add("FLIP to " + (reference.empty() ? "256 rays" : '`' + reference + '`'),
         [](const StudySetting& s) { return tableNumber(s.errors.picture.flip, 2); });
     add("RMS, of 255", [](const StudySetting& s) { return tableNumber(255.0 * s.errors.picture.rms, 2); });
@@ -122,29 +122,29 @@ void writeSurfaceTables(std::ostream& out, const QualityStudy& study) {
   if (study.normalScaleMm > 0.0 || study.curvatureScaleMm > 0.0)
     out << "At the scales of the scene: normals " << tableNumber(study.normalScaleMm) << " mm, curvature "
         << tableNumber(study.curvatureScaleMm) << " mm.\n\n";
-  const auto& panels = panelsOf(study.knob);
+  const auto& panels = panelsOf(study.quality);
   StudyTable table(study);
   table.add("frame, ms", [](const StudySetting& s) { return s.frameMilliseconds; });
   table.addProcessor();
   table.addCost(costHead(panels[0]), panels[0]);
   if (panels[0].passes != panels[1].passes) table.addCost(costHead(panels[1]), panels[1]);
-  addErrors(table, study.knob.measure, ownErrors);
+  addErrors(table, study.quality.measure, ownErrors);
   table.addPicture();
   table.write(out);
-  if (!study.knob.field) return;
+  if (!study.quality.field) return;
   out << "\nAgainst `cubic_interpolating` in double precision, the field that passes through every "
          "sample:\n\n";
   StudyTable ofField(study);
-  addErrors(ofField, study.knob.measure, judged);
+  addErrors(ofField, study.quality.measure, judged);
   ofField.write(out);
 }
 
-// Of a knob that is judged by the picture alone: rays per pixel, or the shadow.
+// Of a quality setting that is judged by the picture alone: rays per pixel, or the shadow.
 void writePictureTable(std::ostream& out, const QualityStudy& study) {
   StudyTable table(study);
-  table.addCost("frame, ms (quartiles)", panelsOf(study.knob)[0]);
+  table.addCost("frame, ms (quartiles)", panelsOf(study.quality)[0]);
   table.addProcessor();
-  if (study.knob.measure == Measure::shadow)
+  if (study.quality.measure == Measure::shadow)
     table.add("shadow, ms (quartiles)", [](const StudySetting& s) {
       const auto found = s.passTimes.find("shadow");
       return found == s.passTimes.end() ? "–" : tableTime(spreadOfTimes(found->second));
@@ -164,23 +164,24 @@ std::string withError(const LightErrors& errors, double value, double standardEr
 }
 
 bool isLight(const QualityStudy& study) {
-  return study.knob.measure == Measure::light && !study.settings.empty();
+  return study.quality.measure == Measure::light && !study.settings.empty();
 }
 
 // What was compared with what, then a row per value.
 void writeLightTable(std::ostream& out, const QualityStudy& study) {
-  const QualitySetting& knob = study.knob;
-  const Panel& panel = panelsOf(knob)[0];
+  const QualitySetting& quality = study.quality;
+  const Panel& panel = panelsOf(quality)[0];
   const LightErrors& first = study.settings.front().errors.light;
   out << "Against path tracing at " << first.pixels << " pixels, " << study.truthSamples
       << " paths each, at most " << study.truthBounces << (study.truthBounces == 1 ? " bounce" : " bounces")
       << ": mean E " << tableNumber(first.mean, 4) << ", standard error of a pixel "
       << percent(first.relative(first.truthNoise), 2) << " % of it.\n\n";
   StudyTable table(study);
-  if (knob.cost == Cost::gpuMegabytes)
-    table.add("GPU, MiB", [&](const StudySetting& s) { return costOf(knob, s, panel); });
+  if (quality.cost == Cost::gpuMegabytes)
+    table.add("GPU, MiB", [&](const StudySetting& s) { return costOf(quality, s, panel); });
   else
-    table.addCost(knob.cost == Cost::bakeSeconds ? "bake, s (quartiles)" : "lookup, ms (quartiles)", panel);
+    table.addCost(quality.cost == Cost::bakeSeconds ? "bake, s (quartiles)" : "lookup, ms (quartiles)",
+                  panel);
   const auto add = [&](const char* head, auto text) {
     table.add(head, [&](const StudySetting& s) { return text(s.errors.light); });
   };
@@ -205,7 +206,7 @@ void writeScaleTable(std::ostream& out, const QualityStudy& study) {
   StudyTable table(study);
   table.add("scale, mm", [](const StudySetting& s) { return s.scale.value().scaleMm; });
   table.add("field, s", [](const StudySetting& s) { return s.scale.value().buildSeconds; });
-  table.addCost("hessian, ms (quartiles)", panelsOf(study.knob)[0]);
+  table.addCost("hessian, ms (quartiles)", panelsOf(study.quality)[0]);
   table.add("curvature median, %",
             [](const StudySetting& s) { return 100.0 * s.errors.noise.curvature.median; });
   table.add("normal RMS, °", [](const StudySetting& s) { return s.errors.noise.normalDegrees.rms; });
@@ -216,8 +217,8 @@ void writeScaleTable(std::ostream& out, const QualityStudy& study) {
 
 }  // namespace
 
-void writeKnobTable(std::ostream& out, const QualityStudy& study) {
-  const Measure measure = study.knob.measure;
+void writeQualityTable(std::ostream& out, const QualityStudy& study) {
+  const Measure measure = study.quality.measure;
   if (measure == Measure::light) return writeLightTable(out, study);
   if (measure == Measure::scale) return writeScaleTable(out, study);
   if (measure == Measure::edges || measure == Measure::shadow) return writePictureTable(out, study);
@@ -233,13 +234,13 @@ void writeLightReach(std::ostream& out, const std::vector<QualityStudy>& studies
   out << "\n|---|---|---|---|\n";
   for (const QualityStudy& study : studies) {
     if (!isLight(study)) continue;
-    const Panel& panel = panelsOf(study.knob)[0];
-    out << "| `" << study.knob.setting << "` |";
+    const Panel& panel = panelsOf(study.quality)[0];
+    out << "| `" << study.quality.setting << "` |";
     for (const double error : errors) {
       const StudySetting* const setting = cheapest(study, error);
       if (setting)
-        out << " `" << setting->value << "` (" << costText(study.knob, costOf(study.knob, *setting, panel))
-            << ") |";
+        out << " `" << setting->value << "` ("
+            << costText(study.quality, costOf(study.quality, *setting, panel)) << ") |";
       else
         out << " none |";
     }

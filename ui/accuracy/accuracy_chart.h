@@ -1,5 +1,5 @@
-// Error against cost of the values of one knob, each a point to click; the values worth their cost are joined
-// by a line.
+// Error against cost of the values of one quality setting, each a point to click; the values worth their cost
+// are joined by a line.
 //
 // Marks differ by shape, not only by colour: a filled square is the present setting, a ring the default.
 #pragma once

@@ -2,14 +2,15 @@
 // view on show; how accurate the picture on screen is; and which settings keep an error or a time.
 //
 // Measured on background threads while the panel is seen and the window draws nothing, one at a time: a
-// search that the user asked for, then the picture, then the knobs. Dropped and begun anew when the view or
-// the scene changes. With the panel closed nothing of it runs.
+// search that the user asked for, then the picture, then the quality settings. Dropped and begun anew when
+// the view or the scene changes. With the panel closed nothing of it runs.
 #pragma once
 
 #include <map>
 #include <string>
 
 #include <QImage>
+#include <QLabel>
 #include <QTimer>
 
 #include "app/study/study.h"
@@ -19,7 +20,6 @@
 #include "ui/panels/panel.h"
 
 class QComboBox;
-class QLabel;
 
 namespace isolux::ui {
 
@@ -44,10 +44,10 @@ class AccuracyPanel : public Panel {
   void setLight(const LightPointer& light, bool changing);
   void seenChanged();  // its dock came to the front, or went
 
-  QComboBox* knobBox() const { return knobs_; }
+  QComboBox* qualityBox() const { return qualities_; }
   const AccuracyChart& chart() const { return *chart_; }
-  QString state() const;
-  bool complete() const;  // every knob that acts is measured, of the present scene
+  QString state() const { return state_->text(); }
+  bool complete() const;  // every quality setting that acts is measured, of the present scene
   bool working() const { return bool(task_); }
   bool waiting() const { return restTimer_.isActive(); }  // for the window to rest, to measure then
   int jobsBegun() const { return jobsBegun_; }
@@ -68,27 +68,26 @@ class AccuracyPanel : public Panel {
  private:
   struct Measured {
     app::QualityStudy study;
-    scene::Scene of;  // what it was measured of, without what knobs turn
+    scene::Scene of;  // what it was measured of, without what quality settings turn
   };
-  void listKnobs();
+  void listQualities();
   std::vector<app::QualitySetting> missing() const;
   void measureSoon();
   void measure();
   void drop();
   void takeStudies(app::StudyTask& task);
-  void takeLast(app::StudyTask& task);
   void showPicture();
   void tellPicture();
   void showTarget();
   void wantOverlay();
   void showOverlay();
-  void showKnob();
+  void showQuality();
   void showState();
   void choose(const QString& value);
-  const app::QualitySetting* knob() const;  // the one in the box; null: none acts
+  const app::QualitySetting* quality() const;  // the one in the box; null: none acts
 
   VolumePointer volume_;
-  scene::Scene scene_, subject_;  // subject_: the scene without what knobs turn
+  scene::Scene scene_, subject_;  // subject_: the scene without what quality settings turn
   scene::Scene resolved_;
   scene::HostSettings host_;
   LightPointer light_;
@@ -101,7 +100,7 @@ class AccuracyPanel : public Panel {
   std::optional<render::Tile> legend_;
   bool complete_ = false, previewing_ = false, lightChanging_ = false;
   std::vector<app::QualitySetting> acting_;
-  std::map<std::string, Measured> measured_;  // by the knob's name
+  std::map<std::string, Measured> measured_;  // by the quality setting's name
   BackgroundTask<void, std::vector<app::QualityStudy>> task_;
   QString trouble_;
   bool drawing_ = false;
@@ -111,7 +110,7 @@ class AccuracyPanel : public Panel {
   PictureAccuracy* picture_;
   TargetBox* target_;
   ErrorOverlayBox* overlay_;
-  QComboBox* knobs_;
+  QComboBox* qualities_;
   AccuracyChart* chart_;
   QLabel *state_, *meaning_, *key_;
 };

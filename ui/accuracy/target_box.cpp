@@ -5,9 +5,7 @@
 
 #include <QComboBox>
 #include <QGridLayout>
-#include <QLabel>
 #include <QPushButton>
-#include <QRadioButton>
 
 #include "scene/rules/needs.h"
 #include "ui/accuracy/accuracy_text.h"
@@ -111,10 +109,6 @@ void TargetBox::askTime(double milliseconds) {
   time_->setChecked(true);
 }
 
-bool TargetBox::asksTime() const {
-  return time_->isChecked();
-}
-
 app::Quantity TargetBox::quantity() const {
   return app::kAllQuantities[static_cast<std::size_t>(std::max(unit_->currentIndex(), 0))];
 }
@@ -175,10 +169,6 @@ void TargetBox::apply() {
 }
 
 // What is shown
-
-QString TargetBox::text() const {
-  return text_->text();
-}
 
 void TargetBox::showState() {
   find_->setText(task_ ? tr("Stop") : tr("Find settings"));

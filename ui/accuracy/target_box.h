@@ -6,6 +6,8 @@
 
 #include <optional>
 
+#include <QLabel>
+#include <QRadioButton>
 #include <QWidget>
 
 #include "app/error_budget/target_search.h"
@@ -13,9 +15,7 @@
 #include "ui/document/edit.h"
 
 class QComboBox;
-class QLabel;
 class QPushButton;
-class QRadioButton;
 
 namespace isolux::ui {
 
@@ -35,7 +35,7 @@ class TargetBox : public QWidget {
   std::optional<app::Limit> limit() const;  // the error that is entered; none: a time is
   QPushButton* findButton() const { return find_; }
   QPushButton* applyButton() const { return apply_; }
-  QString text() const;  // what was found, or why nothing was
+  QString text() const { return text_->text(); }  // what was found, or why nothing was
   bool searching() const { return bool(task_); }
   const std::optional<app::TargetAnswer>& answer() const { return answer_; }
 
@@ -50,7 +50,7 @@ class TargetBox : public QWidget {
   void take(app::TargetTask& task);
   void apply();
   void showState();
-  bool asksTime() const;
+  bool asksTime() const { return time_->isChecked(); }
   app::Quantity quantity() const;
   QString questionName() const;  // of the step of undo
 

@@ -39,8 +39,8 @@ json study(const fs::path& folder, const std::vector<std::string>& arguments,
   return json::parse(contentOf(folder / "d" / "study.json"));
 }
 
-const json& settingOf(const json& study, std::size_t knob, const char* value) {
-  for (const json& setting : study["knobs"][knob]["settings"])
+const json& settingOf(const json& study, std::size_t quality, const char* value) {
+  for (const json& setting : study["knobs"][quality]["settings"])
     if (setting["value"] == value) return setting;
   throw std::out_of_range(value);
 }
@@ -80,30 +80,30 @@ TEST(StudyCommandGl, WritesEveryKnobWithUnitsMachineAndScene) {
   EXPECT_EQ(result["complete"], true);
   EXPECT_EQ(result["volume"]["data_hash"].get<std::string>().size(), 16u);
   ASSERT_EQ(result["knobs"].size(), 23u);
-  for (const json& knob : result["knobs"]) {
-    if (knob.contains("skipped")) {
-      EXPECT_THAT(knob["skipped"].get<std::string>(), HasSubstr("constant"));
-      EXPECT_TRUE(knob["settings"].empty());
+  for (const json& quality : result["knobs"]) {
+    if (quality.contains("skipped")) {
+      EXPECT_THAT(quality["skipped"].get<std::string>(), HasSubstr("constant"));
+      EXPECT_TRUE(quality["settings"].empty());
       continue;
     }
     int defaults = 0;
-    for (const json& setting : knob["settings"]) {
-      const std::string name = knob["name"].get<std::string>() + " " + setting["value"].get<std::string>();
+    for (const json& setting : quality["settings"]) {
+      const std::string name = quality["name"].get<std::string>() + " " + setting["value"].get<std::string>();
       defaults += setting["default"] == true;
       EXPECT_GT(setting["frame_milliseconds"], 0.0) << name;
       EXPECT_LE(setting["frame_milliseconds_quartiles"][0], setting["frame_milliseconds"]) << name;
       EXPECT_GE(setting["picture"]["flip_mean"], 0.0) << name;
       EXPECT_LT(setting["picture"]["flip_mean"], 0.8) << name;
       EXPECT_EQ(setting["picture"]["flip_mean"] == 0.0, setting["picture"]["rms"] == 0.0) << name;
-      EXPECT_EQ(setting["default"], name == knob["name"].get<std::string>() + " exact hits" ||
-                                        (!knob["settings"].back()["comparison"].get<bool>() &&
+      EXPECT_EQ(setting["default"], name == quality["name"].get<std::string>() + " exact hits" ||
+                                        (!quality["settings"].back()["comparison"].get<bool>() &&
                                          setting["setting_default"] == true))
           << name;
-      if (knob.contains("truth")) {
+      if (quality.contains("truth")) {
         expectLight(setting, name);
         continue;
       }
-      if (knob["name"] == "supersampling" || knob["name"] == "shadow") {
+      if (quality["name"] == "supersampling" || quality["name"] == "shadow") {
         EXPECT_GT(setting["pass_milliseconds"].value("cast", 0.0), 0.0) << name;
         continue;
       }
@@ -117,9 +117,9 @@ TEST(StudyCommandGl, WritesEveryKnobWithUnitsMachineAndScene) {
       for (const char* error : {"depth_voxels", "depth_mm", "normal_degrees", "curvature_relative"})
         EXPECT_GT(setting["errors"][error]["pixels"], 100) << name << ' ' << error;
     }
-    EXPECT_EQ(defaults, 1) << knob["name"];
-    EXPECT_EQ(knob["reach"].size(), 3u);
-    EXPECT_THAT(knob["advice"].get<std::string>(), testing::EndsWith(".")) << knob["name"];
+    EXPECT_EQ(defaults, 1) << quality["name"];
+    EXPECT_EQ(quality["reach"].size(), 3u);
+    EXPECT_THAT(quality["advice"].get<std::string>(), testing::EndsWith(".")) << quality["name"];
   }
   const std::string text = contentOf(folder / "d" / "study.md");
   EXPECT_THAT(text, HasSubstr("| **exact hits** (default) |"));
@@ -150,8 +150,8 @@ TEST(StudyCommandGl, AConvexBodyUnderAnEvenSkyHasNoError) {
                             {"phantom:ball:32", "--size", "32x32", "--knobs", "samples,bounces,precision",
                              "--set", "light.environment.constant=1,1,1", "--set", "hit.field=cubic", "--set",
                              "isosurface.albedo=0.5,0.5,0.5"});
-  for (const json& knob : result["knobs"])
-    for (const json& setting : knob["settings"]) {
+  for (const json& quality : result["knobs"])
+    for (const json& setting : quality["settings"]) {
       const json& errors = setting["errors"];
       EXPECT_NEAR(errors["mean_irradiance"].get<double>(), M_PI, 1e-4) << setting["value"];
       EXPECT_LE(std::abs(errors["maximum"].get<double>()), 1.0 / 32.0) << setting["value"];

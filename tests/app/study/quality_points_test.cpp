@@ -1,4 +1,4 @@
-// The points of a plot of error against cost, and the knobs that act in a scene.
+// The points of a plot of error against cost, and the quality settings that act in a scene.
 #include "app/study/quality_points.h"
 
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace isolux::app {
 namespace {
 
-const QualitySetting& knobNamed(const std::string& name) {
+const QualitySetting& qualityNamed(const std::string& name) {
   static std::vector<QualitySetting> found;
   found = parseQualitySettings(name);
   return found.front();
@@ -20,7 +20,7 @@ const QualitySetting& knobNamed(const std::string& name) {
 
 std::vector<std::string> namesOf(const std::vector<QualitySetting>& list) {
   std::vector<std::string> names;
-  for (const QualitySetting& knob : list) names.emplace_back(knob.name);
+  for (const QualitySetting& quality : list) names.emplace_back(quality.name);
   return names;
 }
 
@@ -41,12 +41,12 @@ TEST(QualityPoints, TheFrontIsWhatNothingBeatsInBoth) {
 }
 
 TEST(QualityPoints, TellTheDefaultAndThePresentAndLeaveOutWhatHasNoError) {
-  QualityStudy study{.knob = knobNamed("derivatives_field"), .settings = {}, .plot = {}};
+  QualityStudy study{.quality = qualityNamed("derivatives_field"), .settings = {}, .plot = {}};
   const double errors[] = {3.0, 0.5, std::numeric_limits<double>::quiet_NaN()};
   for (std::size_t i = 0; i < 3; ++i) {
     StudySetting setting;
-    setting.value = study.knob.values[i];
-    setting.isDefault = setting.value == defaultValue(study.knob);
+    setting.value = study.quality.values[i];
+    setting.isDefault = setting.value == defaultValue(study.quality);
     setting.passMilliseconds["gradient"] = 1.0 + static_cast<double>(i);
     Errors judged;
     judged.normalDegrees.rms = errors[i];
@@ -77,13 +77,13 @@ TEST(QualityPoints, SamplingsKnobsActWhereHitsAreSampledAndLightsWhereLightIsRea
 
 TEST(QualityPoints, AKnobChangesItsSettingAloneAndItsDefaultStaysAutomatic) {
   const scene::Scene scene;
-  for (const QualitySetting& knob : knobs()) {
-    EXPECT_EQ(withQualitySettingAt(knob, defaultValue(knob), scene, {}), scene) << knob.name;
-    for (const std::string& value : knob.values) {
-      const scene::Scene turnedOne = withQualitySettingAt(knob, value, scene, {});
+  for (const QualitySetting& quality : qualitySettings()) {
+    EXPECT_EQ(withQualitySettingAt(quality, defaultValue(quality), scene, {}), scene) << quality.name;
+    for (const std::string& value : quality.values) {
+      const scene::Scene turnedOne = withQualitySettingAt(quality, value, scene, {});
       const scene::SceneDiff changed = scene::difference(scene, turnedOne, "");
-      EXPECT_LE(changed.changes.size(), 1u) << knob.name << ' ' << value;
-      for (const scene::SceneChange& change : changed.changes) EXPECT_EQ(change.path, knob.setting);
+      EXPECT_LE(changed.changes.size(), 1u) << quality.name << ' ' << value;
+      for (const scene::SceneChange& change : changed.changes) EXPECT_EQ(change.path, quality.setting);
     }
   }
 }

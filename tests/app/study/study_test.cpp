@@ -119,21 +119,21 @@ TEST(StudyErrors, SpreadIsOfTheWholeDistribution) {
 }
 
 TEST(QualitySettings, EachHasItsDefaultAmongItsValues) {
-  for (const QualitySetting& knob : knobs()) {
-    EXPECT_NE(defaultValue(knob), "") << knob.name;
-    EXPECT_NO_THROW(scene::setting(knob.setting)) << knob.name;
+  for (const QualitySetting& quality : qualitySettings()) {
+    EXPECT_NE(defaultValue(quality), "") << quality.name;
+    EXPECT_NO_THROW(scene::setting(quality.setting)) << quality.name;
   }
 }
 
 TEST(QualitySettings, PicturesAreComparedWithOneOfTheRows) {
-  for (const QualitySetting& knob : knobs()) {
-    const std::string reference = knob.reference;
-    if (knob.measure == Measure::edges)
+  for (const QualitySetting& quality : qualitySettings()) {
+    const std::string reference = quality.reference;
+    if (quality.measure == Measure::edges)
       EXPECT_EQ(reference, "") << "a picture of its own";
-    else if (knob.sampled)
+    else if (quality.sampled)
       EXPECT_EQ(reference, kExactHits);
     else
-      EXPECT_THAT(knob.values, testing::Contains(testing::StrEq(reference))) << knob.name;
+      EXPECT_THAT(quality.values, testing::Contains(testing::StrEq(reference))) << quality.name;
   }
 }
 
@@ -164,7 +164,7 @@ TEST(QualitySettings, ATurnedSceneDiffersInThatSettingAlone) {
 }
 
 TEST(QualitySettings, AListIsCheckedWithASuggestion) {
-  EXPECT_EQ(parseQualitySettings("").size(), knobs().size());
+  EXPECT_EQ(parseQualitySettings("").size(), qualitySettings().size());
   EXPECT_STREQ(parseQualitySettings("fetch,rate")[1].name, "rate");
   try {
     parseQualitySettings("rate,near_factr");
@@ -202,16 +202,17 @@ TEST(QualitySettings, LightIsLitByAllThereIsWhateverTheLook) {
 }
 
 TEST(QualitySettings, KnobsWithoutEffectSayWhy) {
-  const auto why = [](const char* knob, const scene::Scene& scene) {
-    return whyWithoutEffect(parseQualitySettings(knob)[0], scene);
+  const auto why = [](const char* quality, const scene::Scene& scene) {
+    return whyWithoutEffect(parseQualitySettings(quality)[0], scene);
   };
   scene::Scene plain, probe = underAProbe();
   plain.light.environment.constant = glm::dvec3(1.0);
-  for (const QualitySetting& knob : knobs()) EXPECT_EQ(whyWithoutEffect(knob, probe), "") << knob.name;
-  for (const char* knob : {"samples", "sequence", "bounces", "interpolation", "precision"})
-    EXPECT_EQ(why(knob, plain), "") << knob;
-  for (const char* knob : {"environment_share", "sh_order", "sh_window", "components", "component_bits"})
-    EXPECT_THAT(why(knob, plain), HasSubstr("constant")) << knob;
+  for (const QualitySetting& quality : qualitySettings())
+    EXPECT_EQ(whyWithoutEffect(quality, probe), "") << quality.name;
+  for (const char* quality : {"samples", "sequence", "bounces", "interpolation", "precision"})
+    EXPECT_EQ(why(quality, plain), "") << quality;
+  for (const char* quality : {"environment_share", "sh_order", "sh_window", "components", "component_bits"})
+    EXPECT_THAT(why(quality, plain), HasSubstr("constant")) << quality;
   EXPECT_EQ(why("rate", plain), "");
   scene::Scene scaled;
   EXPECT_EQ(why("fetch", scaled), "");
@@ -223,14 +224,14 @@ TEST(QualitySettings, KnobsWithoutEffectSayWhy) {
   plain.light.intensity = 0.0;
   EXPECT_THAT(why("shadow", plain), HasSubstr("key light"));
   probe.gi.mode = scene::GiMode::off;
-  for (const char* knob : {"samples", "bounces", "interpolation", "sh_order", "precision"})
-    EXPECT_THAT(why(knob, probe), HasSubstr("baked")) << knob;
+  for (const char* quality : {"samples", "bounces", "interpolation", "sh_order", "precision"})
+    EXPECT_THAT(why(quality, probe), HasSubstr("baked")) << quality;
   plain.light.environment.constant = glm::dvec3(0.0);
   EXPECT_THAT(why("samples", plain), HasSubstr("no light is baked"));
 }
 
 QualityStudy madeStudy() {
-  QualityStudy study{.knob = parseQualitySettings("rate")[0], .settings = {}, .plot = {}};
+  QualityStudy study{.quality = parseQualitySettings("rate")[0], .settings = {}, .plot = {}};
   const auto add = [&](const char* value, double time, double rms, bool comparison) {
     StudySetting setting;
     setting.value = value;
@@ -259,7 +260,7 @@ TEST(StudyReach, IsTheCheapestOfAllRows) {
   EXPECT_EQ(cheapest(study, 0.5)->value, "1");
   EXPECT_EQ(cheapest(study, 0.1)->value, "4") << "cheaper than the less accurate 2, by these times";
   EXPECT_EQ(cheapest(study, 0.001), nullptr);
-  EXPECT_DOUBLE_EQ(milliseconds(study.settings[0], panelsOf(study.knob)[0]), 3.0);
+  EXPECT_DOUBLE_EQ(milliseconds(study.settings[0], panelsOf(study.quality)[0]), 3.0);
 }
 
 TEST(StudyReach, OfTimesThatTheirSpreadDoesNotTellApartTheMoreAccurateWins) {
@@ -277,8 +278,8 @@ TEST(StudyTimes, SpreadIsOfThePassesOfAFrameTogether) {
   StudySetting setting;
   setting.passMilliseconds = {{"cast", 2.0}, {"refine", 5.0}};
   setting.passTimes = {{"cast", {1.0, 2.0, 3.0}}, {"refine", {6.0, 5.0, 4.0}}, {"other", {9.0, 9.0, 99.0}}};
-  const QualitySetting knob = parseQualitySettings("rate")[0];
-  const TimeSpread spread = costSpread(knob, setting, panelsOf(knob)[0]);
+  const QualitySetting quality = parseQualitySettings("rate")[0];
+  const TimeSpread spread = costSpread(quality, setting, panelsOf(quality)[0]);
   EXPECT_EQ(spread.low, 7.0);
   EXPECT_EQ(spread.high, 7.0);
   const TimeSpread alone = spreadOfTimes({8.0, 1.0, 2.0, 3.0, 4.0});
@@ -329,8 +330,8 @@ TEST(StudyPlot, HasEveryPointAndMarksTheDefault) {
   EXPECT_THAT(script, HasSubstr("tops[2] = [1, 1]"));
 }
 
-QualityStudy madeLightStudy(const char* knob) {
-  QualityStudy study{.knob = parseQualitySettings(knob)[0], .settings = {}, .plot = {}};
+QualityStudy madeLightStudy(const char* quality) {
+  QualityStudy study{.quality = parseQualitySettings(quality)[0], .settings = {}, .plot = {}};
   const auto add = [&](const char* value, double seconds, double milliseconds, std::uint64_t bytes,
                        double rmse) {
     StudySetting setting;

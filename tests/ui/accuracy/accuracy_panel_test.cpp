@@ -27,7 +27,9 @@ class AccuracyPanelTest : public WindowTest {
     window_->showPanel("Accuracy");
     ASSERT_TRUE(waitUntil([&] { return panel()->complete(); }, 120000)) << panel()->state().toStdString();
   }
-  void look(const char* knob) { panel()->knobBox()->setCurrentIndex(panel()->knobBox()->findData(knob)); }
+  void look(const char* quality) {
+    panel()->qualityBox()->setCurrentIndex(panel()->qualityBox()->findData(quality));
+  }
 };
 
 TEST_F(AccuracyPanelTest, NothingOfItRunsWhileItIsNotSeen) {
@@ -39,7 +41,7 @@ TEST_F(AccuracyPanelTest, NothingOfItRunsWhileItIsNotSeen) {
 
 TEST_F(AccuracyPanelTest, MeasuresEveryKnobThatActsAndAClickedPointIsUsed) {
   openMeasured();
-  EXPECT_EQ(panel()->knobBox()->findData("rate"), -1);  // hits are exact
+  EXPECT_EQ(panel()->qualityBox()->findData("rate"), -1);  // hits are exact
   look("derivatives_field");
   const std::vector<app::QualityPoint>& points = panel()->chart().points();
   ASSERT_EQ(points.size(), 3u);
@@ -49,7 +51,7 @@ TEST_F(AccuracyPanelTest, MeasuresEveryKnobThatActsAndAClickedPointIsUsed) {
   QTest::mouseClick(chart->viewport(), Qt::LeftButton, {}, chart->placeOf(0).toPoint());
   EXPECT_EQ(scene().derivatives.field, scene::Field::trilinear);
   EXPECT_TRUE(panel()->chart().points()[0].isPresent);
-  EXPECT_TRUE(panel()->complete());  // turning a knob asks for no new measurement
+  EXPECT_TRUE(panel()->complete());  // turning a quality setting asks for no new measurement
   window_->document()->undo();
   EXPECT_EQ(scene().derivatives.field, scene::Field::cubic);
 }
