@@ -841,6 +841,62 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <source>the studio over a black floor</source>
         <translation>das Studio über einem schwarzen Boden</translation>
     </message>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation>Datei wählen</translation>
+    </message>
+    <message>
+        <source>Choose an environment map</source>
+        <translation>Umgebungsbild wählen</translation>
+    </message>
+    <message>
+        <source>Environment maps (*.hdr *.exr);;Images (*.hdr *.exr *.png *.jpg *.jpeg *.tif *.tiff);;All files (*)</source>
+        <translation>Umgebungsbilder (*.hdr *.exr);;Bilder (*.hdr *.exr *.png *.jpg *.jpeg *.tif *.tiff);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Rotation about the vertical axis, counterclockwise from above</source>
+        <translation>Drehung um die senkrechte Achse, von oben gesehen gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation>Höhenwinkel</translation>
+    </message>
+    <message>
+        <source>Height of the environment map’s centre above the horizon</source>
+        <translation>Höhe der Mitte des Umgebungsbildes über dem Horizont</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>Rotation about the direction of the environment map’s centre</source>
+        <translation>Drehung um die Richtung der Mitte des Umgebungsbildes</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vor</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Inhalt</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -1344,41 +1400,6 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
     <message>
         <source>Measuring the image on screen…</source>
         <translation>Das Bild auf dem Bildschirm wird gemessen …</translation>
-    </message>
-</context>
-<context>
-    <name>isolux::ui::AppearanceRows</name>
-    <message>
-        <source>Takes effect after a restart.</source>
-        <translation>Wird nach einem Neustart wirksam.</translation>
-    </message>
-    <message>
-        <source>Dark</source>
-        <translation>Dunkel</translation>
-    </message>
-    <message>
-        <source>Light</source>
-        <translation>Hell</translation>
-    </message>
-    <message>
-        <source>System default</source>
-        <translation>Systemstandard</translation>
-    </message>
-    <message>
-        <source>Theme</source>
-        <translation>Farbschema</translation>
-    </message>
-    <message>
-        <source>The background of the image is a setting of the scene.</source>
-        <translation>Der Hintergrund des Bildes ist eine Einstellung der Szene.</translation>
-    </message>
-    <message>
-        <source>Text and control size</source>
-        <translation>Größe von Text und Bedienelementen</translation>
-    </message>
-    <message>
-        <source>Multiplies the scaling of the screen.</source>
-        <translation>Multipliziert die Skalierung des Bildschirms.</translation>
     </message>
 </context>
 <context>
@@ -1982,44 +2003,6 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
     <message>
         <source>Curvature (rounding)</source>
         <translation>Krümmung (Rundung)</translation>
-    </message>
-</context>
-<context>
-    <name>isolux::ui::FileWidget</name>
-    <message>
-        <source>none</source>
-        <translation>keines</translation>
-    </message>
-    <message>
-        <source>Choose a file</source>
-        <translation>Datei wählen</translation>
-    </message>
-    <message>
-        <source>Choose an environment map</source>
-        <translation>Umgebungsbild wählen</translation>
-    </message>
-    <message>
-        <source>Environment maps (*.hdr *.exr);;Images (*.hdr *.exr *.png *.jpg *.jpeg *.tif *.tiff);;All files (*)</source>
-        <translation>Umgebungsbilder (*.hdr *.exr);;Bilder (*.hdr *.exr *.png *.jpg *.jpeg *.tif *.tiff);;Alle Dateien (*)</translation>
-    </message>
-</context>
-<context>
-    <name>isolux::ui::GuideWindow</name>
-    <message>
-        <source>Guide</source>
-        <translation>Handbuch</translation>
-    </message>
-    <message>
-        <source>Back</source>
-        <translation>Zurück</translation>
-    </message>
-    <message>
-        <source>Forward</source>
-        <translation>Vor</translation>
-    </message>
-    <message>
-        <source>Contents</source>
-        <translation>Inhalt</translation>
     </message>
 </context>
 <context>
@@ -3772,9 +3755,34 @@ Ein Werkzeug aus dem Menü Messen wählen, dann auf die Oberfläche klicken: Pin
         <source>Language of the window; takes effect after a restart.</source>
         <translation>Sprache des Fensters; wird nach einem Neustart wirksam.</translation>
     </message>
-</context>
-<context>
-    <name>isolux::ui::PrivacyBox</name>
+    <message>
+        <source>Takes effect after a restart.</source>
+        <translation>Wird nach einem Neustart wirksam.</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Farbschema</translation>
+    </message>
+    <message>
+        <source>The background of the image is a setting of the scene.</source>
+        <translation>Der Hintergrund des Bildes ist eine Einstellung der Szene.</translation>
+    </message>
+    <message>
+        <source>Text and control size</source>
+        <translation>Größe von Text und Bedienelementen</translation>
+    </message>
+    <message>
+        <source>Multiplies the scaling of the screen.</source>
+        <translation>Multipliziert die Skalierung des Bildschirms.</translation>
+    </message>
     <message>
         <source>Patient’s name, ID and birth date</source>
         <translation>Name, Kennung und Geburtsdatum des Patienten</translation>
@@ -3994,33 +4002,6 @@ Ein Werkzeug aus dem Menü Messen wählen, dann auf die Oberfläche klicken: Pin
     <message>
         <source>Saved as %1</source>
         <translation>Gespeichert als %1</translation>
-    </message>
-</context>
-<context>
-    <name>isolux::ui::RotationWidget</name>
-    <message>
-        <source>Heading</source>
-        <translation>Richtung</translation>
-    </message>
-    <message>
-        <source>Rotation about the vertical axis, counterclockwise from above</source>
-        <translation>Drehung um die senkrechte Achse, von oben gesehen gegen den Uhrzeigersinn</translation>
-    </message>
-    <message>
-        <source>Elevation</source>
-        <translation>Höhenwinkel</translation>
-    </message>
-    <message>
-        <source>Height of the environment map’s centre above the horizon</source>
-        <translation>Höhe der Mitte des Umgebungsbildes über dem Horizont</translation>
-    </message>
-    <message>
-        <source>Roll</source>
-        <translation>Rollen</translation>
-    </message>
-    <message>
-        <source>Rotation about the direction of the environment map’s centre</source>
-        <translation>Drehung um die Richtung der Mitte des Umgebungsbildes</translation>
     </message>
 </context>
 <context>

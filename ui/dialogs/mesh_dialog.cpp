@@ -5,7 +5,6 @@
 #include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QFormLayout>
-#include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 
@@ -83,12 +82,6 @@ void MeshDialog::showEstimate() {
   estimate_->setText(count == 0 ? tr("unknown until export")
                      : split    ? tr("%1 or more, depending on the tolerance").arg(about)
                                 : about);
-}
-
-MeshDialog::~MeshDialog() = default;
-
-QString MeshDialog::text() const {
-  return text_->text();
 }
 
 void MeshDialog::tell(const QString& text, Ink ink) {

@@ -1,11 +1,12 @@
 // Exports the isosurface as a triangle mesh: how fine, whether closed, and how far it is. Not modal: the
-// window stays usable meanwhile.
+// window stays usable meanwhile. Without the dialog the export stops; its end is not waited for.
 #pragma once
 
 #include <functional>
 #include <memory>
 
 #include <QDialog>
+#include <QLabel>
 
 #include "app/mesh/mesh_export.h"
 #include "ui/document/background_task.h"
@@ -15,7 +16,6 @@
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
-class QLabel;
 class QProgressBar;
 class QPushButton;
 
@@ -27,14 +27,13 @@ class MeshDialog : public QDialog {
   // `resolved` by scene::resolve of that volume, as it is when the dialog is opened.
   MeshDialog(std::shared_ptr<const volume::PreparedVolume> volume, scene::Scene resolved,
              QWidget* parent = nullptr);
-  ~MeshDialog() override;  // stops; the end of the work is not waited for
 
   // Asks for the name of the file to begin; empty: cancelled.
   using AskName = std::function<QString()>;
   void setAskName(AskName ask) { ask_ = std::move(ask); }
   void exportTo(const QString& file);  // .stl, .ply, .obj or .vtp
   bool exporting() const { return bool(task_); }
-  QString text() const;
+  QString text() const { return text_->text(); }
 
   QComboBox* surface;         // of the isosurfaces that are shown
   QDoubleSpinBox* tolerance;  // mm; 0: triangles are not split

@@ -34,14 +34,6 @@ QGroupBox* newGroup(const QString& title, QBoxLayout* rows) {
   return group;
 }
 
-QSpinBox* newSide(int pixels, const QString& name) {
-  auto* box = new QSpinBox;
-  box->setRange(1, app::kLargestPicture);
-  box->setValue(pixels);
-  box->setAccessibleName(name);
-  return box;
-}
-
 }  // namespace
 
 PictureDialog::PictureDialog(const PictureChoices& choices, QSize window, bool hasLegend, QWidget* parent)
@@ -71,8 +63,8 @@ PictureDialog::PictureDialog(const PictureChoices& choices, QSize window, bool h
       {times(tr("As in the window"), 1.0), times(tr("2×"), 2.0), times(tr("4×"), 4.0), tr("Custom")});
   const auto at = std::find(factors.begin(), factors.end(), choices.request.factor);
   size->setCurrentIndex(at == factors.end() ? 0 : static_cast<int>(at - factors.begin()));
-  width = newSide(choices.request.size.width(), tr("Width"));
-  height = newSide(choices.request.size.height(), tr("Height"));
+  width = spinBox(1, app::kLargestPicture, choices.request.size.width(), tr("Width"));
+  height = spinBox(1, app::kLargestPicture, choices.request.size.height(), tr("Height"));
   auto* sides = lineOf({width, new QLabel("×"), height, new QLabel(tr("pixels")), Cell::room()});
   transparent = newCheck(tr("&Transparent background"), choices.picture.transparent,
                          tr("Surface only, with anti-aliased edges, for slides and posters"));

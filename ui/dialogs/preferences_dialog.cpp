@@ -7,6 +7,7 @@
 #include <QDialogButtonBox>
 #include <QFrame>
 #include <QGridLayout>
+#include <QGroupBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -14,12 +15,15 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
-#include "ui/dialogs/appearance_rows.h"
-#include "ui/dialogs/privacy_box.h"
+#include "ui/document/preferences.h"
+#include "ui/document/privacy.h"
 #include "ui/editors/value_widgets.h"
 #include "ui/language/language.h"
 #include "ui/language/number_text.h"
 #include "ui/language/translated.h"
+#include "ui/theme/style.h"
+#include "ui/theme/theme.h"
+#include "ui/widgets/number_spin_box.h"
 #include "ui/widgets/parts.h"
 
 namespace isolux::ui {
@@ -55,9 +59,11 @@ QString describe(const scene::HostSetting& setting) {
 
 PreferencesDialog::PreferencesDialog(const scene::HostSettings& host, QWidget* parent)
     : QDialog(parent),
-      privacy_(new PrivacyBox(this)),
       host_(host),
-      appearance_(new AppearanceRows(this)),
+      hideOnScreen_(new QCheckBox(tr("Hide on the &screen"), this)),
+      hideInSaved_(new QCheckBox(tr("Hide in sa&ved files: images, measurements, recordings"), this)),
+      theme_(new QComboBox(this)),
+      scale_(new IntegerSpinBox(this)),
       language_(new QComboBox(this)) {
   setWindowTitle(tr("Preferences"));
   auto* grid = new QGridLayout;
@@ -91,9 +97,58 @@ PreferencesDialog::PreferencesDialog(const scene::HostSettings& host, QWidget* p
   auto* line = new QFrame(this);
   line->setFrameShape(QFrame::HLine);
   auto* note = wrappedLabel(tr("Stored on this computer only, not in sessions or recordings."), this);
-  layOut(this, columnOf({appearance_, line, grid, note, privacy_, Cell::room(), buttons}, 14),
+  layOut(this, columnOf({makeAppearance(), line, grid, note, makePrivacy(), Cell::room(), buttons}, 14),
          {18, 18, 18, 14});
   setMinimumWidth(440);
+}
+
+// Theme and scale, kept at once.
+QGridLayout* PreferencesDialog::makeAppearance() {
+  auto* grid = new QGridLayout;
+  grid->setHorizontalSpacing(14);
+  grid->setVerticalSpacing(9);
+  theme_->addItems({tr("Dark"), tr("Light"), tr("System default")});  // as Theme
+  addRow(grid, 0, tr("Theme"), theme_, tr("The background of the image is a setting of the scene."));
+  const int scaleOfThisRun = savedScale();
+  scale_->setRange(smallestScale, largestScale);
+  scale_->setSingleStep(25);
+  scale_->setSuffix(" %");
+  addRow(grid, 1, tr("Text and control size"), scale_, tr("Multiplies the scaling of the screen."));
+  auto* later = new QLabel(tr("Takes effect after a restart."), this);
+  grid->addWidget(later, 2, 1);
+  grid->setColumnStretch(1, 1);
+  setInk(later, Ink::quiet);
+  later->hide();
+  theme_->setCurrentIndex(static_cast<int>(theme()));
+  scale_->setValue(scaleOfThisRun);
+  connect(theme_, &QComboBox::currentIndexChanged, this, [](int row) {
+    keepTheme(static_cast<Theme>(row));
+    applyTheme(static_cast<Theme>(row));
+  });
+  connect(scale_, &QSpinBox::valueChanged, this, [later, scaleOfThisRun](int percent) {
+    keepScale(percent);
+    later->setVisible(percent != scaleOfThisRun);
+  });
+  return grid;
+}
+
+// Kept at once.
+QGroupBox* PreferencesDialog::makePrivacy() {
+  auto* box = new QGroupBox(tr("Patient’s name, ID and birth date"), this);
+  hideOnScreen_->setToolTip(tr("Applies to titles, the Volume panel, the DICOM browser and recent files"));
+  hideInSaved_->setToolTip(
+      tr("Applies to sessions embedded in images, exported measurements, recordings and proposed file names. "
+         "Session files always name the files that they open."));
+  const Privacy privacy = savedPrivacy();
+  hideOnScreen_->setChecked(privacy.hideOnScreen);
+  hideInSaved_->setChecked(privacy.hideInSaved);
+  layOut(box, columnOf({hideOnScreen_, hideInSaved_}));
+  for (const QCheckBox* hide : {hideOnScreen_, hideInSaved_})
+    connect(hide, &QCheckBox::toggled, this, [this] {
+      keepPrivacy({hideOnScreen_->isChecked(), hideInSaved_->isChecked()});
+      Q_EMIT privacyChanged();
+    });
+  return box;
 }
 
 void PreferencesDialog::addLanguage(QGridLayout* grid) {
@@ -138,7 +193,8 @@ void PreferencesDialog::showRow(const Row& row) {
 }
 
 void PreferencesDialog::restoreDefaults() {
-  appearance_->restoreDefaults();
+  theme_->setCurrentIndex(static_cast<int>(Theme::dark));
+  scale_->setValue(100);
   language_->setCurrentIndex(0);
   if (host_ == scene::HostSettings{}) return;
   host_ = {};

@@ -11,12 +11,12 @@
 class QCheckBox;
 class QComboBox;
 class QGridLayout;
+class QGroupBox;
 class QLabel;
+class QSpinBox;
 
 namespace isolux::ui {
 
-class AppearanceRows;
-class PrivacyBox;
 class ValueWidget;
 
 class PreferencesDialog : public QDialog {
@@ -25,12 +25,16 @@ class PreferencesDialog : public QDialog {
   PreferencesDialog(const scene::HostSettings& host, QWidget* parent);
 
   const scene::HostSettings& host() const { return host_; }
-  PrivacyBox* privacy() const { return privacy_; }
+  QCheckBox* hideOnScreenBox() const { return hideOnScreen_; }
+  QCheckBox* hideInSavedBox() const { return hideInSaved_; }
+  QComboBox* themeBox() const { return theme_; }
+  QSpinBox* scaleBox() const { return scale_; }
   QComboBox* languageBox() const { return language_; }
   void restoreDefaults();
 
  Q_SIGNALS:
   void changed(const isolux::scene::HostSettings& host);
+  void privacyChanged();
 
  private:
   struct Row {
@@ -41,11 +45,14 @@ class PreferencesDialog : public QDialog {
   };
   void set(const Row& row, const nlohmann::json& value);
   void showRow(const Row& row);
+  QGridLayout* makeAppearance();
+  QGroupBox* makePrivacy();
   void addLanguage(QGridLayout* grid);
 
-  PrivacyBox* privacy_;
   scene::HostSettings host_;
-  AppearanceRows* appearance_;
+  QCheckBox *hideOnScreen_, *hideInSaved_;
+  QComboBox* theme_;
+  QSpinBox* scale_;
   std::vector<Row> rows_;
   QComboBox* language_;
 };

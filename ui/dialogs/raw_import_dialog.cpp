@@ -1,23 +1,30 @@
 #include "ui/dialogs/raw_import_dialog.h"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <utility>
+#include <vector>
 
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QFile>
 #include <QFileInfo>
 #include <QFormLayout>
-#include <QLabel>
 #include <QPainter>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QSpinBox>
 
-#include "ui/dialogs/raw_slice.h"
+#include "base/quantiles.h"
 #include "ui/language/number_text.h"
 #include "ui/theme/style.h"
 #include "ui/widgets/number_spin_box.h"
 #include "ui/widgets/parts.h"
+#include "volume/read/input/convert.h"
 
 namespace isolux::ui {
 
@@ -46,17 +53,35 @@ QString guessText(const RawDescription& guess) {
   return text;
 }
 
-QString grouped(std::uint64_t number) {
-  QString text = QString::number(number);
-  for (qsizetype i = text.size() - 3; i > 0; i -= 3) text.insert(i, QChar(0x202F));  // narrow no-break space
-  return text;
-}
-
 template <class Box>
 QLayout* inARow(const std::array<Box*, 3>& boxes) {
   return lineOf({{boxes[0], 1}, new QLabel("×"), {boxes[1], 1}, new QLabel("×"), {boxes[2], 1}}, 5);
 }
 }  // namespace
+
+template <class T>
+double decode(const char* bytes, bool swap) {
+  std::array<char, sizeof(T)> copy;
+  std::memcpy(copy.data(), bytes, sizeof(T));
+  if (swap) std::reverse(copy.begin(), copy.end());
+  return static_cast<double>(std::bit_cast<T>(copy));
+}
+
+double decodeVoxel(const char* bytes, VoxelType type, bool swap) {
+  return volume::withType(type, [&](auto zero) { return decode<decltype(zero)>(bytes, swap); });
+}
+
+// Values at the given fractions of the sorted finite values.
+std::pair<double, double> percentiles(std::vector<double> values, double low, double high) {
+  std::erase_if(values, [](double v) { return !std::isfinite(v); });
+  if (values.empty()) return {0.0, 1.0};
+  double a = base::lowerQuantile(values, low), b = base::lowerQuantile(values, high);
+  if (!(b > a)) {  // few bright voxels in a constant slice: the whole range
+    a = *std::min_element(values.begin(), values.end());
+    b = *std::max_element(values.begin(), values.end());
+  }
+  return {a, b > a ? b : a + 1.0};
+}
 
 // A grey picture of one slice, shown as large as fits with the slice's true proportions.
 class SlicePreview : public QWidget {
@@ -98,6 +123,57 @@ class SlicePreview : public QWidget {
   double aspect_ = 1.0;
   QString text_;
 };
+
+std::optional<QImage> rawSlice(const QString& path, const RawDescription& description, int z,
+                               int longestSide) {
+  const glm::ivec3 dims = description.dims;
+  if (dims.x < 1 || dims.y < 1 || z < 0 || z >= dims.z || longestSide < 1) return std::nullopt;
+  QFile file(path);
+  if (!file.open(QIODevice::ReadOnly)) return std::nullopt;
+
+  const auto voxelBytes = static_cast<qint64>(volume::bytesOf(description.type));
+  const qint64 rowBytes = voxelBytes * dims.x;
+  constexpr qint64 readBudget = 64 << 20;
+  const qint64 rows = std::clamp<qint64>(readBudget / rowBytes, 1, std::min(dims.y, longestSide));
+  const qint64 columns = std::min(dims.x, longestSide);
+  const bool swap =
+      (description.endianness == volume::Endianness::big) == (std::endian::native == std::endian::little);
+
+  std::vector<double> values(static_cast<std::size_t>(rows * columns),
+                             std::numeric_limits<double>::quiet_NaN());
+  QByteArray row(rowBytes, '\0');
+  const auto start = static_cast<long double>(description.headerBytes) +
+                     static_cast<long double>(z) * static_cast<long double>(rowBytes) * dims.y;
+  if (start + static_cast<long double>(rowBytes) * dims.y > static_cast<long double>(file.size()))
+    return std::nullopt;
+  for (qint64 r = 0; r < rows; ++r) {
+    const qint64 y = r * dims.y / rows;
+    if (!file.seek(static_cast<qint64>(start) + y * rowBytes)) return std::nullopt;
+    if (file.read(row.data(), rowBytes) != rowBytes) return std::nullopt;
+    for (qint64 c = 0; c < columns; ++c) {
+      const qint64 x = c * dims.x / columns;
+      values[static_cast<std::size_t>(r * columns + c)] =
+          decodeVoxel(row.constData() + x * voxelBytes, description.type, swap);
+    }
+  }
+
+  const auto [black, white] = percentiles(values, 0.01, 0.99);
+  QImage image(static_cast<int>(columns), static_cast<int>(rows), QImage::Format_RGB32);
+  for (qint64 r = 0; r < rows; ++r) {
+    auto* line = reinterpret_cast<QRgb*>(image.scanLine(static_cast<int>(r)));
+    for (qint64 c = 0; c < columns; ++c) {
+      const double value = values[static_cast<std::size_t>(r * columns + c)];
+      if (!std::isfinite(value)) {
+        line[c] = qRgb(110, 20, 20);
+        continue;
+      }
+      const int grey =
+          static_cast<int>(std::lround(std::clamp((value - black) / (white - black), 0.0, 1.0) * 255.0));
+      line[c] = qRgb(grey, grey, grey);
+    }
+  }
+  return image;
+}
 
 RawImportDialog::RawImportDialog(const QString& file, QWidget* parent)
     : QDialog(parent),
@@ -214,10 +290,6 @@ bool RawImportDialog::fits() const {
   return bytesNeeded(description()) <= fileBytes_;
 }
 
-QString RawImportDialog::sizeText() const {
-  return size_->text();
-}
-
 const QImage& RawImportDialog::previewImage() const {
   return preview_->image();
 }
@@ -225,16 +297,16 @@ const QImage& RawImportDialog::previewImage() const {
 void RawImportDialog::describedAnew() {
   const RawDescription described = description();
   const std::uint64_t needed = bytesNeeded(described);
-  QString text = tr("%1 bytes described, the file has %2.").arg(grouped(needed), grouped(fileBytes_));
+  QString text = tr("%1 bytes described, the file has %2.").arg(groupedText(needed), groupedText(fileBytes_));
   Ink ink = Ink::quiet;
   if (needed == fileBytes_) {
     text += ' ' + tr("They match.");
     ink = Ink::good;
   } else if (needed < fileBytes_) {
-    text += ' ' + tr("The last %1 would be ignored.").arg(grouped(fileBytes_ - needed));
+    text += ' ' + tr("The last %1 would be ignored.").arg(groupedText(fileBytes_ - needed));
     ink = Ink::warning;
   } else {
-    text += ' ' + tr("%1 are missing.").arg(grouped(needed - fileBytes_));
+    text += ' ' + tr("%1 are missing.").arg(groupedText(needed - fileBytes_));
     ink = Ink::error;
   }
   size_->setText(text);

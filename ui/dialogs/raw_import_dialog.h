@@ -2,15 +2,17 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include <QDialog>
+#include <QImage>
+#include <QLabel>
 #include <QTimer>
 
 #include "volume/read/raw_guess.h"
 
 class QComboBox;
 class QDialogButtonBox;
-class QLabel;
 class QSlider;
 class QSpinBox;
 
@@ -19,6 +21,12 @@ namespace isolux::ui {
 class NumberSpinBox;
 class SlicePreview;
 
+// Slice z of `file`, at most `longestSide` pixels wide and high (larger slices are thinned out), brightness
+// from the 1st to the 99th percentile of the slice; missing voxels are shown dark red. Empty when the slice
+// lies outside the file. Reads no more than the rows it shows.
+std::optional<QImage> rawSlice(const QString& file, const volume::RawDescription& description, int z,
+                               int longestSide);
+
 class RawImportDialog : public QDialog {
   Q_OBJECT
  public:
@@ -26,8 +34,8 @@ class RawImportDialog : public QDialog {
 
   volume::RawDescription description() const;
   void setDescription(const volume::RawDescription& description);
-  bool fits() const;         // the file holds exactly or more than what is described
-  QString sizeText() const;  // expected against actual bytes
+  bool fits() const;                                  // the file holds exactly or more than what is described
+  QString sizeText() const { return size_->text(); }  // expected against actual bytes
   const QImage& previewImage() const;
 
  private:

@@ -4,7 +4,6 @@
 
 #include <QComboBox>
 #include <QFileInfo>
-#include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSpinBox>
@@ -25,14 +24,6 @@ namespace isolux::ui {
 
 namespace {
 constexpr int pollMilliseconds = 100, defaultSamples = 256;
-
-QSpinBox* makeBox(int low, int high, int value, const QString& name, QWidget* parent) {
-  auto* box = new QSpinBox(parent);
-  box->setRange(low, high);
-  box->setValue(value);
-  box->setAccessibleName(name);
-  return box;
-}
 
 void write(const gi::ReferenceImage& image, const scene::Scene& carried, const volume::Patient& patient,
            const std::filesystem::path& file) {
@@ -57,9 +48,9 @@ ReferenceDialog::ReferenceDialog(std::shared_ptr<const volume::PreparedVolume> v
       carried_(app::carriedScene(given, resolved)),
       resolved_(std::move(resolved)),
       threads_(threads),
-      width_(makeBox(1, 16384, size.width(), tr("Width"), this)),
-      height_(makeBox(1, 16384, size.height(), tr("Height"), this)),
-      samples_(makeBox(1, 1000000, defaultSamples, tr("Paths per pixel"), this)),
+      width_(spinBox(1, 16384, size.width(), tr("Width"), this)),
+      height_(spinBox(1, 16384, size.height(), tr("Height"), this)),
+      samples_(spinBox(1, 1000000, defaultSamples, tr("Paths per pixel"), this)),
       shown_(new QComboBox(this)),
       preview_(new QLabel(this)),
       text_(wrappedLabel({}, this)),
@@ -92,15 +83,9 @@ ReferenceDialog::ReferenceDialog(std::shared_ptr<const volume::PreparedVolume> v
   connect(shown_, &QComboBox::currentIndexChanged, this, &ReferenceDialog::showImage);
 }
 
-ReferenceDialog::~ReferenceDialog() = default;
-
 void ReferenceDialog::tell(const QString& text, bool wrong) {
   text_->setText(text);
   setInk(text_, wrong ? Ink::error : Ink::quiet);
-}
-
-QString ReferenceDialog::text() const {
-  return text_->text();
 }
 
 void ReferenceDialog::startOrStop() {
@@ -164,14 +149,12 @@ void ReferenceDialog::resizeEvent(QResizeEvent* event) {
 }
 
 void ReferenceDialog::choose() {
-  const SaveAnswer answer = askForFileToSave(
-      this,
-      {tr("Save path-traced image"),
-       lastFolder() + "/reference.exr",
-       {tr("OpenEXR, linear colours, irradiance and variance (*.exr)"), tr("PNG, with session (*.png)")}});
-  if (answer.file.isEmpty()) return;
-  rememberFolder(answer.file);
-  saveAs(answer.file);
+  const QString file = askForFileToSave(
+      this, tr("Save path-traced image"), lastFolder() + "/reference.exr",
+      {tr("OpenEXR, linear colours, irradiance and variance (*.exr)"), tr("PNG, with session (*.png)")});
+  if (file.isEmpty()) return;
+  rememberFolder(file);
+  saveAs(file);
 }
 
 bool ReferenceDialog::saveAs(const QString& file) {

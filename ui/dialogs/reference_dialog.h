@@ -1,12 +1,14 @@
 // Path traces the view pixel by pixel, for print: size and samples, a preview that becomes better, saving.
 //
-// Traces the scene as it was when tracing began; the window stays usable meanwhile.
+// Traces the scene as it was when tracing began; the window stays usable meanwhile. Without the dialog the
+// tracing stops; a file that is being written is finished.
 #pragma once
 
 #include <future>
 #include <memory>
 
 #include <QDialog>
+#include <QLabel>
 #include <QTimer>
 
 #include "app/tasks/reference_task.h"
@@ -14,7 +16,6 @@
 #include "ui/widgets/time_left.h"
 
 class QComboBox;
-class QLabel;
 class QProgressBar;
 class QPushButton;
 class QSpinBox;
@@ -27,14 +28,13 @@ class ReferenceDialog : public QDialog {
   // `given`: the scene before it was resolved, of which its pictures carry what app::carriedScene() says.
   ReferenceDialog(std::shared_ptr<const volume::PreparedVolume> volume, const scene::Scene& given,
                   scene::Scene resolved, QSize size, std::optional<int> threads, QWidget* parent = nullptr);
-  ~ReferenceDialog() override;  // stops; a file that is being written is finished
 
   bool tracing() const { return bool(task_); }
   app::ReferencePointer image() const { return {round_, round_ ? &round_->image : nullptr}; }
   QSpinBox* samplesBox() const { return samples_; }
   QPushButton* startButton() const { return start_; }  // also stops
   QPushButton* saveButton() const { return save_; }
-  QString text() const;
+  QString text() const { return text_->text(); }
   // .exr (with the variance) or .png, written beside the window; text() tells the end. False: nothing to
   // save, or still saving.
   bool saveAs(const QString& file);

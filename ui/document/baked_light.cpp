@@ -42,8 +42,6 @@ BakedLight::BakedLight(QObject* parent) : QObject(parent), controller_({.backgro
   connect(&timer_, &QTimer::timeout, this, &BakedLight::poll);
 }
 
-BakedLight::~BakedLight() = default;
-
 bool BakedLight::changing() const {
   if (cancelled_) return false;  // units of work that were begun are ended, nothing more
   return asked_ || state_.phase == Phase::preparing || state_.phase == Phase::baking;

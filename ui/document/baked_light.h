@@ -5,6 +5,7 @@
 // leave most of the time to the bake. They are lit by stored light only when that makes them better: from
 // when all that is seen is lit without coarse noise, until a quarter of what is seen is not, in another view
 // or of another surface. What takes long begins only when a user has asked for light, not when a preset has.
+// Its end stops the bake: at most 100 ms.
 #pragma once
 
 #include <memory>
@@ -24,7 +25,6 @@ class BakedLight : public QObject {
   Q_OBJECT
  public:
   explicit BakedLight(QObject* parent = nullptr);
-  ~BakedLight() override;  // stops the bake: at most 100 ms
 
   void setVolume(VolumePointer volume);  // its light is gone at once; setScene() follows
   void setScene(const scene::Scene& resolved);

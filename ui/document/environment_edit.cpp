@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <QFileInfo>
 #include <QObject>
 
 #include "scene/rules/environment.h"
@@ -47,6 +48,11 @@ bool letsEnvironmentMove(const scene::Scene& before, const Edit& edit) {
   const bool turns =
       was.rotation != is.rotation || was.azimuth != is.azimuth || was.elevation != is.elevation;
   return turns && is.moves && !was.moves;
+}
+
+bool isLightProbe(const QString& file) {
+  const QString suffix = QFileInfo(file).suffix().toLower();
+  return suffix == "hdr" || suffix == "exr";
 }
 
 Edit lightProbeChosen(const scene::Scene& scene, const QString& file) {

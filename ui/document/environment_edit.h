@@ -20,6 +20,8 @@ Edit lettingMove(Edit turned);  // an edit of azimuth or elevation made elsewher
 // Whether `edit`, made of `before`, was what first let the environment move.
 bool letsEnvironmentMove(const scene::Scene& before, const Edit& edit);
 
+// Image files that can be light probes: of what is dropped on the window.
+bool isLightProbe(const QString& file);
 // Takes the file as light probe, or the built-in light, and the look that it lights where none does yet.
 Edit lightProbeChosen(const scene::Scene& scene, const QString& file);
 Edit builtInLightChosen(const scene::Scene& scene, scene::BuiltInLight light);

@@ -84,10 +84,6 @@ void addRecentFile(const RecentFile& file) {
   store(files);
 }
 
-void addRecentFile(const QString& path) {
-  addRecentFile(RecentFile{path, {}, {}, {}});
-}
-
 void removeRecentFile(const QString& path) {
   QList<RecentFile> files = recentEntries();
   for (const RecentFile& file : files)

@@ -9,17 +9,16 @@
 namespace isolux::ui {
 
 struct RecentFile {
-  QString path;    // a volume, folder, session, or "phantom:NAME"
-  QString series;  // of a folder with several DICOM series; else empty
-  QString name;    // as it is known without a path
-  QString hidden;  // the same without what names the patient
+  QString path;         // a volume, folder, session, or "phantom:NAME"
+  QString series = {};  // of a folder with several DICOM series; else empty
+  QString name = {};    // as it is known without a path
+  QString hidden = {};  // the same without what names the patient
 };
 
 inline constexpr int kMostRecentFiles = 20;
 
 QList<RecentFile> recentEntries();
-QStringList recentFiles();  // their paths
-void addRecentFile(const QString& path);
+QStringList recentFiles();                   // their paths
 void addRecentFile(const RecentFile& file);  // in the place of the one with its path and series
 void removeRecentFile(const QString& path);  // with its pictures, as the next
 void clearRecentFiles();

@@ -7,16 +7,35 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
+#include <QColor>
+#include <QString>
 #include <QTimer>
 #include <QWidget>
 
 #include "app/view_math/histogram_plot.h"
 #include "ui/document/background_task.h"
 #include "ui/document/document.h"
-#include "ui/editors/histogram_handles.h"
 
 namespace isolux::ui {
+
+// The line of an isosurface.
+struct HistogramHandle {
+  int number = 0;  // app::ListedSurface
+  double value = 0.0;
+  QColor colour;
+  QString name;
+  bool shown = true;
+};
+
+// A handle where it is painted.
+struct PlacedHandle {
+  const HistogramHandle* handle = nullptr;
+  double x = 0.0;  // widget coordinates; beyond `area` where the axis does not show its value
+  QString label;
+  bool active = false;  // moved by keys and by clicks beside the lines; its label is on top
+};
 
 class HistogramSlider : public QWidget {
   Q_OBJECT

@@ -17,6 +17,18 @@ namespace isolux::ui {
 
 namespace {
 constexpr double grabPixels = 8.0;
+
+// The one whose line is within `reach` pixels of x, the nearest; null: none.
+const PlacedHandle* handleAt(const std::vector<PlacedHandle>& handles, double x, double reach) {
+  const PlacedHandle* best = nullptr;
+  for (const PlacedHandle& placed : handles) {
+    const double distance = std::abs(placed.x - x), other = best ? std::abs(best->x - x) : reach;
+    const bool nearer = best ? distance < other || (distance == other && placed.active) : distance <= reach;
+    if (nearer) best = &placed;
+  }
+  return best;
+}
+
 }  // namespace
 
 void HistogramSlider::moveTo(double value) {
@@ -25,7 +37,7 @@ void HistogramSlider::moveTo(double value) {
   if (value == valueOf(active_)) return;
   setActiveValue(value);
   pending_ = value;
-  if (!sendTimer_.isActive()) sendTimer_.start(0);
+  if (!sendTimer_.isActive()) sendTimer_.start();
   update();
 }
 

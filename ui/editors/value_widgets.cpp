@@ -1,25 +1,33 @@
 #include "ui/editors/value_widgets.h"
 
+#include <array>
 #include <cmath>
 
 #include <QAbstractSpinBox>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QSettings>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QToolButton>
+#include <glm/vec4.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/view_math/turning.h"
 #include "base/numbers.h"
 #include "scene/settings/assignment.h"
 #include "ui/editors/color_points_view.h"
 #include "ui/editors/curvature_map_view.h"
-#include "ui/editors/file_widget.h"
 #include "ui/editors/planes_widget.h"
-#include "ui/editors/rotation_widget.h"
 #include "ui/language/number_text.h"
 #include "ui/language/translated.h"
+#include "ui/theme/icons.h"
+#include "ui/theme/style.h"
 #include "ui/widgets/color_button.h"
 #include "ui/widgets/number_spin_box.h"
 #include "ui/widgets/parts.h"
@@ -159,6 +167,43 @@ class TextWidget : public SingleWidget<QLineEdit> {
   }
 };
 
+// A file's path with a button that lets the user choose it.
+class FileWidget : public TextWidget {
+ public:
+  explicit FileWidget(QWidget* parent) : TextWidget(parent) {
+    auto* const button = new QToolButton(this);
+    layout()->addWidget(button);
+    layout()->setSpacing(4);
+    inner_->setPlaceholderText(QObject::tr("none"));
+    inner_->setMinimumWidth(60);
+    button->setIcon(icon("open"));
+    button->setIconSize({16, 16});
+    nameAndTip(button, QObject::tr("Choose a file"));
+    connect(button, &QToolButton::clicked, this, &FileWidget::choose);
+  }
+  void showValue(const json& value) override {
+    const QString file = QString::fromStdString(value.get<std::string>());
+    inner_->setText(file);
+    inner_->setToolTip(file);
+  }
+  json value() const override { return inner_->text().trimmed().toStdString(); }
+
+ private:
+  void choose() {
+    constexpr auto folderKey = "lightProbeFolder";
+    const QString kept = QSettings().value(folderKey).toString();
+    const QString file = QFileDialog::getOpenFileName(
+        this, QObject::tr("Choose an environment map"), inner_->text().isEmpty() ? kept : inner_->text(),
+        QObject::tr("Environment maps (*.hdr *.exr);;Images (*.hdr *.exr *.png *.jpg *.jpeg *.tif *.tiff);;"
+                    "All files (*)"));
+    if (file.isEmpty()) return;
+    QSettings().setValue(folderKey, QFileInfo(file).absolutePath());
+    inner_->setText(file);
+    inner_->setModified(false);
+    Q_EMIT changed(false);
+  }
+};
+
 // World points as text. A text that is no such list is not taken.
 class PositionsWidget : public TextWidget {
  public:
@@ -280,6 +325,65 @@ class VectorWidget : public ValueWidget {
 
  private:
   std::vector<NumberSpinBox*> boxes_;
+};
+
+// A quaternion as heading, elevation and roll in degrees.
+class RotationWidget : public ValueWidget {
+ public:
+  explicit RotationWidget(QWidget* parent) : ValueWidget(parent) {
+    auto* layout = new QGridLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setHorizontalSpacing(4);
+    layout->setVerticalSpacing(1);
+    struct Angle {
+      QString name, tip;
+      double range;
+    };
+    const std::array<Angle, 3> angles{
+        {{QObject::tr("Heading"),
+          QObject::tr("Rotation about the vertical axis, counterclockwise from above"), 180.0},
+         {QObject::tr("Elevation"), QObject::tr("Height of the environment map’s centre above the horizon"),
+          90.0},
+         {QObject::tr("Roll"), QObject::tr("Rotation about the direction of the environment map’s centre"),
+          180.0}}};
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+      auto* box = boxes_[i] = new NumberSpinBox(this);
+      const int column = static_cast<int>(i);
+      box->setRange(-angles[i].range, angles[i].range);
+      box->setWrapping(angles[i].range == 180.0);
+      box->setSingleStep(5.0);
+      box->setSuffix("°");
+      box->setMinimumWidth(48);
+      nameAndTip(box, angles[i].name, angles[i].tip);
+      auto* name = new QLabel(angles[i].name, this);
+      setInk(name, Ink::quiet);
+      layout->addWidget(name, 0, column);
+      layout->addWidget(box, 1, column);
+      layout->setColumnStretch(column, 1);
+      connect(box, &NumberSpinBox::valueChanged, this, [this] {
+        rotation_ = app::rotationOf({boxes_[0]->value(), boxes_[1]->value(), boxes_[2]->value()});
+        Q_EMIT changed(true);
+      });
+    }
+    setFocusProxy(boxes_[0]);
+  }
+  void showValue(const json& value) override {
+    const glm::dvec4 rotation(value[0].get<double>(), value[1].get<double>(), value[2].get<double>(),
+                              value[3].get<double>());
+    // What was entered stays as entered: straight up, other angles mean the same rotation.
+    if (rotation == rotation_) return;
+    rotation_ = rotation;
+    const app::TurnAngles angles = app::anglesOf(rotation);
+    boxes_[0]->showValue(angles.heading);
+    boxes_[1]->showValue(angles.elevation);
+    boxes_[2]->showValue(angles.roll);
+  }
+  // Unit length, or exactly what was shown while nobody edits it.
+  json value() const override { return {rotation_.x, rotation_.y, rotation_.z, rotation_.w}; }
+
+ private:
+  glm::dvec4 rotation_{1.0, 0.0, 0.0, 0.0};
+  std::array<NumberSpinBox*, 3> boxes_;
 };
 
 }  // namespace

@@ -29,6 +29,12 @@ QString valueText(double value, const QString& unit, int significant) {
   return unit.isEmpty() ? number : number + ' ' + unit;
 }
 
+QString groupedText(std::uint64_t number) {
+  QString text = QString::number(number);
+  for (qsizetype i = text.size() - 3; i > 0; i -= 3) text.insert(i, QChar(0x202F));
+  return text;
+}
+
 QString bytesText(double bytes) {
   const char* units[] = {QT_TRANSLATE_NOOP("QObject", "bytes"), "kB", "MB", "GB", "TB"};
   int unit = 0;

@@ -1,6 +1,8 @@
 // Numbers as people read them: enough digits, no noise, a point in every country.
 #pragma once
 
+#include <cstdint>
+
 #include <QString>
 
 namespace isolux::ui {
@@ -12,6 +14,8 @@ inline constexpr int shownDigits = 4, allDigits = 15;
 QString numberText(double value, int significant = 6);
 // numberText with the unit behind it ("300 HU"; no unit: "300").
 QString valueText(double value, const QString& unit, int significant = 6);
+// "1 234 567", with narrow spaces.
+QString groupedText(std::uint64_t number);
 // "1.2 kB", "34 MB".
 QString bytesText(double bytes);
 // "cubic_interpolating" -> "Cubic interpolating", in the window's language.

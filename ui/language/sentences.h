@@ -7,6 +7,8 @@
 #include <QString>
 #include <QStringList>
 
+#include "app/marks/mark_report.h"
+
 namespace isolux::ui {
 
 // By the first pattern of knownSentences() that all of the text fits; what stands at %1, %2, %3 is taken over
@@ -15,6 +17,9 @@ QString translatedSentence(std::string_view english);
 
 // The same where what is put in are lists of sentences of their own, separated by ", ".
 QString translatedWithParts(std::string_view english);
+
+// All that a mark says, a line each: app/marks/mark_report.h has it in English.
+QString markText(const scene::Mark& mark, const app::MarkReport& report);
 
 // "%1 min ago": texts of app/ and render/, each with %1 ... %3 where something is put in. A test looks
 // whether they are still said.

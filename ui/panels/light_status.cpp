@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QLabel>
 #include <QProgressBar>
 #include <QToolButton>
 
@@ -138,10 +137,6 @@ void LightStatus::setState(const app::LightState& state, bool cancelled) {
   nameAndTip(pause_, halted_ ? tr("Resume computing light") : tr("Pause computing light"));
   stop_->setVisible(works);
   setVisible(state.phase != Phase::off);
-}
-
-QString LightStatus::text() const {
-  return label_->text();
 }
 
 }  // namespace isolux::ui

@@ -2,12 +2,12 @@
 // bar and is not there when no light is stored.
 #pragma once
 
+#include <QLabel>
 #include <QWidget>
 
 #include "app/light/light_controller.h"
 #include "ui/widgets/time_left.h"
 
-class QLabel;
 class QProgressBar;
 class QToolButton;
 
@@ -19,7 +19,7 @@ class LightStatus : public QWidget {
   explicit LightStatus(QWidget* parent = nullptr);
 
   void setState(const app::LightState& state, bool cancelled);
-  QString text() const;
+  QString text() const { return label_->text(); }
   QToolButton* pauseButton() const { return pause_; }  // also goes on
   QToolButton* stopButton() const { return stop_; }
 

@@ -8,13 +8,11 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPainter>
-#include <QPlainTextEdit>
 #include <QStyledItemDelegate>
 #include <QToolButton>
 #include <QTreeWidget>
 
 #include "app/marks/mark_kinds.h"
-#include "ui/language/mark_text.h"
 #include "ui/language/sentences.h"
 #include "ui/theme/style.h"
 #include "ui/widgets/color_button.h"
@@ -94,7 +92,6 @@ QToolButton* MarksPanel::addButton(const QString& text, const QString& tip, void
 }
 
 void MarksPanel::makeList() {
-  list_->setColumnCount(columns);
   list_->setHeaderLabels({tr("Measurement"), tr("Value")});
   list_->setRootIsDecorated(false);
   list_->setIndentation(0);
@@ -176,10 +173,6 @@ void MarksPanel::tellChosen() {
 int MarksPanel::current() const {
   const int row = list_->indexOfTopLevelItem(list_->currentItem());
   return row < static_cast<int>(scene_.marks.size()) ? row : -1;
-}
-
-QString MarksPanel::details() const {
-  return details_->toPlainText();
 }
 
 void MarksPanel::showDetails() {

@@ -4,11 +4,12 @@
 
 #include <vector>
 
+#include <QPlainTextEdit>
+
 #include "app/marks/mark_report.h"
 #include "ui/panels/panel.h"
 
 class QLabel;
-class QPlainTextEdit;
 class QToolButton;
 class QTreeWidget;
 class QTreeWidgetItem;
@@ -26,9 +27,9 @@ class MarksPanel : public Panel {
   // One for each mark of the scene; measuring: some are still being computed.
   void setReports(const std::vector<app::MarkReport>& reports, bool measuring);
 
-  int current() const;      // mark of the list; -1: none
-  QString details() const;  // all that the current mark says
-  QString text() const;     // all that all marks say, for other programs
+  int current() const;                                         // mark of the list; -1: none
+  QString details() const { return details_->toPlainText(); }  // all that the current mark says
+  QString text() const;                                        // all that all marks say, for other programs
 
  protected:
   void themeChanged() override { showMarks(); }

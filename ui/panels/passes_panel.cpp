@@ -48,7 +48,6 @@ PassesPanel::PassesPanel(QWidget* parent)
   auto* copy = textButton(tr("Copy"), tr("Copy the table as text, for a document or a spreadsheet"), this);
   connect(copy, &QToolButton::clicked, this, [this] { QApplication::clipboard()->setText(text()); });
 
-  table_->setColumnCount(passColumns);
   table_->setHeaderLabels({tr("Pass"), tr("State"), tr("Time"), tr("Memory")});
   for (const PassColumn column : {timeColumn, memoryColumn})
     table_->headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);

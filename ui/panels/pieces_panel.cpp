@@ -6,7 +6,6 @@
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QHeaderView>
-#include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QTreeWidget>
@@ -77,7 +76,6 @@ PiecesPanel::PiecesPanel(QWidget* parent)
 }
 
 void PiecesPanel::makeList() {
-  list_->setColumnCount(pieceColumns);
   list_->setHeaderLabels({tr("Piece"), tr("Volume, mm³"), tr("Box, mm")});
   for (const PieceColumn column : {volumeColumn, boxColumn})
     list_->headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
@@ -257,10 +255,6 @@ void PiecesPanel::fillRow(QTreeWidgetItem* item, std::size_t id, bool shown) con
   if (measure.surface.open()) tip += tr("Extends beyond the data: volume and area cover the part within");
   if (!shown) tip += tr("Hidden");
   for (int column = 0; column < pieceColumns; ++column) item->setToolTip(column, tip.join('\n'));
-}
-
-QString PiecesPanel::state() const {
-  return heading_->text();
 }
 
 void PiecesPanel::showState() {

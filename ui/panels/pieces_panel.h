@@ -4,13 +4,13 @@
 // estimates, then volumes with their errors and boxes. A check mark is whether a piece is shown.
 #pragma once
 
+#include <QLabel>
 #include <QTimer>
 
 #include "app/tasks/piece_task.h"
 #include "ui/document/background_task.h"
 #include "ui/panels/panel.h"
 
-class QLabel;
 class QLayout;
 class QPushButton;
 class QTreeWidget;
@@ -28,7 +28,7 @@ class PiecesPanel : public Panel {
   void setVolume(const VolumePointer& volume) override;
   void setScene(const scene::Scene& scene, const scene::Scene& resolved) override;
   QTreeWidget* list() const { return list_; }
-  QString state() const;  // what stands above the list
+  QString state() const { return heading_->text(); }  // what stands above the list
   bool measured() const;  // the list is of the scene on show, with errors and boxes
   bool working() const { return bool(task_); }
 

@@ -253,12 +253,4 @@ void SettingsPanel::focusSearch() {
   search_->selectAll();
 }
 
-void SettingsPanel::setGroupOpen(const QString& title, bool open) {
-  for (Group& group : groups_) {
-    if (group.header->objectName() != title) continue;
-    group.open = open;
-    showGroup(group);
-  }
-}
-
 }  // namespace isolux::ui

@@ -34,7 +34,6 @@ class SettingsPanel : public Panel {
   bool shows(const QString& path) const;             // the row is there, if its group is open
   QLineEdit* searchLine() const { return search_; }
   void focusSearch();
-  void setGroupOpen(const QString& title, bool open);
 
  private:
   struct Row {

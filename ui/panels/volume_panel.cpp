@@ -21,9 +21,7 @@
 #include "ui/panels/source_panel.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/style.h"
-#include "ui/widgets/number_spin_box.h"
 #include "ui/widgets/parts.h"
-#include "ui/widgets/wrapped_text.h"
 
 namespace isolux::ui {
 
@@ -184,10 +182,6 @@ void VolumePanel::setScene(const scene::Scene& scene, const scene::Scene&) {
   source_->show(scene_, volume_);
 }
 
-double VolumePanel::speed() const {
-  return speed_->value();
-}
-
 void VolumePanel::setPlaying(bool playing) {
   play_->setIcon(icon(playing ? "pause" : "play"));
   nameAndTip(play_, playing ? tr("Pause") : tr("Play time steps"));
@@ -196,10 +190,6 @@ void VolumePanel::setPlaying(bool playing) {
 void VolumePanel::setFirstPicture(double seconds) {
   firstPictureSeconds_ = seconds;
   showFacts();
-}
-
-QString VolumePanel::warnings() const {
-  return warnings_->text();
 }
 
 void VolumePanel::showFacts() {

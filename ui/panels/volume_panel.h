@@ -2,6 +2,8 @@
 #pragma once
 
 #include "ui/panels/panel.h"
+#include "ui/widgets/number_spin_box.h"
+#include "ui/widgets/wrapped_text.h"
 
 class QComboBox;
 class QFormLayout;
@@ -11,10 +13,7 @@ class QToolButton;
 
 namespace isolux::ui {
 
-class IntegerSpinBox;
-class NumberSpinBox;
 class SourcePanel;
-class WrappedText;
 
 class VolumePanel : public Panel {
   Q_OBJECT
@@ -31,9 +30,9 @@ class VolumePanel : public Panel {
   QSlider* timeSlider() const { return timeSlider_; }
   QToolButton* playButton() const { return play_; }
   NumberSpinBox* speedChoice() const { return speed_; }
-  double speed() const;  // of playing, time steps per second
+  double speed() const { return speed_->value(); }  // of playing, time steps per second
   void setPlaying(bool playing);
-  QString warnings() const;
+  QString warnings() const { return warnings_->text(); }
 
  Q_SIGNALS:
   void playClicked();

@@ -5,11 +5,13 @@
 #include <utility>
 
 #include <QPainter>
+#include <QPainterPath>
 
 #include <glm/geometric.hpp>
 
 #include "app/slices/slice_content.h"
 #include "app/slices/slice_labels.h"
+#include "base/color.h"
 #include "ui/document/picture_pixels.h"
 
 namespace isolux::ui {
@@ -20,6 +22,77 @@ constexpr int smallest = 32;  // pixels of a side
 // A full picture that takes longer has drafts, which take about draftMs.
 constexpr double slowMs = 40.0, draftMs = 15.0;
 constexpr int coarsest = 6;
+constexpr double openAbout = 8.0, dot = 3.5;  // units of the painter
+constexpr int stripeHigh = 2;                 // of the view's own colour, at the top
+
+QPointF unitOf(glm::dvec2 pixel, double ratio) {
+  const glm::dvec2 place = (pixel + 0.5) / ratio;
+  return {place.x, place.y};
+}
+
+void strokeOnRim(QPainter& painter, const QLineF& line, const QColor& color) {
+  for (const auto& [ink, thick] : {std::pair{QColor(0, 0, 0, 140), 3.0}, std::pair{color, 1.0}}) {
+    painter.setPen(QPen(ink, thick));
+    painter.drawLine(line);
+  }
+}
+
+// The lines in which the planes of the other views cross the slice. `picture`: in pixels of the screen, of
+// which the painter's unit has `ratio`. Lines are open about the crosshair, and end at `border` from the
+// sides, where letters stand.
+void paintPlanes(QPainter& painter, const volume::SlicePlane& picture, const std::vector<PlaneOfView>& planes,
+                 glm::dvec3 crosshairMm, QSizeF border, double ratio) {
+  const QRectF all(QPointF(0.0, 0.0), QSizeF(picture.size.x, picture.size.y) / ratio);
+  const QPointF cross = unitOf(picture.pixelOf(crosshairMm), ratio);
+  painter.save();
+  painter.setClipRect(all.adjusted(border.width(), border.height(), -border.width(), -border.height()));
+  for (const PlaneOfView& other : planes) {
+    const auto ends = app::crossingLine(picture, other.plane);
+    if (!ends) continue;
+    const QLineF line(unitOf((*ends)[0], ratio), unitOf((*ends)[1], ratio));
+    const bool straight = line.dx() == 0.0 || line.dy() == 0.0;
+    painter.setRenderHint(QPainter::Antialiasing, !straight);
+    const QPointF way = (line.p2() - line.p1()) / line.length();
+    const double along = QPointF::dotProduct(cross - line.p1(), way);
+    const QPointF foot = line.p1() + along * way;
+    if (QLineF(foot, cross).length() > openAbout) {  // of a plane that the crosshair does not lie in
+      strokeOnRim(painter, line, other.color);
+      continue;
+    }
+    if (along > openAbout) strokeOnRim(painter, {line.p1(), foot - openAbout * way}, other.color);
+    if (along < line.length() - openAbout)
+      strokeOnRim(painter, {foot + openAbout * way, line.p2()}, other.color);
+  }
+  painter.restore();
+}
+
+// Points of marks no farther from the plane than `reachMm`; pins with their names.
+void paintPoints(QPainter& painter, const volume::SlicePlane& picture, const std::vector<scene::Mark>& marks,
+                 double reachMm, double ratio) {
+  const glm::dvec3 normal = picture.frame().normal();
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  for (const scene::Mark& mark : marks) {
+    if (!mark.shown) continue;
+    const QColor color(base::screenByte(mark.color.x), base::screenByte(mark.color.y),
+                       base::screenByte(mark.color.z));
+    for (const glm::dvec3& point : mark.points) {
+      if (std::abs(glm::dot(point - picture.originMm, normal)) > reachMm) continue;
+      const QPointF at = unitOf(picture.pixelOf(point), ratio);
+      painter.setPen(QPen(QColor(0, 0, 0, 200), 1.5));
+      painter.setBrush(color);
+      painter.drawEllipse(at, dot, dot);
+      if (mark.kind != scene::MarkKind::point) continue;
+      QPainterPath name;
+      name.addText(at + QPointF(2.0 * dot, -dot), painter.font(), QString::fromStdString(mark.name));
+      painter.setBrush(Qt::NoBrush);
+      painter.setPen(QPen(QColor(0, 0, 0, 200), 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+      painter.drawPath(name);
+      painter.fillPath(name, QColor(0xf4, 0xf6, 0xf8));
+    }
+  }
+  painter.restore();
+}
 
 }  // namespace
 
@@ -192,7 +265,7 @@ void SliceView::paintEvent(QPaintEvent*) {
   const double reach =
       std::max(0.5 * resolved_.slice.slab, 0.5 * volume::voxelAlong(volume_->grid().geometry(), normal));
   paintPoints(painter, *now, resolved_.marks, reach, ratio);
-  paintStripe(painter, width(), color_);
+  painter.fillRect(0, 0, width(), stripeHigh, color_);
 }
 
 void SliceView::showWhole() {

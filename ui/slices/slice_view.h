@@ -26,10 +26,16 @@
 #include "ui/document/background_task.h"
 #include "ui/document/document.h"
 #include "ui/document/edit.h"
-#include "ui/slices/slice_painter.h"
 #include "volume/statistics/grey_window.h"
 
+class QMenu;
+
 namespace isolux::ui {
+
+struct PlaneOfView {
+  app::ChosenPlane plane;
+  QColor color;
+};
 
 class SliceView : public QWidget {
   Q_OBJECT
@@ -114,5 +120,10 @@ class SliceView : public QWidget {
   QPointF last_;
   double steps_ = 0.0;  // of the wheel, not yet taken
 };
+
+// Each entry of the menu is one step of undo, or chooses the view's plane, which is none. The view has a
+// volume. Windows for tissues are there where values are in HU, the convention where anatomy is stated.
+// `worldMm`: the point of the slice that the menu is asked for.
+QMenu* makeSliceMenu(SliceView& view, glm::dvec3 worldMm);
 
 }  // namespace isolux::ui

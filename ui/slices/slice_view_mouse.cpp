@@ -9,7 +9,6 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 
-#include "ui/slices/slice_menu.h"
 #include "ui/slices/slice_view.h"
 #include "ui/widgets/parts.h"
 

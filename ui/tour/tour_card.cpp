@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include <QLabel>
 #include <QPushButton>
 
 #include "ui/theme/style.h"
@@ -50,14 +49,6 @@ void TourCard::setButtons(const QString& next, const QString& leave) {
   next_->setText(next);
   leave_->setText(leave);
   leave_->setVisible(!leave.isEmpty());
-}
-
-QString TourCard::title() const {
-  return title_->text();
-}
-
-QString TourCard::text() const {
-  return text_->text();
 }
 
 void TourCard::present(const QString& title, const QString& text, const QString& progress, const QRect& at) {

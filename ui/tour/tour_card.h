@@ -3,9 +3,9 @@
 #pragma once
 
 #include <QFrame>
+#include <QLabel>
 #include <QPointer>
 
-class QLabel;
 class QPushButton;
 
 namespace isolux::ui {
@@ -22,8 +22,8 @@ class TourCard : public QFrame {
   void presentIn(const QRect& place, const QString& title, const QString& text);
   void setPlace(const QRect& place);
   void setButtons(const QString& next, const QString& leave);
-  QString title() const;
-  QString text() const;
+  QString title() const { return title_->text(); }
+  QString text() const { return text_->text(); }
   QPushButton* nextButton() const { return next_; }
   QPushButton* leaveButton() const { return leave_; }
   void leave();  // hides card and frame

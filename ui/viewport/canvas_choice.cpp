@@ -7,6 +7,7 @@
 
 #include <QDate>
 #include <QDir>
+#include <QGuiApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QPainter>
@@ -18,7 +19,6 @@
 #include "base/error.h"
 #include "render/gl/gl.h"
 #include "render/gl/gl_objects.h"
-#include "ui/viewport/shared_context.h"
 
 namespace isolux::ui {
 
@@ -28,6 +28,43 @@ constexpr auto measuredKey = "window/canvas_measured", measuredOnKey = "window/c
                measuredAtKey = "window/canvas_measured_at";
 constexpr qint64 daysValid = 7;  // another driver may have been installed
 constexpr glm::ivec2 measuredSize(640, 450);
+
+[[noreturn]] void fail(const char* reason) {
+  throw base::Error(base::ErrorKind::graphics, "", "OpenGL", reason);
+}
+
+class SharedContext final : public render::OffscreenContext {
+ public:
+  explicit SharedContext(std::shared_ptr<QOffscreenSurface> surface) : surface_(std::move(surface)) {
+    QOpenGLContext* const window = QOpenGLContext::globalShareContext();
+    context_.setFormat(window->format());
+    context_.setShareContext(window);
+    if (!context_.create()) fail("the window system creates no second context");
+    if (!QOpenGLContext::areSharing(&context_, window)) fail("the driver shares no objects between contexts");
+    SharedContext::makeCurrent();
+    load("Qt " + QGuiApplication::platformName().toStdString() + ", shared with the window",
+         [this](const char* name) { return reinterpret_cast<void*>(context_.getProcAddress(name)); });
+  }
+  ~SharedContext() override { context_.doneCurrent(); }
+  void makeCurrent() override {
+    if (!context_.makeCurrent(surface_.get())) fail("the window system cannot make the context current");
+  }
+
+ private:
+  std::shared_ptr<QOffscreenSurface> surface_;
+  QOpenGLContext context_;
+};
+
+// Returns a function that creates a context for the picture thread, which shares objects with the window's,
+// on the thread that calls it. It throws base::Error{graphics} if the driver cannot share.
+std::function<std::unique_ptr<render::OffscreenContext>()> sharedContext() {
+  // Made, used and destroyed by different threads; windows belong to that of the application.
+  const std::shared_ptr<QOffscreenSurface> surface(new QOffscreenSurface,
+                                                   [](QOffscreenSurface* made) { made->deleteLater(); });
+  surface->setFormat(QOpenGLContext::globalShareContext()->format());
+  surface->create();
+  return [surface] { return std::make_unique<SharedContext>(surface); };
+}
 
 // Whatever decides which driver answers, as far as it can be asked without a context.
 QStringList placeOfDrivers() {

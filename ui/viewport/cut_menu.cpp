@@ -1,6 +1,5 @@
 #include "ui/viewport/cut_menu.h"
 
-#include <QAction>
 #include <QActionGroup>
 #include <QKeySequence>
 #include <QMenu>
@@ -36,10 +35,6 @@ CutMenu::CutMenu(QMenu* menu, QObject* parent) : QObject(parent) {
   all_ = add(menu, tr("&Remove all cuts"), tr("Remove all planes and boxes"), QKeySequence("Shift+X"),
              [this] { removeAll(); });
   showState();
-}
-
-bool CutMenu::showsHandles() const {
-  return handles_->isChecked();
 }
 
 QAction* CutMenu::add(QMenu* menu, const QString& text, const QString& tip, const QKeySequence& keys,

@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include <QAction>
 #include <QObject>
 #include <QString>
 
@@ -12,7 +13,6 @@
 #include "ui/document/document.h"
 #include "ui/document/edit.h"
 
-class QAction;
 class QActionGroup;
 class QKeySequence;
 class QMenu;
@@ -29,7 +29,7 @@ class CutMenu : public QObject {
   void setScene(const scene::Scene& scene, const scene::Scene& resolved);
   // The mark that is chosen in the list of marks, -1 for none.
   void setChosenMark(std::function<int()> chosen) { chosenMark_ = std::move(chosen); }
-  bool showsHandles() const;
+  bool showsHandles() const { return handles_->isChecked(); }
   // Shows the menu of the plane or box of a handle.
   void showMenuOf(const QPoint& onScreen, const app::CutGrip& grip);
 
@@ -72,7 +72,7 @@ class CutMenu : public QObject {
   VolumePointer volume_;
   scene::Scene scene_, resolved_;
   std::function<int()> chosenMark_ = [] { return -1; };
-  QMenu *planesMenu_ = nullptr, *surfacesMenu_ = nullptr, *boxMenu_ = nullptr;
+  QMenu *surfacesMenu_ = nullptr, *boxMenu_ = nullptr;
   std::array<QAction*, 3> across_{};  // the world's x, y, z
   QAction *facing_ = nullptr, *through_ = nullptr, *box_ = nullptr, *corner_ = nullptr, *flipLast_ = nullptr,
           *handles_ = nullptr, *straightenBox_ = nullptr, *all_ = nullptr;

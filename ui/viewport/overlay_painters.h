@@ -1,9 +1,11 @@
-// Paint the handles and the marks that lie over the picture.
+// Paint the handles, the marks, and where the slices lie, over the picture.
 #pragma once
 
 #include <optional>
 #include <vector>
 
+#include <QColor>
+#include <QLineF>
 #include <QRectF>
 
 #include "app/cuts/cut_handles.h"
@@ -27,5 +29,22 @@ void paintCuts(QPainter& painter, const std::vector<app::CutShape>& shapes,
 // room.
 std::vector<QRectF> paintMarks(QPainter& painter, const std::vector<app::MarkShape>& marks,
                                const scene::CameraFrame& frame, QSizeF size, std::vector<QRectF> taken = {});
+
+// Where the slices lie: the outlines of their planes and the crosshair.
+struct SliceOutline {
+  std::vector<glm::dvec3> corners;  // in order, world mm
+  QColor color;
+};
+struct SlicesInPicture {
+  std::vector<SliceOutline> outlines;  // none: nothing is painted
+  glm::dvec3 crosshairMm{0.0};
+};
+
+// Edges of the outlines in a picture of this size, in pixels. What lies behind the eye is left out.
+std::vector<QLineF> sliceLines(const SlicesInPicture& slices, const scene::CameraFrame& frame, QSizeF size);
+
+// `size`: of the picture, in the painter's pixels. What lies behind the eye is left out.
+void paintSlices(QPainter& painter, const SlicesInPicture& slices, const scene::CameraFrame& frame,
+                 QSizeF size);
 
 }  // namespace isolux::ui

@@ -14,9 +14,7 @@ constexpr int pointerRestMilliseconds = 250;
 QString volumeText(double mm3) {
   constexpr double wholeFrom = 1000.0;
   if (mm3 < wholeFrom || mm3 >= 1e15) return valueText(mm3, "mm³", 3);
-  QString digits = QString::number(std::llround(mm3));
-  for (qsizetype at = digits.size() - 3; at > 0; at -= 3) digits.insert(at, QChar(0x202F));  // narrow space
-  return digits + " mm³";
+  return groupedText(static_cast<std::uint64_t>(std::llround(mm3))) + " mm³";
 }
 
 PointedPiece::PointedPiece(QObject* parent) : QObject(parent) {

@@ -74,8 +74,7 @@ Viewport::Viewport(QWidget* parent)
     edit.scene.pieces = {};
     Q_EMIT edited(edit);
   });
-  refineTimer_.setSingleShot(true);
-  connect(&refineTimer_, &QTimer::timeout, this, &Viewport::refine);
+  callOnce(refineTimer_, viewRestMilliseconds, this, &Viewport::refine);
   callOnce(pointTimer_, pointedMilliseconds, this, &Viewport::reportPointed);
 
   connect(&fadeTimer_, &QTimer::timeout, this, &Viewport::paintCanvas);

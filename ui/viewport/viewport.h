@@ -47,7 +47,7 @@ class QPushButton;
 #include "ui/document/edit.h"
 #include "ui/viewport/canvas.h"
 #include "ui/viewport/canvas_choice.h"
-#include "ui/viewport/slice_outlines.h"
+#include "ui/viewport/overlay_painters.h"
 #include "ui/widgets/waiting.h"
 
 namespace isolux::ui {
@@ -208,7 +208,6 @@ class Viewport : public QWidget {
   };
   Answered answer(std::uint64_t order);
   bool standsIn() const;  // the next picture is lit without the stored light that the scene asks for
-  void fadeFrom(const CanvasPicture& before);
   void viewChanged();
   bool current() const { return shownChanges_ == changes_; }
   void changed();

@@ -131,16 +131,10 @@ void Viewport::placePoint(QPointF position, bool more) {
 void Viewport::keyPressEvent(QKeyEvent* event) {
   if (drag_ == Drag::cut && event->key() == Qt::Key_Escape) return cancelCut();
   if (turnByKey(*event)) return;
-  if (!tool_) {
-    QWidget::keyPressEvent(event);
-  } else if (event->key() == Qt::Key_Escape) {
-    setTool(std::nullopt);
-  } else if (event->key() == Qt::Key_Backspace) {
-    if (!placing_.empty()) placing_.pop_back();
-    showMarks();
-  } else {
-    QWidget::keyPressEvent(event);
-  }
+  if (tool_ && event->key() == Qt::Key_Escape) return setTool(std::nullopt);
+  if (!tool_ || event->key() != Qt::Key_Backspace) return QWidget::keyPressEvent(event);
+  if (!placing_.empty()) placing_.pop_back();
+  showMarks();
 }
 
 // Esc leaves the full screen, too: a cut that is being dragged and the tool come first.

@@ -1,10 +1,11 @@
-// Views and the mouse of ui/viewport/viewport.h: gestures become edited scenes.
+// Views, mouse and keys of ui/viewport/viewport.h: gestures become edited scenes.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <QApplication>
 #include <QContextMenuEvent>
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
 
@@ -17,10 +18,60 @@
 #include "ui/language/translated.h"
 #include "ui/viewport/viewport.h"
 #include "ui/viewport/viewport_overlay.h"
+#include "ui/widgets/parts.h"
 
 namespace isolux::ui {
 
-// Views
+namespace {
+
+constexpr int turnTickMilliseconds = 16;
+constexpr double turnStep = 5.0 * std::numbers::pi / 180.0, panStep = 0.05, zoomFactor = 1.1;  // of a key
+
+}  // namespace
+
+// Views: when one is turned to, the scene has the new camera at once, and the pictures on the way belong to
+// nobody.
+
+scene::Camera Viewport::cameraNow() const {
+  if (!turnsFrom_) return resolved_.camera;
+  const double part = static_cast<double>(sinceTurn_.elapsed()) / turnMilliseconds_;
+  return app::cameraBetween(*turnsFrom_, resolved_.camera, app::easedPart(part));
+}
+
+void Viewport::turnTo(const scene::Camera& camera, const QString& name) {
+  const bool turns = turnMilliseconds_ > 0 && hasContext_ && volume_;
+  const scene::Camera from = cameraNow();
+  endTurn();
+  sendCamera(camera, name, "", false);
+  if (!turns || from == resolved_.camera) return;
+  turnsFrom_ = from;
+  sinceTurn_.start();
+  turnTimer_.start(turnTickMilliseconds);
+  showView();
+}
+
+void Viewport::turnOn() {
+  if (sinceTurn_.elapsed() >= turnMilliseconds_) endTurn();
+  showView();
+  redraw();
+}
+
+void Viewport::endTurn() {
+  turnsFrom_.reset();
+  turnTimer_.stop();
+}
+
+// Letters, cube and marks go with the view.
+void Viewport::showView() {
+  scene::Scene shown = resolved_;
+  shown.camera = cameraNow();
+  overlay_->setScene(shown, volume_ != nullptr, axes());
+}
+
+void Viewport::setSlices(SlicesInPicture slices) {
+  slices_ = std::move(slices);
+  overlay_->setSlices(slices_);
+}
 
 void Viewport::sendCamera(const scene::Camera& camera, const QString& name, const char* mergeKey,
                           bool endsAfterPause) {
@@ -57,6 +108,36 @@ void Viewport::toggleProjection() {
   const bool perspective = camera.projection == scene::Projection::perspective;
   camera.projection = perspective ? scene::Projection::orthographic : scene::Projection::perspective;
   sendCamera(camera, perspective ? tr("Orthographic view") : tr("Perspective view"), "", false);
+}
+
+// Keys: the camera by arrows, plus and minus, as 3D Slicer and ParaView have it
+
+// Keys that follow one another soon are one step of undo. Only the picture with the focus is asked.
+bool Viewport::turnByKey(const QKeyEvent& event) {
+  const Qt::KeyboardModifiers modifiers = event.modifiers() & ~Qt::KeypadModifier;
+  const scene::Camera& camera = resolved_.camera;
+  if (event.key() == Qt::Key_Plus || event.key() == Qt::Key_Equal || event.key() == Qt::Key_Minus) {
+    if (modifiers & ~Qt::ShiftModifier) return false;
+    sendCamera(scene::zoomed(camera, event.key() == Qt::Key_Minus ? 1.0 / zoomFactor : zoomFactor),
+               tr("Zoom"), "zoom keys", true);
+    return true;
+  }
+  const glm::dvec2 arrow = arrowOf(event.key());
+  if (arrow == glm::dvec2(0.0)) return false;
+  if (modifiers == Qt::NoModifier) {  // the camera goes with the arrow
+    sendCamera(scene::orbited(camera, turnStep * arrow.x, turnStep * arrow.y), tr("Rotate"), "turn keys",
+               true);
+  } else if (modifiers == Qt::ShiftModifier) {  // the picture goes with the arrow
+    sendCamera(scene::panned(camera, panStep * arrow), tr("Pan"), "pan keys", true);
+  } else if (modifiers == Qt::ControlModifier && arrow.x != 0.0) {
+    sendCamera(scene::rolled(camera, turnStep * arrow.x), tr("Roll"), "roll keys", true);
+  } else if (modifiers == Qt::ControlModifier) {
+    sendCamera(scene::zoomed(camera, arrow.y > 0.0 ? zoomFactor : 1.0 / zoomFactor), tr("Zoom"), "zoom keys",
+               true);
+  } else {
+    return false;
+  }
+  return true;
 }
 
 // Mouse

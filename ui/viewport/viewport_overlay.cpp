@@ -15,7 +15,6 @@
 #include "base/color.h"
 #include "ui/language/number_text.h"
 #include "ui/theme/style.h"
-#include "ui/viewport/overlay_painters.h"
 
 namespace isolux::ui {
 
@@ -87,25 +86,18 @@ ViewportOverlay::ViewportOverlay(QWidget* parent) : QWidget(parent) {
 }
 
 void ViewportOverlay::setScene(const scene::Scene& resolved, bool visible, scene::WorldAxes axes) {
-  const bool same = visible == visible_ && axes == axes_ && resolved.camera == camera_ &&
-                    resolved.look.backgroundTop == backgroundTop_ &&
-                    resolved.look.backgroundBottom == backgroundBottom_;
-  if (same) return;
-  camera_ = resolved.camera;
-  backgroundTop_ = resolved.look.backgroundTop;
-  backgroundBottom_ = resolved.look.backgroundBottom;
-  visible_ = visible;
-  axes_ = axes;
+  set(camera_, resolved.camera);
+  set(backgroundTop_, resolved.look.backgroundTop);
+  set(backgroundBottom_, resolved.look.backgroundBottom);
+  set(visible_, visible);
+  set(axes_, axes);
   if (visible) frame_ = scene::frameOf(camera_);
-  update();
 }
 
 void ViewportOverlay::setProblem(const QString& reason, const QString& advice) {
-  if (reason == problem_ && advice == advice_) return;
-  problem_ = reason;
-  advice_ = advice;
+  set(problem_, reason);
+  set(advice_, advice);
   setAccessibleDescription(reason.isEmpty() ? note_ : reason + "\n\n" + advice);
-  update();
 }
 
 void ViewportOverlay::setMarks(std::vector<app::MarkShape> marks, const QString& toolHint) {
@@ -225,10 +217,8 @@ void ViewportOverlay::paintEvent(QPaintEvent*) {
 }
 
 void ViewportOverlay::setNote(const QString& text) {
-  if (text == note_) return;
-  note_ = text;
+  set(note_, text);
   if (problem_.isEmpty()) setAccessibleDescription(text);
-  update();
 }
 
 // Broken between words.

@@ -14,7 +14,7 @@
 #include "app/view_math/mark_view.h"
 #include "app/view_math/orientation_cube.h"
 #include "scene/camera.h"
-#include "ui/viewport/slice_outlines.h"
+#include "ui/viewport/overlay_painters.h"
 
 namespace isolux::ui {
 

@@ -313,16 +313,14 @@ void Viewport::put(const app::DrawnPicture& picture) {
   shownAtRest_ = picture.order == orderNumber_ && orderedAtRest_;
   shownRequest_ = picture.request;
   if (now.view != shownAs_.view) before_ = {};
-  if (lights) fadeFrom(before);
+  if (lights) {
+    before_ = before;
+    sinceFade_.start();
+    fadeTimer_.start(fadeStepMilliseconds);
+  }
   shownAs_ = now;
   showed(picture, now.view);
   paintCanvas();
-}
-
-void Viewport::fadeFrom(const CanvasPicture& before) {
-  before_ = before;
-  sinceFade_.start();
-  fadeTimer_.start(fadeStepMilliseconds);
 }
 
 // What was changed before this order is answered by its picture. Which view it shows.

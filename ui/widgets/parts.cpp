@@ -6,6 +6,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QProgressBar>
+#include <QSpinBox>
 #include <QToolButton>
 
 namespace isolux::ui {
@@ -60,6 +61,14 @@ QToolButton* textButton(const QString& text, const QString& tip, QWidget* parent
   button->setText(text);
   button->setToolTip(tip);
   return button;
+}
+
+QSpinBox* spinBox(int low, int high, int value, const QString& name, QWidget* parent) {
+  auto* const box = new QSpinBox(parent);
+  box->setRange(low, high);
+  box->setValue(value);
+  box->setAccessibleName(name);
+  return box;
 }
 
 QLabel* addRow(QGridLayout* form, int row, const QString& name, QWidget* editor, const QString& tip) {

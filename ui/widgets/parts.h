@@ -10,6 +10,7 @@
 class QGridLayout;
 class QLabel;
 class QProgressBar;
+class QSpinBox;
 class QToolButton;
 class QWidget;
 
@@ -40,6 +41,7 @@ void layOut(QWidget* owner, QBoxLayout* cells, QMargins margins);
 QLabel* wrappedLabel(const QString& text, QWidget* parent);
 QToolButton* textButton(const QString& text, const QString& tip, QWidget* parent);
 
+QSpinBox* spinBox(int low, int high, int value, const QString& name, QWidget* parent = nullptr);
 // A row of a form. The name and the tip are those of the editor, too.
 QLabel* addRow(QGridLayout* form, int row, const QString& name, QWidget* editor, const QString& tip);
 // The accessible name and the tool tip; without a tip the name is both.

@@ -13,18 +13,19 @@ QString suffixOf(const QString& filter) {
 }
 }  // namespace
 
-SaveAnswer askForFileToSave(QWidget* parent, const SaveQuestion& question) {
-  const QFileInfo proposal(question.proposal);
-  QFileDialog dialog(parent, question.title, proposal.absolutePath());
+QString askForFileToSave(QWidget* parent, const QString& title, const QString& proposal,
+                         const QStringList& filters) {
+  const QFileInfo proposed(proposal);
+  QFileDialog dialog(parent, title, proposed.absolutePath());
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.setFileMode(QFileDialog::AnyFile);
-  dialog.setNameFilters(question.filters);
-  dialog.setDefaultSuffix(suffixOf(question.filters.first()));
-  dialog.selectFile(proposal.fileName());
+  dialog.setNameFilters(filters);
+  dialog.setDefaultSuffix(suffixOf(filters.first()));
+  dialog.selectFile(proposed.fileName());
   QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog,
                    [&dialog](const QString& filter) { dialog.setDefaultSuffix(suffixOf(filter)); });
   if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return {};
-  return {QDir::cleanPath(dialog.selectedFiles().first()), dialog.selectedNameFilter()};
+  return QDir::cleanPath(dialog.selectedFiles().first());
 }
 
 QString folderBeside(const QString& source, const QString& otherwise) {

@@ -8,18 +8,11 @@ class QWidget;
 
 namespace isolux::ui {
 
-struct SaveQuestion {
-  QString title;
-  QString proposal;     // absolute path: folder and name
-  QStringList filters;  // "PNG (*.png)"; the chosen one's suffix is given to a name that has none
-};
-struct SaveAnswer {
-  QString file;    // absolute; empty: cancelled
-  QString filter;  // the chosen one
-};
-// Shows a dialog and waits. The suffix is added before the dialog looks whether such a file exists already,
-// so that nothing is overwritten unasked.
-SaveAnswer askForFileToSave(QWidget* parent, const SaveQuestion& question);
+// Shows a dialog and waits. Returns an absolute path, or nothing where the user cancels. `proposal`: the
+// same, folder and name. `filters`: "PNG (*.png)"; the chosen one's suffix is given to a name that has none,
+// before the dialog looks whether such a file exists already, so that nothing is overwritten unasked.
+QString askForFileToSave(QWidget* parent, const QString& title, const QString& proposal,
+                         const QStringList& filters);
 
 // Where to propose a file that belongs to `source` (a volume's or session's path): the folder it lies in, if
 // one may write there; else `otherwise`.

@@ -4,7 +4,6 @@
 
 #include <QEvent>
 #include <QGridLayout>
-#include <QLabel>
 #include <QPixmap>
 #include <QProgressBar>
 #include <QPushButton>
@@ -90,10 +89,6 @@ void LoadCard::lookAt(const scene::Scene& scene) {
     // Whoever loads the volume says what is wrong with it.
     if (!task.error() && task.value()) showPreview(*task.value());
   });
-}
-
-bool LoadCard::showsPicture() const {
-  return !picture_->isHidden();
 }
 
 void LoadCard::showPreview(const app::DrawnVolumePreview& preview) {

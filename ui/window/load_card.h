@@ -5,13 +5,13 @@
 #include <cstddef>
 
 #include <QFrame>
+#include <QLabel>
 #include <QTimer>
 
 #include "app/tasks/volume_preview_task.h"
 #include "ui/document/background_task.h"
 #include "ui/widgets/time_left.h"
 
-class QLabel;
 class QProgressBar;
 class QPushButton;
 
@@ -26,7 +26,7 @@ class LoadCard : public QFrame {
   void report(double fraction, const QString& stage);
   // A picture of what is being loaded, until end(). Begins with a scene of it.
   void lookAt(const scene::Scene& scene);
-  bool showsPicture() const;
+  bool showsPicture() const { return !picture_->isHidden(); }
   void setLeastBytes(std::size_t bytes) { leastBytes_ = bytes; }  // of volumes that are looked at; for tests
   void end();
 

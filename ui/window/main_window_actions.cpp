@@ -1,17 +1,23 @@
-// What the menu entries of ui/window/main_window.h do to the view, and help. Files:
+// What the menu entries of ui/window/main_window.h do to the view, full screen, the Tab key, and help. Files:
 // ui/window/main_window_documents.cpp.
+#include <QApplication>
 #include <QComboBox>
+#include <QDesktopServices>
 #include <QDialogButtonBox>
+#include <QDir>
 #include <QMessageBox>
 #include <QScreen>
+#include <QShortcut>
+#include <QStatusBar>
 #include <QTextBrowser>
+#include <QToolButton>
+#include <QWindowStateChangeEvent>
 
 #include "app/files/documentation.h"
 #include "app/version.h"
 #include "scene/looks.h"
 #include "ui/accuracy/accuracy_panel.h"
 #include "ui/dialogs/preferences_dialog.h"
-#include "ui/dialogs/privacy_box.h"
 #include "ui/document/baked_light.h"
 #include "ui/document/preferences.h"
 #include "ui/language/sentences.h"
@@ -20,11 +26,76 @@
 #include "ui/panels/settings_panel.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/parts.h"
-#include "ui/window/guide_window.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
+#include "ui/window/window_layout.h"
 
 namespace isolux::ui {
+
+namespace {
+
+// Pictures are as wide as the text at most.
+class PageBrowser : public QTextBrowser {
+ public:
+  using QTextBrowser::QTextBrowser;
+
+ protected:
+  QVariant loadResource(int type, const QUrl& name) override {
+    QVariant resource = QTextBrowser::loadResource(type, name);
+    if (type != QTextDocument::ImageResource) return resource;
+    QImage image = resource.value<QImage>();
+    if (image.isNull()) image = QImage(source().resolved(name).toLocalFile());
+    const int most = viewport()->width() - 40;
+    return image.width() > most ? image.scaledToWidth(most, Qt::SmoothTransformation) : image;
+  }
+};
+
+// Shows the pages of the documentation that come with the program, offline; links lead from page to page.
+class GuideWindow : public QDialog {
+ public:
+  // Opens index.md of `folder`, which must not be empty.
+  GuideWindow(const QString& folder, QWidget* parent) : QDialog(parent), browser_(new PageBrowser(this)) {
+    setWindowTitle(QObject::tr("Guide"));
+    browser_->setOpenLinks(false);
+    connect(browser_, &QTextBrowser::anchorClicked, this, &GuideWindow::follow);
+    const auto button = [this](const char* sign, const QString& name) {
+      auto* made = textButton(sign, {}, this);
+      nameAndTip(made, name);
+      return made;
+    };
+    QToolButton *back = button("←", QObject::tr("Back")), *forward = button("→", QObject::tr("Forward")),
+                *contents = button("⌂", QObject::tr("Contents"));
+    connect(back, &QToolButton::clicked, browser_, &QTextBrowser::backward);
+    connect(forward, &QToolButton::clicked, browser_, &QTextBrowser::forward);
+    connect(browser_, &QTextBrowser::backwardAvailable, back, &QWidget::setEnabled);
+    connect(browser_, &QTextBrowser::forwardAvailable, forward, &QWidget::setEnabled);
+    const QUrl first = QUrl::fromLocalFile(QDir(folder).filePath("index.md"));
+    connect(contents, &QToolButton::clicked, this, [this, first] { follow(first); });
+    layOut(this, columnOf({lineOf({back, forward, contents, Cell::room()}), browser_}));
+    resize(820, 760);
+    follow(first);
+    back->setEnabled(false);
+    forward->setEnabled(false);
+  }
+
+ private:
+  // Pages open here, addresses in the user's browser.
+  void follow(const QUrl& link) {
+    const QUrl target = browser_->source().resolved(link);
+    const bool isFile = target.isLocalFile();
+    if (isFile && target.path() == browser_->source().path()) {
+      browser_->scrollToAnchor(target.fragment());
+    } else if (isFile && target.path().endsWith(".md")) {
+      browser_->setSource(target, QTextDocument::MarkdownResource);
+    } else {
+      QDesktopServices::openUrl(target);
+    }
+  }
+
+  QTextBrowser* browser_;
+};
+
+}  // namespace
 
 void MainWindow::chooseLook(int row) {
   Edit edit{document_->scene(), tr("Change look")};
@@ -35,6 +106,38 @@ void MainWindow::chooseLook(int row) {
 void MainWindow::stepLook(int step) {
   const int count = look_->count();
   chooseLook((look_->currentIndex() + step + count) % count);
+}
+
+// The picture with the menu and the isovalue, and everything as it was afterwards.
+void MainWindow::toggleFullScreen(bool on) {
+  leaveFullScreen_->setEnabled(on);
+  if (on) {
+    layout_->hideAllBut();
+    setWindowState(windowState() | Qt::WindowFullScreen);
+  } else {
+    setWindowState(windowState() & ~Qt::WindowFullScreen);  // maximised again, where it was
+    layout_->showAgain();
+  }
+  statusBar()->setVisible(!on);
+}
+
+// Panels behind others are no stops of the Tab key: Qt lays them out of sight and counts them as visible.
+bool MainWindow::focusNextPrevChild(bool next) {
+  constexpr int mostStops = 1000;
+  for (int i = 0; i < mostStops; ++i) {
+    if (!QMainWindow::focusNextPrevChild(next)) return false;
+    const QWidget* const focused = QApplication::focusWidget();
+    if (focused == nullptr || !layout_->isBehind(focused)) return true;
+  }
+  return true;
+}
+
+// The window manager may end full screen as well.
+void MainWindow::changeEvent(QEvent* event) {
+  QMainWindow::changeEvent(event);
+  if (event->type() != QEvent::WindowStateChange || isFullScreen()) return;
+  if (static_cast<QWindowStateChangeEvent*>(event)->oldState() & Qt::WindowFullScreen)
+    fullScreen_->setChecked(false);
 }
 
 void MainWindow::findSetting() {
@@ -57,7 +160,7 @@ void MainWindow::showPreferences() {
     saveHostSettings(host_, host);
     setHostSettings(host);
   });
-  connect(dialog->privacy(), &PrivacyBox::changed, this, &MainWindow::applyPrivacy);
+  connect(dialog, &PreferencesDialog::privacyChanged, this, &MainWindow::applyPrivacy);
   dialog->show();
 }
 

@@ -24,7 +24,6 @@
 #include "ui/document/picture_request.h"
 #include "ui/document/privacy.h"
 #include "ui/document/recent_files.h"
-#include "ui/editors/file_widget.h"
 #include "ui/language/sentences.h"
 #include "ui/language/translated.h"
 #include "ui/panels/light_status.h"
@@ -158,11 +157,11 @@ bool MainWindow::saveSession() {
 }
 
 bool MainWindow::saveSessionAs() {
-  const SaveAnswer answer =
-      askForFileToSave(this, {tr("Save session"), proposedFile(".isolux"), {QObject::tr(sessionFilter)}});
-  if (answer.file.isEmpty()) return false;
-  rememberFolder(answer.file);
-  return saveSessionTo(answer.file);
+  const QString file =
+      askForFileToSave(this, tr("Save session"), proposedFile(".isolux"), {QObject::tr(sessionFilter)});
+  if (file.isEmpty()) return false;
+  rememberFolder(file);
+  return saveSessionTo(file);
 }
 
 bool MainWindow::saveSessionTo(const QString& file) {
@@ -192,11 +191,10 @@ void MainWindow::toggleRecording() {
     return;
   }
   const QString start = QFileInfo(proposedFile("")).absolutePath() + "/recording.jsonl";
-  const SaveAnswer answer =
-      askForFileToSave(this, {tr("Save recording as"), start, {QObject::tr(recordingFilter)}});
-  if (!answer.file.isEmpty()) {
-    rememberFolder(answer.file);
-    document_->startRecording(answer.file);
+  const QString file = askForFileToSave(this, tr("Save recording as"), start, {QObject::tr(recordingFilter)});
+  if (!file.isEmpty()) {
+    rememberFolder(file);
+    document_->startRecording(file);
   }
   showState();  // the entry is checkable: a cancelled dialog must not leave it checked
 }

@@ -129,10 +129,9 @@ bool MainWindow::importMarks(const QString& file) {
 }
 
 void MainWindow::chooseMarksToExport() {
-  const SaveAnswer answer = askForFileToSave(this, {tr("Export measurements"),
-                                                    proposedFile(".mrk.json"),
-                                                    {QObject::tr(markupsFilter), QObject::tr(tableFilter)}});
-  if (!answer.file.isEmpty()) exportMarks(answer.file);
+  const QString file = askForFileToSave(this, tr("Export measurements"), proposedFile(".mrk.json"),
+                                        {QObject::tr(markupsFilter), QObject::tr(tableFilter)});
+  if (!file.isEmpty()) exportMarks(file);
 }
 
 void MainWindow::chooseMarksToImport() {

@@ -94,7 +94,7 @@ void MainWindow::openRecent(const RecentFile& file) {
 
 void MainWindow::noteOpened(const QString& path) {
   const scene::Source& source = document_->scene().source;
-  shownFile_ = {path, {}, {}, {}};
+  shownFile_ = {path};
   if (!path.startsWith("phantom:")) {
     shownFile_.name = QFileInfo(path).fileName();
     if (path.toStdString() == source.path) shownFile_.series = QString::fromStdString(source.series);

@@ -56,10 +56,10 @@ void MainWindow::choosePicture() {
     const QString session = chosen.request.session ? tr(", with session") : QString();
     const QString png = tr("PNG%1 (*.png)").arg(session),
                   exr = tr("OpenEXR, linear colours%1 (*.exr)").arg(session);
-    const SaveAnswer answer = askForFileToSave(this, {tr("Save image"), proposedFile(".png"), {png, exr}});
-    if (answer.file.isEmpty()) return;
-    rememberFolder(answer.file);
-    savePicture(answer.file, chosen.request.session);
+    const QString file = askForFileToSave(this, tr("Save image"), proposedFile(".png"), {png, exr});
+    if (file.isEmpty()) return;
+    rememberFolder(file);
+    savePicture(file, chosen.request.session);
   });
   connect(dialog, &PictureDialog::copyAsked, this, [this](const PictureChoices& chosen) {
     takeChoices(chosen);
@@ -182,15 +182,12 @@ void MainWindow::chooseMesh() {
   auto* dialog = new MeshDialog(document_->volume(), document_->resolvedScene(), this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAskName([this] {
-    const SaveAnswer answer =
-        askForFileToSave(this, {tr("Export mesh"),
-                                proposedFile(".stl"),
-                                {tr("STL, for printing (*.stl)"), tr("PLY, with normals (*.ply)"),
-                                 tr("Wavefront OBJ (*.obj)"), tr("VTK, with curvature (*.vtp)")}});
-    if (answer.file.isEmpty()) return QString();
-    if (!attempt([&] { document_->checkOutput(answer.file); })) return QString();
-    rememberFolder(answer.file);
-    return answer.file;
+    const QString file = askForFileToSave(this, tr("Export mesh"), proposedFile(".stl"),
+                                          {tr("STL, for printing (*.stl)"), tr("PLY, with normals (*.ply)"),
+                                           tr("Wavefront OBJ (*.obj)"), tr("VTK, with curvature (*.vtp)")});
+    if (file.isEmpty() || !attempt([&] { document_->checkOutput(file); })) return QString();
+    rememberFolder(file);
+    return file;
   });
   connect(dialog, &MeshDialog::exported, this, &MainWindow::tellSaved);
   connect(dialog, &MeshDialog::placeAsked, this, [this](const glm::dvec3& worldMm) {

@@ -13,7 +13,6 @@
 #include "ui/theme/icons.h"
 #include "ui/theme/style.h"
 #include "ui/widgets/parts.h"
-#include "ui/widgets/wrapped_text.h"
 
 namespace isolux::ui {
 
@@ -111,10 +110,6 @@ void MessageBar::withdraw(Kind kind) {
   if (kind == Kind::question) question_.reset();
   if (kind == Kind::warning) warning_.reset();
   if (shown_.kind == kind) clear();
-}
-
-QString MessageBar::text() const {
-  return label_->text();
 }
 
 void MessageBar::place() {

@@ -9,13 +9,13 @@
 #include <QFrame>
 #include <QTimer>
 
+#include "ui/widgets/wrapped_text.h"
+
 class QHBoxLayout;
 class QLabel;
 class QPushButton;
 
 namespace isolux::ui {
-
-class WrappedText;
 
 class MessageBar : public QFrame {
   Q_OBJECT
@@ -38,7 +38,7 @@ class MessageBar : public QFrame {
   void setFilter(std::function<QString(const QString&)> filter) { filter_ = std::move(filter); }
   void clear();              // what is shown; what waits is shown again, a question before a warning
   void withdraw(Kind kind);  // what is shown or waits of that kind
-  QString text() const;
+  QString text() const { return label_->text(); }
   Kind kind() const { return shown_.kind; }
   // Of what is shown, in the order of its answers.
   const std::vector<QPushButton*>& buttons() const { return buttons_; }

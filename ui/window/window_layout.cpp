@@ -19,7 +19,6 @@
 #include "ui/slices/slice_board.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/parts.h"
-#include "ui/widgets/screen_fit.h"
 
 namespace isolux::ui {
 
@@ -63,6 +62,20 @@ QWidget* firstStop(QWidget* part) {
 }
 
 }  // namespace
+
+QRect fittedOnScreens(const QRect& window, const QList<QRect>& screens) {
+  if (screens.isEmpty()) return window;
+  const auto shared = [&](const QRect& screen) {
+    const QRect common = screen.intersected(window);
+    return static_cast<qint64>(common.width()) * common.height();
+  };
+  const QRect& screen = *std::max_element(
+      screens.begin(), screens.end(), [&](const QRect& a, const QRect& b) { return shared(a) < shared(b); });
+  QRect fitted(window.topLeft(), window.size().boundedTo(screen.size()));
+  fitted.moveLeft(std::clamp(fitted.left(), screen.left(), screen.left() + screen.width() - fitted.width()));
+  fitted.moveTop(std::clamp(fitted.top(), screen.top(), screen.top() + screen.height() - fitted.height()));
+  return fitted;
+}
 
 WindowLayout::WindowLayout(QMainWindow* window, SliceBoard* board, Viewport* picture)
     : QObject(window), window_(window), board_(board), picture_(picture), layouts_(new QActionGroup(this)) {

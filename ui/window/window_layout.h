@@ -8,7 +8,9 @@
 #include <vector>
 
 #include <QByteArray>
+#include <QList>
 #include <QObject>
+#include <QRect>
 
 class QActionGroup;
 class QDockWidget;
@@ -20,6 +22,10 @@ namespace isolux::ui {
 
 class SliceBoard;
 class Viewport;
+
+// The rectangle moved and made smaller until it lies on the screen that it shares most with; on the first
+// where it lies on none. `screens`: what each has room for; none: it stays. One that fits stays as it is.
+QRect fittedOnScreens(const QRect& window, const QList<QRect>& screens);
 
 class WindowLayout : public QObject {
   Q_OBJECT

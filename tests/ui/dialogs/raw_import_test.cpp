@@ -12,7 +12,6 @@
 
 #include "tests/support/test_data.h"
 #include "ui/dialogs/raw_import_dialog.h"
-#include "ui/dialogs/raw_slice.h"
 
 namespace isolux::test {
 

@@ -18,7 +18,6 @@
 #include "tests/volume/read/dicom_disc.h"
 #include "ui/dialogs/picture_dialog.h"
 #include "ui/dialogs/preferences_dialog.h"
-#include "ui/dialogs/privacy_box.h"
 #include "ui/document/privacy.h"
 #include "ui/panels/volume_panel.h"
 #include "ui/viewport/viewport.h"
@@ -131,12 +130,11 @@ TEST_F(PrivacyTest, MarksRecordingsAndProposedNamesNameNobody) {
 
 TEST_F(PrivacyTest, ThePreferencesHaveBothChoices) {
   ui::PreferencesDialog dialog(scene::HostSettings{}, window_.get());
-  ui::PrivacyBox* const box = dialog.privacy();
-  EXPECT_FALSE(box->onScreen()->isChecked());
-  EXPECT_TRUE(box->inSaved()->isChecked()) << "on by default";
-  box->inSaved()->click();
+  EXPECT_FALSE(dialog.hideOnScreenBox()->isChecked());
+  EXPECT_TRUE(dialog.hideInSavedBox()->isChecked()) << "on by default";
+  dialog.hideInSavedBox()->click();
   EXPECT_EQ(ui::savedPrivacy(), (ui::Privacy{.hideOnScreen = false, .hideInSaved = false}));
-  box->onScreen()->click();
+  dialog.hideOnScreenBox()->click();
   EXPECT_EQ(ui::savedPrivacy(), (ui::Privacy{.hideOnScreen = true, .hideInSaved = false}));
 }
 

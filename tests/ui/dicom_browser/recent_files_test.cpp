@@ -69,13 +69,13 @@ TEST_F(RecentFilesTest, AtMostTwentyAndTheirPicturesGoWithThem) {
   QImage picture(32, 20, QImage::Format_RGB32);
   picture.fill(Qt::red);
   const ui::RecentFile first{"/scans/0", {}, "0", "0"};
-  ui::addRecentFile(first);
+  ui::addRecentFile({first});
   ui::keepRecentPicture(first, picture);
   ASSERT_TRUE(waitUntil([&] { return QFileInfo::exists(ui::recentPicture(first)); }));
-  for (int i = 1; i < 20; ++i) ui::addRecentFile(QString("/scans/%1").arg(i));
+  for (int i = 1; i < 20; ++i) ui::addRecentFile({QString("/scans/%1").arg(i)});
   EXPECT_EQ(ui::recentEntries().size(), 20);
   EXPECT_TRUE(QFileInfo::exists(ui::recentPicture(first)));
-  ui::addRecentFile("/scans/20");
+  ui::addRecentFile({"/scans/20"});
   EXPECT_EQ(ui::recentEntries().size(), 20);
   EXPECT_FALSE(ui::recentFiles().contains("/scans/0"));
   EXPECT_FALSE(QFileInfo::exists(ui::recentPicture(first)));

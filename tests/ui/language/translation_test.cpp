@@ -22,7 +22,6 @@
 #include "ui/dialogs/preferences_dialog.h"
 #include "ui/editors/setting_editor.h"
 #include "ui/language/language.h"
-#include "ui/language/mark_text.h"
 #include "ui/language/number_text.h"
 #include "ui/language/sentences.h"
 #include "ui/language/translated.h"

@@ -18,9 +18,7 @@
 #include "app/view_math/turning.h"
 #include "scene/rules/environment.h"
 #include "ui/editors/environment_preview.h"
-#include "ui/editors/file_widget.h"
 #include "ui/editors/light_chooser.h"
-#include "ui/editors/rotation_widget.h"
 #include "ui/editors/setting_editor.h"
 #include "ui/panels/settings_panel.h"
 #include "ui/viewport/viewport.h"
@@ -110,8 +108,7 @@ TEST_F(LightPanelTest, RowsAppearWithTheLookAndEditTheirSettings) {
 
 TEST_F(LightPanelTest, AFileIsEnteredAndShownAndAMissingOneIsOneLine) {
   set("look.mode", "gi");
-  auto* file = qobject_cast<ui::FileWidget*>(panel()->editor("light.environment.file")->valueWidget());
-  ASSERT_NE(file, nullptr);
+  const ui::ValueWidget* const file = panel()->editor("light.environment.file")->valueWidget();
   file->findChild<QLineEdit*>()->setFocus();
   file->findChild<QLineEdit*>()->selectAll();
   QTest::keyClicks(file->findChild<QLineEdit*>(), probe_);
@@ -196,9 +193,7 @@ TEST_F(LightPanelTest, ADroppedLightProbeLightsTheSurface) {
 
 TEST_F(LightPanelTest, AnglesEditTheRotationAndStayAsEntered) {
   useProbe();
-  auto* rotation =
-      qobject_cast<ui::RotationWidget*>(panel()->editor("light.environment.rotation")->valueWidget());
-  ASSERT_NE(rotation, nullptr);
+  const ui::ValueWidget* const rotation = panel()->editor("light.environment.rotation")->valueWidget();
   rotation->findChildren<ui::NumberSpinBox*>()[0]->setValue(30.0);
   rotation->findChildren<ui::NumberSpinBox*>()[2]->setValue(20.0);
   rotation->findChildren<ui::NumberSpinBox*>()[1]->setValue(90.0);

@@ -95,7 +95,6 @@ TEST_F(SettingsRowsTest, NoRowMovesWhileAValueIsDraggedOrTurned) {
   QObject::connect(&panel_, &ui::SettingsPanel::edited, [this](const ui::Edit& edit) { show(edit.scene); });
   scene_.look.contours = 0.0;
   show(scene_);
-  panel_.setGroupOpen("Lines", true);
   const auto before = rows(panel_);
   ASSERT_TRUE(before.contains("look.contours"));
   ASSERT_FALSE(panel_.shows("look.contour_width"));

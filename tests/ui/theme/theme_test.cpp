@@ -11,7 +11,6 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/ui/window_fixture.h"
-#include "ui/dialogs/appearance_rows.h"
 #include "ui/dialogs/preferences_dialog.h"
 #include "ui/document/preferences.h"
 #include "ui/theme/icons.h"
@@ -143,12 +142,11 @@ TEST_F(ThemeTest, IconsAreDrawnInItsTextColour) {
 TEST_F(ThemeTest, ThePreferencesChooseItAndItIsKept) {
   ui::PreferencesDialog dialog(window_->host(), window_.get());
   EXPECT_EQ(ui::savedTheme(), Theme::dark);
-  dialog.findChild<ui::AppearanceRows*>()->findChild<QComboBox*>()->setCurrentIndex(
-      static_cast<int>(Theme::light));
+  dialog.themeBox()->setCurrentIndex(static_cast<int>(Theme::light));
   EXPECT_EQ(ui::theme(), Theme::light);
   EXPECT_EQ(ui::savedTheme(), Theme::light);
   EXPECT_EQ(QApplication::palette().color(QPalette::Window), ui::coloursOf(Theme::light).window);
-  dialog.findChild<ui::AppearanceRows*>()->findChild<QSpinBox*>()->setValue(200);
+  dialog.scaleBox()->setValue(200);
   EXPECT_EQ(ui::savedScale(), 200);
   dialog.restoreDefaults();
   EXPECT_EQ(ui::savedTheme(), Theme::dark);

@@ -18,7 +18,6 @@
 #include "scene/settings/settings.h"
 #include "tests/support/losing_context.h"
 #include "ui/viewport/canvas_choice.h"
-#include "ui/viewport/shared_context.h"
 #include "ui/viewport/viewport.h"
 
 namespace isolux::test {
@@ -212,7 +211,7 @@ TEST_F(CanvasTest, AfterAResetOfTheDriverThePictureIsDrawnAgain) {
   ASSERT_TRUE(load(*window_, "phantom:torus:32"));
   const QImage before = fullPicture(*window_);
   for (const CanvasKind lost : {CanvasKind::textures, CanvasKind::pixels}) {
-    const auto real = lost == CanvasKind::textures ? ui::sharedContext() : [] {
+    const auto real = lost == CanvasKind::textures ? ui::chooseCanvas(scene::Canvas::textures).context : [] {
       return render::OffscreenContext::create(render::ContextChoice::software);
     };
     viewport()->setCanvas({lost, "", [real] { return std::make_unique<LosingContext>(real()); }});

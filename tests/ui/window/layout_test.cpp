@@ -8,8 +8,8 @@
 #include "tests/support/ui/window_fixture.h"
 #include "ui/slices/slice_board.h"
 #include "ui/viewport/viewport.h"
-#include "ui/widgets/screen_fit.h"
 #include "ui/window/message_bar.h"
+#include "ui/window/window_layout.h"
 
 namespace isolux::test {
 namespace {

@@ -148,7 +148,7 @@ TEST_F(PicturesTest, AVolumeThatHasGoneIsAskedForAndOneOfItsNameIsProposed) {
   const QString elsewhere = QFileInfo(newFile("x")).absolutePath();
   for (const QString end : {"mhd", "raw"})
     ASSERT_TRUE(QFile::rename(QString(volume).replace("mhd", end), elsewhere + "/ball." + end));
-  ui::addRecentFile(elsewhere + "/ball.mhd");
+  ui::addRecentFile({elsewhere + "/ball.mhd"});
   window_->openPath(session);
   EXPECT_EQ(window_->messageBar()->kind(), ui::MessageBar::Kind::question);
   EXPECT_NE(barText().find("ball.isolux shows ball.mhd"), std::string::npos) << barText();

@@ -1,5 +1,5 @@
-#include "ui/slices/slice_menu.h"
-
+// The menu of ui/slices/slice_view.h: one more isosurface, which plane it shows, level and width for kinds of
+// tissue, thick slab, convention.
 #include <cmath>
 #include <functional>
 

@@ -1,4 +1,4 @@
-#include "ui/viewport/slice_outlines.h"
+#include "ui/viewport/overlay_painters.h"
 
 #include <utility>
 
