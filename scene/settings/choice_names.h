@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "scene/choices.h"
@@ -14,98 +15,61 @@
 
 namespace isolux::scene {
 
-// In the order of the values, which is the order in which users see them.
-template <class T>
-inline constexpr std::string_view kChoiceNames[] = {""};
-template <>
-inline constexpr std::string_view kChoiceNames<DataKind>[] = {
-    "auto", "ct_hu", "ct", "mr", "microscopy", "simulation", "distance", "labels", "other"};
-template <>
-inline constexpr std::string_view kChoiceNames<Csg>[] = {"none", "union", "intersection", "difference",
-                                                         "blend"};
-template <>
-inline constexpr std::string_view kChoiceNames<Frames>[] = {"surface", "volume"};
-template <>
-inline constexpr std::string_view kChoiceNames<Suggestion>[] = {"object", "contrast"};
-template <>
-inline constexpr std::string_view kChoiceNames<Inside>[] = {"above", "below"};
-template <>
-inline constexpr std::string_view kChoiceNames<HitMethod>[] = {"sampled", "exact"};
-template <>
-inline constexpr std::string_view kChoiceNames<Field>[] = {"trilinear", "cubic", "cubic_interpolating"};
-template <>
-inline constexpr std::string_view kChoiceNames<StillField>[] = {"auto", "same", "cubic_interpolating"};
-template <>
-inline constexpr std::string_view kChoiceNames<Fetch>[] = {"fast", "exact"};
-template <>
-inline constexpr std::string_view kChoiceNames<Shading>[] = {"unlit", "lambert", "blinn_phong", "tone", "gi"};
-template <>
-inline constexpr std::string_view kChoiceNames<SolidTexture>[] = {"none", "marble", "wood", "checker"};
-template <>
-inline constexpr std::string_view kChoiceNames<ColorMap>[] = {
-    "auto", "viridis", "cividis", "inferno", "gray", "coolwarm", "blue_orange", "purple_green", "spectral"};
-template <>
-inline constexpr std::string_view kChoiceNames<LengthUnit>[] = {"pixels", "mm"};
-template <>
-inline constexpr std::string_view kChoiceNames<LegendCorner>[] = {"auto", "lower_right", "lower_left",
-                                                                  "upper_right", "upper_left"};
-template <>
-inline constexpr std::string_view kChoiceNames<FlowDirection>[] = {"maximum", "minimum"};
-template <>
-inline constexpr std::string_view kChoiceNames<LightSetup>[] = {"three_point", "key"};
-template <>
-inline constexpr std::string_view kChoiceNames<LightSpace>[] = {"camera", "world"};
-template <>
-inline constexpr std::string_view kChoiceNames<AlbedoSource>[] = {"color", "map"};
-template <>
-inline constexpr std::string_view kChoiceNames<BuiltInLight>[] = {"studio", "window", "overcast", "sunset",
-                                                                  "dark_studio"};
-template <>
-inline constexpr std::string_view kChoiceNames<ClipCap>[] = {"none", "inside", "whole"};
-template <>
-inline constexpr std::string_view kChoiceNames<SlabMode>[] = {"mean", "maximum", "minimum"};
-template <>
-inline constexpr std::string_view kChoiceNames<Convention>[] = {"radiological", "neurological"};
-template <>
-inline constexpr std::string_view kChoiceNames<MarkKind>[] = {"point",  "distance",  "path", "angle",
-                                                              "circle", "thickness", "piece"};
-template <>
-inline constexpr std::string_view kChoiceNames<Metering>[] = {"surface", "lights", "brightness"};
-template <>
-inline constexpr std::string_view kChoiceNames<ToneCurve>[] = {"auto", "linear", "filmic"};
-template <>
-inline constexpr std::string_view kChoiceNames<WorkOverlay>[] = {"none", "blocks", "bricks", "texels"};
-template <>
-inline constexpr std::string_view kChoiceNames<LampKind>[] = {"point", "directional", "sphere"};
-template <>
-inline constexpr std::string_view kChoiceNames<GiMode>[] = {"auto",     "off",      "irradiance",
-                                                            "transfer", "vicinity", "shadow"};
-template <>
-inline constexpr std::string_view kChoiceNames<GiExtent>[] = {"full", "band", "view"};
-template <>
-inline constexpr std::string_view kChoiceNames<GiTexels>[] = {"auto", "own", "shown"};
-template <>
-inline constexpr std::string_view kChoiceNames<DirectionSequence>[] = {"sobol_owen", "r2", "random"};
-template <>
-inline constexpr std::string_view kChoiceNames<GiInterpolation>[] = {"closest_isovalue", "nearest",
-                                                                     "trilinear", "tricubic", "weighted"};
-template <>
-inline constexpr std::string_view kChoiceNames<GiPrecision>[] = {"r11g11b10", "half"};
-template <>
-inline constexpr std::string_view kChoiceNames<Projection>[] = {"perspective", "orthographic"};
-template <>
-inline constexpr std::string_view kChoiceNames<MemoryLayout>[] = {"auto", "whole", "bricks"};
-template <>
-inline constexpr std::string_view kChoiceNames<VoxelPlace>[] = {"auto", "memory", "file"};
-template <>
-inline constexpr std::string_view kChoiceNames<Canvas>[] = {"auto", "textures", "pixels"};
-template <>
-inline constexpr std::string_view kChoiceNames<Executor>[] = {"auto", "gpu", "cpu"};
+// The names of all values of an enumeration, in their order, which is that in which users see them.
+template <class Choice>
+struct ChoiceNames {
+  template <class... Names>
+  explicit constexpr ChoiceNames(Names... names) : list{names...}, count(sizeof...(names)) {}
+  std::string_view list[9];
+  std::size_t count;
+};
+inline constexpr std::tuple kChoiceNames{
+    ChoiceNames<DataKind>("auto", "ct_hu", "ct", "mr", "microscopy", "simulation", "distance", "labels",
+                          "other"),
+    ChoiceNames<Csg>("none", "union", "intersection", "difference", "blend"),
+    ChoiceNames<Frames>("surface", "volume"),
+    ChoiceNames<Suggestion>("object", "contrast"),
+    ChoiceNames<Inside>("above", "below"),
+    ChoiceNames<HitMethod>("sampled", "exact"),
+    ChoiceNames<Field>("trilinear", "cubic", "cubic_interpolating"),
+    ChoiceNames<StillField>("auto", "same", "cubic_interpolating"),
+    ChoiceNames<Fetch>("fast", "exact"),
+    ChoiceNames<Shading>("unlit", "lambert", "blinn_phong", "tone", "gi"),
+    ChoiceNames<SolidTexture>("none", "marble", "wood", "checker"),
+    ChoiceNames<ColorMap>("auto", "viridis", "cividis", "inferno", "gray", "coolwarm", "blue_orange",
+                          "purple_green", "spectral"),
+    ChoiceNames<LengthUnit>("pixels", "mm"),
+    ChoiceNames<LegendCorner>("auto", "lower_right", "lower_left", "upper_right", "upper_left"),
+    ChoiceNames<FlowDirection>("maximum", "minimum"),
+    ChoiceNames<LightSetup>("three_point", "key"),
+    ChoiceNames<LightSpace>("camera", "world"),
+    ChoiceNames<AlbedoSource>("color", "map"),
+    ChoiceNames<BuiltInLight>("studio", "window", "overcast", "sunset", "dark_studio"),
+    ChoiceNames<ClipCap>("none", "inside", "whole"),
+    ChoiceNames<SlabMode>("mean", "maximum", "minimum"),
+    ChoiceNames<Convention>("radiological", "neurological"),
+    ChoiceNames<MarkKind>("point", "distance", "path", "angle", "circle", "thickness", "piece"),
+    ChoiceNames<Metering>("surface", "lights", "brightness"),
+    ChoiceNames<ToneCurve>("auto", "linear", "filmic"),
+    ChoiceNames<WorkOverlay>("none", "blocks", "bricks", "texels"),
+    ChoiceNames<LampKind>("point", "directional", "sphere"),
+    ChoiceNames<GiMode>("auto", "off", "irradiance", "transfer", "vicinity", "shadow"),
+    ChoiceNames<GiExtent>("full", "band", "view"),
+    ChoiceNames<GiTexels>("auto", "own", "shown"),
+    ChoiceNames<DirectionSequence>("sobol_owen", "r2", "random"),
+    ChoiceNames<GiInterpolation>("closest_isovalue", "nearest", "trilinear", "tricubic", "weighted"),
+    ChoiceNames<GiPrecision>("r11g11b10", "half"),
+    ChoiceNames<Projection>("perspective", "orthographic"),
+    ChoiceNames<MemoryLayout>("auto", "whole", "bricks"),
+    ChoiceNames<VoxelPlace>("auto", "memory", "file"),
+    ChoiceNames<Canvas>("auto", "textures", "pixels"),
+    ChoiceNames<Executor>("auto", "gpu", "cpu")};
 
 // Returns the names of all values of an enumeration of scene/choices.h or scene/settings/host_settings.h.
 template <class T>
 std::span<const std::string_view> choiceNames() {
-  return kChoiceNames<T>;
+  const auto& names = std::get<ChoiceNames<T>>(kChoiceNames);
+  return {names.list, names.count};
 }
 template <>
 inline std::span<const std::string_view> choiceNames<LookMode>() {
