@@ -1,5 +1,5 @@
-// Reads and writes images and AOVs; files are written under a temporary name and renamed when complete
-// (exr_file.h).
+// Writes images and AOVs, and reads the sessions in them; files are written under a temporary name and
+// renamed when complete. Errors: base::Error{input} naming the file. Any thread.
 #pragma once
 
 #include <filesystem>
@@ -40,7 +40,5 @@ std::string readSessionText(const std::filesystem::path& file);
 bool looksLikePicture(std::string_view beginning);
 // Returns the size in pixels; 0 for anything but a PNG of 1 to kLargestPicture pixels per axis.
 glm::ivec2 pngSize(const std::filesystem::path& file);
-// Reads 8-bit RGB or RGBA, at most 32768 x 32768; alpha is 255, and does not count, if the file has none.
-render::ColorImage readPng(const std::filesystem::path& file);
 
 }  // namespace isolux::app

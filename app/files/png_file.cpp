@@ -12,7 +12,6 @@
 
 #include "base/error.h"
 #include "base/pending_file.h"
-#include "volume/read/input/streams.h"
 
 namespace isolux::app {
 
@@ -20,8 +19,6 @@ namespace fs = std::filesystem;
 using base::throwInput;
 
 namespace {
-
-constexpr std::uint32_t largestAxis = 32768;  // pixels
 
 // Everything a writer holds, so that the function that libpng leaves by longjmp has nothing to destroy.
 struct PngWriter {
@@ -98,19 +95,6 @@ void encodeInto(PngWriter::Sink sink, const render::ColorImage& image, const std
   throwInput(file, "", "cannot be written: " + writer.failure);
 }
 
-[[noreturn]] void cannotRead(const fs::path& file, png_image& image) {
-  const std::string reason = image.message;
-  png_image_free(&image);
-  throwInput(file.string(), "", "cannot be read: " + reason);
-}
-
-// A larger claim than deflate can pack is no picture.
-bool canHold(const fs::path& file, const png_image& image) {
-  std::error_code error;
-  const std::uintmax_t bytes = fs::file_size(file, error);
-  return !error && std::uint64_t{image.width} * image.height * 3 / volume::kBestDeflateRatio <= bytes;
-}
-
 }  // namespace
 
 void writePng(const render::ColorImage& image, const fs::path& file, const std::string& session) {
@@ -127,26 +111,6 @@ std::string pngBytes(const render::ColorImage& image, const std::string& session
     throw base::Error(base::ErrorKind::memory, "", "", "no memory for the bytes of a picture");
   }
   return all;
-}
-
-render::ColorImage readPng(const fs::path& file) {
-  png_image header{};
-  header.version = PNG_IMAGE_VERSION;
-  if (png_image_begin_read_from_file(&header, file.c_str()) == 0) cannotRead(file, header);
-  const std::unique_ptr<png_image, decltype(&png_image_free)> freed(&header, png_image_free);
-  if (header.width > largestAxis || header.height > largestAxis)
-    throwInput(file.string(), "", "a picture of at most 32768 x 32768 pixels was expected");
-  if ((header.format & PNG_FORMAT_FLAG_COLOR) == 0)
-    throwInput(file.string(), "", "a colour picture was expected");
-  if (!canHold(file, header)) throwInput(file.string(), "", "truncated: too short for its size in pixels");
-  const bool transparent = (header.format & PNG_FORMAT_FLAG_ALPHA) != 0;
-  header.format = PNG_FORMAT_RGBA;
-  render::ColorImage image;
-  image.size = {static_cast<int>(header.width), static_cast<int>(header.height)};
-  image.rgba.assign(PNG_IMAGE_SIZE(header), 255);
-  image.transparent = transparent;
-  if (png_image_finish_read(&header, nullptr, image.rgba.data(), 0, nullptr) == 0) cannotRead(file, header);
-  return image;
 }
 
 }  // namespace isolux::app

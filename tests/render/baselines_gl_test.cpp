@@ -12,6 +12,7 @@
 #include "tests/render/picture_difference.h"
 #include "tests/support/paths.h"
 #include "tests/support/picture_flip.h"
+#include "tests/support/png_reader.h"
 
 namespace isolux::test {
 namespace {
@@ -155,7 +156,7 @@ TEST_P(BaselineGlTest, ThePictureIsItsBaseline) {
     app::writePng(picture, fileOf(c), "");
     GTEST_SKIP() << "written, not compared: " << fileOf(c).string();
   }
-  const render::ColorImage baseline = app::readPng(fileOf(c));
+  const render::ColorImage baseline = test::readPng(fileOf(c));
   ASSERT_EQ(picture.size, baseline.size);
   const PictureDifference difference = differenceOf(picture, baseline);
   RecordProperty("mean", std::to_string(difference.mean));
@@ -172,7 +173,7 @@ TEST_P(BaselineGlTest, ThePictureIsItsBaseline) {
 
 TEST_P(BaselineGlTest, ASmallChangeIsNoRounding) {
   const Case& c = GetParam();
-  const render::ColorImage picture = draw(c, {c.smallChange}), baseline = app::readPng(fileOf(c));
+  const render::ColorImage picture = draw(c, {c.smallChange}), baseline = test::readPng(fileOf(c));
   const PictureDifference difference = differenceOf(picture, baseline);
   EXPECT_GT(flipOf(baseline, picture), kFlipOfRounding) << c.name << " with " << c.smallChange;
   EXPECT_FALSE(mayBeRounding(difference))

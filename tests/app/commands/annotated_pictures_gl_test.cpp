@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "app/documents/session.h"
-#include "app/files/image_io.h"
 #include "base/color.h"
 #include "tests/app/commands/run_isolux.h"
+#include "tests/support/png_reader.h"
 #include "tests/support/test_data.h"
 
 namespace isolux::app {
@@ -24,7 +24,7 @@ render::ColorImage rendered(const fs::path& folder, const std::string& name,
   for (const std::string& setting : settings) line.insert(line.end(), {"--set", setting});
   const test::RunResult result = runIsolux(line, {.folder = folder});
   EXPECT_EQ(result.exitCode, 0) << result.err;
-  return readPng(folder / name);
+  return test::readPng(folder / name);
 }
 
 TEST(AnnotatedPicturesGl, WordsAreWrittenOverAPictureThatStaysTheSame) {
@@ -45,7 +45,7 @@ TEST(AnnotatedPicturesGl, WordsAreWrittenOverAPictureThatStaysTheSame) {
   // From the session that the picture carries it is drawn again, bit for bit.
   const auto again = runIsolux({"render", "written.png", "--out", "again.png"}, {.folder = folder});
   EXPECT_EQ(again.exitCode, 0) << again.err;
-  EXPECT_EQ(readPng(folder / "again.png").rgba, written.rgba);
+  EXPECT_EQ(test::readPng(folder / "again.png").rgba, written.rgba);
 }
 
 // Over a background of one colour, in linear light (as the PNG specification says), a transparent picture is
@@ -133,7 +133,7 @@ TEST(AnnotatedPicturesGl, LinesAreAsWideForTheirPictureAtAnySize) {
          "look.background_top=1,1,1", "--set", "look.background_bottom=1,1,1"},
         {.folder = folder});
     EXPECT_EQ(result.exitCode, 0) << result.err;
-    const auto image = readPng(folder / "lines.png");
+    const auto image = test::readPng(folder / "lines.png");
     double count = 0.0;
     for (std::size_t i = 0; i < image.rgba.size(); i += 4) count += image.rgba[i] < 20;
     return count / (static_cast<double>(image.size.x) * image.size.y);

@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/files/image_io.h"
 #include "tests/app/commands/run_isolux.h"
+#include "tests/support/png_reader.h"
 #include "tests/support/test_data.h"
 #include "tests/support/volumes.h"
 #include "tests/support/zarr_folder.h"
@@ -57,7 +57,7 @@ class DamagedVolumeGl : public testing::Test {
 
   // Of the picture with a hole: what differs from the whole one, and that nothing but grey does.
   double hole(const std::string& damaged, const std::string& undamaged) const {
-    const render::ColorImage a = app::readPng(folder_ / damaged), b = app::readPng(folder_ / undamaged);
+    const render::ColorImage a = test::readPng(folder_ / damaged), b = test::readPng(folder_ / undamaged);
     EXPECT_EQ(a.rgba.size(), b.rgba.size());
     std::size_t differing = 0, coloured = 0;
     for (std::size_t i = 0; i < a.rgba.size(); i += 4) {

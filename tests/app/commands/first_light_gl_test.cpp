@@ -10,9 +10,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/documents/session.h"
-#include "app/files/image_io.h"
 #include "scene/rules/environment.h"
 #include "tests/app/commands/run_isolux.h"
+#include "tests/support/png_reader.h"
 #include "tests/support/test_data.h"
 
 namespace isolux::app {
@@ -61,7 +61,7 @@ void expectShape(const std::vector<std::string>& what) {
   for (const char* const more : {"--look", "gi", "--size", "256x256", "--out", "a.png"})
     arguments.emplace_back(more);
   render(arguments, folder);
-  const Luma luma = lumaOf(readPng(folder / "a.png"));
+  const Luma luma = lumaOf(test::readPng(folder / "a.png"));
   EXPECT_GE(luma.deviation, 30.0);
   EXPECT_GE(luma.median, 90.0);
   EXPECT_LE(luma.median, 180.0);
@@ -151,7 +151,7 @@ TEST(ExposureGl, APictureIsTheSameAgainFromItsSession) {
              folder);
   EXPECT_THAT(made.out, HasSubstr("stops, by the surface"));
   render({"a.png", "--out", "b.png"}, folder);
-  EXPECT_EQ(readPng(folder / "a.png").rgba, readPng(folder / "b.png").rgba);
+  EXPECT_EQ(test::readPng(folder / "a.png").rgba, test::readPng(folder / "b.png").rgba);
 }
 
 TEST(EnvironmentOptionGl, TakesANameOrAFileInPlaceOfWhatThereWas) {

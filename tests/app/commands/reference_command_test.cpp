@@ -13,6 +13,7 @@
 #include "base/color.h"
 #include "base/tone_curve.h"
 #include "tests/app/commands/run_isolux.h"
+#include "tests/support/png_reader.h"
 #include "tests/support/poll.h"
 #include "tests/support/test_data.h"
 
@@ -109,7 +110,7 @@ TEST(ReferenceCommand, APngIsWhatAScreenShowsAndCarriesItsSession) {
                 {.folder = folder})
           .exitCode,
       0);
-  const render::ColorImage image = app::readPng(folder / "a.png");
+  const render::ColorImage image = test::readPng(folder / "a.png");
   ASSERT_EQ(image.size, glm::ivec2(24));
   // A convex body under a sky of radiance 1 shows its albedo, through the tone curve of pictures.
   const std::size_t middle = 4 * (12 * 24 + 12);
@@ -130,7 +131,7 @@ TEST(ReferenceCommand, TakesThePicturesExposure) {
                         {.folder = folder})
                   .exitCode,
               0);
-    return static_cast<int>(app::readPng(folder / "a.png").rgba[4 * (12 * 24 + 12)]);
+    return static_cast<int>(test::readPng(folder / "a.png").rgba[4 * (12 * 24 + 12)]);
   };
   EXPECT_NEAR(middle("lights"), 255.0 * base::encodeSrgb(0.05), 2.0)
       << "a white surface would be nearly white";

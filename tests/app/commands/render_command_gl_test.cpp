@@ -12,6 +12,7 @@
 #include "app/files/image_io.h"
 #include "app/runtime/external_program.h"
 #include "tests/app/commands/run_isolux.h"
+#include "tests/support/png_reader.h"
 #include "tests/support/test_data.h"
 
 namespace isolux::app {
@@ -48,8 +49,8 @@ TEST(RenderCommandGl, APictureCarriesTheSessionThatMakesItAgain) {
   succeed({"render", "s.isolux", "--size", "80x60", "--out", "c.png"}, folder);
   EXPECT_EQ(contentOf(folder / "a.png"), contentOf(folder / "c.png"));
   succeed({"render", "a.png", "--set", "look.mode=normal", "--size", "80x60", "--out", "d.png"}, folder);
-  EXPECT_NE(readPng(folder / "a.png").rgba, readPng(folder / "d.png").rgba);
-  EXPECT_EQ(readPng(folder / "d.png").size, glm::ivec2(80, 60));
+  EXPECT_NE(test::readPng(folder / "a.png").rgba, test::readPng(folder / "d.png").rgba);
+  EXPECT_EQ(test::readPng(folder / "d.png").size, glm::ivec2(80, 60));
   EXPECT_THAT(filesIn(folder), ElementsAre("a.png", "b.png", "c.png", "d.png", "s.isolux"));
 }
 
@@ -198,7 +199,7 @@ TEST(ReplayCommandGl, ReplayingTwiceGivesIdenticalFrames) {
     EXPECT_EQ(contentOf(folder / "one" / name), contentOf(folder / "two" / name)) << name;
 
   const auto pixels = [&](int frame) {
-    return readPng(folder / "one" / frames.at(static_cast<std::size_t>(frame))).rgba;
+    return test::readPng(folder / "one" / frames.at(static_cast<std::size_t>(frame))).rgba;
   };
   EXPECT_EQ(pixels(0), pixels(1));
   EXPECT_NE(pixels(1), pixels(2)) << "a change at 0.2 s is in frame 2";
@@ -224,8 +225,8 @@ TEST(ReplayCommandGl, AnAnimatedFlowRunsOnFromFrameToFrame) {
     times.push_back(
         loadSession(folder / "frames" / ("frame_0000" + std::to_string(frame) + ".png")).flow.time);
   EXPECT_THAT(times, testing::Pointwise(testing::DoubleNear(1e-12), {2.0, 2.0, 2.1, 2.2, 2.3}));
-  EXPECT_NE(readPng(folder / "frames" / "frame_00002.png").rgba,
-            readPng(folder / "frames" / "frame_00003.png").rgba)
+  EXPECT_NE(test::readPng(folder / "frames" / "frame_00002.png").rgba,
+            test::readPng(folder / "frames" / "frame_00003.png").rgba)
       << "the streaks move though nothing was changed";
 }
 
@@ -234,7 +235,7 @@ TEST(ReplayCommandGl, AFrameIsThePictureOfItsSession) {
   writeRecording(folder / "r.jsonl");
   succeed({"replay", "r.jsonl", "--out", "frames", "--fps", "10", "--size", "40x30"}, folder);
   succeed({"render", "frames/frame_00003.png", "--size", "40x30", "--out", "a.png"}, folder);
-  EXPECT_EQ(readPng(folder / "a.png").rgba, readPng(folder / "frames" / "frame_00003.png").rgba);
+  EXPECT_EQ(test::readPng(folder / "a.png").rgba, test::readPng(folder / "frames" / "frame_00003.png").rgba);
 }
 
 TEST(ReplayCommandGl, MakesAMovieWhenFfmpegWorks) {

@@ -11,10 +11,10 @@
 
 #include "app/documents/command_text.h"
 #include "app/documents/session.h"
-#include "app/files/image_io.h"
 #include "app/runtime/external_program.h"
 #include "scene/camera.h"
 #include "tests/app/commands/run_isolux.h"
+#include "tests/support/png_reader.h"
 #include "tests/support/test_data.h"
 
 namespace isolux::app {
@@ -260,7 +260,7 @@ TEST(RenderSeriesGl, FitSurfaceFillsThePictureAndZoomGoesNearer) {
       folder, {"phantom:ball:32", "--isovalue", "6", "--fit", "surface", "--set", "look.background_top=0,0,0",
                "--set", "look.background_bottom=0,0,0", "--set", "look.mode=normal", "--out", "n.png"});
   EXPECT_EQ(hit.exitCode, 0);
-  const render::ColorImage image = readPng(folder / "n.png");
+  const render::ColorImage image = test::readPng(folder / "n.png");
   int top = image.size.y, bottom = -1;
   for (int y = 0; y < image.size.y; ++y)
     for (int x = 0; x < image.size.x; ++x) {
@@ -302,7 +302,8 @@ TEST(RenderSeriesGl, ACommandMadeOfASceneDrawsItBitForBit) {
                                    << "\nPATH=" << shellWord(binary.parent_path().string()) << ":$PATH\n"
                                    << line << '\n';
   ASSERT_EQ(std::system(("sh " + shellWord((folder / "run.sh").string())).c_str()), 0) << line;
-  EXPECT_EQ(readPng(folder / "it's a.png").rgba, readPng(folder / "the other's.png").rgba) << line;
+  EXPECT_EQ(test::readPng(folder / "it's a.png").rgba, test::readPng(folder / "the other's.png").rgba)
+      << line;
   EXPECT_EQ(loadSession(folder / "the other's.png"), scene);
 }
 

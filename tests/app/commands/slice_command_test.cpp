@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/files/image_io.h"
 #include "tests/app/commands/run_isolux.h"
+#include "tests/support/png_reader.h"
 #include "tests/support/test_data.h"
 #include "tests/support/volumes.h"
 #include "volume/field/reconstruct.h"
@@ -107,7 +107,7 @@ TEST_F(SliceCommand, ItsContourIsTheBallsCircle) {
   EXPECT_EQ(stats["letters"]["left"], "\u2212Y");  // a ball has no sides
   EXPECT_EQ(stats["convention"], "orientation not stated");
   // Red where the circle passes, grey 3 mm from it.
-  const render::ColorImage image = app::readPng(folder_ / "ball.png");
+  const render::ColorImage image = test::readPng(folder_ / "ball.png");
   ASSERT_EQ(image.size, glm::ivec2(300, 200));
   const glm::dvec3 origin = vectorOf(stats["origin_mm"]), right = vectorOf(stats["right_mm"]),
                    down = vectorOf(stats["down_mm"]);
@@ -171,14 +171,20 @@ TEST_F(SliceCommand, HelpListsWhatASliceDependsOn) {
 }
 
 TEST_F(SliceCommand, APictureSaysWhichCurveHasWhichIsovalue) {
-  const std::vector<std::string> line{"phantom:head:24",     "--plane", "axial",
-                                      "--size",              "240x200", "--set",
-                                      "isosurface2.shown=1", "--set",   "isosurface2.value=-300"};
+  const std::vector<std::string> line{"phantom:head:24",
+                                      "--plane",
+                                      "axial",
+                                      "--size",
+                                      "240x200",
+                                      "--set",
+                                      "isosurface2.shown=1",
+                                      "--set",
+                                      "isosurface2.value=-300"};
   const auto picture = [&](const char* name, const char* more) {
     std::vector<std::string> all = line;
     all.insert(all.end(), {"--out", name, "--set", more});
     EXPECT_EQ(run(all).exitCode, 0);
-    return app::readPng(folder_ / name);
+    return test::readPng(folder_ / name);
   };
   const render::ColorImage with = picture("with.png", "isosurface2.albedo=0,1,0"),
                            without = picture("without.png", "slice.contour_width=0");

@@ -15,6 +15,7 @@
 
 #include "base/error.h"
 #include "tests/app/commands/run_isolux.h"
+#include "tests/support/png_reader.h"
 #include "tests/support/test_data.h"
 
 namespace isolux::app {
@@ -43,7 +44,7 @@ TEST(ImageIo, PngRoundTripsPixelsAndSession) {
   const render::ColorImage image = gradientImage({31, 17});
   const std::string session = "{\"text\": \"ünï\\n\"}\n" + std::string(100000, ' ');
   writePng(image, file, session);
-  const render::ColorImage back = readPng(file);
+  const render::ColorImage back = test::readPng(file);
   EXPECT_EQ(back.size, image.size);
   EXPECT_EQ(back.rgba, image.rgba);
   EXPECT_EQ(readSessionText(file), session);
@@ -146,14 +147,14 @@ TEST(ImageIo, DamagedPngIsRefused) {
   const std::string whole = test::contentOf(file);
   for (std::size_t length = 0; length + 12 < whole.size(); length += 7) {  // 12: what the end mark takes
     std::ofstream(file, std::ios::binary) << whole.substr(0, length);
-    EXPECT_THROW(readPng(file), base::Error) << length;
+    EXPECT_THROW(test::readPng(file), base::Error) << length;
   }
   for (std::size_t at = 0; at < whole.size(); ++at) {
     std::string damaged = whole;
     damaged[at] = static_cast<char>(damaged[at] ^ 0x10);
     std::ofstream(file, std::ios::binary) << damaged;
     try {
-      readPng(file);
+      test::readPng(file);
     } catch (const base::Error& error) {
       EXPECT_EQ(error.kind(), base::ErrorKind::input) << at;
     }
@@ -165,7 +166,7 @@ TEST(ImageIo, FailuresLeaveNothingBehind) {
   const render::ColorImage image = gradientImage({4, 4});
   EXPECT_THROW(writePng(image, folder / "no" / "a.png", ""), base::Error);
   EXPECT_THROW(writePng(image, folder, ""), base::Error);
-  EXPECT_THROW(readPng(folder / "missing.png"), base::Error);
+  EXPECT_THROW(test::readPng(folder / "missing.png"), base::Error);
   EXPECT_TRUE(fs::is_empty(folder));
 }
 

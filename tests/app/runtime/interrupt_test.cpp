@@ -26,6 +26,7 @@
 #include "scene/settings/scene_diff.h"
 #include "tests/app/commands/run_isolux.h"
 #include "tests/support/busy_processes.h"
+#include "tests/support/png_reader.h"
 #include "tests/support/poll.h"
 #include "tests/support/test_data.h"
 
@@ -211,7 +212,7 @@ TEST_F(Interrupts, KeepThePicturesOfASeriesThatWereFinished) {
     EXPECT_GE(pictures.size(), 3u);
     EXPECT_LT(pictures.size(), 500u);
     for (const std::string& name : pictures) {
-      EXPECT_EQ(app::readPng(folder / "series" / name).size, glm::ivec2(64, 48)) << name;
+      EXPECT_EQ(test::readPng(folder / "series" / name).size, glm::ivec2(64, 48)) << name;
       EXPECT_FALSE(app::readSessionText(folder / "series" / name).empty()) << "each can be drawn again";
     }
     EXPECT_THAT(filesIn(folder / "series"), testing::Not(testing::Contains("movie.mp4")));

@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "app/documents/session.h"
-#include "app/files/image_io.h"
 #include "tests/app/commands/run_isolux.h"
 #include "tests/app/same_picture/distance.h"
 #include "tests/support/paths.h"
+#include "tests/support/png_reader.h"
 #include "tests/support/test_data.h"
 
 namespace isolux::test {
@@ -26,7 +26,7 @@ render::ColorImage openedBy(const std::string& picture, const std::vector<std::s
   arguments.insert(arguments.end(), options.begin(), options.end());
   const RunResult result = runIsolux(arguments, {.folder = folder, .environment = environment});
   EXPECT_EQ(result.exitCode, 0) << result.err;
-  return app::readPng(folder / "a.png");
+  return test::readPng(folder / "a.png");
 }
 
 void expectKept(const std::string& what, const render::ColorImage& a, const render::ColorImage& b,
@@ -42,7 +42,7 @@ class OldPictureGlTest : public testing::TestWithParam<const char*> {};
 TEST_P(OldPictureGlTest, OpensToItself) {
   const fs::path file = fs::path(ISOLUX_SOURCE_DIR) / "tests/app/same_picture/pictures_0_1_0" /
                         (std::string(GetParam()) + ".png");
-  expectKept(GetParam(), app::readPng(file), openedBy(GetParam(), {"--executor", "cpu"}), kOtherOrder);
+  expectKept(GetParam(), test::readPng(file), openedBy(GetParam(), {"--executor", "cpu"}), kOtherOrder);
 }
 
 // Not "lines": 0.1.0 followed them over pixels, so that they changed with the size of the picture.

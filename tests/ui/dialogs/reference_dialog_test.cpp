@@ -1,4 +1,5 @@
 // The path traced picture's dialog: it traces, refines, stops, and saves picture and variance.
+#include "tests/support/png_reader.h"
 #include "tests/support/ui/window_fixture.h"
 
 #include <cmath>
@@ -62,7 +63,7 @@ TEST_F(ReferenceDialogTest, TracesThePictureAndSavesItWithItsVariance) {
   const Imf::InputFile file(exr.toStdString().c_str());
   EXPECT_NE(file.header().channels().findChannel("variance"), nullptr);
   EXPECT_FALSE(app::readSessionText(png.toStdString()).empty());
-  const render::ColorImage picture = app::readPng(png.toStdString());
+  const render::ColorImage picture = test::readPng(png.toStdString());
   EXPECT_EQ(picture.size, glm::ivec2(40, 30));
   const std::size_t middle = 4U * (15U * 40U + 20U);
   EXPECT_GT(picture.rgba[middle], picture.rgba[0] + 20);  // the ball is brighter than the background

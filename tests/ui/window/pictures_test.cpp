@@ -1,5 +1,6 @@
 // Pictures that leave the window: what is written on them, their size, the clipboard, what they tell of
 // folders, and sessions whose volume has gone.
+#include "tests/support/png_reader.h"
 #include "tests/support/ui/window_fixture.h"
 
 #include <QAction>
@@ -95,20 +96,20 @@ TEST_F(PicturesTest, ASavedPictureHasWhatIsWrittenAndIsDrawnAgainByItsSession) {
   const QString file = newFile("ball.png");
   ASSERT_TRUE(window_->savePicture(file));
   EXPECT_EQ(barText(), "Saved ball.png");
-  const render::ColorImage saved = app::readPng(file.toStdString());
+  const render::ColorImage saved = test::readPng(file.toStdString());
   EXPECT_EQ(saved.size, 2 * window_->viewport()->pixelSize());
   const scene::Scene scene = app::loadSession(file.toStdString());
   EXPECT_TRUE(scene.picture.letters);
   EXPECT_DOUBLE_EQ(scene.picture.pixelRatio, 2.0 * window_->viewport()->devicePixelRatioF());
   const std::filesystem::path path = file.toStdString();
   ASSERT_EQ(runProgram("render ball.png --out again.png", path.parent_path()), 0);
-  EXPECT_EQ(app::readPng(path.parent_path() / "again.png").rgba, saved.rgba);
+  EXPECT_EQ(test::readPng(path.parent_path() / "again.png").rgba, saved.rgba);
 
   ui::Edit edit{window_->document()->scene(), "Words", {}, false};
   edit.scene.picture.letters = edit.scene.picture.scaleBar = edit.scene.picture.isovalue = false;
   window_->document()->edit(edit);
   ASSERT_TRUE(window_->savePicture(file));
-  EXPECT_NE(app::readPng(path).rgba, saved.rgba) << "there was something written";
+  EXPECT_NE(test::readPng(path).rgba, saved.rgba) << "there was something written";
 }
 
 TEST_F(PicturesTest, ThePictureIsCopiedByItsKeyAndWithoutBackgroundWhereThatIsWished) {

@@ -10,8 +10,8 @@
 #include <QTimer>
 
 #include "app/documents/command_text.h"
-#include "app/files/image_io.h"
 #include "app/presets/preset_list.h"
+#include "tests/support/png_reader.h"
 #include "tests/support/test_data.h"
 #include "tests/support/ui/dialog_answers.h"
 #include "tests/support/ui/window_fixture.h"
@@ -145,8 +145,8 @@ void expectTheCopiedCommandDraws(const ui::MainWindow& window, const QString& sa
                                    << "\nPATH=" << app::shellWord(binaries.string()) << ":$PATH\n"
                                    << line << '\n';
   ASSERT_EQ(std::system(("sh " + app::shellWord((folder / "run.sh").string())).c_str()), 0) << line;
-  const render::ColorImage expected = app::readPng(saved.toStdString()),
-                           drawn = app::readPng(folder / "torus.png");
+  const render::ColorImage expected = test::readPng(saved.toStdString()),
+                           drawn = test::readPng(folder / "torus.png");
   EXPECT_EQ(drawn.size, expected.size);
   EXPECT_TRUE(drawn.rgba == expected.rgba) << line;
 }
