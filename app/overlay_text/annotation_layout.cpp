@@ -16,11 +16,6 @@ int leastOf(glm::ivec2 picture) {
   return std::min(picture.x, picture.y);
 }
 
-bool meet(const PixelBox& a, const PixelBox& b, int gap) {
-  return a.low.x < b.high().x + gap && b.low.x < a.high().x + gap && a.low.y < b.high().y + gap &&
-         b.low.y < a.high().y + gap;
-}
-
 }  // namespace
 
 bool areKeyed(const std::vector<ShownValue>& values, const scene::Scene& scene) {

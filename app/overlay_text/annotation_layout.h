@@ -10,15 +10,10 @@
 #include <glm/vec2.hpp>
 
 #include "app/overlay_text/annotation.h"
+#include "app/overlay_text/free_places.h"
 #include "render/legend/font.h"
 
 namespace isolux::app {
-
-struct PixelBox {
-  glm::ivec2 low{0}, size{0};
-  glm::ivec2 high() const { return low + size; }
-  bool empty() const { return size.x <= 0 || size.y <= 0; }
-};
 
 // Returns whether each line has a sample of its surface's colour: with several surfaces that show theirs.
 bool areKeyed(const std::vector<ShownValue>& values, const scene::Scene& scene);

@@ -27,11 +27,6 @@ bool crosses(glm::dvec2 from, glm::dvec2 to, const TextBox& box) {
 
 }  // namespace
 
-bool meet(const TextBox& a, const TextBox& b, double gap) {
-  return a.low.x < b.high().x + gap && b.low.x < a.high().x + gap && a.low.y < b.high().y + gap &&
-         b.low.y < a.high().y + gap;
-}
-
 bool FreePlaces::clearOfBoxes(const TextBox& box) const {
   return std::ranges::none_of(boxes_, [&](const TextBox& taken) { return meet(box, taken, gap_); });
 }

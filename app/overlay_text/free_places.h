@@ -11,12 +11,21 @@
 
 namespace isolux::app {
 
-struct TextBox {
-  glm::dvec2 low{0.0}, size{0.0};
-  glm::dvec2 high() const { return low + size; }
-  bool empty() const { return !(size.x > 0.0 && size.y > 0.0); }
+template <class Point>
+struct Box {
+  Point low{0}, size{0};
+  Point high() const { return low + size; }
+  bool empty() const { return !(size.x > 0 && size.y > 0); }
 };
-bool meet(const TextBox& a, const TextBox& b, double gap);
+using TextBox = Box<glm::dvec2>;
+using PixelBox = Box<glm::ivec2>;
+
+// Returns whether less than `gap` lies between the boxes.
+template <class Point>
+bool meet(const Box<Point>& a, const Box<Point>& b, typename Point::value_type gap) {
+  return a.low.x < b.high().x + gap && b.low.x < a.high().x + gap && a.low.y < b.high().y + gap &&
+         b.low.y < a.high().y + gap;
+}
 
 class FreePlaces {
  public:
