@@ -23,10 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-double secondsSinceTime(Clock::time_point then) {
-  return std::chrono::duration<double>(Clock::now() - then).count();
-}
-
 // Where texels are lit in the file that may be gone on from.
 std::optional<scene::GiTexels> texelsOfFile(const fs::path& out) {
   std::error_code missing;
@@ -128,7 +124,7 @@ void ClusterBake::bake(const gi::StoredLight& finished, const ClusterScene& scen
   while (!master_->isFinished() && !progress.stopRequested()) {
     const bool happened = master_->step();
     progress.report(master_->fraction(), "tracing light");
-    if (secondsSinceTime(written) >= options_.checkpointSeconds && !checkpoints.busy()) {
+    if (secondsSince(written) >= options_.checkpointSeconds && !checkpoints.busy()) {
       checkpoints.begin([write, light = stamped(finished)] { write(light); });
       written = Clock::now();
     }

@@ -14,16 +14,9 @@
 
 namespace isolux::app {
 
-namespace {
-
-using base::Error;
-using base::ErrorKind;
-
-double secondsSinceThen(std::chrono::steady_clock::time_point then) {
+double secondsSince(std::chrono::steady_clock::time_point then) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
 }
-
-}  // namespace
 
 void Pause::after(bool happened) {
   constexpr int least = 100, most = 4000;
@@ -77,9 +70,9 @@ void ClusterMaster::hear(const RankMessage& message) {
       peer.left = true;
       return;
     case ClusterMessage::failed: {
-      const Error error = errorFrom(message.bytes);
+      const base::Error error = errorFrom(message.bytes);
       peer.left = true;
-      throw Error(error.kind(), nameOf(message.from), "", error.what());
+      throw base::Error(error.kind(), nameOf(message.from), "", error.what());
     }
     default:
       volume::throwBadAnswer("a message of an unknown kind");
@@ -91,9 +84,7 @@ void ClusterMaster::welcome(int rank, const ClusterHello& hello) {
   RankReport& peer = peers_[static_cast<std::size_t>(rank)];
   const ClusterHello& own = peers_[0].hello;
   peer.hello = hello;
-  const auto refuse = [&](const std::string& reason) {
-    throw Error(ErrorKind::input, nameOf(rank), "", reason);
-  };
+  const auto refuse = [&](const std::string& reason) { base::throwInput(nameOf(rank), "", reason); };
   if (hello.version != own.version)
     refuse("is Isolux " + hello.version + ", and " + nameOf(0) + " is " + own.version);
   if (hello.volumeHash != own.volumeHash)
@@ -129,9 +120,9 @@ void ClusterMaster::compare(int rank, const TileMessage& tile) const {
   if (arithmeticOf(first) != arithmeticOf(rank)) return;  // last bits may differ, as the user knows
   const TileMessage before = tileMessage(tile.tile, light_.requests().of[tile.tile], finished_);
   if (before.sky == tile.sky && before.lamps == tile.lamps) return;
-  throw Error(ErrorKind::input, nameOf(rank), "",
-              "has baked tile " + std::to_string(tile.tile) + " to other light than " + nameOf(first) +
-                  ": one of these machines computes wrongly");
+  base::throwInput(nameOf(rank), "",
+                   "has baked tile " + std::to_string(tile.tile) + " to other light than " + nameOf(first) +
+                       ": one of these machines computes wrongly");
 }
 
 void ClusterMaster::finishOwn(std::uint32_t tile) {
@@ -164,7 +155,7 @@ void ClusterMaster::dropElsewhere(std::uint32_t tile) {
 // that have nothing.
 bool ClusterMaster::handOut() {
   const bool all = std::ranges::all_of(peers_, [](const RankReport& peer) { return peer.ready; });
-  if (!all && secondsSinceThen(began_) < options_.readySeconds) return false;
+  if (!all && secondsSince(began_) < options_.readySeconds) return false;
   bool given = false;
   if (!firstTileAt_) firstTileAt_ = std::chrono::steady_clock::now();
   for (int rank = 0; rank < ranks_.size(); ++rank) {
@@ -190,7 +181,7 @@ void ClusterMaster::give(int rank, std::uint32_t tile) {
 }
 
 double ClusterMaster::seconds() const {
-  return firstTileAt_ ? secondsSinceThen(*firstTileAt_) : 0.0;
+  return firstTileAt_ ? secondsSince(*firstTileAt_) : 0.0;
 }
 
 double ClusterMaster::fraction() const {
@@ -223,7 +214,7 @@ bool farewellTo(Ranks& ranks, std::vector<RankReport>& peers, double seconds) {
     return std::ranges::all_of(peers, [](const RankReport& peer) { return peer.left; });
   };
   Pause pause;
-  while (!allLeft() && secondsSinceThen(begin) < seconds) {
+  while (!allLeft() && secondsSince(begin) < seconds) {
     const auto message = ranks.next();
     if (message) {
       RankReport& peer = peers.at(static_cast<std::size_t>(message->from));

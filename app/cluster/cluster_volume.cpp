@@ -1,29 +1,21 @@
 #include "app/cluster/cluster_volume.h"
 
+#include <iterator>
 #include <utility>
 #include <variant>
 
 #include "base/memory_budget.h"
 #include "volume/read/process/wire.h"
+#include "volume/voxels/stored_type.h"
 
 namespace isolux::app {
 
 namespace {
 
-volume::VoxelArray voxelsOf(std::uint64_t type, std::size_t count) {
-  switch (type) {
-    case 0:
-      return std::vector<std::int8_t>(count);
-    case 1:
-      return std::vector<std::uint8_t>(count);
-    case 2:
-      return std::vector<std::int16_t>(count);
-    case 3:
-      return std::vector<std::uint16_t>(count);
-    default:
-      return std::vector<float>(count);
-  }
-}
+// In the order of volume::VoxelArray.
+constexpr volume::VoxelType kStoredTypes[] = {volume::VoxelType::int8, volume::VoxelType::uint8,
+                                              volume::VoxelType::int16, volume::VoxelType::uint16,
+                                              volume::VoxelType::float32};
 
 std::string headOf(const volume::Volume& volume) {
   const volume::Grid& grid = *volume.grid;
@@ -61,16 +53,17 @@ std::shared_ptr<const volume::PreparedVolume> broadcastVolume(
   for (int a = 0; a < 3; ++a) geometry.dims[a] = static_cast<int>(in.number(1, longest));
   in.passFinite(geometry.worldFromVoxel);
   const double slope = in.finite(), intercept = in.finite();
-  const std::uint64_t type = in.number(0, std::variant_size_v<volume::VoxelArray> - 1);
+  const volume::VoxelType type = kStoredTypes[in.number(0, std::size(kStoredTypes) - 1)];
   volume::Volume received;
   received.axes = static_cast<scene::WorldAxes>(in.number(0, 2));
   received.name = in.text();
   received.format = in.text();
   received.unit = in.text();
   in.end();
-  constexpr std::size_t bytesOfType[] = {1, 1, 2, 2, 4};
-  base::machineMemory().check(geometry.voxelCount() * bytesOfType[type], "the volume that rank 0 sends", "");
-  volume::VoxelArray voxels = voxelsOf(type, geometry.voxelCount());
+  const std::size_t count = geometry.voxelCount();
+  base::machineMemory().check(count * volume::bytesOf(type), "the volume that rank 0 sends", "");
+  auto voxels = volume::withStoredType(
+      type, [&](auto zero) { return volume::VoxelArray(std::vector<decltype(zero)>(count)); });
   ranks.broadcast(bytesOfVoxels(voxels), progress);
   received.grid = std::make_shared<volume::Grid>(geometry, std::move(voxels), slope, intercept, progress);
   return volume::prepareVolume(std::move(received), progress);
