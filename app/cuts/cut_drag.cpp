@@ -164,7 +164,7 @@ scene::Clip draggedCut(const scene::Clip& clip, const CutGrip& grip, const CutSt
   if (grip.plane > 0) {
     scene::ClipPlane& plane = dragged.planes[static_cast<std::size_t>(grip.plane - 1)];
     const glm::dvec3 normal = glm::normalize(plane.normal),
-                     knob = placeOfKnob(clip, static_cast<std::size_t>(grip.plane - 1), stage);
+                     knob = knobOf(clip, static_cast<std::size_t>(grip.plane - 1), stage);
     plane = grip.part == CutPart::turn ? turnedBy(plane, knob, stage, to - from, constrained)
                                        : movedBy(plane, stage, draggedAlong(stage, knob, normal, from, to));
     return dragged;

@@ -52,7 +52,7 @@ CutShape planeShape(const scene::Clip& clip, std::size_t plane, const CutStage& 
   for (std::size_t i = 0; i < outline.size(); ++i)
     if (const auto line = lineOn(stage, outline[i], outline[(i + 1) % outline.size()], false))
       shape.outline.push_back(*line);
-  const glm::dvec3 knob = placeOfKnob(clip, plane, stage), normal = glm::normalize(clip.planes[plane].normal);
+  const glm::dvec3 knob = knobOf(clip, plane, stage), normal = glm::normalize(clip.planes[plane].normal);
   const ProjectedPoint place = projectedOn(stage, knob);
   if (!onPicture(place, stage)) return shape;
   const ProjectedPoint tip = projectedOn(stage, knob + kCutArrow * place.mmPerPixel * normal);
@@ -112,7 +112,7 @@ ProjectedPoint projectedOn(const CutStage& stage, const glm::dvec3& world) {
   return place;
 }
 
-glm::dvec3 placeOfKnob(const scene::Clip& clip, std::size_t number, const CutStage& stage) {
+glm::dvec3 knobOf(const scene::Clip& clip, std::size_t number, const CutStage& stage) {
   const scene::ClipPlane& plane = clip.planes[number];
   const glm::dvec3 middle = middleOfFace(clip, number, stage.volumeMm);
   if (onPicture(projectedOn(stage, middle), stage)) return middle;

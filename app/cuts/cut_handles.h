@@ -71,6 +71,6 @@ struct ProjectedPoint {
 ProjectedPoint projectedOn(const CutStage& stage, const glm::dvec3& world);
 // Where planes[plane] has its knob: middleOfFace(), or, where that is not on the picture, what of the plane
 // lies in the picture's middle.
-glm::dvec3 placeOfKnob(const scene::Clip& clip, std::size_t plane, const CutStage& stage);
+glm::dvec3 knobOf(const scene::Clip& clip, std::size_t plane, const CutStage& stage);
 
 }  // namespace isolux::app

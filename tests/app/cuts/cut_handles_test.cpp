@@ -88,7 +88,7 @@ TEST(CutHandles, DraggingAPlaneFollowsThePointerAlongItsNormal) {
       const CutStage stage = stageOf(scene);
       scene::Clip clip = onePlane();
       clip.planes[0].normal *= side;
-      const glm::dvec3 normal = glm::normalize(clip.planes[0].normal), start = placeOfKnob(clip, 0, stage);
+      const glm::dvec3 normal = glm::normalize(clip.planes[0].normal), start = knobOf(clip, 0, stage);
       for (const double mm : {-9.0, 4.0, 13.0}) {
         const glm::dvec2 from = projectedOn(stage, start).pixel,
                          to = projectedOn(stage, start + mm * normal).pixel;
@@ -126,8 +126,8 @@ TEST(CutHandles, APlaneThatFacesTheViewerMovesByHeight) {
       const CutStage stage = stageOf(scene);
       scene::Clip clip;
       clip.planes = {{{0, 0, 0}, side * stage.frame.back}};
-      const glm::dvec2 from = projectedOn(stage, placeOfKnob(clip, 0, stage)).pixel;
-      const double mmPerPixel = projectedOn(stage, placeOfKnob(clip, 0, stage)).mmPerPixel;
+      const glm::dvec2 from = projectedOn(stage, knobOf(clip, 0, stage)).pixel;
+      const double mmPerPixel = projectedOn(stage, knobOf(clip, 0, stage)).mmPerPixel;
       const scene::Clip dragged =
           draggedCut(clip, kMovePlane, stage, from, from - glm::dvec2(0.0, 40.0), false);
       EXPECT_NEAR(glm::dot(stage.frame.back, dragged.planes[0].point), -40.0 * mmPerPixel, 1e-6);
@@ -142,7 +142,7 @@ TEST(CutHandles, TheArrowsTipComesUnderThePointerAndThePlaneTurnsAboutItsKnob) {
     const scene::Scene scene = viewOf(projection);
     const CutStage stage = stageOf(scene);
     const scene::Clip clip = onePlane();
-    const glm::dvec3 middle = placeOfKnob(clip, 0, stage);
+    const glm::dvec3 middle = knobOf(clip, 0, stage);
     const ProjectedPoint place = projectedOn(stage, middle);
     const glm::dvec2 from = knob(cutShapes(clip, stage), kTurnPlane).pixel;
     const glm::dvec2 to = place.pixel + glm::dvec2(-30.0, 12.0);
