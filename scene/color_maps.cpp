@@ -43,10 +43,6 @@ constexpr std::array<Hex, 11> spectral = {0x5e4fa2, 0x3288bd, 0x66c2a5, 0xabdda4
 constexpr std::array<Hex, 9> shapeIndex = {0x1b8a4b, 0x2bb3a3, 0x3f7fd0, 0xa9c6ea, 0xf2f0ea,
                                            0xf3e6a2, 0xf0c63c, 0xee8a2e, 0xcc2f2a};
 
-glm::dvec3 decoded(const glm::dvec3& srgb) {
-  return {base::decodeSrgb(srgb.x), base::decodeSrgb(srgb.y), base::decodeSrgb(srgb.z)};
-}
-
 // Between table colours, joined in sRGB as their authors do.
 glm::dvec3 fromTable(std::span<const Hex> table, double t) {
   const auto color = [&](std::size_t i) {
@@ -54,7 +50,8 @@ glm::dvec3 fromTable(std::span<const Hex> table, double t) {
   };
   const double x = t * static_cast<double>(table.size() - 1);
   const std::size_t i = std::min(static_cast<std::size_t>(x), table.size() - 2);
-  return decoded(glm::mix(color(i), color(i + 1), x - static_cast<double>(i)));
+  const glm::dvec3 srgb = glm::mix(color(i), color(i + 1), x - static_cast<double>(i));
+  return {base::decodeSrgb(srgb.x), base::decodeSrgb(srgb.y), base::decodeSrgb(srgb.z)};
 }
 
 // CIE L*a*b* (D65 white of sRGB) to linear RGB.
@@ -91,10 +88,6 @@ glm::dvec3 fromDiverging(const Diverging& map, double t) {
   return linearOfLab(m * glm::dvec3(std::cos(s), std::sin(s) * std::cos(h), std::sin(s) * std::sin(h)));
 }
 
-glm::dvec3 fromGray(double t) {
-  return linearOfLab({100.0 * t, 0.0, 0.0});
-}
-
 glm::dvec3 fromAutomatic(LookColors colors, double t) {
   if (colors == LookColors::diverging) return fromDiverging(coolwarm, t);
   return fromTable(colors == LookColors::shape ? std::span<const Hex>(shapeIndex) : viridis, t);
@@ -111,7 +104,7 @@ glm::dvec3 colorOf(ColorMap map, LookColors automatic, double t) {
     case ColorMap::inferno:
       return fromTable(inferno, t);
     case ColorMap::gray:
-      return fromGray(t);
+      return linearOfLab({100.0 * t, 0.0, 0.0});
     case ColorMap::coolwarm:
       return fromDiverging(coolwarm, t);
     case ColorMap::blue_orange:

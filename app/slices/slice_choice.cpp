@@ -14,10 +14,6 @@ namespace {
 
 using Kind = SliceChoice::Kind;
 
-glm::dvec3 footOn(glm::dvec3 point, glm::dvec3 normal, glm::dvec3 from) {
-  return from + normal * glm::dot(point - from, normal);
-}
-
 glm::dvec3 inBounds(glm::dvec3 world, const volume::GridGeometry& geometry) {
   const auto [low, high] = geometry.worldBounds();
   return glm::clamp(world, low, high);
@@ -51,7 +47,8 @@ std::optional<ChosenPlane> chosenPlane(const SliceChoice& choice, const scene::S
   const glm::dvec3 normal = isCut ? resolved.clip.planes[choice.cut].normal : choice.normal;
   if (!isDirection(normal)) return std::nullopt;
   ChosenPlane plane{{}, volume::sliceFrame(normal, axes, convention)};
-  plane.pointMm = footOn(isCut ? resolved.clip.planes[choice.cut].point : crosshair, plane.normal(), middle);
+  const glm::dvec3 point = isCut ? resolved.clip.planes[choice.cut].point : crosshair;
+  plane.pointMm = middle + plane.normal() * glm::dot(point - middle, plane.normal());
   return plane;
 }
 

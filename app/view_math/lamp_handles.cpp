@@ -17,10 +17,6 @@ constexpr double grabReach = 12.0;   // pixels about a handle
 constexpr double ringReach = 5.0;    // pixels to both sides of an outline
 constexpr double farthestMm = 1e13;  // the range of a lamp's position
 
-double unitPerPixel(const LampStage& stage) {
-  return 2.0 * stage.frame.halfHeight / std::max(1.0, stage.pixels.y);
-}
-
 // A lamp behind the eye moves in the plane through what is looked at.
 ProjectedPoint project(const glm::dvec3& world, const LampStage& stage) {
   return projectedOn({stage.frame, stage.pixels}, world);
@@ -50,7 +46,8 @@ double outlinePixels(double radiusMm, const ProjectedPoint& place, const LampSta
   if (stage.frame.projection == scene::Projection::orthographic) return radiusMm / place.mmPerPixel;
   const double d = place.depthMm, behind = d * d - radiusMm * radiusMm;
   if (!place.before || !(behind > 0.0)) return 0.0;  // the eye is in it
-  return radiusMm / std::sqrt(behind) / unitPerPixel(stage);
+  const double unitPerPixel = 2.0 * stage.frame.halfHeight / std::max(1.0, stage.pixels.y);
+  return radiusMm / std::sqrt(behind) / unitPerPixel;
 }
 
 bool facesViewer(const scene::Lamp& lamp, const LampStage& stage) {

@@ -17,16 +17,8 @@ namespace isolux::scene {
 
 namespace {
 
-bool colorsMeanNumbers(const Scene& s) {
-  return isMeasure(s.look.mode);
-}
-
-bool isLit(const Scene& s) {
-  return shadingOf(s) != Shading::unlit;
-}
-
 bool hasLocalLight(const Scene& s) {
-  return isLit(s) && !usesGi(s);
+  return shadingOf(s) != Shading::unlit && !usesGi(s);
 }
 
 // Tone shading goes from toneCool to toneWarm: brightness and colour of the light do not enter.
@@ -34,17 +26,9 @@ bool hasBrightness(const Scene& s) {
   return hasLocalLight(s) && shadingOf(s) != Shading::tone;
 }
 
-bool hasHighlight(const Scene& s) {
-  return shadingOf(s) == Shading::blinn_phong;
-}
-
-bool usesTone(const Scene& s) {
-  return shadingOf(s) == Shading::tone;
-}
-
 // The surface's own colour is seen unless a colour map takes its place.
 bool showsAlbedo(const Scene& s) {
-  return !isPlain(s) && !colorsMeanNumbers(s);
+  return !isPlain(s) && !isMeasure(s.look.mode);
 }
 
 bool drawsContours(const Scene& s) {
@@ -58,18 +42,6 @@ bool drawsRidges(const Scene& s) {
 bool isMesh(const Scene& s) {
   const std::string path = base::lowerCase(s.source.path);
   return path.ends_with(".stl") || path.ends_with(".obj") || path.ends_with(".ply") || path.ends_with(".vtp");
-}
-
-bool hasSecondVolume(const Scene& s) {
-  return !s.color.volume.empty();
-}
-
-bool choosesPieces(const Scene& s) {
-  return !(s.pieces == Pieces{});
-}
-
-bool showsSurface(const Scene& s) {
-  return !visibleSurfaces(s).empty();
 }
 
 struct Rule {
@@ -115,7 +87,7 @@ constexpr Rule rules[] = {
     {"isosurface.suggestion", [](const Scene& s) { return !s.isosurface.value; }, "the isovalue is set"},
     {"camera.frames", [](const Scene& s) { return !s.camera.eye; }, "camera.eye is set"},
     {"isosurface.inside",
-     [](const Scene& s) { return needsGradient(s) || choosesPieces(s) || showsCutFaces(s); },
+     [](const Scene& s) { return needsGradient(s) || s.pieces != Pieces{} || showsCutFaces(s); },
      "depth does not depend on the side"},
     {"isosurface.albedo_map isosurface.albedo_low isosurface.albedo_high", hasAlbedoMap,
      "each isosurface has its own colour"},
@@ -128,7 +100,7 @@ constexpr Rule rules[] = {
     {"isosurface.specular isosurface.roughness isosurface#.specular isosurface#.roughness", usesGi,
      "the shading is not global illumination"},
     {"isosurface.specular isosurface.roughness isosurface#.specular isosurface#.roughness",
-     [](const Scene& s) { return !colorsMeanNumbers(s); }, "colours show numbers"},
+     [](const Scene& s) { return !isMeasure(s.look.mode); }, "colours show numbers"},
     {"isosurface.specular isosurface.roughness", [](const Scene& s) { return s.isosurface.opacity > 0.0; },
      "the opacity of the surface is 0"},
     {"isosurface.roughness", [](const Scene& s) { return s.isosurface.specular > 0.0; },
@@ -140,7 +112,7 @@ constexpr Rule rules[] = {
     {"isosurface.ghost_opacity", [](const Scene& s) { return s.isosurface.ghost > 0.0; },
      "no uncertainty surfaces are drawn"},
 
-    {"pieces.", showsSurface, "no isosurface is shown"},
+    {"pieces.", [](const Scene& s) { return !visibleSurfaces(s).empty(); }, "no isosurface is shown"},
     {"pieces.depth", [](const Scene& s) { return s.pieces.within.has_value(); },
      "connected components are shown everywhere"},
     {"isosurface.clipped isosurface#.clipped clip.cap", [](const Scene& s) { return hasCuts(s.clip); },
@@ -188,10 +160,12 @@ constexpr Rule rules[] = {
      [](const Scene& s) { return s.light.setup == LightSetup::three_point; },
      "the key light is the only light"},
     {"look.occlusion_radius", showsOcclusion, "occlusion is off"},
-    {"look.specular look.shininess", hasHighlight, "only Blinn-Phong shading has a highlight"},
+    {"look.specular look.shininess", [](const Scene& s) { return shadingOf(s) == Shading::blinn_phong; },
+     "only Blinn-Phong shading has a highlight"},
     {"look.shininess", [](const Scene& s) { return s.look.specular > 0.0; },
      "the strength of the highlight is 0"},
-    {"look.tone_cool look.tone_warm", usesTone, "the shading is not tone"},
+    {"look.tone_cool look.tone_warm", [](const Scene& s) { return shadingOf(s) == Shading::tone; },
+     "the shading is not tone"},
     {"look.texture look.texture_scale", showsAlbedo, "this look does not show the surface's own colour"},
     {"look.texture_scale", [](const Scene& s) { return s.look.texture != SolidTexture::none; },
      "there is no texture"},
@@ -207,14 +181,15 @@ constexpr Rule rules[] = {
      "this look does not show a single quantity in colour"},
     {"look.colormap", [](const Scene& s) { return !s.look.colormapPoints; },
      "control points are set (look.colormap_points)"},
-    {"look.range_low look.range_high", colorsMeanNumbers, "this look shows no quantity in colour"},
+    {"look.range_low look.range_high", [](const Scene& s) { return isMeasure(s.look.mode); },
+     "this look shows no quantity in colour"},
     {"look.legend look.legend_corner",
-     [](const Scene& s) { return colorsMeanNumbers(s) || showsSecondVolume(s); },
+     [](const Scene& s) { return isMeasure(s.look.mode) || showsSecondVolume(s); },
      "this look shows no quantity in colour"},
     {"color.", showsAlbedo, "this look does not show the surface's own colour"},
     {"color.raw color.component color.time_step color.field color.map color.low color.high color.below "
      "color.strength color.fade color.isolines color.isoline_width",
-     hasSecondVolume, "there is no second volume"},
+     [](const Scene& s) { return !s.color.volume.empty(); }, "there is no second volume"},
     {"color.field color.low color.high color.below", showsSecondVolume, "the second volume is not visible"},
     {"color.map color.fade", [](const Scene& s) { return s.color.strength > 0.0; },
      "the strength of the second volume's colours is 0"},
