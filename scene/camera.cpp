@@ -62,6 +62,13 @@ double fittingDistance(const CameraFrame& frame, glm::dvec3 target, double tange
   return distance > 0.0 ? distance : 1.0;
 }
 
+// From the volume to the viewer.
+glm::dvec3 sideOf(StandardView view, WorldAxes axes) {
+  const glm::dvec3 front = frontOf(axes), up = upOf(axes), left(1.0, 0.0, 0.0), right(-1.0, 0.0, 0.0);
+  const std::array<glm::dvec3, standardViewCount> sides{front, -front, left, right, up, -up};
+  return sides[static_cast<std::size_t>(view)];
+}
+
 }  // namespace
 
 Camera lookingAt(Camera camera, const CameraFrame& frame, glm::dvec3 target, double distance) {
@@ -137,17 +144,6 @@ Camera zoomed(const Camera& camera, double factor) {
   const CameraFrame frame = frameOf(camera);
   return lookingAt(camera, frame, targetOf(frame), frame.distance / factor);
 }
-
-namespace {
-
-// From the volume to the viewer.
-glm::dvec3 sideOf(StandardView view, WorldAxes axes) {
-  const glm::dvec3 front = frontOf(axes), up = upOf(axes), left(1.0, 0.0, 0.0), right(-1.0, 0.0, 0.0);
-  const std::array<glm::dvec3, standardViewCount> sides{front, -front, left, right, up, -up};
-  return sides[static_cast<std::size_t>(view)];
-}
-
-}  // namespace
 
 std::string standardViewMark(StandardView view, WorldAxes axes) {
   return axisEnd(axes, sideOf(view, axes));

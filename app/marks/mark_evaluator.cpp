@@ -53,6 +53,14 @@ double halfDiagonal(const volume::Grid& grid) {
   return 0.5 * glm::length(grid.geometry().spacingMm());
 }
 
+MarkReport reportOf(MarkEvaluator& evaluator, const scene::Mark& mark, base::Progress& progress) {
+  MarkReport report;
+  const auto error = base::caughtError("", "measure", [&] { report = evaluator.evaluate(mark, progress); });
+  if (error && error->kind() == base::ErrorKind::interrupted) throw *error;
+  if (error) report.problem = error->what();
+  return report;
+}
+
 }  // namespace
 
 bool isSlow(MarkKind kind) {
@@ -247,18 +255,6 @@ void MarkEvaluator::addShape(glm::dvec3 world, MarkReport& report, base::Progres
   if (edge.offsetMm) list.push_back({"edge_offset", *edge.offsetMm, {}, "mm"});
   list.push_back({"edge_strength", edge.strength, {}, ""});
 }
-
-namespace {
-
-MarkReport reportOf(MarkEvaluator& evaluator, const scene::Mark& mark, base::Progress& progress) {
-  MarkReport report;
-  const auto error = base::caughtError("", "measure", [&] { report = evaluator.evaluate(mark, progress); });
-  if (error && error->kind() == base::ErrorKind::interrupted) throw *error;
-  if (error) report.problem = error->what();
-  return report;
-}
-
-}  // namespace
 
 std::unique_ptr<MarkTask> markTask(std::shared_ptr<MarkEvaluator> evaluator, std::vector<scene::Mark> marks) {
   const auto work = [evaluator = std::move(evaluator), marks = std::move(marks)](base::Progress& progress,

@@ -74,6 +74,30 @@ void forEachSetting(const std::string& word,
     if (matches(setting, word)) each(setting, setting.defaultValue(), true);
 }
 
+void printLooks(std::ostream& out) {
+  out << "\n## Looks\n\nValues of `look.mode`; equations and sources: [looks](../explanation/looks.md).\n\n"
+         "| look | shows | unit | shaded by |\n|---|---|---|---|\n";
+  for (const scene::LookInfo& look : scene::looks()) {
+    const bool own = look.kind == scene::LookKind::shading, raw = look.kind == scene::LookKind::raw;
+    out << "| `" << look.name << "` | " << look.meaning << " | " << scene::unitOf(look) << " | "
+        << (own   ? "itself"
+            : raw ? "nothing"
+                  : "`look.shading`")
+        << " |\n";
+  }
+}
+
+// Further isosurfaces and lamps have the settings of the first of their kind.
+bool isLikeAnother(const std::string& path) {
+  return path.starts_with("isosurface3.") || path.starts_with("isosurface4.") || path.starts_with("lamp2.") ||
+         path.starts_with("lamp3.");
+}
+
+std::string titleOf(const std::string& group) {
+  if (group == "isosurface2") return "isosurface2, isosurface3, isosurface4";
+  return group == "lamp1" ? "lamp1, lamp2, lamp3" : group;
+}
+
 }  // namespace
 
 nlohmann::ordered_json settingsJson(const std::string& word) {
@@ -106,34 +130,6 @@ void printSettings(std::ostream& out, const std::string& word) {
     out << "; default " << (value.empty() ? "empty" : value) << '\n';
   });
 }
-
-namespace {
-
-void printLooks(std::ostream& out) {
-  out << "\n## Looks\n\nValues of `look.mode`; equations and sources: [looks](../explanation/looks.md).\n\n"
-         "| look | shows | unit | shaded by |\n|---|---|---|---|\n";
-  for (const scene::LookInfo& look : scene::looks()) {
-    const bool own = look.kind == scene::LookKind::shading, raw = look.kind == scene::LookKind::raw;
-    out << "| `" << look.name << "` | " << look.meaning << " | " << scene::unitOf(look) << " | "
-        << (own   ? "itself"
-            : raw ? "nothing"
-                  : "`look.shading`")
-        << " |\n";
-  }
-}
-
-// Further isosurfaces and lamps have the settings of the first of their kind.
-bool isLikeAnother(const std::string& path) {
-  return path.starts_with("isosurface3.") || path.starts_with("isosurface4.") || path.starts_with("lamp2.") ||
-         path.starts_with("lamp3.");
-}
-
-std::string titleOf(const std::string& group) {
-  if (group == "isosurface2") return "isosurface2, isosurface3, isosurface4";
-  return group == "lamp1" ? "lamp1, lamp2, lamp3" : group;
-}
-
-}  // namespace
 
 void printSettingsPage(std::ostream& out) {
   out << "# Settings\n\n"

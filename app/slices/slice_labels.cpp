@@ -14,6 +14,7 @@
 #include "base/number_text.h"
 #include "base/numbers.h"
 #include "render/legend/font.h"
+#include "scene/settings/choice_names.h"
 
 namespace isolux::app {
 
@@ -100,79 +101,6 @@ std::pair<WrittenText, TextBox> rulerBoxes(const ScaleBar& ruler, const render::
           {glm::dvec2(leftmost, top), glm::dvec2(right - leftmost, size.y - margin - top)}};
 }
 
-}  // namespace
-
-SliceLetters lettersOf(const volume::SlicePlane& plane, scene::WorldAxes axes) {
-  const volume::SliceFrame frame = plane.frame();
-  return {scene::axisEnd(axes, -frame.right), scene::axisEnd(axes, frame.right),
-          scene::axisEnd(axes, -frame.down), scene::axisEnd(axes, frame.down)};
-}
-
-std::string placeText(const volume::SlicePlane& plane, scene::WorldAxes axes) {
-  constexpr std::array<const char*, 3> names{"sagittal", "coronal", "axial"};
-  const glm::dvec3 normal = plane.frame().normal();
-  for (int axis = 0; axis < 3; ++axis) {
-    if (std::abs(normal[axis]) < kAlongAxis) continue;
-    const double mm = plane.originMm[axis];
-    const std::string name = names[static_cast<std::size_t>(axis)];
-    if (axes == scene::WorldAxes::anatomical)
-      return name + " \u00b7 " + scene::axisEnd(axes, axis, mm >= 0.0) + " " + lengthText(std::abs(mm)) +
-             " mm";
-    constexpr std::array<const char*, 3> planes{"YZ", "XZ", "XY"};  // who knows where the patient's feet are?
-    return std::string(planes[static_cast<std::size_t>(axis)]) + " \u00b7 " + "xyz"[axis] + " = " +
-           lengthText(mm) + " mm";
-  }
-  const glm::dvec3 middle = plane.at(0.5 * glm::dvec2(plane.size - 1));
-  const auto list = [](glm::dvec3 v) {
-    return lengthText(v.x) + ", " + lengthText(v.y) + ", " + lengthText(v.z);
-  };
-  return "oblique\nthrough " + list(middle) + " mm\nacross " + list(normal);
-}
-
-std::string conventionText(scene::Convention convention, scene::WorldAxes axes) {
-  if (axes != scene::WorldAxes::anatomical) return "orientation not stated";
-  return convention == scene::Convention::radiological ? "radiological" : "neurological";
-}
-
-bool showsLeftAndRight(const SliceLetters& letters) {
-  return (letters.left + letters.right + letters.top + letters.bottom).find_first_of("LR") !=
-         std::string::npos;
-}
-
-std::string windowText(const SliceContent& content, const scene::Slice& slice, const std::string& unit) {
-  std::string text = "level " + signedText(content.window.level, 4) + " \u00b7 width " +
-                     base::shortText(content.window.width, 4) + (unit.empty() ? "" : " " + unit);
-  if (slice.slab > 0.0) {
-    constexpr std::array<const char*, 3> modes{"mean", "maximum", "minimum"};
-    text += std::string(" \u00b7 ") + modes[static_cast<std::size_t>(slice.slabMode)] + " of " +
-            lengthText(slice.slab) + " mm";
-  }
-  return text;
-}
-
-ScaleBar rulerOf(const volume::SlicePlane& plane) {
-  const double pixel = plane.pixelMm(), mm = base::niceBelow(0.2 * plane.size.x * pixel);
-  return {mm, mm / pixel, base::shortText(mm, 6) + " mm"};
-}
-
-SliceWords wordsOf(const SliceContent& content, const volume::SlicePlane& plane, const scene::Slice& slice,
-                   const volume::Volume& volume) {
-  SliceWords words;
-  words.letters = lettersOf(plane, volume.axes);
-  words.place = placeText(plane, volume.axes);
-  if (volume.axes != scene::WorldAxes::anatomical || showsLeftAndRight(words.letters))
-    words.convention = conventionText(slice.convention, volume.axes);
-  words.window = windowText(content, slice, volume.unit);
-  words.ruler = rulerOf(plane);
-  if (slice.contourWidth > 0.0)
-    for (const SurfaceOnSlice& surface : content.surfaces)
-      words.key.push_back(
-          {signedText(surface.isovalue, 5) + (volume.unit.empty() ? "" : " " + volume.unit), surface.color});
-  return words;
-}
-
-namespace {
-
 int keyIndent(const render::Font& font) {
   return font.ascent() + font.ascent() / 2;
 }
@@ -236,6 +164,73 @@ PlacedWords placedWords(const SliceWords& words, glm::ivec2 size, const Measures
 }
 
 }  // namespace
+
+SliceLetters lettersOf(const volume::SlicePlane& plane, scene::WorldAxes axes) {
+  const volume::SliceFrame frame = plane.frame();
+  return {scene::axisEnd(axes, -frame.right), scene::axisEnd(axes, frame.right),
+          scene::axisEnd(axes, -frame.down), scene::axisEnd(axes, frame.down)};
+}
+
+std::string placeText(const volume::SlicePlane& plane, scene::WorldAxes axes) {
+  constexpr std::array<const char*, 3> names{"sagittal", "coronal", "axial"};
+  const glm::dvec3 normal = plane.frame().normal();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(normal[axis]) < kAlongAxis) continue;
+    const double mm = plane.originMm[axis];
+    const std::string name = names[static_cast<std::size_t>(axis)];
+    if (axes == scene::WorldAxes::anatomical)
+      return name + " \u00b7 " + scene::axisEnd(axes, axis, mm >= 0.0) + " " + lengthText(std::abs(mm)) +
+             " mm";
+    constexpr std::array<const char*, 3> planes{"YZ", "XZ", "XY"};  // who knows where the patient's feet are?
+    return std::string(planes[static_cast<std::size_t>(axis)]) + " \u00b7 " + "xyz"[axis] + " = " +
+           lengthText(mm) + " mm";
+  }
+  const glm::dvec3 middle = plane.at(0.5 * glm::dvec2(plane.size - 1));
+  const auto list = [](glm::dvec3 v) {
+    return lengthText(v.x) + ", " + lengthText(v.y) + ", " + lengthText(v.z);
+  };
+  return "oblique\nthrough " + list(middle) + " mm\nacross " + list(normal);
+}
+
+std::string conventionText(scene::Convention convention, scene::WorldAxes axes) {
+  if (axes != scene::WorldAxes::anatomical) return "orientation not stated";
+  return convention == scene::Convention::radiological ? "radiological" : "neurological";
+}
+
+bool showsLeftAndRight(const SliceLetters& letters) {
+  return (letters.left + letters.right + letters.top + letters.bottom).find_first_of("LR") !=
+         std::string::npos;
+}
+
+std::string windowText(const SliceContent& content, const scene::Slice& slice, const std::string& unit) {
+  std::string text = "level " + signedText(content.window.level, 4) + " \u00b7 width " +
+                     base::shortText(content.window.width, 4) + (unit.empty() ? "" : " " + unit);
+  if (slice.slab > 0.0)
+    text +=
+        " \u00b7 " + std::string(scene::choiceName(slice.slabMode)) + " of " + lengthText(slice.slab) + " mm";
+  return text;
+}
+
+ScaleBar rulerOf(const volume::SlicePlane& plane) {
+  const double pixel = plane.pixelMm(), mm = base::niceBelow(0.2 * plane.size.x * pixel);
+  return {mm, mm / pixel, base::shortText(mm, 6) + " mm"};
+}
+
+SliceWords wordsOf(const SliceContent& content, const volume::SlicePlane& plane, const scene::Slice& slice,
+                   const volume::Volume& volume) {
+  SliceWords words;
+  words.letters = lettersOf(plane, volume.axes);
+  words.place = placeText(plane, volume.axes);
+  if (volume.axes != scene::WorldAxes::anatomical || showsLeftAndRight(words.letters))
+    words.convention = conventionText(slice.convention, volume.axes);
+  words.window = windowText(content, slice, volume.unit);
+  words.ruler = rulerOf(plane);
+  if (slice.contourWidth > 0.0)
+    for (const SurfaceOnSlice& surface : content.surfaces)
+      words.key.push_back(
+          {signedText(surface.isovalue, 5) + (volume.unit.empty() ? "" : " " + volume.unit), surface.color});
+  return words;
+}
 
 SliceWordPlaces placesOf(const SliceWords& words, glm::ivec2 size, double pixelRatio) {
   if (size.y < kLowestWithLetters || size.x < kLowestWithLetters) return {};
