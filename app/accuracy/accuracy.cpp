@@ -64,11 +64,10 @@ Accuracy accuracyOf(const PictureErrors& errors) {
 PictureErrors measureErrors(render::Renderer& renderer, ShownPicture drawn, base::Progress& progress,
                             std::optional<bool> drawnOnProcessor) {
   completeFields(drawn.scene, *drawn.volume, true, progress);
-  render::FrameRequest hits;
-  hits.size = drawn.size;
-  hits.color = false;
-  hits.aovs = {render::Aov::depth, render::Aov::voxel};
-  hits.stop = progress.token();
+  const render::FrameRequest hits{.size = drawn.size,
+                                  .color = false,
+                                  .aovs = {render::Aov::depth, render::Aov::voxel},
+                                  .stop = progress.token()};
   render::StillPicture picture = render::drawStill(renderer, drawn.scene, hits, progress);
   PictureErrors errors =
       pictureErrors(*drawn.volume, drawn.scene,

@@ -28,6 +28,31 @@ std::string thinText(double mm) {
   return base::shortText(mm, 3) + " mm";
 }
 
+FoundStructure lookFor(const StructureSubject& subject, base::Progress& progress) {
+  FoundStructure found{{}, {}, subject.known};
+  KnownStructure& known = found.known;
+  if (!known.whole) {
+    auto whole = volume::indexedVolume(subject.scene.source, progress);
+    if (!whole) return found;
+    known = {std::make_shared<const volume::IndexedVolume>(std::move(*whole)), nullptr, {}};
+  }
+  found.marked.image = subject.picture();
+  ShownPicture shown{subject.volume, subject.scene, nullptr, found.marked.image.size};
+  completeFields(shown.scene, *shown.volume, true, progress);
+  shown.scene = atRest(std::move(shown.scene), *shown.volume, progress);
+  std::vector<double> isovalues = scene::seenIsovalues(shown.scene);
+  if (!known.gaps || known.isovalues != isovalues) {
+    known.gaps = std::make_shared<const volume::LostStructure>(*known.whole, shown.volume->grid(), isovalues,
+                                                               progress);
+    known.isovalues = std::move(isovalues);
+  }
+  QuietRenderer quiet(shown.volume, nullptr);
+  found.structure = hiddenStructure(*quiet, shown, *known.whole, *known.gaps, progress);
+  found.marked.legend =
+      paintStructure(*found.structure, shown.scene.look.legendCorner, subject.taken, found.marked.image);
+  return found;
+}
+
 }  // namespace
 
 double HiddenStructure::share() const {
@@ -47,11 +72,8 @@ HiddenStructure hiddenStructure(render::Renderer& renderer, const ShownPicture& 
   const std::vector<double> isovalues = scene::seenIsovalues(drawn.scene);
   out.blocks = gaps.count();
 
-  render::FrameRequest hits;
-  hits.size = size;
-  hits.color = false;
-  hits.aovs = std::vector{render::Aov::voxel};
-  hits.stop = progress.token();
+  const render::FrameRequest hits{
+      .size = size, .color = false, .aovs = {render::Aov::voxel}, .stop = progress.token()};
   const std::vector<float> voxels =
       render::drawStill(renderer, drawn.scene, hits, progress).aovs.at(0).values;
 
@@ -105,35 +127,6 @@ std::optional<render::Tile> paintStructure(const HiddenStructure& structure, sce
   legend.hatched = {"may hide structure", "thinner than " + thinText(structure.thinnestMm)};
   return painter.addLegend(legend, corner, structure.seen, taken);
 }
-
-namespace {
-
-FoundStructure lookFor(const StructureSubject& subject, base::Progress& progress) {
-  FoundStructure found{{}, {}, subject.known};
-  KnownStructure& known = found.known;
-  if (!known.whole) {
-    auto whole = volume::indexedVolume(subject.scene.source, progress);
-    if (!whole) return found;
-    known = {std::make_shared<const volume::IndexedVolume>(std::move(*whole)), nullptr, {}};
-  }
-  found.marked.image = subject.picture();
-  ShownPicture shown{subject.volume, subject.scene, nullptr, found.marked.image.size};
-  completeFields(shown.scene, *shown.volume, true, progress);
-  shown.scene = atRest(std::move(shown.scene), *shown.volume, progress);
-  std::vector<double> isovalues = scene::seenIsovalues(shown.scene);
-  if (!known.gaps || known.isovalues != isovalues) {
-    known.gaps = std::make_shared<const volume::LostStructure>(*known.whole, shown.volume->grid(), isovalues,
-                                                               progress);
-    known.isovalues = std::move(isovalues);
-  }
-  QuietRenderer quiet(shown.volume, nullptr);
-  found.structure = hiddenStructure(*quiet, shown, *known.whole, *known.gaps, progress);
-  found.marked.legend =
-      paintStructure(*found.structure, shown.scene.look.legendCorner, subject.taken, found.marked.image);
-  return found;
-}
-
-}  // namespace
 
 std::unique_ptr<StructureTask> structureTask(StructureSubject asked) {
   const auto work = [subject = std::move(asked)](base::Progress& progress) {

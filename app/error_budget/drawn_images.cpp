@@ -13,11 +13,8 @@ constexpr int kStripPixels = 8192;  // by software, with a spline's hits and cur
 std::vector<std::vector<float>> drawnImages(render::Renderer& renderer, const scene::Scene& resolved,
                                             glm::ivec2 size, std::span<const render::Aov> aovs,
                                             base::Progress& progress) {
-  render::FrameRequest request;
-  request.size = size;
-  request.color = false;
-  request.stop = progress.token();
-  request.aovs.assign(aovs.begin(), aovs.end());
+  render::FrameRequest request{
+      .size = size, .color = false, .aovs = {aovs.begin(), aovs.end()}, .stop = progress.token()};
   const int rows = std::clamp(kStripPixels / size.x, 1, size.y);
   std::vector<std::vector<float>> images(aovs.size());
   for (int below = 0; below < size.y; below += rows) {

@@ -46,11 +46,11 @@ const LightReference& LightEvaluator::referenceOf(Measuring measuring, base::Pro
 
 void LightEvaluator::draw(const scene::Scene& scene, base::Progress& progress) {
   drawn_.reset();
-  render::FrameRequest whole;
-  whole.size = question_.picture.size;
-  whole.color = false;
-  whole.aovs = {render::Aov::depth, render::Aov::irradiance};
-  whole.supersampling = question_.picture.aovs.empty() ? scene.picture.supersampling : 1;
+  render::FrameRequest whole{
+      .size = question_.picture.size,
+      .color = false,
+      .aovs = {render::Aov::depth, render::Aov::irradiance},
+      .supersampling = question_.picture.aovs.empty() ? scene.picture.supersampling : 1};
   base::Progress inner;  // a bake's own fraction is not the search's
   const std::stop_callback stop(progress.token(), [&inner] { inner.requestStop(); });
   lightPicture(controller_, renderer_, scene, whole, question_.volume, inner);

@@ -55,8 +55,7 @@ std::string movieText(base::Progress& progress) {
 double hitMilliseconds(render::Renderer& renderer, const scene::Scene& scene, scene::Executor executor) {
   constexpr int rounds = 4;
   renderer.setHostSettings({.executor = executor});
-  render::FrameRequest request;
-  request.size = glm::ivec2(256);
+  const render::FrameRequest request{.size = glm::ivec2(256)};
   double least = std::numeric_limits<double>::infinity();
   for (int round = 0; round < rounds; ++round) {
     renderer.invalidate();

@@ -21,11 +21,8 @@ std::unique_ptr<VolumePreviewTask> volumePreviewTask(VolumePreviewSubject asked)
     scene.picture.transparent = false;
     scene = withReadyFields(std::move(scene), *prepared);
     QuietRenderer quiet(prepared, nullptr);
-    render::FrameRequest request;
-    request.size = subject.size;
-    request.pixelRatio = subject.pixelRatio;
-    request.supersampling = 2;
-    request.stop = progress.token();
+    const render::FrameRequest request{
+        .size = subject.size, .supersampling = 2, .pixelRatio = subject.pixelRatio, .stop = progress.token()};
     drawn.picture = render::drawStill(*quiet, scene, request, progress).color;
     return drawn;
   };

@@ -103,12 +103,10 @@ void PictureQuality::measured(double milliseconds, Motion motion) {
 }
 
 render::FrameRequest PictureQuality::request(glm::ivec2 pixels) const {
-  render::FrameRequest request;
   const glm::dvec2 scaled = glm::dvec2(pixels) * scale();
-  request.size = {std::max(1, static_cast<int>(std::lround(scaled.x))),
-                  std::max(1, static_cast<int>(std::lround(scaled.y)))};
-  request.supersampling = supersampling();
-  return request;
+  return {.size = {std::max(1, static_cast<int>(std::lround(scaled.x))),
+                   std::max(1, static_cast<int>(std::lround(scaled.y)))},
+          .supersampling = supersampling()};
 }
 
 }  // namespace isolux::app

@@ -57,8 +57,8 @@ struct Tile {
 };
 
 struct FrameRequest {
-  glm::ivec2 size{512, 512};  // pixels, of the whole image
-  std::optional<Tile> tile;   // draw only this part; images read back then have the tile's size
+  glm::ivec2 size{512, 512};   // pixels, of the whole image
+  std::optional<Tile> tile{};  // draw only this part; images read back then have the tile's size
   // Draw a small version of the whole image before its tiles, which take ambient occlusion from it.
   bool beforeTiles = false;
   bool linear = false;  // readLinearPicture() will be called
@@ -69,7 +69,7 @@ struct FrameRequest {
   // The surface points that Renderer::hitVoxels() returns: of at most about a million rays that are spread
   // evenly over the image, or of all.
   enum class Hits { none, many, all } hits = Hits::many;
-  std::vector<Aov> aovs;  // AOVs; requires supersampling 1
+  std::vector<Aov> aovs{};  // AOVs; requires supersampling 1
   bool asksFor(Aov aov) const { return std::ranges::find(aovs, aov) != aovs.end(); }
   int supersampling = 1;  // rays per pixel and axis, 1..4
   // Image pixels per pixel in settings (look.contour_width, flow.grain, flow.length): 2 on a screen drawn at
