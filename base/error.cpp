@@ -36,4 +36,8 @@ void throwInput(const std::string& file, const std::string& place, const std::st
   throw Error(ErrorKind::input, file, place, reason);
 }
 
+void throwUsage(const std::string& file, const std::string& place, const std::string& reason) {
+  throw Error(ErrorKind::usage, file, place, reason);
+}
+
 }  // namespace isolux::base

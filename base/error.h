@@ -35,7 +35,8 @@ class Error : public std::runtime_error {
   std::string file_, place_, reason_;
 };
 
-// Throws an Error of kind `input`, the most frequent one.
+// Throw an Error of one of the two most frequent kinds.
 [[noreturn]] void throwInput(const std::string& file, const std::string& place, const std::string& reason);
+[[noreturn]] void throwUsage(const std::string& file, const std::string& place, const std::string& reason);
 
 }  // namespace isolux::base

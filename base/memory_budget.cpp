@@ -190,8 +190,8 @@ std::size_t allowedMemory() {
 
 std::size_t parseMemorySize(const std::string& text) {
   const auto refuse = [&]() -> std::size_t {
-    throw Error(ErrorKind::usage, "", "--memory-budget",
-                '"' + text + "\" is not a size: a number of bytes, or with K, M, G or T behind it, as 16G");
+    throwUsage("", "--memory-budget",
+               '"' + text + "\" is not a size: a number of bytes, or with K, M, G or T behind it, as 16G");
   };
   double number = 0.0;
   const char* const end = text.data() + text.size();

@@ -32,8 +32,6 @@ namespace isolux::python {
 
 namespace py = pybind11;
 namespace fs = std::filesystem;
-using base::Error;
-using base::ErrorKind;
 
 // Light of colours and of deferred images is kept apart: which texels are lit follows from the rays.
 struct Core::Graphics {
@@ -120,7 +118,7 @@ volume::VoxelType voxelTypeOf(const py::dtype& type) {
     const char its = name.front();  // 'i', 'u', 'f', as of NumPy
     if (its == kind && static_cast<py::ssize_t>(volume::bytesOf(each)) == bytes) return each;
   }
-  throw Error(ErrorKind::usage, "", "array", "unknown type of voxels");
+  base::throwUsage("", "array", "unknown type of voxels");
 }
 
 struct ArrayVoxels {
@@ -150,12 +148,29 @@ volume::Volume volumeOf(const ArrayVoxels& voxels, const std::string& name, base
   return volume;
 }
 
+// A driver's threads stay with the parent, and whoever waits for them in its child waits for ever.
+void requireNoForkSinceDrawing() {
+  static std::atomic<pid_t> drawing{0};
+  pid_t nobody = 0;
+  if (!drawing.compare_exchange_strong(nobody, ::getpid()) && nobody != ::getpid())
+    throw std::runtime_error(
+        "graphics do not outlive fork(), and the parent has drawn: start this process by \"spawn\" or "
+        "\"forkserver\"");
+}
+
+// What is baked is all that there is, whatever the look: as `isolux bake`.
+scene::Scene bakedScene(scene::Scene scene) {
+  if (scene::shadingOf(scene) != scene::Shading::gi) scene.look.mode = scene::LookMode::gi;
+  if (scene.gi.extent == scene::GiExtent::view) scene.gi.extent = scene::GiExtent::full;
+  return scene;
+}
+
 }  // namespace
 
 std::shared_ptr<Core> Core::ofArray(const py::array& array, glm::dvec3 spacingMm, glm::dvec3 originMm,
                                     glm::dmat3 directions, const std::string& name, const std::string& unit,
                                     bool anatomical, const py::object& told) {
-  if (array.ndim() != 3) throw Error(ErrorKind::usage, "", "array", "a volume has three axes");
+  if (array.ndim() != 3) base::throwUsage("", "array", "a volume has three axes");
   ArrayVoxels voxels{{}, array.data()};
   voxels.header.format = "array";
   voxels.header.type = voxelTypeOf(array.dtype());
@@ -183,26 +198,12 @@ std::shared_ptr<Core> Core::ofArray(const py::array& array, glm::dvec3 spacingMm
 scene::Scene Core::sceneOf(const app::SceneOptions& options) const {
   for (const std::string& assignment : options.assignments)
     if (assignment.starts_with("source."))
-      throw Error(ErrorKind::usage, "", std::string(scene::pathOf(assignment)),
-                  "selects the volume to open; it cannot change in an open volume");
+      base::throwUsage("", std::string(scene::pathOf(assignment)),
+                       "selects the volume to open; it cannot change in an open volume");
   scene::Scene scene = app::sceneOf(path_, options, *prepared_);
   scene.source = source_;
   return scene;
 }
-
-namespace {
-
-// A driver's threads stay with the parent, and whoever waits for them in its child waits for ever.
-void requireNoForkSinceDrawing() {
-  static std::atomic<pid_t> drawing{0};
-  pid_t nobody = 0;
-  if (!drawing.compare_exchange_strong(nobody, ::getpid()) && nobody != ::getpid())
-    throw std::runtime_error(
-        "graphics do not outlive fork(), and the parent has drawn: start this process by \"spawn\" or "
-        "\"forkserver\"");
-}
-
-}  // namespace
 
 Core::Graphics& Core::graphics(render::ContextChoice choice) {
   std::unique_ptr<Graphics>& own = *graphics_;
@@ -269,16 +270,11 @@ std::shared_ptr<Picture> Core::draw(const PictureRequest& asked, base::Progress&
 
   // Images come first, so that what is said last is said of the picture.
   if (!asked.images.empty()) {
-    render::FrameRequest request;
-    request.color = false;
-    request.aovs = app::drawnFor(wanted);
-    picture->images = drawOne(request, true).aovs;
+    picture->images = drawOne({.color = false, .aovs = app::drawnFor(wanted)}, true).aovs;
   }
   if (asked.color || asked.linear) {
-    render::FrameRequest request;
-    request.supersampling = scene.picture.supersampling;
-    request.linear = asked.linear;
-    render::StillPicture drawn = drawOne(request, false);
+    render::StillPicture drawn =
+        drawOne({.linear = asked.linear, .supersampling = scene.picture.supersampling}, false);
     if (asked.linear) picture->linear = std::move(drawn.linear);
     if (asked.color) {
       app::annotate(scene, *prepared_, drawn.report, drawn.color);
@@ -312,28 +308,16 @@ void Core::forgetLight(const py::object& told) {
       told);
 }
 
-namespace {
-
-// What is baked is all that there is, whatever the look: as `isolux bake`.
-scene::Scene bakedScene(scene::Scene scene) {
-  if (scene::shadingOf(scene) != scene::Shading::gi) scene.look.mode = scene::LookMode::gi;
-  if (scene.gi.extent == scene::GiExtent::view) scene.gi.extent = scene::GiExtent::full;
-  return scene;
-}
-
-}  // namespace
-
 Baked Core::bake(const app::SceneOptions& options, const std::string& file, bool overwrite,
                  bool mixArithmetic, const py::object& told) {
   constexpr double checkpointSeconds = 60.0;
   const fs::path out(file);
-  if (out.extension() != ".vti")
-    throw Error(ErrorKind::usage, file, "", "the name of a bake must end in .vti");
+  if (out.extension() != ".vti") base::throwUsage(file, "", "the name of a bake must end in .vti");
   return desk_.answer(
       [self = shared_from_this(), this, options, out, overwrite, mixArithmetic](base::Progress& progress) {
         const scene::Scene scene = bakedScene(scene::resolve(bakedScene(sceneOf(options)), prepared_->facts));
         if (!scene::giChoiceOf(scene).wanted)
-          throw Error(ErrorKind::usage, "", "gi.mode", "nothing to bake: " + scene::giChoiceOf(scene).reason);
+          base::throwUsage("", "gi.mode", "nothing to bake: " + scene::giChoiceOf(scene).reason);
         app::OutputGuard guard = app::outputGuard(path_, options, scene);
         app::checkOutput(guard, out.string(), "bake");
         const app::OutputLock lock(out);
@@ -355,10 +339,10 @@ Baked Core::bake(const app::SceneOptions& options, const std::string& file, bool
       told);
 }
 
-std::string Core::study(const app::SceneOptions& options, const std::string& knobs, glm::ivec2 size,
+std::string Core::study(const app::SceneOptions& options, const std::string& qualities, glm::ivec2 size,
                         int repeat, const py::object& told) {
   return desk_.answer(
-      [self = shared_from_this(), this, options, chosen = app::parseQualitySettings(knobs), size,
+      [self = shared_from_this(), this, options, chosen = app::parseQualitySettings(qualities), size,
        repeat](base::Progress& progress) {
         const scene::Scene scene = sceneOf(options);
         app::refuseCuts(scene, "study");

@@ -72,8 +72,7 @@ py::array numbers(std::vector<T>&& values, std::vector<py::ssize_t> rest = {}) {
 }
 
 std::vector<glm::dvec3> pointsOf(const py::array_t<double, py::array::c_style>& rows) {
-  if (rows.ndim() != 2 || rows.shape(1) != 3)
-    throw Error(ErrorKind::usage, "", "points", "are rows of x, y, z");
+  if (rows.ndim() != 2 || rows.shape(1) != 3) base::throwUsage("", "points", "are rows of x, y, z");
   static_assert(sizeof(glm::dvec3) == 3 * sizeof(double));
   std::vector<glm::dvec3> points(static_cast<std::size_t>(rows.shape(0)));
   std::memcpy(static_cast<void*>(points.data()), rows.data(), points.size() * sizeof(glm::dvec3));
@@ -150,16 +149,16 @@ void save(const Picture& picture, const std::string& name) {
   app::checkOutput(guard, name, "save");
   const std::string session = sessionOf(picture, file.parent_path());
   if (file.extension() == ".png") {
-    if (picture.color.rgba.empty()) throw Error(ErrorKind::usage, name, "", "no image: image=False");
+    if (picture.color.rgba.empty()) base::throwUsage(name, "", "no image: image=False");
     app::writePng(picture.color, file, session);
   } else if (file.extension() != ".exr") {
-    throw Error(ErrorKind::usage, name, "", "the name of an image must end in .png or .exr");
+    base::throwUsage(name, "", "the name of an image must end in .png or .exr");
   } else if (!picture.exr.empty()) {
     app::writeExr(picture.size, picture.exr, file, session);
   } else if (!picture.images.empty() || picture.linear) {
     app::writeExr(picture.images.empty() ? &*picture.linear : nullptr, picture.images, file, session);
   } else {
-    throw Error(ErrorKind::usage, name, "", ".exr files require aovs= or linear=True");
+    base::throwUsage(name, "", ".exr files require aovs= or linear=True");
   }
 }
 
@@ -292,9 +291,9 @@ void defineVolume(py::module_& module) {
              return py::make_tuple(baked.stats, baked.notes);
            })
       .def("study",
-           [](Core& core, const app::SceneOptions& options, const std::string& knobs,
+           [](Core& core, const app::SceneOptions& options, const std::string& qualities,
               const std::array<int, 2>& size, int repeat, const py::object& told) {
-             return core.study(options, knobs, glm::ivec2(size[0], size[1]), repeat, told);
+             return core.study(options, qualities, glm::ivec2(size[0], size[1]), repeat, told);
            })
       .def("forget_light", &Core::forgetLight);
 }

@@ -20,8 +20,6 @@
 namespace isolux::python {
 
 namespace py = pybind11;
-using base::Error;
-using base::ErrorKind;
 
 namespace {
 
@@ -145,8 +143,8 @@ std::string measure(Core& core, const app::SceneOptions& options, bool anyway, c
                                                {}};
         const app::SizedSurface sized = app::sizedSurface(*prepared, scene, question, progress);
         if (sized.whole.cells == 0)
-          throw Error(ErrorKind::usage, "", "isovalue " + base::shortText(question.isovalue),
-                      volume::whyNoSurface(prepared->grid()));
+          base::throwUsage("", "isovalue " + base::shortText(question.isovalue),
+                           volume::whyNoSurface(prepared->grid()));
         return app::surfaceJson(*prepared, question, sized, doubt).dump();
       },
       told);

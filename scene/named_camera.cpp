@@ -42,8 +42,8 @@ StandardView standardViewNamed(std::string_view name, WorldAxes axes) {
     if (word == known.back() || glm::dot(side, axis) > 0.9) return view;
   }
   const std::string meant = base::nearest(word, known);
-  throw base::Error(
-      base::ErrorKind::usage, "", "--view",
+  base::throwUsage(
+      "", "--view",
       "unknown view \"" + std::string(name) +
           "\"; choose one of left, right, anterior, posterior, superior, inferior, +x, -x, +y, -y, +z, -z" +
           (meant.empty() ? "" : "; did you mean " + meant + "?"));

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "base/error.h"
+#include "base/words.h"
 
 namespace isolux::app {
 
@@ -25,10 +26,8 @@ const ErrorImageInfo& errorImage(ErrorImage image) {
 }
 
 std::string imageNames() {
-  std::string names;
-  for (const render::AovInfo& info : render::aovs()) names += std::string(info.name) + ", ";
-  for (const ErrorImageInfo& info : errorImages()) names += std::string(info.name) + ", ";
-  return names.substr(0, names.size() - 2);
+  return base::joined(render::aovs(), ", ", &render::AovInfo::name) + ", " +
+         base::joined(errorImages(), ", ", &ErrorImageInfo::name);
 }
 
 WantedImages parseImageList(const std::string& text) {
@@ -39,8 +38,7 @@ WantedImages parseImageList(const std::string& text) {
     const auto found = std::ranges::find_if(errorImages(), isNamed);
     if (found == errorImages().end()) {
       if (std::ranges::none_of(render::aovs(), isNamed))
-        throw base::Error(base::ErrorKind::usage, "", "--aov",
-                          "unknown image '" + name + "'; known: " + imageNames());
+        base::throwUsage("", "--aov", "unknown image '" + name + "'; known: " + imageNames());
       others += (others.empty() ? "" : ",") + name;
     } else if (std::ranges::find(wanted.errors, found->image) == wanted.errors.end()) {
       wanted.errors.push_back(found->image);

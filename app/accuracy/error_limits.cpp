@@ -13,9 +13,6 @@ namespace isolux::app {
 
 namespace {
 
-using base::Error;
-using base::ErrorKind;
-
 struct UnitOfError {
   const char *quantity, *unit, *key;
   Quantity measured;
@@ -30,19 +27,17 @@ constexpr UnitOfError kUnits[] = {{"depth", "mm", "depth_mm", Quantity::depthMm,
                                   {"curvature", "%", "curvature", Quantity::curvature, 0.01},
                                   {"light", "%", "light", Quantity::light, 0.01}};
 
-[[noreturn]] void refuse(const char* option, const std::string& reason) {
-  throw Error(ErrorKind::usage, "", option, reason);
+[[noreturn]] void refuse(const std::string& reason) {
+  base::throwUsage("", "--error", reason);
 }
 
-// The number at the text's beginning; the rest, its unit, is left in `text`.
-double takeNumber(std::string& text, const char* option, const std::string& word) {
+// The number at the text's beginning, and the rest, its unit; nothing where there is no number.
+std::optional<std::pair<double, std::string>> numberWithUnit(const std::string& text) {
   double number = 0.0;
   const char* const end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, number);
-  if (error != std::errc{} || !std::isfinite(number))
-    refuse(option, '"' + word + "\" has no number behind its '='");
-  text.erase(0, static_cast<std::size_t>(rest - text.data()));
-  return number;
+  if (error != std::errc{} || !std::isfinite(number)) return std::nullopt;
+  return std::pair(number, std::string(rest, end));
 }
 
 std::vector<std::string> namesOfQuantities() {
@@ -55,8 +50,8 @@ std::vector<std::string> namesOfQuantities() {
 void requireQuantity(const std::string& name) {
   const std::vector<std::string> known = namesOfQuantities();
   if (std::ranges::find(known, name) != known.end()) return;
-  refuse("--error", "unknown error \"" + name + '"' +
-                        base::didYouMean(name, known, "; there are " + base::joined(known, " ")));
+  refuse("unknown error \"" + name + '"' +
+         base::didYouMean(name, known, "; there are " + base::joined(known, " ")));
 }
 
 const UnitOfError& unitNamed(const std::string& quantity, const std::string& unit, const std::string& word) {
@@ -66,30 +61,29 @@ const UnitOfError& unitNamed(const std::string& quantity, const std::string& uni
     if (unit == each.unit) return each;
     known += (known.empty() ? "" : " or ") + (*each.unit ? std::string(each.unit) : "no unit");
   }
-  refuse("--error", '"' + word + "\": " + quantity + " is stated in " + known +
-                        (unit.empty() ? "" : ", not in \"" + unit + '"'));
+  refuse('"' + word + "\": " + quantity + " is stated in " + known +
+         (unit.empty() ? "" : ", not in \"" + unit + '"'));
 }
 
 Limit limitOf(const std::string& word) {
   const std::size_t equals = word.find('=');
   const std::string name = word.substr(0, equals);
   requireQuantity(name);
-  if (equals == std::string::npos) refuse("--error", '"' + word + "\" is not QUANTITY=VALUE");
-  std::string unit = word.substr(equals + 1);
-  const double number = takeNumber(unit, "--error", word);
-  const UnitOfError& known = unitNamed(name, unit, word);
-  const Limit limit{known.measured, known.scale * number};
+  if (equals == std::string::npos) refuse('"' + word + "\" is not QUANTITY=VALUE");
+  const auto number = numberWithUnit(word.substr(equals + 1));
+  if (!number) refuse('"' + word + "\" has no number behind its '='");
+  const UnitOfError& known = unitNamed(name, number->second, word);
+  const Limit limit{known.measured, known.scale * number->first};
   if (limit.quantity == Quantity::missed) {
-    if (limit.most < 0.0 || limit.most > 1.0) refuse("--error", '"' + word + "\" is not between 0 and 100 %");
+    if (limit.most < 0.0 || limit.most > 1.0) refuse('"' + word + "\" is not between 0 and 100 %");
   } else if (!(limit.most > 0.0)) {
-    refuse("--error", '"' + word + "\" is not above 0");
+    refuse('"' + word + "\" is not above 0");
   }
   return limit;
 }
 
 const UnitOfError& unitOf(Quantity quantity) {
-  return *std::find_if(std::begin(kUnits), std::end(kUnits),
-                       [&](const UnitOfError& unit) { return unit.measured == quantity; });
+  return *std::ranges::find(kUnits, quantity, &UnitOfError::measured);
 }
 
 }  // namespace
@@ -109,23 +103,20 @@ std::vector<Limit> parseErrorTarget(const std::string& text) {
     const Limit limit = limitOf(word);
     for (const Limit& other : limits)
       if (std::string(nameOf(other.quantity)) == nameOf(limit.quantity))
-        refuse("--error", std::string(nameOf(limit.quantity)) + " is given twice");
+        refuse(std::string(nameOf(limit.quantity)) + " is given twice");
     limits.push_back(limit);
   }
-  if (limits.empty()) refuse("--error", "contains no error; for example depth=0.01mm");
+  if (limits.empty()) refuse("contains no error; for example depth=0.01mm");
   return limits;
 }
 
 double parseTimeTarget(const std::string& text) {
-  std::string unit = text;
-  double number = 0.0;
-  const char* const end = unit.data() + unit.size();
-  const auto [rest, error] = std::from_chars(unit.data(), end, number);
-  const std::string behind(rest, end);
-  const double scale = behind == "ms" ? 1.0 : behind == "s" ? 1000.0 : 0.0;
-  if (error != std::errc{} || scale == 0.0 || !std::isfinite(number) || !(number > 0.0))
-    refuse("--time", '"' + text + "\" is not a time such as 100ms or 0.1s");
-  return scale * number;
+  const auto number = numberWithUnit(text);
+  const std::string unit = number ? number->second : "";
+  const double scale = unit == "ms" ? 1.0 : unit == "s" ? 1000.0 : 0.0;
+  if (scale == 0.0 || !(number->first > 0.0))
+    base::throwUsage("", "--time", '"' + text + "\" is not a time such as 100ms or 0.1s");
+  return scale * number->first;
 }
 
 std::string errorText(Quantity quantity, double error) {

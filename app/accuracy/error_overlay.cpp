@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/quantiles.h"
+#include "base/words.h"
 #include "scene/color_maps.h"
 
 namespace isolux::app {
@@ -25,20 +26,17 @@ struct Overlaid {
   const char* unit;
   ErrorImage image;
 };
-const std::vector<Overlaid>& overlays() {
-  static const std::vector<Overlaid> list{
-      {"noise", "Error of depth by noise and sampling", "mm", ErrorImage::noise},
-      {"normal_noise", "Error of normals by noise", "degrees", ErrorImage::normalNoise},
-      {"kappa_noise", "Error of κ₁ and κ₂ by noise", "1/mm", ErrorImage::kappaNoise},
-      {"depth", "Error of depth by arithmetic", "mm", ErrorImage::depth},
-      {"normal", "Error of normals by arithmetic", "degrees", ErrorImage::normal},
-      {"kappa", "Error of κ₁ and κ₂ by arithmetic", "1/mm", ErrorImage::kappa},
-      {"light", "Error of light", "% of its mean", ErrorImage::light}};
-  return list;
-}
+constexpr Overlaid kOverlays[] = {
+    {"noise", "Error of depth by noise and sampling", "mm", ErrorImage::noise},
+    {"normal_noise", "Error of normals by noise", "degrees", ErrorImage::normalNoise},
+    {"kappa_noise", "Error of κ₁ and κ₂ by noise", "1/mm", ErrorImage::kappaNoise},
+    {"depth", "Error of depth by arithmetic", "mm", ErrorImage::depth},
+    {"normal", "Error of normals by arithmetic", "degrees", ErrorImage::normal},
+    {"kappa", "Error of κ₁ and κ₂ by arithmetic", "1/mm", ErrorImage::kappa},
+    {"light", "Error of light", "% of its mean", ErrorImage::light}};
 
 const Overlaid& overlaidOf(ErrorImage image) {
-  return *std::ranges::find(overlays(), image, &Overlaid::image);
+  return *std::ranges::find(kOverlays, image, &Overlaid::image);
 }
 
 std::vector<double> shownBounds(const PictureErrors& errors, ErrorImage image) {
@@ -119,25 +117,21 @@ std::vector<std::string> hatchedLines(const OverlayRequest& request, const Pictu
 }  // namespace
 
 std::string overlayNames() {
-  std::string names;
-  for (const Overlaid& overlay : overlays()) names += std::string(overlay.name) + ", ";
-  return names + kLimits;
+  return base::joined(kOverlays, ", ", &Overlaid::name) + ", " + kLimits;
 }
 
 OverlayRequest parseOverlay(const std::string& text, std::vector<Limit> limits) {
   OverlayRequest request{!text.empty(), {}, std::move(limits)};
   if (text.empty()) return request;
-  const auto refuse = [](const std::string& why) {
-    throw base::Error(base::ErrorKind::usage, "", "--error-overlay", why);
-  };
+  const auto refuse = [](const std::string& why) { base::throwUsage("", "--error-overlay", why); };
   if (text == kLimits) {
     if (std::ranges::none_of(request.limits,
                              [](const Limit& limit) { return limit.quantity != Quantity::missed; }))
       refuse("limits are those of --error, which names none of depth, normal, curvature or light");
     return request;
   }
-  const auto found = std::ranges::find(overlays(), text, &Overlaid::name);
-  if (found == overlays().end()) refuse("unknown error '" + text + "'; known: " + overlayNames());
+  const auto found = std::ranges::find(kOverlays, text, &Overlaid::name);
+  if (found == std::end(kOverlays)) refuse("unknown error '" + text + "'; known: " + overlayNames());
   request.colors = found->image;
   return request;
 }
@@ -172,8 +166,8 @@ std::optional<render::Tile> paintErrors(const PictureErrors& errors, const Overl
                                         double shortestEdgeMm, scene::LegendCorner corner,
                                         const std::optional<render::Tile>& taken, render::ColorImage& image) {
   if (request.colors == ErrorImage::light && errors.light.empty())
-    throw base::Error(
-        base::ErrorKind::usage, "", "--error-overlay",
+    base::throwUsage(
+        "", "--error-overlay",
         "light: this image has no baked light, or a surface is transparent; --look gi bakes light");
   OverlayPainter painter(image);
   render::Legend legend = emptyLegend(request);

@@ -136,16 +136,14 @@ void checkPieces(const fs::path& index, int pieces) {
 // Checks all that can be checked before the light is computed.
 PreparedBake prepareBake(const BakeOptions& options, const fs::path& out, base::Progress& progress) {
   if (fs::path(options.out).extension() != ".vti")
-    throw base::Error(base::ErrorKind::usage, options.out, "", "the name of a bake must end in .vti");
+    base::throwUsage(options.out, "", "the name of a bake must end in .vti");
   if (options.pieces > 0 && !options.part.empty())
-    throw base::Error(base::ErrorKind::usage, "", "--pieces",
-                      "a part of a bake has no pieces: merge it first");
+    base::throwUsage("", "--pieces", "a part of a bake has no pieces: merge it first");
   requireSource(options.path, *options.scene);
   PreparedBake bake;
   bake.scene = bakeScene(options, sceneOf(options.path, *options.scene));
   if (!scene::giChoiceOf(bake.scene).wanted)
-    throw base::Error(base::ErrorKind::usage, "", "gi.mode",
-                      "nothing to bake: " + scene::giChoiceOf(bake.scene).reason);
+    base::throwUsage("", "gi.mode", "nothing to bake: " + scene::giChoiceOf(bake.scene).reason);
   OutputGuard guard = outputGuard(options.path, *options.scene, bake.scene);
   checkOutput(guard, out.string(), "--out");
   if (options.pieces > 0) checkOutput(guard, indexOfPieces(options).string(), "--pieces");
@@ -210,8 +208,7 @@ ClusterOptions clusterOptions(const BakeOptions& options) {
 
 void bakeAsFirst(const BakeOptions& options, ClusterBake& cluster, base::Progress& progress) {
   if (!options.part.empty())
-    throw base::Error(base::ErrorKind::usage, "", "--part",
-                      "under MPI all ranks bake one file; --no-mpi bakes parts");
+    base::throwUsage("", "--part", "under MPI all ranks bake one file; --no-mpi bakes parts");
   const PreparedBake bake = prepareBake(options, options.out, progress);
   ClusterResult result;
   {

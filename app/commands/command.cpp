@@ -24,7 +24,6 @@
 namespace isolux::app {
 
 using base::Error;
-using base::ErrorKind;
 
 namespace {
 
@@ -35,7 +34,7 @@ void addCamera(const std::string& text, std::vector<std::string>& assignments) {
   std::vector<std::string> parts;
   for (std::string word; words >> word;) parts.push_back(word);
   if (parts.size() != paths.size())
-    throw Error(ErrorKind::usage, "", "--camera", "expected \"ex,ey,ez tx,ty,tz ux,uy,uz fov\"");
+    base::throwUsage("", "--camera", "expected \"ex,ey,ez tx,ty,tz ux,uy,uz fov\"");
   for (std::size_t i = 0; i < paths.size(); ++i) assignments.push_back(paths[i] + parts[i]);
 }
 
@@ -64,6 +63,49 @@ std::string withPointsOfFile(const std::string& assignment) {
     return assignment.substr(0, at + 1) + list.dump();
   }
   return assignment;
+}
+
+void addCameraOptions(CLI::App& parser, const std::shared_ptr<SceneOptions>& options) {
+  constexpr const char* group = "Camera";
+  CameraRequest& request = options->camera;
+  addOption(parser, "--view", request.view, "SIDE",
+            "View from left, right, anterior, posterior, superior or inferior, or from the end of an axis, "
+            "as +x or -y")
+      ->check([](const std::string& name) -> std::string {
+        try {
+          scene::standardViewNamed(name, scene::WorldAxes::anatomical);
+        } catch (const Error& error) {
+          return error.reason();
+        }
+        return {};
+      })
+      ->group(group);
+  const auto angle = [&](const char* name, double& degrees, const char* help) {
+    addOption(parser, name, degrees, "DEG", help)->check(within(-36000.0, 36000.0))->group(group);
+  };
+  angle("--azimuth", request.azimuth,
+        "Then orbit the target: move the eye to its right, about the up direction");
+  angle("--elevation", request.elevation,
+        "Then orbit upwards: move the eye up, over the top and down behind");
+  angle("--roll", request.roll, "Then roll about the line of sight: turn the image clockwise");
+  parser
+      .add_option_function<std::string>(
+          "--fit",
+          [options](const std::string& word) {
+            options->camera.fit = word == "surface" ? Framing::surface : Framing::volume;
+          },
+          "Then frame the shown surface, or the volume's box, in this direction")
+      ->type_name("surface|volume")
+      ->check(oneOf({"surface", "volume"}))
+      ->group(group);
+  addOption(parser, "--zoom", request.zoom, "F", "Then move closer: 2 shows everything twice as large")
+      ->check(within(1e-3, 1e3))
+      ->group(group);
+}
+
+// More than a few per core gain nothing, and each takes stacks, and code of the software driver.
+int mostThreads() {
+  return std::max(16, 4 * tbb::info::default_concurrency());
 }
 
 }  // namespace
@@ -133,48 +175,6 @@ void addPath(CLI::App& parser, std::string& path, Opens opens) {
       files + (opens == Opens::pictures ? "a session, or a .png that carries one" : "or a session"));
 }
 
-namespace {
-
-void addCameraOptions(CLI::App& parser, const std::shared_ptr<SceneOptions>& options) {
-  constexpr const char* group = "Camera";
-  CameraRequest& request = options->camera;
-  addOption(parser, "--view", request.view, "SIDE",
-            "View from left, right, anterior, posterior, superior or inferior, or from the end of an axis, "
-            "as +x or -y")
-      ->check([](const std::string& name) -> std::string {
-        try {
-          scene::standardViewNamed(name, scene::WorldAxes::anatomical);
-        } catch (const Error& error) {
-          return error.reason();
-        }
-        return {};
-      })
-      ->group(group);
-  const auto angle = [&](const char* name, double& degrees, const char* help) {
-    addOption(parser, name, degrees, "DEG", help)->check(within(-36000.0, 36000.0))->group(group);
-  };
-  angle("--azimuth", request.azimuth,
-        "Then orbit the target: move the eye to its right, about the up direction");
-  angle("--elevation", request.elevation,
-        "Then orbit upwards: move the eye up, over the top and down behind");
-  angle("--roll", request.roll, "Then roll about the line of sight: turn the image clockwise");
-  parser
-      .add_option_function<std::string>(
-          "--fit",
-          [options](const std::string& word) {
-            options->camera.fit = word == "surface" ? Framing::surface : Framing::volume;
-          },
-          "Then frame the shown surface, or the volume's box, in this direction")
-      ->type_name("surface|volume")
-      ->check(oneOf({"surface", "volume"}))
-      ->group(group);
-  addOption(parser, "--zoom", request.zoom, "F", "Then move closer: 2 shows everything twice as large")
-      ->check(within(1e-3, 1e3))
-      ->group(group);
-}
-
-}  // namespace
-
 void addVolumeOptions(CLI::App& parser, const std::shared_ptr<SceneOptions>& options, bool cameras) {
   addOption(parser, "--preset", options->preset, "NAME|FILE",
             "Apply this preset (`isolux presets`) or preset file, after --session and before --set")
@@ -185,15 +185,6 @@ void addVolumeOptions(CLI::App& parser, const std::shared_ptr<SceneOptions>& opt
       ->needs("--preset");
   if (cameras) addCameraOptions(parser, options);
 }
-
-namespace {
-
-// More than a few per core gain nothing, and each takes stacks, and code of the software driver.
-int mostThreads() {
-  return std::max(16, 4 * tbb::info::default_concurrency());
-}
-
-}  // namespace
 
 void printThreadsNote(const CLI::App& parser) {
   const CLI::Option* const option = parser.get_option_no_throw("--threads");
@@ -278,8 +269,7 @@ std::shared_ptr<const volume::PreparedVolume> loadWithProgressBar(const scene::S
 std::pair<int, int> parsePart(const std::string& text, int most) {
   const auto part = base::readTwoIntegers(text, '/');
   if (!part || part->first < 1 || part->first > part->second || part->second > most)
-    throw Error(ErrorKind::usage, "", "--part",
-                "\"" + text + "\" is not i/n, such as 2/5: part i of n, 1 <= i <= n");
+    base::throwUsage("", "--part", "\"" + text + "\" is not i/n, such as 2/5: part i of n, 1 <= i <= n");
   return *part;
 }
 

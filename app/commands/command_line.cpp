@@ -83,9 +83,9 @@ void checkWord(const std::string& word, const Program& program) {
   if (word.empty() || word.find_first_of("./:") != std::string::npos || fs::exists(word, ignored)) return;
   std::vector<std::string> names;
   for (const Command& command : program.commands) names.push_back(command.parser->get_name());
-  throw Error(ErrorKind::usage, "", word,
-              "is neither a subcommand nor a file" +
-                  base::didYouMean(word, names, "; `isolux --help` lists the subcommands"));
+  base::throwUsage("", word,
+                   "is neither a subcommand nor a file" +
+                       base::didYouMean(word, names, "; `isolux --help` lists the subcommands"));
 }
 
 std::string firstLine(std::string text) {

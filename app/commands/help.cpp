@@ -17,9 +17,7 @@ Command makeHelp(CLI::App& program) {
   parser->footer("Examples:\n  isolux help\n  isolux help slices");
   return {parser, [topic](base::Progress&) {
             const std::vector<DocumentationPage> pages = documentationPages(documentationFolder());
-            if (pages.empty())
-              throw base::Error(base::ErrorKind::input, "share/doc/isolux", "",
-                                "the documentation is not installed");
+            if (pages.empty()) base::throwInput("share/doc/isolux", "", "the documentation is not installed");
             if (topic->empty())
               for (const DocumentationPage& page : pages) printRow(std::cout, page.name, page.title, 36);
             else

@@ -30,8 +30,6 @@ namespace isolux::app {
 
 namespace {
 
-using base::Error;
-using base::ErrorKind;
 using nlohmann::ordered_json;
 using volume::PreparedVolume;
 
@@ -52,8 +50,7 @@ std::optional<volume::WorldBox> boxOf(const std::string& text) {
   const auto corners = parsePoints(text, "--box", 2, 2);
   const volume::WorldBox box{glm::min(corners[0], corners[1]), glm::max(corners[0], corners[1])};
   const glm::dvec3 size = box.highMm - box.lowMm;
-  if (!(size.x > 0.0 && size.y > 0.0 && size.z > 0.0))
-    throw Error(ErrorKind::usage, "", "--box", "is empty: " + text);
+  if (!(size.x > 0.0 && size.y > 0.0 && size.z > 0.0)) base::throwUsage("", "--box", "is empty: " + text);
   return box;
 }
 
@@ -77,8 +74,8 @@ ordered_json curvatureOf(const MeasureOptions& options, scene::Scene scene, cons
   if (options.piece) {
     const std::size_t id = *options.piece, count = pieces->list().size();
     if (id >= count)
-      throw Error(ErrorKind::usage, "", "--piece",
-                  "unknown piece " + std::to_string(id) + ": the surface has " + std::to_string(count));
+      base::throwUsage("", "--piece",
+                       "unknown piece " + std::to_string(id) + ": the surface has " + std::to_string(count));
     part.shown.assign(count, false);
     part.shown[id] = true;
     title += ", piece " + std::to_string(id);
@@ -149,12 +146,12 @@ void checkPoints(const MeasureOptions& options) {  // before the volume is read
 void checkCurvatureFiles(const MeasureOptions& options, const scene::Scene& scene) {
   const auto mustEnd = [](const std::string& file, const char* option, const char* ending) {
     if (!file.empty() && std::filesystem::path(file).extension() != ending)
-      throw Error(ErrorKind::usage, file, option, std::string("the name must end in ") + ending);
+      base::throwUsage(file, option, std::string("the name must end in ") + ending);
   };
   mustEnd(options.histograms, "--histograms", ".csv");
   mustEnd(options.plot, "--plot", ".svg");
   if (options.piece && !options.wantsCurvature())
-    throw Error(ErrorKind::usage, "", "--piece", "requires --curvature; add it or omit --piece");
+    base::throwUsage("", "--piece", "requires --curvature; add it or omit --piece");
   if (!options.plot.empty()) requireGnuplot(options.plot);
   OutputGuard guard = outputGuard(options.path, *options.scene, scene);
   checkOutput(guard, options.histograms, "--histograms");
@@ -205,7 +202,7 @@ void runMeasure(const MeasureOptions& options, base::Progress& progress) {
   const ReadMarks wanted = marksToMeasure(options.marks, scene);
   const std::vector<scene::Mark>& marks = wanted.marks;
   if (!options.out.empty()) {
-    if (marks.empty()) throw Error(ErrorKind::usage, "", "--out", "there are no marks to write");
+    if (marks.empty()) base::throwUsage("", "--out", "there are no marks to write");
     OutputGuard guard = outputGuard(options.path, *options.scene, scene);
     if (!options.marks.empty()) guard.reads(options.marks, "the file of marks");
     checkOutput(guard, options.out, "--out");

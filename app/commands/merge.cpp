@@ -20,8 +20,7 @@ struct MergeOptions {
 
 void runMerge(const MergeOptions& options, base::Progress& progress) {
   const fs::path out(options.out);
-  if (out.extension() != ".vti")
-    throw base::Error(base::ErrorKind::usage, options.out, "", "the name of a bake must end in .vti");
+  if (out.extension() != ".vti") base::throwUsage(options.out, "", "the name of a bake must end in .vti");
   OutputGuard guard;
   for (const std::string& part : options.parts) guard.reads(part, "a part of the bake");
   checkOutput(guard, options.out, "--out");

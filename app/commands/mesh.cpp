@@ -43,8 +43,7 @@ ordered_json meshJson(const MeshOptions& options, const scene::Scene& scene,
 void runMesh(const MeshOptions& options, base::Progress& progress) {
   const std::filesystem::path out(options.out);
   if (!volume::isMeshName(out))
-    throw base::Error(base::ErrorKind::usage, options.out, "",
-                      "the name of a mesh must end in .stl, .ply, .obj or .vtp");
+    base::throwUsage(options.out, "", "the name of a mesh must end in .stl, .ply, .obj or .vtp");
   requireSource(options.path, *options.scene);
   scene::Scene scene = sceneOf(options.path, *options.scene);
   refuseCuts(scene, "isolux mesh");

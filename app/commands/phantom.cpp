@@ -17,8 +17,6 @@ namespace isolux::app {
 namespace {
 
 namespace fs = std::filesystem;
-using base::Error;
-using base::ErrorKind;
 
 struct PhantomOptions {
   volume::PhantomRequest request;
@@ -41,8 +39,8 @@ void checkName(const std::string& name) {
   std::vector<std::string> names{"list"};
   for (const volume::PhantomInfo& info : volume::phantoms()) names.emplace_back(info.name);
   if (std::ranges::find(names, name) != names.end()) return;
-  throw Error(ErrorKind::usage, "", name,
-              "no such phantom" + base::didYouMean(name, names, "; `isolux phantom list` names them"));
+  base::throwUsage("", name,
+                   "no such phantom" + base::didYouMean(name, names, "; `isolux phantom list` names them"));
 }
 
 // The voxels of NAME.mhd go to NAME.raw, which nobody has named: if it is not that of an older NAME.mhd, it
@@ -61,8 +59,8 @@ void runPhantom(const PhantomOptions& options, base::Progress& progress) {
     printPhantoms();
     return;
   }
-  if (options.out.empty()) throw Error(ErrorKind::usage, "", "--out", "is required");
-  if (!std::isfinite(options.request.noise)) throw Error(ErrorKind::usage, "", "--noise", "must be finite");
+  if (options.out.empty()) base::throwUsage("", "--out", "is required");
+  if (!std::isfinite(options.request.noise)) base::throwUsage("", "--noise", "must be finite");
   { const PendingFile writable{fs::path(options.out)}; }
   checkVoxelFile(options.out);
   const ProgressBar bar(progress);

@@ -64,8 +64,7 @@ void keepPreset(const PresetsOptions& options, base::Progress& progress) {
   const Preset preset =
       presetOf(scene, name, options.title.empty() ? options.save : options.title, prepared.get());
   if (preset.settings.empty())
-    throw base::Error(base::ErrorKind::usage, "", "--save",
-                      "every setting has its default value; set some with --session or --set");
+    base::throwUsage("", "--save", "every setting has its default value; set some with --session or --set");
   std::cout << savePreset(preset, options.overwrite).string() << '\n';
 }
 

@@ -183,7 +183,7 @@ Probed probed(const ProbeOptions& options, const scene::Scene& scene,
 void runProbe(const ProbeOptions& options, base::Progress& progress) {
   requireSource(options.path, *options.scene);
   if (options.points.empty() && options.rays.empty())
-    throw base::Error(base::ErrorKind::usage, "", "--points", "or --rays is required");
+    base::throwUsage("", "--points", "or --rays is required");
   scene::Scene scene = sceneOf(options.path, *options.scene);
   const auto prepared = loadWithProgressBar(scene.source, progress);
   scene = scene::resolve(scene, prepared->facts);

@@ -22,8 +22,6 @@ namespace isolux::app {
 namespace {
 
 namespace fs = std::filesystem;
-using base::Error;
-using base::ErrorKind;
 using nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
 
@@ -81,7 +79,7 @@ void writePicture(const gi::ReferenceImage& image, const scene::Scene& scene, co
 void runReference(const ReferenceOptions& options, base::Progress& progress) {
   const fs::path out(options.out);
   if (out.extension() != ".exr" && out.extension() != ".png")
-    throw Error(ErrorKind::usage, options.out, "", "the name of a reference image must end in .exr or .png");
+    base::throwUsage(options.out, "", "the name of a reference image must end in .exr or .png");
   requireSource(options.path, *options.scene);
   scene::Scene scene = sceneOf(options.path, *options.scene);
   gi::Reference::Options reference{pictureSize(options.size, options.path, *options.scene),

@@ -92,20 +92,19 @@ render::FrameRequest requestOf(const RenderOptions& options, const std::string& 
   const bool toOutput = out == kStandardOutput;
   const std::string extension = toOutput ? ".png" : fs::path(out).extension().string();
   if (extension != ".png" && extension != ".exr")
-    throw Error(ErrorKind::usage, out, "", "the name of an image must end in .png or .exr");
+    base::throwUsage(out, "", "the name of an image must end in .png or .exr");
   if (toOutput && options.explain)
-    throw Error(ErrorKind::usage, "", "--explain", "prints to the output to which --out - writes the image");
-  render::FrameRequest request;
-  request.size = pictureSize(options.size, path, *options.scene);
-  request.supersampling = scene.picture.supersampling;
-  request.pixelRatio = scene.picture.pixelRatio;
-  request.linear = extension == ".exr";
+    base::throwUsage("", "--explain", "prints to the output to which --out - writes the image");
+  render::FrameRequest request{.size = pictureSize(options.size, path, *options.scene),
+                               .linear = extension == ".exr",
+                               .supersampling = scene.picture.supersampling,
+                               .pixelRatio = scene.picture.pixelRatio};
   if (!options.overlay.empty() && extension != ".png")
-    throw Error(ErrorKind::usage, out, "", "--error-overlay requires a .png; use --aov for the numbers");
+    base::throwUsage(out, "", "--error-overlay requires a .png; use --aov for the numbers");
   if (!options.aov.empty()) {
     request.linear = false;
     request.aovs = drawnFor(askedImages(options.aov).drawn);
-    if (extension != ".exr") throw Error(ErrorKind::usage, options.out, "", "--aov writes .exr files only");
+    if (extension != ".exr") base::throwUsage(options.out, "", "--aov writes .exr files only");
     request.color = false;
     request.supersampling = 1;
   }
@@ -297,8 +296,8 @@ class RenderRun {
     if (source.level == 0 || !(asksStructure() || isTold)) return;
     whole_ = volume::indexedVolume(source, progress_);
     if (!whole_ && asksStructure())
-      throw Error(ErrorKind::usage, source.path, marksStructure(options_) ? "--error-overlay" : "--aov",
-                  "requires the volume's index; make it with `isolux index`");
+      base::throwUsage(source.path, marksStructure(options_) ? "--error-overlay" : "--aov",
+                       "requires the volume's index; make it with `isolux index`");
   }
 
   std::vector<FloatChannel> otherChannels(const std::optional<HiddenStructure>& structure) const {
@@ -322,8 +321,7 @@ class RenderRun {
 
   void paintOverlay(const PictureErrors& errors, const scene::Scene& scene,
                     render::StillPicture& picture) const {
-    const glm::dvec3 edges = prepared_->grid().geometry().spacingMm();
-    const auto legend = paintErrors(errors, overlay_, std::min({edges.x, edges.y, edges.z}),
+    const auto legend = paintErrors(errors, overlay_, prepared_->grid().geometry().leastSpacingMm(),
                                     scene.look.legendCorner, picture.report.legend, picture.color);
     if (legend && !picture.report.legend) picture.report.legend = legend;
   }
@@ -416,9 +414,10 @@ void runRender(const RenderOptions& options, base::Progress& progress) {
   if (options.paths.empty()) requireSource("", *options.scene);
   checkTarget(options.target);
   if (options.target.any() && options.frames->frames)
-    throw Error(ErrorKind::usage, "", "--frames",
-                "conflicts with --error and --time: each run would choose different settings; set those that "
-                "--explain prints for one image");
+    base::throwUsage(
+        "", "--frames",
+        "conflicts with --error and --time: each run would choose different settings; set those that "
+        "--explain prints for one image");
   const RenderPlan plan = makeRenderPlan(
       {options.paths, options.out, options.stats, options.sweep, options.turntable, *options.frames});
   std::optional<MadeFolder> made;

@@ -12,8 +12,6 @@
 namespace isolux::app {
 
 namespace fs = std::filesystem;
-using base::Error;
-using base::ErrorKind;
 
 namespace {
 
@@ -31,11 +29,9 @@ void planMovie(const std::string& pattern, const PictureOfSeries& first, VolumeP
 
 void checkPipe(std::size_t pictures) {
   if (pictures > 1)
-    throw Error(ErrorKind::usage, "", "--out",
-                "standard output takes one image; these are " + std::to_string(pictures));
+    base::throwUsage("", "--out", "standard output takes one image; these are " + std::to_string(pictures));
   if (::isatty(STDOUT_FILENO) != 0)
-    throw Error(ErrorKind::usage, "", "--out",
-                "standard output is a terminal; send the image to a file or a pipe");
+    base::throwUsage("", "--out", "standard output is a terminal; send the image to a file or a pipe");
 }
 
 std::string seriesValue(const RenderPlan& plan, int turntable, int index) {
@@ -63,8 +59,7 @@ RenderPlan makeRenderPlan(const RenderPlanRequest& request) {
   if (paths.empty()) paths.emplace_back();
   const bool several = series || paths.size() > 1;
   const std::string out = several ? completePattern(request.out, paths.size(), series) : request.out;
-  if (!series && request.frames.frames)
-    throw Error(ErrorKind::usage, "", "--frames", "requires --turntable or --sweep");
+  if (!series && request.frames.frames) base::throwUsage("", "--frames", "requires --turntable or --sweep");
   request.frames.check(count);
   if (out != request.out && out.starts_with(request.out)) plan.folder = request.out;
   if (out == kStandardOutput) checkPipe(paths.size() * static_cast<std::size_t>(count));

@@ -25,8 +25,6 @@ namespace isolux::app {
 namespace {
 
 namespace fs = std::filesystem;
-using base::Error;
-using base::ErrorKind;
 
 constexpr int mostFrames = 100000;  // five digits
 
@@ -47,8 +45,8 @@ std::string frameName(int frame) {
 int frameCount(const Recording& recording, double fps, const std::string& file) {
   const double count = std::ceil(recording.duration() * fps - 1e-9) + 1.0;
   if (count > mostFrames)
-    throw Error(
-        ErrorKind::usage, file, "",
+    base::throwUsage(
+        file, "",
         "lasts " + base::shortestText(recording.duration()) + " s: more than 100000 frames at this --fps");
   return static_cast<int>(count);
 }

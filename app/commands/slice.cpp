@@ -22,8 +22,6 @@ namespace isolux::app {
 
 namespace {
 
-using base::Error;
-using base::ErrorKind;
 using nlohmann::ordered_json;
 
 struct SliceOptions {
@@ -45,12 +43,12 @@ PlaneChoice parsePlane(const std::string& text) {
   if (text == "coronal") return {SliceDirection::coronal};
   if (text == "sagittal") return {SliceDirection::sagittal};
   if (text.find_first_of("0123456789") == std::string::npos)
-    throw Error(ErrorKind::usage, "", "--plane",
-                '"' + text + "\" is not axial, coronal, sagittal or \"px,py,pz nx,ny,nz\"");
+    base::throwUsage("", "--plane",
+                     '"' + text + "\" is not axial, coronal, sagittal or \"px,py,pz nx,ny,nz\"");
   const auto points = parsePoints(text, "--plane", 2, 2);
   const double length = glm::length(points[1]);
   if (!(length > 0.0 && std::isfinite(length)))
-    throw Error(ErrorKind::usage, "", "--plane", "needs a normal of some length: " + text);
+    base::throwUsage("", "--plane", "needs a normal of some length: " + text);
   return {std::nullopt, points[0], points[1] / length};
 }
 
@@ -149,10 +147,9 @@ ordered_json statsJson(const SliceOptions& options, const scene::Scene& scene, c
 void runSlice(const SliceOptions& options, base::Progress& progress) {
   const std::string extension = std::filesystem::path(options.out).extension().string();
   if (extension != ".png" && extension != ".exr")
-    throw Error(ErrorKind::usage, options.out, "", "the name of a slice must end in .png or .exr");
+    base::throwUsage(options.out, "", "the name of a slice must end in .png or .exr");
   parsePlane(options.plane);
-  if (options.at && !std::isfinite(*options.at))
-    throw Error(ErrorKind::usage, "", "--at", "must be a finite number");
+  if (options.at && !std::isfinite(*options.at)) base::throwUsage("", "--at", "must be a finite number");
   if (options.size) parseSize(*options.size);
   requireSource(options.path, *options.scene);
   scene::Scene scene = sceneOf(options.path, *options.scene);

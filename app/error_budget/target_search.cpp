@@ -23,9 +23,6 @@ namespace isolux::app {
 
 namespace {
 
-using base::Error;
-using base::ErrorKind;
-
 // What nobody asked for is kept as well where its quality settings are turned, or cheap hits would miss what
 // they like.
 constexpr Limit kUnasked[] = {{Quantity::depthVoxels, 0.1},
@@ -53,6 +50,23 @@ scene::Scene wholeSurface(scene::Scene scene) {
   scene.isosurface.ghost = 0.0;
   scene.pieces = {};
   return scene;
+}
+
+std::atomic<int> searching{0};
+
+std::optional<TargetAnswer> answerTo(const TargetSubject& subject, base::Progress& progress) {
+  const auto context = render::OffscreenContext::create(render::ContextChoice::automatic);
+  context->makeCurrent();
+  render::Renderer renderer(context->gl());
+  renderer.setHostSettings(subject.host);
+  renderer.setVolume(subject.volume);
+  renderer.setLight(subject.light);
+  TargetQuestion question = subject;
+  question.processor = render::takesProcessor(subject.host.executor, *context->gl());
+  question.picture.stop = progress.token();
+  TargetSearch search(renderer, std::move(question));
+  return subject.limits.empty() ? search.keepTime(subject.milliseconds, progress)
+                                : search.keepErrors(subject.limits, progress);
 }
 
 }  // namespace
@@ -210,8 +224,8 @@ void TargetSearch::addSurface(TargetAnswer& answer, base::Progress& progress) {
       found += (found.empty() ? "" : ", ") + std::string(nameOf(limit.quantity)) + ' ' +
                errorText(limit.quantity, error.bound);
   }
-  throw Error(ErrorKind::usage, "", "--error",
-              "no settings keep " + limitsText(limits) + "; the smallest guaranteed error is " + found);
+  base::throwUsage("", "--error",
+                   "no settings keep " + limitsText(limits) + "; the smallest guaranteed error is " + found);
 }
 
 void TargetSearch::addLight(TargetAnswer& answer, const MeasuredCandidate& surface,
@@ -231,10 +245,10 @@ void TargetSearch::addLight(TargetAnswer& answer, const MeasuredCandidate& surfa
       [&](double part) { progress.report(part, "measuring light"); }, lit);
   if (!chosen) {
     const double least = lit[nearestTo(lit, {&*limit, 1})].errors[indexOf(Quantity::light)].bound;
-    throw Error(ErrorKind::usage, "", "--error",
-                "no settings keep " + limitsText({&*limit, 1}) + "; the smallest guaranteed error is " +
-                    errorText(Quantity::light, least) +
-                    "; a larger image, gi.samples above 1024 or gi.lattice_scale above 2 may keep it");
+    base::throwUsage("", "--error",
+                     "no settings keep " + limitsText({&*limit, 1}) + "; the smallest guaranteed error is " +
+                         errorText(Quantity::light, least) +
+                         "; a larger image, gi.samples above 1024 or gi.lattice_scale above 2 may keep it");
   }
   answer.chosen = answer.measured.size() + *chosen;
   answer.measured.insert(answer.measured.end(), lit.begin(), lit.end());
@@ -266,27 +280,6 @@ std::optional<TargetAnswer> TargetSearch::keepErrors(const std::vector<Limit>& a
   answer.expectedMilliseconds = scaledMilliseconds(chosen.candidate, progress);
   return answer;
 }
-
-namespace {
-
-std::atomic<int> searching{0};
-
-std::optional<TargetAnswer> answerTo(const TargetSubject& subject, base::Progress& progress) {
-  const auto context = render::OffscreenContext::create(render::ContextChoice::automatic);
-  context->makeCurrent();
-  render::Renderer renderer(context->gl());
-  renderer.setHostSettings(subject.host);
-  renderer.setVolume(subject.volume);
-  renderer.setLight(subject.light);
-  TargetQuestion question = subject;
-  question.processor = render::takesProcessor(subject.host.executor, *context->gl());
-  question.picture.stop = progress.token();
-  TargetSearch search(renderer, std::move(question));
-  return subject.limits.empty() ? search.keepTime(subject.milliseconds, progress)
-                                : search.keepErrors(subject.limits, progress);
-}
-
-}  // namespace
 
 std::unique_ptr<TargetTask> targetTask(TargetSubject asked) {
   ++searching;

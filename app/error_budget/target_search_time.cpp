@@ -101,10 +101,9 @@ std::optional<TargetAnswer> TargetSearch::keepTime(double milliseconds, base::Pr
     tooMuch = one.candidate.cost;
     quickest = std::min(quickest, one.milliseconds);
   }
-  throw base::Error(base::ErrorKind::usage, "", "--time",
-                    "no settings keep " + base::shortText(milliseconds, 4) + " ms; the fastest take about " +
-                        base::shortText(std::ceil(quickest / kTimeMargin), 9) +
-                        " ms; choose a smaller image");
+  base::throwUsage("", "--time",
+                   "no settings keep " + base::shortText(milliseconds, 4) + " ms; the fastest take about " +
+                       base::shortText(std::ceil(quickest / kTimeMargin), 9) + " ms; choose a smaller image");
 }
 
 }  // namespace isolux::app

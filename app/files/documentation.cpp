@@ -59,8 +59,8 @@ DocumentationPage documentationPage(const std::vector<DocumentationPage>& pages,
     names.push_back(page.name.substr(page.name.find('/') + 1));
   }
   const std::string near = base::nearest(topic, names);
-  throw base::Error(
-      base::ErrorKind::usage, "", topic,
+  base::throwUsage(
+      "", topic,
       "no such page; " + (near.empty() ? "`isolux help` lists the pages" : "did you mean " + near + "?"));
 }
 

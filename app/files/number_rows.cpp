@@ -14,9 +14,6 @@ namespace isolux::app {
 
 namespace {
 
-using base::Error;
-using base::ErrorKind;
-
 constexpr std::size_t kLongestFile = std::size_t{256} << 20;
 
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // spreadsheets begin their UTF-8 with it
@@ -93,15 +90,15 @@ std::vector<glm::dvec3> parsePoints(const std::string& text, const std::string& 
   for (std::string word; words >> word;) {
     const auto numbers = numbersOf(word, ",");
     if (!numbers || numbers->size() != 3)
-      throw Error(ErrorKind::usage, "", option, '"' + word + "\" is not a position x,y,z in mm");
+      base::throwUsage("", option, '"' + word + "\" is not a position x,y,z in mm");
     points.emplace_back((*numbers)[0], (*numbers)[1], (*numbers)[2]);
   }
   if (points.size() >= fewest && points.size() <= most) return points;
   const std::string wanted =
       fewest == most ? std::to_string(fewest) : std::to_string(fewest) + " or " + std::to_string(most);
-  throw Error(ErrorKind::usage, "", option,
-              wanted + (most == 1 ? " position" : " positions") + " x,y,z are needed, not " +
-                  std::to_string(points.size()));
+  base::throwUsage("", option,
+                   wanted + (most == 1 ? " position" : " positions") + " x,y,z are needed, not " +
+                       std::to_string(points.size()));
 }
 
 }  // namespace isolux::app

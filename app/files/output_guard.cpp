@@ -47,11 +47,10 @@ void OutputGuard::writes(const fs::path& file, const std::string& option) {
   const std::string identity = identityOf(written);
   if (identity.empty()) return;
   if (const auto known = read_.find(identity); known != read_.end())
-    throw base::Error(base::ErrorKind::usage, file.string(), option,
-                      "would be written over " + known->second + ", which is read from this file");
+    base::throwUsage(file.string(), option,
+                     "would be written over " + known->second + ", which is read from this file");
   if (const auto [known, isNew] = written_.emplace(identity, option); !isNew)
-    throw base::Error(base::ErrorKind::usage, file.string(), option,
-                      "is the file of " + known->second + ", too");
+    base::throwUsage(file.string(), option, "is the file of " + known->second + ", too");
 }
 
 }  // namespace isolux::app

@@ -50,13 +50,12 @@ void addRounding(const MeshRequest& asked, const volume::PreparedVolume& prepare
                  volume::SurfaceMesh& found) {
   constexpr double mostVoxels = 1e-3;
   if (asked.file.extension() != ".stl") return;
-  const glm::dvec3 edges = prepared.grid().geometry().spacingMm();
   const double shift = volume::singlePrecisionShift(found.mesh);
-  if (!(shift <= mostVoxels * std::min({edges.x, edges.y, edges.z})))
-    throw base::Error(base::ErrorKind::input, asked.file.string(), "",
-                      "so far from the origin the single precision of .stl moves points by " +
-                          base::shortText(shift, 2) +
-                          " mm, over a thousandth of a voxel: write .ply, .obj or .vtp");
+  if (!(shift <= mostVoxels * prepared.grid().geometry().leastSpacingMm()))
+    base::throwInput(asked.file.string(), "",
+                     "so far from the origin the single precision of .stl moves points by " +
+                         base::shortText(shift, 2) +
+                         " mm, over a thousandth of a voxel: write .ply, .obj or .vtp");
   found.largestDistanceMm += shift;
 }
 
@@ -65,13 +64,12 @@ void addRounding(const MeshRequest& asked, const volume::PreparedVolume& prepare
 volume::SurfaceMesh exportMesh(const MeshRequest& asked, scene::Scene resolved,
                                const volume::PreparedVolume& volume, base::Progress& progress) {
   if (!volume::isMeshName(asked.file))
-    throw base::Error(base::ErrorKind::usage, asked.file.string(), "",
-                      "the name of a mesh must end in .stl, .ply, .obj or .vtp");
+    base::throwUsage(asked.file.string(), "", "the name of a mesh must end in .stl, .ply, .obj or .vtp");
   progress.report(0.0, "making a mesh");
   volume::SurfaceMesh found = extracted(asked, resolved, volume, progress);
   if (found.mesh.triangles.empty())
-    throw base::Error(
-        base::ErrorKind::input, resolved.source.path, "isosurface.value",
+    base::throwInput(
+        resolved.source.path, "isosurface.value",
         "no surface at " + base::shortText(resolved.isosurface.value.value()) + "; no file is written");
   addRounding(asked, volume, found);
   const std::vector<volume::PointArray> arrays = arraysOf(asked, resolved, volume, found, progress);

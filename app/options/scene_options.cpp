@@ -16,22 +16,19 @@
 namespace isolux::app {
 
 namespace fs = std::filesystem;
-using base::Error;
-using base::ErrorKind;
 
 bool startsFromSession(const std::string& path, const SceneOptions& options) {
   return !options.session.empty() || (!path.empty() && isSession(path));
 }
 
 void requireSource(const std::string& path, const SceneOptions& options) {
-  if (path.empty() && options.session.empty())
-    throw Error(ErrorKind::usage, "", "PATH", "is required, or --session FILE");
+  if (path.empty() && options.session.empty()) base::throwUsage("", "PATH", "is required, or --session FILE");
 }
 
 void refuseCuts(const scene::Scene& scene, const char* command) {
   if (scene.isosurface.clipped && scene::cutsSurfaces(scene))
-    throw Error(
-        ErrorKind::usage, "",
+    base::throwUsage(
+        "",
         !scene.clip.planes.empty() ? "clip.planes"
         : !scene.clip.box.empty()  ? "clip.box"
                                    : "clip.removed",
@@ -46,7 +43,7 @@ scene::Scene startingScene(const std::string& path, const SceneOptions& options)
   if (!options.session.empty()) scene = loadSession(options.session);
   if (!path.empty() && isSession(path)) {
     if (!options.session.empty())
-      throw Error(ErrorKind::usage, path, "", "is itself a session; give either PATH or --session");
+      base::throwUsage(path, "", "is itself a session; give either PATH or --session");
     scene = loadSession(path);
   } else if (!path.empty()) {
     const bool same = fs::absolute(path).lexically_normal() == fs::path(scene.source.path);
@@ -74,7 +71,7 @@ scene::Scene sceneOf(const std::string& path, const SceneOptions& options) {
   scene::Scene scene = startingScene(path, options);
   applyAssignments(scene, options);
   if (!options.camera.view.empty() && assigns(options, "camera.up"))
-    throw Error(ErrorKind::usage, "", "--view", "conflicts with camera.up; use --roll to turn the image");
+    base::throwUsage("", "--view", "conflicts with camera.up; use --roll to turn the image");
   if (!options.preset.empty()) findPreset(options.preset);  // an unknown one is told of before any work
   return scene;
 }
@@ -86,8 +83,8 @@ scene::Scene sceneOf(const std::string& path, const SceneOptions& options,
     const Preset preset = findPreset(options.preset);
     const std::string reason = whyNot(preset, volume, assigns(options, "isosurface.value"));
     if (!reason.empty())
-      throw Error(
-          ErrorKind::usage, volume.volume.name, "preset " + preset.name,
+      base::throwUsage(
+          volume.volume.name, "preset " + preset.name,
           "does not apply: " + reason +
               (whyNot(preset, volume, true).empty() ? "; with --isovalue it shows that value instead" : ""));
     scene = withPreset(scene, preset, volume, options.shift);
@@ -136,7 +133,7 @@ glm::ivec2 parseSize(const std::string& text) {
   auto size = base::readTwoIntegers(text, 'x');
   if (!size) size = base::readTwoIntegers(text, 'X');
   if (size && within(size->first) && within(size->second)) return {size->first, size->second};
-  throw Error(ErrorKind::usage, "", "--size", '"' + text + "\" is not WxH, 1 to 16384 pixels each");
+  base::throwUsage("", "--size", '"' + text + "\" is not WxH, 1 to 16384 pixels each");
 }
 
 glm::ivec2 pictureSize(const std::optional<std::string>& text, const std::string& path,

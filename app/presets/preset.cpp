@@ -53,27 +53,23 @@ bool coveredByOne(std::span<const char* const> patterns, const std::string& path
   return std::ranges::any_of(patterns, [&](const char* pattern) { return scene::covers(pattern, path); });
 }
 
-[[noreturn]] void refusePreset(const std::filesystem::path& file, const std::string& place,
-                               const std::string& reason) {
-  base::throwInput(file.string(), place, reason);
-}
-
 std::string textAt(const ordered_json& json, const char* key, const std::filesystem::path& file) {
   if (!json.contains(key) || !json[key].is_string() || json[key].get<std::string>().empty())
-    refusePreset(file, key, "must be a text");
+    base::throwInput(file, key, "must be a text");
   return json[key].get<std::string>();
 }
 
 PresetNeed needNamed(const ordered_json& name, const std::filesystem::path& file) {
   for (const NeedInfo& info : kNeeds)
     if (name == info.name) return info.need;
-  refusePreset(file, "needs", name.dump() + " is no need of a preset");
+  base::throwInput(file, "needs", name.dump() + " is no need of a preset");
 }
 
 // Refuses what withPreset() could not apply.
 void checkPresetSetting(const std::string& path, const ordered_json& value,
                         const std::filesystem::path& file) {
-  if (belongsToVolume(path)) refusePreset(file, path, "belongs to one volume or machine; no preset sets it");
+  if (belongsToVolume(path))
+    base::throwInput(file, path, "belongs to one volume or machine; no preset sets it");
   try {
     const scene::Setting& setting = scene::setting(path);
     if (isValueOfVolume(value)) {
@@ -83,7 +79,7 @@ void checkPresetSetting(const std::string& path, const ordered_json& value,
     scene::Scene scene;
     setting.set(scene, value);
   } catch (const base::Error& error) {
-    refusePreset(file, path, error.reason());
+    base::throwInput(file, path, error.reason());
   }
 }
 
@@ -92,7 +88,8 @@ void checkPresetName(const std::string& name, const std::filesystem::path& file)
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c >= 128;
   });
   if (!plain)
-    refusePreset(file, "name", "may have lower case letters, letters beyond ASCII, digits, '_' and '-' only");
+    base::throwInput(file, "name",
+                     "may have lower case letters, letters beyond ASCII, digits, '_' and '-' only");
 }
 
 // The background is the user's, unless a preset of the program made it what it is.
@@ -120,14 +117,14 @@ bool resetByPreset(const std::string& path) {
 Preset parsePreset(const std::string& text, const std::filesystem::path& file) {
   const ordered_json json = ordered_json::parse(text, nullptr, false);
   if (json.is_discarded() || !json.is_object() || !json.contains("isolux_preset"))
-    refusePreset(file, "", "is no preset");
+    base::throwInput(file, "", "is no preset");
   parseJson(text, file.string(), "");  // refuses equal keys
   if (json["isolux_preset"] != kPresetVersion)
-    refusePreset(file, "isolux_preset", "is of another version of Isolux");
+    base::throwInput(file, "isolux_preset", "is of another version of Isolux");
   for (const auto& [key, value] : json.items()) {
     constexpr std::array<const char*, 6> known{"isolux_preset", "name", "title", "meaning", "needs", "set"};
     if (std::ranges::none_of(known, [&given = key](const char* k) { return given == k; }))
-      refusePreset(file, key, "is unknown");
+      base::throwInput(file, key, "is unknown");
   }
   Preset preset;
   preset.file = file;
@@ -136,10 +133,10 @@ Preset parsePreset(const std::string& text, const std::filesystem::path& file) {
   preset.title = textAt(json, "title", file);
   preset.meaning = textAt(json, "meaning", file);
   if (json.contains("needs")) {
-    if (!json["needs"].is_array()) refusePreset(file, "needs", "must be a list");
+    if (!json["needs"].is_array()) base::throwInput(file, "needs", "must be a list");
     for (const ordered_json& need : json["needs"]) preset.needs.push_back(needNamed(need, file));
   }
-  if (!json.contains("set") || !json["set"].is_object()) refusePreset(file, "set", "must be an object");
+  if (!json.contains("set") || !json["set"].is_object()) base::throwInput(file, "set", "must be an object");
   for (const auto& [path, value] : json["set"].items()) checkPresetSetting(path, value, file);
   preset.settings = json["set"];
   return preset;

@@ -13,7 +13,6 @@ namespace isolux::app {
 
 namespace fs = std::filesystem;
 using base::Error;
-using base::ErrorKind;
 
 namespace {
 
@@ -26,11 +25,6 @@ std::vector<Preset> parsedPresets() {
     presets.back().file.clear();
   }
   return presets;
-}
-
-bool isBuiltIn(const std::string& name) {
-  const auto all = builtInPresets();
-  return std::ranges::any_of(all, [&](const Preset& preset) { return preset.name == name; });
 }
 
 }  // namespace
@@ -76,9 +70,9 @@ Preset findPreset(const std::string& nameOrFile) {
     if (preset.name == nameOrFile) return preset;
     known.push_back(preset.name);
   }
-  throw Error(ErrorKind::usage, "", "--preset",
-              '"' + nameOrFile + "\" is not a preset" +
-                  base::didYouMean(nameOrFile, known, "; `isolux presets` lists them"));
+  base::throwUsage("", "--preset",
+                   '"' + nameOrFile + "\" is not a preset" +
+                       base::didYouMean(nameOrFile, known, "; `isolux presets` lists them"));
 }
 
 std::string presetNameOf(const std::string& title) {
@@ -100,9 +94,10 @@ fs::path ownPresetFile(const std::string& name) {
 
 fs::path savePreset(const Preset& preset, bool overwrite) {
   if (preset.name.empty() || presetNameOf(preset.name).empty())
-    throw Error(ErrorKind::usage, "", "preset", "needs a name with a letter or digit");
-  if (isBuiltIn(preset.name))
-    throw Error(ErrorKind::usage, "", preset.name, "is a preset of the program; take another name");
+    base::throwUsage("", "preset", "needs a name with a letter or digit");
+  const auto builtIn = builtInPresets();
+  if (std::ranges::find(builtIn, preset.name, &Preset::name) != builtIn.end())
+    base::throwUsage("", preset.name, "is a preset of the program; take another name");
   const fs::path folder = presetFolder();
   if (folder.empty()) base::throwInput("", "", "no home folder for presets");
   std::error_code error;
@@ -110,7 +105,7 @@ fs::path savePreset(const Preset& preset, bool overwrite) {
   if (error) base::throwInput(folder.string(), "", "cannot be made: " + error.message());
   const fs::path file = ownPresetFile(preset.name);
   if (!overwrite && fs::exists(file, error))
-    throw Error(ErrorKind::usage, file.string(), "", "is there already; --overwrite replaces it");
+    base::throwUsage(file.string(), "", "is there already; --overwrite replaces it");
   const std::string text = presetText(preset);
   parsePreset(text, file);  // nothing is kept that could not be read again
   writeTextFile(file, text);

@@ -37,9 +37,7 @@ bool isValueOfVolume(const nlohmann::ordered_json& value) {
 }
 
 void checkValueOfVolume(const scene::Setting& setting, const nlohmann::ordered_json& value) {
-  const auto refuse = [&](const char* reason) {
-    throw base::Error(base::ErrorKind::usage, "", setting.path, reason);
-  };
+  const auto refuse = [&](const char* reason) { base::throwUsage("", setting.path, reason); };
   if (setting.unit != "data units" || setting.type != scene::SettingType::number)
     refuse("is not in data units and takes a plain value");
   if (value.size() != 1 || !value.begin().value().is_number()) refuse(kForms);

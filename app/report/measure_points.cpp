@@ -16,8 +16,6 @@ namespace isolux::app {
 
 namespace {
 
-using base::Error;
-using base::ErrorKind;
 using nlohmann::ordered_json;
 using volume::SurfaceOf;
 using volume::SurfacePoint;
@@ -81,7 +79,7 @@ ordered_json angleJson(const MeasuredSurface& measured, const std::string& text)
   for (const glm::dvec3& point : points) at.push_back(uncertain(measured.surface, point));
   const auto angle =
       at.size() == 3 ? angleDegrees(at[0], at[1], at[2]) : dihedralDegrees(at[0], at[1], at[2], at[3]);
-  if (!angle) throw Error(ErrorKind::usage, "", "--angle", "has points on a line or in one place: " + text);
+  if (!angle) base::throwUsage("", "--angle", "has points on a line or in one place: " + text);
   return {{"points_mm", points}, {"degrees", measuredJson(*angle)}};
 }
 
@@ -90,7 +88,7 @@ ordered_json circleJson(const MeasuredSurface& measured, const std::string& text
   const auto circle =
       circleThrough(uncertain(measured.surface, points[0]), uncertain(measured.surface, points[1]),
                     uncertain(measured.surface, points[2]));
-  if (!circle) throw Error(ErrorKind::usage, "", "--circle", "has its points on a line: " + text);
+  if (!circle) base::throwUsage("", "--circle", "has its points on a line: " + text);
   return {{"points_mm", points},
           {"radius_mm", measuredJson(circle->radiusMm)},
           {"centre_mm", circle->centre},

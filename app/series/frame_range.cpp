@@ -7,19 +7,13 @@
 
 namespace isolux::app {
 
-namespace {
-
-[[noreturn]] void refuse(const std::string& reason) {
-  throw base::Error(base::ErrorKind::usage, "", "--frames", reason);
-}
-
-}  // namespace
-
 FrameRange parseFrames(const std::string& text) {
   const bool one = text.find('-') == std::string::npos;
   const auto range = base::readTwoIntegers(one ? text + '-' + text : text, '-');
   if (!range || range->first < 0 || range->second < range->first)
-    refuse("\"" + text + "\" is not a number, or two with a - between, the smaller one first, such as 0-99");
+    base::throwUsage(
+        "", "--frames",
+        "\"" + text + "\" is not a number, or two with a - between, the smaller one first, such as 0-99");
   return {range->first, range->second};
 }
 
@@ -31,8 +25,9 @@ bool FrameChoice::wants(int frame, const std::filesystem::path& file) const {
 
 void FrameChoice::check(int count) const {
   if (frames && frames->first >= count)
-    refuse("frame " + std::to_string(frames->first) + " does not exist: there are " + std::to_string(count) +
-           ", from 0");
+    base::throwUsage("", "--frames",
+                     "frame " + std::to_string(frames->first) + " does not exist: there are " +
+                         std::to_string(count) + ", from 0");
 }
 
 }  // namespace isolux::app

@@ -61,9 +61,9 @@ void checkNamesDiffer(const std::vector<std::string>& names, const std::string& 
   std::set<std::string> seen;
   for (const std::string& name : names)
     if (!seen.insert(fs::path(name).lexically_normal().string()).second)
-      throw base::Error(base::ErrorKind::usage, name, "",
-                        "several images would be written to this file; {name}, {n}, {i} or {value} in " +
-                            option + " distinguishes them");
+      base::throwUsage(name, "",
+                       "several images would be written to this file; {name}, {n}, {i} or {value} in " +
+                           option + " distinguishes them");
 }
 
 }  // namespace isolux::app

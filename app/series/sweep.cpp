@@ -18,10 +18,6 @@ namespace {
 
 constexpr int kMostSweptValues = 100000;
 
-[[noreturn]] void refuseSweep(const std::string& place, const std::string& reason) {
-  throw base::Error(base::ErrorKind::usage, "", place, reason);
-}
-
 }  // namespace
 
 double Sweep::value(int index) const {
@@ -58,18 +54,20 @@ Sweep parseSweep(const std::string& text) {
   const double count = numbers[2];
   if (equals == std::string::npos || read != numbers.size() || begin <= text.size() || count < 1 ||
       count > kMostSweptValues || count != std::floor(count))
-    refuseSweep("--sweep", '"' + text + "\" is not PATH=LOW:HIGH:COUNT, COUNT from 1 to 100000");
+    base::throwUsage("", "--sweep", '"' + text + "\" is not PATH=LOW:HIGH:COUNT, COUNT from 1 to 100000");
   sweep.low = numbers[0];
   sweep.high = numbers[1];
   sweep.count = static_cast<int>(count);
-  if (scene::isHostSetting(sweep.path)) refuseSweep(sweep.path, "is a host setting and changes no image");
+  if (scene::isHostSetting(sweep.path))
+    base::throwUsage("", sweep.path, "is a host setting and changes no image");
   const scene::Setting& setting = scene::setting(sweep.path);
   if (setting.type != scene::SettingType::number && setting.type != scene::SettingType::integer)
-    refuseSweep(sweep.path, "is not a number and cannot be swept");
+    base::throwUsage("", sweep.path, "is not a number and cannot be swept");
   if (setting.type == scene::SettingType::integer)
     for (int i = 0; i < sweep.count; ++i)
       if (sweep.value(i) != std::floor(sweep.value(i)))
-        refuseSweep(sweep.path, "takes whole numbers, " + base::shortText(sweep.value(i)) + " is none");
+        base::throwUsage("", sweep.path,
+                         "takes whole numbers, " + base::shortText(sweep.value(i)) + " is none");
   scene::Scene scene;  // both ends lie in its range
   sweep.apply(scene, 0);
   sweep.apply(scene, sweep.count - 1);

@@ -110,8 +110,7 @@ std::string_view pathOf(std::string_view assignment) {
 
 nlohmann::json valueOf(const SettingInfo& target, std::string_view assignment) {
   const auto equals = assignment.find('=');
-  if (equals == std::string_view::npos)
-    throw base::Error(base::ErrorKind::usage, "", std::string(assignment), "expected PATH=VALUE");
+  if (equals == std::string_view::npos) base::throwUsage("", std::string(assignment), "expected PATH=VALUE");
   return valueOfWords(target, assignment.substr(equals + 1));
 }
 

@@ -65,10 +65,28 @@ std::string allowedText(const SettingInfo& setting) {
   return setting.mayBeAutomatic ? text + ", or auto" : text;
 }
 
+// Rows of N numbers from 0 to 1, the first `positions` of them from `least`.
+template <std::size_t N>
+std::vector<std::array<double, N>> pointsOf(const SettingInfo& setting, const json& value, std::size_t fewest,
+                                            std::size_t positions, double least) {
+  if (!value.is_array() || value.size() < fewest || value.size() > kMostPoints) refuseValue(setting, value);
+  std::vector<std::array<double, N>> rows;
+  for (const json& entry : value) {
+    if (!entry.is_array() || entry.size() != N) refuseValue(setting, value);
+    std::array<double, N>& row = rows.emplace_back();
+    for (std::size_t i = 0; i < N; ++i) {
+      if (!entry[i].is_number()) refuseValue(setting, value);
+      row[i] = entry[i].get<double>();
+      if (!(row[i] >= (i < positions ? least : 0.0) && row[i] <= 1.0)) refuseValue(setting, value);
+    }
+  }
+  return rows;
+}
+
 }  // namespace
 
 void refuse(const std::string& path, const std::string& reason) {
-  throw base::Error(base::ErrorKind::usage, "", path, reason);
+  base::throwUsage("", path, reason);
 }
 
 void refuseValue(const SettingInfo& setting, const json& value) {
@@ -108,28 +126,6 @@ void assignChecked(const SettingInfo& setting, bool& member, const json& value) 
   if (!value.is_boolean()) refuseValue(setting, value);
   member = value.get<bool>();
 }
-
-namespace {
-
-// Rows of N numbers from 0 to 1, the first `positions` of them from `least`.
-template <std::size_t N>
-std::vector<std::array<double, N>> pointsOf(const SettingInfo& setting, const json& value, std::size_t fewest,
-                                            std::size_t positions, double least) {
-  if (!value.is_array() || value.size() < fewest || value.size() > kMostPoints) refuseValue(setting, value);
-  std::vector<std::array<double, N>> rows;
-  for (const json& entry : value) {
-    if (!entry.is_array() || entry.size() != N) refuseValue(setting, value);
-    std::array<double, N>& row = rows.emplace_back();
-    for (std::size_t i = 0; i < N; ++i) {
-      if (!entry[i].is_number()) refuseValue(setting, value);
-      row[i] = entry[i].get<double>();
-      if (!(row[i] >= (i < positions ? least : 0.0) && row[i] <= 1.0)) refuseValue(setting, value);
-    }
-  }
-  return rows;
-}
-
-}  // namespace
 
 void assignChecked(const SettingInfo& setting, std::vector<CurvaturePoint>& member, const json& value) {
   std::vector<CurvaturePoint> points;
@@ -244,16 +240,10 @@ json jsonOf(const std::vector<Mark>& marks) {
 }
 
 std::size_t componentsOf(SettingType type) {
-  switch (type) {
-    case SettingType::pair:
-      return 2;
-    case SettingType::vector:
-      return 3;
-    case SettingType::quaternion:
-      return 4;
-    default:
-      return 0;
-  }
+  return type == SettingType::pair         ? 2
+         : type == SettingType::vector     ? 3
+         : type == SettingType::quaternion ? 4
+                                           : 0;
 }
 
 }  // namespace isolux::scene

@@ -29,8 +29,7 @@ void checkGroup(const std::string& name) {
     return names;
   }();
   if (std::ranges::find(groups, name) != groups.end()) return;
-  throw base::Error(base::ErrorKind::usage, "", name.substr(0, 200),
-                    "unknown group of settings" + base::didYouMean(name, groups, ""));
+  base::throwUsage("", name.substr(0, 200), "unknown group of settings" + base::didYouMean(name, groups, ""));
 }
 
 // The members of a group, and those of the groups within it.
@@ -52,7 +51,7 @@ void assignMembers(Scene& scene, const std::string& group, const json& members) 
 
 void applyAssignment(Scene& scene, std::string_view assignment) {
   if (assignment.find('=') == std::string_view::npos)
-    throw base::Error(base::ErrorKind::usage, "", std::string(assignment), "expected PATH=VALUE");
+    base::throwUsage("", std::string(assignment), "expected PATH=VALUE");
   const Setting& target = setting(pathOf(assignment));
   target.set(scene, valueOf(target, assignment));
 }
@@ -73,10 +72,10 @@ nlohmann::json toJson(const Scene& scene) {
 
 Scene fromJson(const nlohmann::json& json) {
   Scene scene;
-  if (!json.is_object()) throw base::Error(base::ErrorKind::usage, "", "", "the scene must be a JSON object");
+  if (!json.is_object()) base::throwUsage("", "", "the scene must be a JSON object");
   for (const auto& [group, members] : json.items()) {
     checkGroup(group);
-    if (!members.is_object()) throw base::Error(base::ErrorKind::usage, "", group, "must be a JSON object");
+    if (!members.is_object()) base::throwUsage("", group, "must be a JSON object");
     assignMembers(scene, group, members);
   }
   return scene;
