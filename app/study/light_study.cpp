@@ -80,10 +80,8 @@ void LightStudyRunner::bake(Alternative& alternative, bool anew, bool timed, bas
 }
 
 std::vector<float> LightStudyRunner::draw(Alternative& alternative) {
-  render::FrameRequest request;
-  request.size = subject_.size;
-  request.color = false;
-  request.aovs = {render::Aov::depth, render::Aov::irradiance};
+  const render::FrameRequest request{
+      .size = subject_.size, .color = false, .aovs = {render::Aov::depth, render::Aov::irradiance}};
   renderer_.setLight(alternative.light);
   const render::FrameReport& report = renderer_.render(alternative.scene, request);
   alternative.cost().gpuBytes = report.light.bytes;
@@ -98,8 +96,7 @@ std::vector<float> LightStudyRunner::draw(Alternative& alternative) {
 
 // One frame to warm up: it uploads the light.
 void LightStudyRunner::time(Alternative& alternative, int frames, base::Progress& progress) {
-  render::FrameRequest request;
-  request.size = subject_.size;
+  const render::FrameRequest request{.size = subject_.size};
   renderer_.setLight(alternative.light);
   renderer_.render(alternative.scene, request);
   for (int i = 0; i < frames; ++i) {

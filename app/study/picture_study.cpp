@@ -17,11 +17,7 @@ ImageErrors pictureErrorsOf(const ComparedPicture& picture, const ComparedPictur
 
 ComparedPicture drawnPicture(render::Renderer& renderer, const scene::Scene& scene, glm::ivec2 size,
                              int supersampling) {
-  render::FrameRequest request;
-  request.size = size;
-  request.supersampling = supersampling;
-  request.linear = true;
-  renderer.render(scene, request);
+  renderer.render(scene, {.size = size, .linear = true, .supersampling = supersampling});
   return comparedPicture(renderer.readLinearPicture());
 }
 
@@ -36,9 +32,7 @@ PictureStudyRunner::PictureStudyRunner(render::Renderer& renderer, bool software
     : renderer_(renderer), software_(software), subject_(subject) {}
 
 void PictureStudyRunner::time(Alternative& alternative) {
-  render::FrameRequest request;
-  request.size = subject_.size;
-  request.supersampling = alternative.supersampling;
+  const render::FrameRequest request{.size = subject_.size, .supersampling = alternative.supersampling};
   renderer_.invalidate();
   const double before = processorMilliseconds();
   const render::FrameReport& report = renderer_.render(alternative.scene, request);
@@ -50,11 +44,10 @@ void PictureStudyRunner::time(Alternative& alternative) {
 }
 
 ComparedPicture PictureStudyRunner::manyRays(const scene::Scene& scene, base::Progress& progress) {
-  render::FrameRequest request;
-  request.size = kReferenceBlock * subject_.size;
-  request.supersampling = 4;
-  request.pixelRatio = kReferenceBlock;
-  request.linear = true;
+  const render::FrameRequest request{.size = kReferenceBlock * subject_.size,
+                                     .linear = true,
+                                     .supersampling = 4,
+                                     .pixelRatio = kReferenceBlock};
   base::Progress inner;  // the picture's own fraction is not the study's
   const std::stop_callback stop(progress.token(), [&inner] { inner.requestStop(); });
   return comparedPicture(render::drawStill(renderer_, scene, request, inner).linear);

@@ -18,15 +18,14 @@ struct QualityPoint {
   bool onFront = false;    // no other point is as cheap and as accurate, and better in one of them
 };
 
-// Of quality.values of the study's first panel; those without an error (NaN) are left out. `scene` as
-// the user gave it.
+// Of the values, by the study's first panel; those without an error (NaN) are left out. `scene` as the user
+// gave it.
 std::vector<QualityPoint> pointsOf(const QualityStudy& study, const scene::Scene& scene,
                                    const scene::VolumeFacts& facts);
 // Sets onFront. Equal points are all on the front.
 void markFront(std::vector<QualityPoint>& points);
 
-// The scene with the quality setting at one of its values and nothing else changed: what is the default stays
-// automatic.
+// The scene with one of its values and nothing else changed: what is the default stays automatic.
 scene::Scene withQualitySettingAt(const QualitySetting& quality, const std::string& value, scene::Scene scene,
                                   const scene::VolumeFacts& facts);
 

@@ -34,9 +34,9 @@ std::vector<QualitySetting> parseQualitySettings(const std::string& list) {
   for (std::string word; std::getline(words, word, ',');) {
     const auto quality = std::ranges::find(qualitySettings(), word, &QualitySetting::name);
     if (quality == qualitySettings().end())
-      throw base::Error(base::ErrorKind::usage, "", "--knobs",
-                        "unknown quality setting \"" + word + '"' +
-                            base::didYouMean(word, known, "; choose from " + base::joined(known, " ")));
+      base::throwUsage("", "--knobs",
+                       "unknown quality setting \"" + word + '"' +
+                           base::didYouMean(word, known, "; choose from " + base::joined(known, " ")));
     chosen.push_back(*quality);
   }
   return chosen;
@@ -44,7 +44,7 @@ std::vector<QualitySetting> parseQualitySettings(const std::string& list) {
 
 scene::Scene turned(const QualitySetting& quality, const std::string& value, scene::Scene scene,
                     const scene::VolumeFacts& facts) {
-  if (quality.sampled) scene.hit.method = scene::HitMethod::sampled;
+  if (quality.sampled()) scene.hit.method = scene::HitMethod::sampled;
   if (quality.measure == Measure::light) scene = litScene(quality, std::move(scene));
   if (quality.name == kScale) {
     scene.derivatives.scale.reset();
@@ -77,14 +77,15 @@ std::string defaultValue(const QualitySetting& quality) {
 
 std::string whyWithoutEffect(const QualitySetting& quality, const scene::Scene& scene) {
   if (quality.measure == Measure::shadow) return std::string(scene::whyInactive(quality.setting, scene));
-  if (quality.measure == Measure::shape && !quality.field) {
+  if (quality.measure == Measure::shape && !quality.field()) {
     scene::Scene curved = scene;
     curved.look.mode = scene::LookMode::kappa1;
     return std::string(scene::whyInactive(quality.setting, curved));
   }
   if (quality.measure != Measure::light) return {};
   const scene::Scene lit = litScene(quality, scene);
-  if (quality.transfer && scene::hasOneColor(scene.light.environment) && scene.gi.mode != scene::GiMode::off)
+  if (quality.transfer() && scene::hasOneColor(scene.light.environment) &&
+      scene.gi.mode != scene::GiMode::off)
     return "the environment is constant: transfer needs one number only";
   return std::string(scene::whyInactive(quality.setting, lit));
 }
@@ -103,7 +104,7 @@ scene::Scene litScene(const QualitySetting& quality, scene::Scene scene) {
   scene.hit.field = scene::Field::trilinear;
   scene.gi.extent = scene::GiExtent::view;
   scene.isosurface.opacity = scene.isosurface.facingOpacity = 1.0;
-  if (!quality.transfer || scene.gi.mode == scene::GiMode::off) return scene;
+  if (!quality.transfer() || scene.gi.mode == scene::GiMode::off) return scene;
   scene.gi.mode = scene::GiMode::automatic;
   scene.light.environment.moves = true;
   return scene;

@@ -30,6 +30,10 @@ struct QualitySetting;
 // What a quality setting is plotted by; the first decides which setting reaches an error.
 const std::array<Panel, 2>& panelsOf(const QualitySetting& quality);
 
+// Traits: acts on hit.method sampled only; chooses a field: also compared with cubic_interpolating; its
+// values are numbers in order, joined by a line in plots; acts on stored transfer: turned where the
+// environment moves.
+inline constexpr unsigned kSampled = 1, kField = 2, kOrdered = 4, kTransfer = 8;
 struct QualitySetting {
   const char* name;     // as in --knobs
   const char* setting;  // its path
@@ -41,10 +45,11 @@ struct QualitySetting {
   // which have a picture of their own for that (app/study/picture_study.h).
   const char* reference = "";
   Cost cost = Cost::passes;
-  bool field = false;     // it chooses a field: also compared with cubic_interpolating
-  bool sampled = false;   // acts on hit.method sampled only
-  bool ordered = false;   // its values are numbers in order, joined by a line in plots
-  bool transfer = false;  // acts on stored transfer: turned where the environment moves
+  unsigned traits = 0;
+  bool field() const { return (traits & kField) != 0; }
+  bool sampled() const { return (traits & kSampled) != 0; }
+  bool ordered() const { return (traits & kOrdered) != 0; }
+  bool transfer() const { return (traits & kTransfer) != 0; }
 };
 const std::vector<QualitySetting>& qualitySettings();
 

@@ -32,11 +32,8 @@ StudyRunner::StudyRunner(const std::shared_ptr<const render::Gl>& gl, StudySubje
 // run alone find the volume in the caches.
 void StudyRunner::drawOnce(Alternative& alternative, bool timed) {
   const scene::Scene& scene = alternative.scene;
-  render::FrameRequest picture, shapes;
-  picture.size = shapes.size = subject_.size;
-  picture.aovs = std::vector{render::Aov::normal};
-  shapes.color = false;
-  shapes.aovs = std::vector{render::Aov::kappa};
+  const render::FrameRequest picture{.size = subject_.size, .aovs = {render::Aov::normal}},
+      shapes{.size = subject_.size, .color = false, .aovs = {render::Aov::kappa}};
 
   // Another field of hits makes other blocks, which is no cost of a frame.
   if (drawnField_ != scene.hit.field) renderer_.render(scene, picture);
@@ -60,12 +57,10 @@ void StudyRunner::drawOnce(Alternative& alternative, bool timed) {
 }
 
 DrawnImages StudyRunner::imagesOf(const scene::Scene& scene) {
-  render::FrameRequest request;
-  request.size = subject_.size;
-  request.color = false;
-  request.aovs = {render::Aov::hit, render::Aov::depth, render::Aov::normal, render::Aov::kappa,
-                  render::Aov::curvature_confidence};
-  renderer_.render(scene, request);
+  renderer_.render(scene, {.size = subject_.size,
+                           .color = false,
+                           .aovs = {render::Aov::hit, render::Aov::depth, render::Aov::normal,
+                                    render::Aov::kappa, render::Aov::curvature_confidence}});
   return {renderer_.readAov(render::Aov::hit).values, renderer_.readAov(render::Aov::depth).values,
           renderer_.readAov(render::Aov::normal).values, renderer_.readAov(render::Aov::kappa).values,
           renderer_.readAov(render::Aov::curvature_confidence).values};
@@ -90,8 +85,7 @@ void StudyRunner::measure(std::vector<Alternative>& alternatives, base::Progress
 
 void StudyRunner::requireSurface(const scene::Scene& scene, base::Progress& progress) {
   if (std::ranges::none_of(reference_.hitsOf(scene.hit.field, progress), &TrueHit::hit))
-    throw base::Error(base::ErrorKind::usage, "", "isosurface.value",
-                      "no pixel of this view shows the surface");
+    base::throwUsage("", "isosurface.value", "no pixel of this view shows the surface");
 }
 
 void StudyRunner::judgeScale(const Alternative& alternative, StudySetting& setting,
@@ -125,7 +119,7 @@ StudySetting StudyRunner::judge(const QualitySetting& quality, const Alternative
   // A quality setting of sampled hits has no effect in what the program does by default, where hits are
   // exact.
   const bool chosen = !setting.comparison && setting.value == defaultValue(quality);
-  const bool sampled = quality.sampled && scene::Scene{}.hit.method == scene::HitMethod::exact;
+  const bool sampled = quality.sampled() && scene::Scene{}.hit.method == scene::HitMethod::exact;
   setting.isDefault = sampled ? setting.comparison : chosen;
   setting.settingDefault = sampled && chosen;
   if (quality.measure == Measure::scale) {
@@ -134,7 +128,7 @@ StudySetting StudyRunner::judge(const QualitySetting& quality, const Alternative
   }
   setting.errors = errors(scene.hit.field, scene.derivatives);
   constexpr scene::Field best = scene::Field::cubic_interpolating;
-  if (!quality.field) return setting;
+  if (!quality.field()) return setting;
   scene::Derivatives through = scene.derivatives;  // at the same scales
   through.field = best;
   setting.fieldErrors =
@@ -177,7 +171,7 @@ QualityStudy StudyRunner::studySurface(const QualitySetting& quality, base::Prog
   for (const std::string& value : quality.values)
     alternatives.push_back(
         {{.value = value}, turned(quality, value, subject_.scene, subject_.volume->facts)});
-  if (quality.sampled) {
+  if (quality.sampled()) {
     scene::Scene exact = alternatives.front().scene;
     exact.hit.method = scene::HitMethod::exact;
     alternatives.push_back({{.value = kExactHits, .comparison = true}, std::move(exact)});

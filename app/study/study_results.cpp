@@ -33,6 +33,9 @@ double processorMilliseconds() {
   return 1000.0 * static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
 }
 
+namespace {
+
+// The time of the passes that make a panel's error.
 double milliseconds(const StudySetting& setting, const Panel& panel) {
   double sum = 0.0;
   for (const char* const pass : panel.passes)
@@ -40,24 +43,6 @@ double milliseconds(const StudySetting& setting, const Panel& panel) {
       sum += found->second;
   return sum;
 }
-
-double costOf(const QualitySetting& quality, const StudySetting& setting, const Panel& panel) {
-  switch (quality.cost) {
-    case Cost::passes:
-      break;
-    case Cost::frameMilliseconds:
-      return setting.frameMilliseconds;
-    case Cost::bakeSeconds:
-      return setting.light.value().bakeSeconds;
-    case Cost::lookupMilliseconds:
-      return setting.light.value().lookupMilliseconds;
-    case Cost::gpuMegabytes:
-      return static_cast<double>(setting.light.value().gpuBytes) / (1024.0 * 1024.0);
-  }
-  return milliseconds(setting, panel);
-}
-
-namespace {
 
 // Of each frame, the passes together.
 std::vector<double> passSums(const StudySetting& setting, const Panel& panel) {
@@ -71,29 +56,27 @@ std::vector<double> passSums(const StudySetting& setting, const Panel& panel) {
   return sums;
 }
 
-std::vector<double> costsOf(const QualitySetting& quality, const StudySetting& setting, const Panel& panel) {
-  switch (quality.cost) {
-    case Cost::passes:
-      return passSums(setting, panel);
-    case Cost::frameMilliseconds:
-      return setting.frameTimes;
-    case Cost::bakeSeconds:
-      return setting.light.value().bakeTimes;
-    case Cost::lookupMilliseconds:
-      return setting.light.value().lookupTimes;
-    case Cost::gpuMegabytes:
-      break;
-  }
-  return {};
+// What the panel shows its error against, and the times that it is the median of; bytes have none.
+std::pair<double, std::vector<double>> costAndTimes(const QualitySetting& quality,
+                                                    const StudySetting& setting, const Panel& panel) {
+  if (quality.cost == Cost::passes) return {milliseconds(setting, panel), passSums(setting, panel)};
+  if (quality.cost == Cost::frameMilliseconds) return {setting.frameMilliseconds, setting.frameTimes};
+  const LightCost& light = setting.light.value();
+  if (quality.cost == Cost::bakeSeconds) return {light.bakeSeconds, light.bakeTimes};
+  if (quality.cost == Cost::lookupMilliseconds) return {light.lookupMilliseconds, light.lookupTimes};
+  return {static_cast<double>(light.gpuBytes) / (1024.0 * 1024.0), {}};
 }
 
 }  // namespace
 
+double costOf(const QualitySetting& quality, const StudySetting& setting, const Panel& panel) {
+  return costAndTimes(quality, setting, panel).first;
+}
+
 TimeSpread costSpread(const QualitySetting& quality, const StudySetting& setting, const Panel& panel) {
-  const double cost = costOf(quality, setting, panel);
-  std::vector<double> costs = costsOf(quality, setting, panel);
-  if (costs.empty()) return {cost, cost, cost};
-  const TimeSpread spread = spreadOfTimes(std::move(costs));
+  auto [cost, times] = costAndTimes(quality, setting, panel);
+  if (times.empty()) return {cost, cost, cost};
+  const TimeSpread spread = spreadOfTimes(std::move(times));
   return {cost, std::min(cost, spread.low), std::max(cost, spread.high)};
 }
 

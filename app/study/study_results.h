@@ -43,7 +43,7 @@ double processorMilliseconds();
 
 // What stored light costs.
 struct LightCost {
-  double bakeSeconds = 0.0;            // median; NaN where the values share one bake
+  double bakeSeconds = 0.0;            // median; NaN where its values share one bake
   double lookupMilliseconds = 0.0;     // pass irradiance, median
   std::uint64_t rays = 0, texels = 0;  // rays: 0 where the bake is shared
   std::uint64_t latticeBytes = 0, gpuBytes = 0;
@@ -59,10 +59,10 @@ struct ScaleCost {
 
 struct StudySetting {
   std::string value;
-  bool isDefault = false;                            // what the program does unless told otherwise
-  bool settingDefault = false;                       // the default of a setting that by default has no effect
-  bool comparison = false;                           // exact hits beside sampled ones
-  double frameMilliseconds = 0.0;                    // the picture of the scene's look, every pass run again
+  bool isDefault = false;          // what the program does unless told otherwise
+  bool settingDefault = false;     // the setting's own default, which by default has no effect
+  bool comparison = false;         // exact hits beside sampled ones
+  double frameMilliseconds = 0.0;  // the picture of the scene's look, every pass run again
   std::map<std::string, double> passMilliseconds{};  // with gradient and hessian each run for themselves
   std::vector<double> frameTimes{};                  // ms, in the order of the frames, which medians are of
   std::map<std::string, std::vector<double>> passTimes{};
@@ -70,8 +70,8 @@ struct StudySetting {
   std::vector<double> processorTimes{};
   Errors errors{};                      // against double precision on the same fields
   std::optional<Errors> fieldErrors{};  // of a field: against cubic_interpolating in double precision
-  std::optional<ScaleCost> scale{};     // of the scale; then only errors.noise is defined
-  std::optional<LightCost> light{};     // of light; then only errors.light is defined
+  std::optional<ScaleCost> scale{};  // of the quality setting of the scale; then only errors.noise is defined
+  std::optional<LightCost> light{};  // of a quality setting of light; then only errors.light is defined
 };
 
 // Sets the medians of the times that the setting has by now.
@@ -86,23 +86,21 @@ struct QualityStudy {
   // Of the scale: the noise that was added, data units, and whether the truth is a phantom's own.
   double addedNoise = 0.0;
   bool knowsTruth = false;
-  // Of derivatives: the scales of its default row, mm; 0: the field itself.
+  // Of a quality setting of derivatives: the scales of its default row, mm; 0: the field itself.
   double normalScaleMm = 0.0, curvatureScaleMm = 0.0;
-  // Of light: what it was compared with.
+  // Of a quality setting of light: what it was compared with.
   std::uint64_t truthSamples = 0;  // paths per pixel
   int truthBounces = 0;
 };
 
-// The time of the passes that make a panel's error.
-double milliseconds(const StudySetting& setting, const Panel& panel);
-// What the panel shows its error against: that time, or what the light costs.
+// What the panel shows its error against: the time of the passes that make it, or what the light costs.
 double costOf(const QualitySetting& quality, const StudySetting& setting, const Panel& panel);
 // The same with its quartiles; bytes have no spread.
 TimeSpread costSpread(const QualitySetting& quality, const StudySetting& setting, const Panel& panel);
 // What the setting is judged by: the errors of its field where it is a field, otherwise of its arithmetic.
 const Errors& judged(const StudySetting& setting);
-// The cheapest of its rows, comparisons among them, whose first panel's error is at most this; of
-// those whose cost its quartiles do not tell from it (sameTime) the most accurate. Null: none is.
+// The cheapest of the quality setting's rows, comparisons among them, whose first panel's error is at most
+// this; of those whose cost its quartiles do not tell from it (sameTime) the most accurate. Null: none is.
 const StudySetting* cheapest(const QualityStudy& study, double error);
 // What cheapest() is asked for: of hits in voxels, of shapes in degrees, of scales in parts of the curvature,
 // of light in parts of its mean, of edges in parts of the range of colours, of shadows in mean FLIP.

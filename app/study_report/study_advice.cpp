@@ -14,8 +14,7 @@ using Rows = std::vector<const StudySetting*>;
 // Rows of a quality setting as advice compares them: by the first panel.
 class Comparing {
  public:
-  explicit Comparing(const QualityStudy& study)
-      : quality_(study.quality), panel_(panelsOf(study.quality)[0]) {}
+  explicit Comparing(const QualityStudy& study) : knob_(study.quality), panel_(panelsOf(study.quality)[0]) {}
 
   double error(const StudySetting& row) const { return panel_.error(judged(row)); }
   TimeSpread cost(const StudySetting& row) const { return costSpread(quality_, row, panel_); }
@@ -218,10 +217,10 @@ std::string scaleAdvice(const QualityStudy& study, const Comparing& by, const St
 std::string adviceOf(const QualityStudy& study) {
   const Comparing by(study);
   if (study.quality.measure == Measure::shadow) return shadowAdvice(study, by);
-  if (study.quality.sampled) return sampledAdvice(study, by);
+  if (study.quality.sampled()) return sampledAdvice(study, by);
   const StudySetting* const now = defaultRow(study);
   if (!now || !std::isfinite(by.error(*now))) return "No recommendation: no pixel has a " + by.noun() + '.';
-  if (study.quality.field)
+  if (study.quality.field())
     if (std::string text = fieldAdvice(study, by, *now); !text.empty()) return text;
   if (study.quality.measure == Measure::scale) return scaleAdvice(study, by, *now);
   Rows rows;
@@ -230,7 +229,7 @@ std::string adviceOf(const QualityStudy& study) {
 }
 
 std::string noteOf(const QualityStudy& study) {
-  if (!study.quality.sampled) return {};
+  if (!study.quality.sampled()) return {};
   const Comparing by(study);
   const StudySetting *finest = nullptr, *best = nullptr, *exact = nullptr;
   for (const StudySetting& row : study.settings) {

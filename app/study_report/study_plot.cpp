@@ -94,8 +94,8 @@ std::string plotScript(const QualityStudy& study, const std::string& subject, co
   }
   std::ostringstream out;
   out << "picture = " << gnuplotText(picture) << "\ntitle = " << gnuplotText(titleOf(quality, subject))
-      << "\nseries = " << gnuplotText(quality.field ? "against the same field" : "each value")
-      << "\njoined = " << (quality.sampled || quality.ordered)
+      << "\nseries = " << gnuplotText(quality.field() ? "against the same field" : "each value")
+      << "\njoined = " << (quality.sampled() || quality.ordered())
       << "\nbars = " << (quality.measure == Measure::light) << "\ncomparison = " << comparison
       << "\nfields = " << fields << "\narray xlabels[2] = [" << gnuplotText(costLabel(quality, panels[0]))
       << ", " << gnuplotText(costLabel(quality, panels[1])) << "]\narray ylabels[2] = ["

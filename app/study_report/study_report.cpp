@@ -148,7 +148,7 @@ ordered_json truthJson(const QualityStudy& study) {
     return {{"added_noise", study.addedNoise}, {"compared_with", study.knowsTruth ? "phantom" : "itself"}};
   if (measure != Measure::hits && measure != Measure::shape) return ordered_json::object();
   ordered_json json{{"passes", panelsOf(study.quality)[0].passes},
-                    {"method", study.quality.sampled ? "sampled" : "as in the scene"}};
+                    {"method", study.quality.sampled() ? "sampled" : "as in the scene"}};
   if (measure == Measure::shape)
     json["scales_mm"] = {{"normals", study.normalScaleMm}, {"curvature", study.curvatureScaleMm}};
   return json;

@@ -1,5 +1,4 @@
-// A study as study.json (docs/reference/outputs.md has its keys) and as study.md, a table per quality
-// setting.
+// A study as study.json (docs/reference/outputs.md has its keys) and as study.md, a table per setting.
 #pragma once
 
 #include <string>

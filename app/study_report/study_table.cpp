@@ -109,10 +109,6 @@ void addErrors(StudyTable& table, Measure measure, const Errors& (*errorsIn)(con
   }
 }
 
-const Errors& ownErrors(const StudySetting& setting) {
-  return setting.errors;
-}
-
 std::string costHead(const Panel& panel) {
   return base::joined(panel.passes, " + ") + ", ms (quartiles)";
 }
@@ -128,10 +124,10 @@ void writeSurfaceTables(std::ostream& out, const QualityStudy& study) {
   table.addProcessor();
   table.addCost(costHead(panels[0]), panels[0]);
   if (panels[0].passes != panels[1].passes) table.addCost(costHead(panels[1]), panels[1]);
-  addErrors(table, study.quality.measure, ownErrors);
+  addErrors(table, study.quality.measure, [](const StudySetting& s) -> const Errors& { return s.errors; });
   table.addPicture();
   table.write(out);
-  if (!study.quality.field) return;
+  if (!study.quality.field()) return;
   out << "\nAgainst `cubic_interpolating` in double precision, the field that passes through every "
          "sample:\n\n";
   StudyTable ofField(study);
