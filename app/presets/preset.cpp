@@ -37,17 +37,9 @@ constexpr std::array<const char*, 13> kOfVolume{
     "source.",        "camera.eye",  "camera.target", "camera.up",         "pieces.hidden",
     "pieces.only",    "clip.planes", "clip.box",      "clip.box_rotation", "clip.removed",
     "slice.position", "marks.",      "color."};
-constexpr std::array<const char*, 11> kReset{"isosurface.",
-                                             "isosurface2.",
-                                             "isosurface3.",
-                                             "isosurface4.",
-                                             "look.",
-                                             "flow.",
-                                             "pieces.keep",
-                                             "pieces.depth",
-                                             "pieces.smallest",
-                                             "pieces.within",
-                                             "light.environment.builtin"};
+constexpr std::array<const char*, 9> kReset{"isosurface.",     "isosurface#.",  "look.",
+                                            "flow.",           "pieces.keep",   "pieces.depth",
+                                            "pieces.smallest", "pieces.within", "light.environment.builtin"};
 
 bool coveredByOne(std::span<const char* const> patterns, const std::string& path) {
   return std::ranges::any_of(patterns, [&](const char* pattern) { return scene::covers(pattern, path); });
