@@ -14,7 +14,8 @@ using Rows = std::vector<const StudySetting*>;
 // Rows of a quality setting as advice compares them: by the first panel.
 class Comparing {
  public:
-  explicit Comparing(const QualityStudy& study) : knob_(study.quality), panel_(panelsOf(study.quality)[0]) {}
+  explicit Comparing(const QualityStudy& study)
+      : quality_(study.quality), panel_(panelsOf(study.quality)[0]) {}
 
   double error(const StudySetting& row) const { return panel_.error(judged(row)); }
   TimeSpread cost(const StudySetting& row) const { return costSpread(quality_, row, panel_); }

@@ -25,10 +25,10 @@ constexpr int accuracyRestMilliseconds = 1500;
 constexpr glm::ivec2 measuredPixels{160, 120};
 constexpr int measuredFrames = 3;
 
-// What a study of any knob is of: the scene with all of them at their defaults.
-scene::Scene withoutKnobs(scene::Scene scene) {
-  for (const app::QualitySetting& knob : app::qualitySettings()) {
-    const scene::Setting& setting = scene::setting(knob.setting);
+// What a study of any quality setting is of: the scene with all of them at their defaults.
+scene::Scene withDefaultQualities(scene::Scene scene) {
+  for (const app::QualitySetting& quality : app::qualitySettings()) {
+    const scene::Setting& setting = scene::setting(quality.setting);
     setting.set(scene, setting.defaultValue());
   }
   scene.marks.clear();

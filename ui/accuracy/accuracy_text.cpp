@@ -60,9 +60,9 @@ QString settingText(const std::string& assignment) {
   const std::string path = assignment.substr(0, equals);
   const auto value = QString::fromStdString(assignment.substr(equals + 1));
   const std::vector<app::QualitySetting>& list = app::qualitySettings();
-  const auto knob = std::find_if(list.begin(), list.end(),
-                                 [&](const app::QualitySetting& each) { return path == each.setting; });
-  QString name = knob != list.end() ? wordsOf(QString(knob->label)) : nameOf(scene::setting(path));
+  const auto quality = std::find_if(list.begin(), list.end(),
+                                    [&](const app::QualitySetting& each) { return path == each.setting; });
+  QString name = quality != list.end() ? wordsOf(QString(quality->label)) : nameOf(scene::setting(path));
   name[0] = name[0].toUpper();
   bool isNumber = false;
   value.toDouble(&isNumber);

@@ -41,7 +41,7 @@ TEST(QualityPoints, TheFrontIsWhatNothingBeatsInBoth) {
 }
 
 TEST(QualityPoints, TellTheDefaultAndThePresentAndLeaveOutWhatHasNoError) {
-  QualityStudy study{.quality = knobNamed("derivatives_field"), .settings = {}, .plot = {}};
+  QualityStudy study{.quality = qualityNamed("derivatives_field"), .settings = {}, .plot = {}};
   const double errors[] = {3.0, 0.5, std::numeric_limits<double>::quiet_NaN()};
   for (std::size_t i = 0; i < 3; ++i) {
     StudySetting setting;
@@ -77,10 +77,10 @@ TEST(QualityPoints, SamplingsKnobsActWhereHitsAreSampledAndLightsWhereLightIsRea
 
 TEST(QualityPoints, AKnobChangesItsSettingAloneAndItsDefaultStaysAutomatic) {
   const scene::Scene scene;
-  for (const QualitySetting& knob : qualitySettings()) {
-    EXPECT_EQ(withQualitySettingAt(knob, defaultValue(knob), scene, {}), scene) << knob.name;
-    for (const std::string& value : knob.values) {
-      const scene::Scene turnedOne = withQualitySettingAt(knob, value, scene, {});
+  for (const QualitySetting& quality : qualitySettings()) {
+    EXPECT_EQ(withQualitySettingAt(quality, defaultValue(quality), scene, {}), scene) << quality.name;
+    for (const std::string& value : quality.values) {
+      const scene::Scene turnedOne = withQualitySettingAt(quality, value, scene, {});
       const scene::SceneDiff changed = scene::difference(scene, turnedOne, "");
       EXPECT_LE(changed.changes.size(), 1u) << quality.name << ' ' << value;
       for (const scene::SceneChange& change : changed.changes) EXPECT_EQ(change.path, quality.setting);

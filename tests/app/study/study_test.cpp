@@ -119,18 +119,18 @@ TEST(StudyErrors, SpreadIsOfTheWholeDistribution) {
 }
 
 TEST(QualitySettings, EachHasItsDefaultAmongItsValues) {
-  for (const QualitySetting& knob : qualitySettings()) {
-    EXPECT_NE(defaultValue(knob), "") << knob.name;
-    EXPECT_NO_THROW(scene::setting(knob.setting)) << knob.name;
+  for (const QualitySetting& quality : qualitySettings()) {
+    EXPECT_NE(defaultValue(quality), "") << quality.name;
+    EXPECT_NO_THROW(scene::setting(quality.setting)) << quality.name;
   }
 }
 
 TEST(QualitySettings, PicturesAreComparedWithOneOfTheRows) {
-  for (const QualitySetting& knob : qualitySettings()) {
-    const std::string reference = knob.reference;
-    if (knob.measure == Measure::edges)
+  for (const QualitySetting& quality : qualitySettings()) {
+    const std::string reference = quality.reference;
+    if (quality.measure == Measure::edges)
       EXPECT_EQ(reference, "") << "a picture of its own";
-    else if (knob.sampled())
+    else if (quality.sampled())
       EXPECT_EQ(reference, kExactHits);
     else
       EXPECT_THAT(quality.values, testing::Contains(testing::StrEq(reference))) << quality.name;
@@ -207,12 +207,12 @@ TEST(QualitySettings, KnobsWithoutEffectSayWhy) {
   };
   scene::Scene plain, probe = underAProbe();
   plain.light.environment.constant = glm::dvec3(1.0);
-  for (const QualitySetting& knob : qualitySettings())
-    EXPECT_EQ(whyWithoutEffect(knob, probe), "") << knob.name;
-  for (const char* knob : {"samples", "sequence", "bounces", "interpolation", "precision"})
-    EXPECT_EQ(why(knob, plain), "") << knob;
-  for (const char* knob : {"environment_share", "sh_order", "sh_window", "components", "component_bits"})
-    EXPECT_THAT(why(knob, plain), HasSubstr("constant")) << knob;
+  for (const QualitySetting& quality : qualitySettings())
+    EXPECT_EQ(whyWithoutEffect(quality, probe), "") << quality.name;
+  for (const char* quality : {"samples", "sequence", "bounces", "interpolation", "precision"})
+    EXPECT_EQ(why(quality, plain), "") << quality;
+  for (const char* quality : {"environment_share", "sh_order", "sh_window", "components", "component_bits"})
+    EXPECT_THAT(why(quality, plain), HasSubstr("constant")) << quality;
   EXPECT_EQ(why("rate", plain), "");
   scene::Scene scaled;
   EXPECT_EQ(why("fetch", scaled), "");
@@ -330,8 +330,8 @@ TEST(StudyPlot, HasEveryPointAndMarksTheDefault) {
   EXPECT_THAT(script, HasSubstr("tops[2] = [1, 1]"));
 }
 
-QualityStudy madeLightStudy(const char* knob) {
-  QualityStudy study{.quality = parseQualitySettings(knob)[0], .settings = {}, .plot = {}};
+QualityStudy madeLightStudy(const char* quality) {
+  QualityStudy study{.quality = parseQualitySettings(quality)[0], .settings = {}, .plot = {}};
   const auto add = [&](const char* value, double seconds, double milliseconds, std::uint64_t bytes,
                        double rmse) {
     StudySetting setting;

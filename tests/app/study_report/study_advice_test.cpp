@@ -18,8 +18,8 @@ struct Row {
 };
 
 // The default is the row of that value; exact hits are a comparison.
-QualityStudy studyOf(const char* knob, const std::vector<Row>& rows, const std::string& byDefault) {
-  QualityStudy study{.quality = parseQualitySettings(knob)[0], .settings = {}, .plot = {}};
+QualityStudy studyOf(const char* quality, const std::vector<Row>& rows, const std::string& byDefault) {
+  QualityStudy study{.quality = parseQualitySettings(quality)[0], .settings = {}, .plot = {}};
   for (const Row& row : rows) {
     StudySetting setting;
     setting.value = row.value;
@@ -116,8 +116,8 @@ TEST(StudyAdvice, OfAShadowTellsWhatItCosts) {
 }
 
 TEST(StudyAdvice, IsASentenceForEveryKnob) {
-  for (const QualitySetting& knob : qualitySettings()) {
-    if (knob.measure == Measure::light || knob.measure == Measure::scale) continue;
+  for (const QualitySetting& quality : qualitySettings()) {
+    if (quality.measure == Measure::light || quality.measure == Measure::scale) continue;
     std::vector<Row> rows;
     for (const std::string& value : quality.values) rows.push_back({value.c_str(), 10, 1, 0.5});
     EXPECT_THAT(adviceOf(studyOf(quality.name, rows, defaultValue(quality))), testing::EndsWith("."))

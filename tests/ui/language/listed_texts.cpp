@@ -57,10 +57,10 @@ void addSetting(Collector& all, const scene::SettingInfo& setting) {
   for (const std::string& choice : setting.choices) all.addWords(choice);
 }
 
-void addKnobs(Collector& all) {
-  for (const app::QualitySetting& knob : app::qualitySettings()) {
-    all.addWords(knob.label);
-    for (const std::string& value : knob.values)
+void addQualities(Collector& all) {
+  for (const app::QualitySetting& quality : app::qualitySettings()) {
+    all.addWords(quality.label);
+    for (const std::string& value : quality.values)
       if (!std::isdigit(static_cast<unsigned char>(value.front()))) all.addWords(value);
   }
 }
