@@ -67,7 +67,9 @@ def main():
                                       executor, "--out", out], capture_output=True, text=True, cwd=folder, check=False)
                 result = hashlib.sha256(pixels(out)).hexdigest()[:16] if run.returncode == 0 else run.stderr.strip()
                 print(f"{name} {executor}: {result}", flush=True)
-        for recording in sorted((HERE / "recordings").glob(f"*{options.only}*.jsonl")):
+        for recording in sorted((HERE / "recordings").glob("*.jsonl")):
+            if options.only not in recording.stem:
+                continue
             frames = pathlib.Path(folder, recording.stem)
             run = subprocess.run([program, "replay", recording, "--fps", "10", "--size", options.size, "--context",
                                   "software", "--out", frames], capture_output=True, text=True, check=False)
