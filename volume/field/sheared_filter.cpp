@@ -22,10 +22,18 @@ struct KernelTap {
   double weight = 0.0;
 };
 
+// A sample of an axis, and the factor by which it contributes.
+struct Part {
+  int at;
+  double factor;
+};
+
 // What the sample `k` of an axis of n samples is made of.
-std::vector<ReflectedSample> extendedSample(int k, int n, Beyond beyond) {
-  if (beyond == Beyond::nothing && (k < 0 || k >= n)) return {};
-  return reflectedSample(k, n);
+std::vector<Part> extendedSample(int k, int n, Beyond beyond) {
+  std::vector<Part> parts;
+  if (beyond == Beyond::reflected || (k >= 0 && k < n))
+    addReflected(k, n, [&](int at, double factor) { parts.push_back({at, factor}); });
+  return parts;
 }
 
 class DirectFilter {
@@ -59,8 +67,8 @@ class DirectFilter {
     const auto width = static_cast<std::size_t>(dims_.x), reach = static_cast<std::size_t>(reach_);
     std::fill(row.begin(), row.end(), 0.0);
     double* const middle = row.data() + reach;
-    for (const ReflectedSample& inZ : extendedSample(z, dims_.z, beyond_))
-      for (const ReflectedSample& inY : extendedSample(y, dims_.y, beyond_)) {
+    for (const Part& inZ : extendedSample(z, dims_.z, beyond_))
+      for (const Part& inY : extendedSample(y, dims_.y, beyond_)) {
         const float* const from = values_.data() + Extent3{dims_}.index(0, inY.at, inZ.at);
         for (std::size_t x = 0; x < width; ++x)
           middle[x] += inZ.factor * inY.factor * static_cast<double>(from[x]);
@@ -77,7 +85,7 @@ class DirectFilter {
   std::vector<KernelTap> taps_;
   int reach_ = 0;
   // Samples beyond the ends of a row, by their distance.
-  std::vector<std::vector<ReflectedSample>> before_, behind_;
+  std::vector<std::vector<Part>> before_, behind_;
 };
 
 // Of a Gaussian with this variance: sampled, or, where sampling changes it, that of which the response has

@@ -21,20 +21,6 @@ HalfKernel foldedTo(std::size_t length, const HalfKernel& kernel) {
 
 }  // namespace
 
-std::vector<ReflectedSample> reflectedSample(int k, int n) {
-  if (n == 1) return {{0, 1.0}};
-  std::vector<ReflectedSample> parts;
-  double sign = 1.0;
-  while (k < 0 || k > n - 1) {
-    const int border = k < 0 ? 0 : n - 1;
-    parts.push_back({border, 2.0 * sign});
-    sign = -sign;
-    k = 2 * border - k;
-  }
-  parts.push_back({k, sign});
-  return parts;
-}
-
 SymmetricFilter::SymmetricFilter(const HalfKernel& kernel, std::size_t length, Beyond beyond)
     : length_(length),
       reach_(0),

@@ -12,14 +12,18 @@ namespace isolux::volume {
 // ramp and keep the border samples; or zeros.
 enum class Beyond { reflected, nothing };
 
-// A sample of an axis, and the factor by which it contributes.
-struct ReflectedSample {
-  int at;
-  double factor;
-};
-// Returns the contributions to sample k of an axis of n samples: itself, or, beyond the border, the sum that
-// point reflections make. An axis of one sample is constant.
-std::vector<ReflectedSample> reflectedSample(int k, int n);
+// Calls add(sample, factor) for what contributes to sample k of an axis of n samples: itself, or, beyond the
+// border, the sum that point reflections make. An axis of one sample is constant.
+template <class Add>
+void addReflected(int k, int n, const Add& add) {
+  double sign = 1.0;
+  for (; n > 1 && (k < 0 || k > n - 1); sign = -sign) {
+    const int border = k < 0 ? 0 : n - 1;
+    add(border, 2.0 * sign);
+    k = 2 * border - k;
+  }
+  add(n > 1 ? k : 0, sign);
+}
 
 // Double arithmetic. A kernel of any length: reflections repeat after twice the line, where a longer kernel
 // is folded.

@@ -32,30 +32,35 @@ std::vector<double> smoothingKernel(double variance) {
   return kernel;
 }
 
-// As AxisTaps, of any number.
+// As AxisTaps, of any number. A sample is given by its offset in the array.
 struct LongAxisTaps {
+  explicit LongAxisTaps(std::size_t expected) {
+    sample.reserve(expected);
+    for (std::vector<double>* const weights : {&w, &d1, &d2}) weights->reserve(expected);
+  }
+
   std::size_t count = 0;
-  std::vector<int> sample;
+  std::vector<std::size_t> sample;
   std::vector<double> w, d1, d2;
 
   // Folds samples beyond the border.
-  void add(int at, int length, double weight, double slope, double bend) {
-    for (const ReflectedSample& part : reflectedSample(at, length)) {
-      sample.push_back(part.at);
-      w.push_back(part.factor * weight);
-      d1.push_back(part.factor * slope);
-      d2.push_back(part.factor * bend);
+  void add(int at, int length, std::size_t stride, double weight, double slope, double bend) {
+    addReflected(at, length, [&](int from, double factor) {
+      sample.push_back(static_cast<std::size_t>(from) * stride);
+      w.push_back(factor * weight);
+      d1.push_back(factor * slope);
+      d2.push_back(factor * bend);
       ++count;
-    }
+    });
   }
-  int middle() const { return sample[count / 2]; }
+  std::size_t middle() const { return sample[count / 2]; }
 };
 
-LongAxisTaps tapsAlong(const std::vector<double>& kernel, double position, int length) {
+LongAxisTaps tapsAlong(const std::vector<double>& kernel, double position, int length, std::size_t stride) {
   const auto [cell, t] = cellPosition(position, length);
   const CubicWeights<double> spline = cubicWeights(t);
   const int reach = static_cast<int>(kernel.size()) - 1;
-  LongAxisTaps out;
+  LongAxisTaps out(2 * kernel.size() + 2);
   for (int tap = -1 - reach; tap <= 2 + reach; ++tap) {
     double w = 0.0, d1 = 0.0, d2 = 0.0;
     for (int k = 0; k < 4; ++k) {
@@ -66,7 +71,7 @@ LongAxisTaps tapsAlong(const std::vector<double>& kernel, double position, int l
       d1 += weight * spline.d1[k];
       d2 += weight * spline.d2[k];
     }
-    out.add(cell + tap, length, w, d1, d2);
+    out.add(cell + tap, length, stride, w, d1, d2);
   }
   return out;
 }
@@ -112,19 +117,19 @@ std::vector<PointDerivatives> derivativesAtScale(const Grid& grid, std::span<con
   for (int axis = 0; axis < 3; ++axis)
     kernels[static_cast<std::size_t>(axis)] = smoothingKernel(smoothing[axis] - kSplineVariance);
   std::vector<PointDerivatives> out(points.size());
+  const std::array<std::size_t, 3> strides{1, grid.index(0, 1, 0), grid.index(0, 0, 1)};
   const auto sum = [&](const auto& voxels) {
     parallelEach(points.size(), [&](std::size_t i) {
       const auto along = [&](int axis) {
-        return tapsAlong(kernels[static_cast<std::size_t>(axis)], points[i][axis], geometry.dims[axis]);
+        const auto a = static_cast<std::size_t>(axis);
+        return tapsAlong(kernels[a], points[i][axis], geometry.dims[axis], strides[a]);
       };
       const LongAxisTaps x = along(0), y = along(1), z = along(2);
-      const auto stored = [&](int sx, int sy, int sz) {
-        return static_cast<double>(voxels[grid.index(sx, sy, sz)]);
-      };
       // Nothing is lost of values like 1e6.
-      const double middle = stored(x.middle(), y.middle(), z.middle());
-      const FieldSample around =
-          tensorProduct(x, y, z, [&](int sx, int sy, int sz) { return stored(sx, sy, sz) - middle; });
+      const auto middle = static_cast<double>(voxels[x.middle() + y.middle() + z.middle()]);
+      const FieldSample around = tensorProduct(x, y, z, [&](auto atX, auto atY, auto atZ) {
+        return static_cast<double>(voxels[atX + atY + atZ]) - middle;
+      });
       out[i] = {worldGradient(geometry, grid.slope() * around.gradient),
                 worldHessian(geometry, grid.slope() * around.hessian)};
     });
