@@ -14,6 +14,8 @@
 #include <unistd.h>
 #endif
 
+#include "base/decimal_text.h"
+
 namespace isolux::base {
 
 namespace {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/accuracy/accuracy_report.h"
+#include "app/files/json_text.h"
 #include "app/light/light_report.h"
 #include "app/report/notes.h"
 #include "app/version.h"

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "scene/settings/scene_diff.h"
 #include "tests/app/commands/run_isolux.h"
+#include "tests/support/paths.h"
 #include "tests/support/test_data.h"
 
 namespace isolux::app {

@@ -14,6 +14,7 @@
 #include "app/files/state_folder.h"
 #include "base/error.h"
 #include "tests/app/commands/run_isolux.h"
+#include "tests/support/paths.h"
 #include "tests/support/test_data.h"
 
 namespace isolux::app {

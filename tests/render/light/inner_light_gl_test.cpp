@@ -7,6 +7,7 @@
 
 #include "app/light/light_controller.h"
 #include "gi/reference/reference.h"
+#include "scene/opacity.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/render/light/light_support.h"
 #include "tests/support/cut_ball.h"

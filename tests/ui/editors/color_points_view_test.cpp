@@ -10,6 +10,7 @@
 #include "app/documents/history.h"
 #include "scene/color_maps.h"
 #include "tests/support/ui/window_fixture.h"
+#include "ui/editors/setting_editor.h"
 #include "ui/panels/settings_panel.h"
 #include "ui/widgets/color_button.h"
 

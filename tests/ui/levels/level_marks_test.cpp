@@ -2,6 +2,7 @@
 #include <string>
 
 #include <QAction>
+#include <QCoreApplication>
 #include <QLabel>
 
 #include "tests/support/ui/needles.h"

@@ -1,9 +1,11 @@
 // Stored light in the window: it comes, is shown, can be paused and stopped, and goes with its volume.
 #include "tests/support/ui/window_fixture.h"
 
+#include <QPushButton>
 #include <QTest>
 #include <QToolButton>
 
+#include "scene/settings/settings.h"
 #include "tests/support/ui/dialog_answers.h"
 #include "ui/document/baked_light.h"
 #include "ui/editors/environment_preview.h"

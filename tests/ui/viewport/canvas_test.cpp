@@ -3,6 +3,9 @@
 // textures skip.
 #include "tests/support/ui/window_fixture.h"
 
+// Before Qt's headers of OpenGL.
+#include "render/gl/gl.h"
+
 #include <functional>
 #include <utility>
 #include <vector>

@@ -1,6 +1,7 @@
 // A screen that is drawn at 200 %: run by CTest with QT_SCALE_FACTOR=2, and with it what the pointer does.
 #include "tests/support/ui/window_fixture.h"
 
+#include "scene/settings/settings.h"
 #include "ui/viewport/viewport.h"
 
 namespace isolux::test {

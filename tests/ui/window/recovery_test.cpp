@@ -12,6 +12,7 @@
 #include <QTest>
 
 #include "app/documents/autosave.h"
+#include "scene/settings/settings.h"
 #include "tests/support/test_data.h"
 #include "ui/document/document_keeper.h"
 #include "ui/viewport/viewport.h"

@@ -12,6 +12,7 @@
 #include <QToolButton>
 #include <QUrl>
 
+#include "tests/support/test_data.h"
 #include "tests/support/ui/window_fixture.h"
 #include "ui/document/recent_files.h"
 #include "ui/panels/volume_panel.h"

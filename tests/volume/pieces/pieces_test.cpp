@@ -11,6 +11,7 @@
 #include "tests/support/flooded_pieces.h"
 #include "tests/support/test_data.h"
 #include "tests/support/volumes.h"
+#include "volume/read/reader.h"
 
 namespace isolux::volume {
 namespace {

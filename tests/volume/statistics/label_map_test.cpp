@@ -12,6 +12,7 @@
 #include "tests/support/test_data.h"
 #include "volume/phantom/phantom.h"
 #include "volume/prepared/prepared_volume.h"
+#include "volume/read/reader.h"
 
 namespace isolux::volume {
 namespace {
