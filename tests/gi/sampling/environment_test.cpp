@@ -87,6 +87,13 @@ std::vector<Case> cases() {
   return all;
 }
 
+// It is in the keys of bakes on disk.
+TEST(Environment, KeepsItsHash) {
+  const std::vector<glm::vec3> pixels{{1.0f, 0.5f, 0.25f}, glm::vec3(2.0f)};
+  EXPECT_EQ(Environment(2, 1, pixels).hash(), 0x30a9a465e43d8d03u);
+  EXPECT_EQ(Environment(1, 2, pixels).hash(), 0xb6ed448b3b49df9eu);
+}
+
 TEST(Environment, SolidAnglesCoverTheSphere) {
   for (const auto& [width, height] : {std::pair(1, 1), std::pair(5, 3), std::pair(1024, 512)}) {
     const auto environment =
