@@ -103,6 +103,38 @@ TEST_P(AccuracyGlTest, BallHitsWithin0_01VoxelAndNormalsWithin0_1Degree) {
   }
 }
 
+// Values grow by e in three voxels, and samples are four voxels apart: one step of regula falsi is not
+// enough.
+TEST_P(AccuracyGlTest, RefinementsOfASampledHitFindTheRootOfACurvedField) {
+  constexpr double radius = 20.0;
+  const glm::ivec2 size(96);
+  const auto volume =
+      prepared(voxelSpaceField(centred(64, glm::dvec3(1.0), glm::dmat3(1.0)),
+                               [&](glm::dvec3 q) { return std::exp((radius - glm::length(q)) / 3.0); }));
+  const auto meanDistance = [&](int refinements) {
+    scene::Scene scene;
+    scene.isosurface.value = 1.0;
+    scene.hit.method = scene::HitMethod::sampled;
+    scene.hit.rate = 0.25;
+    scene.hit.nearFactor = 1.0;
+    scene.hit.refinements = refinements;
+    const Images result = images(volume, scene, size);
+    double sum = 0.0;
+    int count = 0;
+    for (std::size_t i = 0; i < result.hit.values.size(); ++i) {
+      if (result.hit.values[i] != 1.0f) continue;
+      sum += std::abs(glm::length(at(result.voxel, i) - glm::dvec3(31.5)) - radius);
+      ++count;
+    }
+    EXPECT_GT(count, 800);
+    return sum / count;
+  };
+  const double once = meanDistance(1), often = meanDistance(24);
+  std::printf("sampled every 4 voxels: %.4f voxel after one refinement, %.4f after 24\n", once, often);
+  EXPECT_GT(once, 0.1);
+  EXPECT_LT(often, 0.06);  // what trilinear interpolation leaves
+}
+
 TEST_P(AccuracyGlTest, TorusNormalsWithin0_1Degree) {
   const glm::ivec2 size(256);
   constexpr double major = 36.0, minor = 18.0;
