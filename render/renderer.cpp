@@ -5,6 +5,7 @@
 #include <chrono>
 #include <utility>
 
+#include "base/clock.h"
 #include "base/error.h"
 #include "render/gl/gl_messages.h"
 #include "render/gl/program_cache.h"
@@ -373,7 +374,7 @@ const FrameReport& Renderer::render(const scene::Scene& asked, const FrameReques
   parts.writeReport();
   parts.endFrame();
   parts.frame.images.dropFree();
-  parts.report.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+  parts.report.milliseconds = 1000.0 * base::secondsSince(begin);
   const std::vector<std::string>& errors = glErrors();
   if (errors.size() > errorsBefore)
     parts.report.glErrors.assign(errors.begin() + static_cast<std::ptrdiff_t>(errorsBefore), errors.end());

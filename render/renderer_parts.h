@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/clock.h"
 #include "render/passes/brick_rounds.h"
 #include "render/passes/pass_declarations.h"
 #include "render/passes/readback.h"
@@ -34,7 +35,7 @@ class PassClock {
       gl_->Finish();
     else
       gl_->QueryCounter(timers_.back().second.id(), GL_TIMESTAMP);
-    wall_.push_back(std::chrono::duration<double, std::milli>(Clock::now() - begin_).count());
+    wall_.push_back(1000.0 * base::secondsSince(begin_));
   }
   void write(std::vector<PassReport>& passes) const {
     for (std::size_t i = 0; i < timed_.size(); ++i) {

@@ -11,6 +11,7 @@
 #include "app/cluster/rank_facts.h"
 #include "app/light/light_resume.h"
 #include "app/version.h"
+#include "base/clock.h"
 #include "base/error.h"
 #include "gi/arithmetic.h"
 #include "scene/rules/environment.h"
@@ -124,7 +125,7 @@ void ClusterBake::bake(const gi::StoredLight& finished, const ClusterScene& scen
   while (!master_->isFinished() && !progress.stopRequested()) {
     const bool happened = master_->step();
     progress.report(master_->fraction(), "tracing light");
-    if (secondsSince(written) >= options_.checkpointSeconds && !checkpoints.busy()) {
+    if (base::secondsSince(written) >= options_.checkpointSeconds && !checkpoints.busy()) {
       checkpoints.begin([write, light = stamped(finished)] { write(light); });
       written = Clock::now();
     }

@@ -7,16 +7,13 @@
 #include <nlohmann/json.hpp>
 
 #include "app/version.h"
+#include "base/clock.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "gi/arithmetic.h"
 #include "volume/read/process/wire.h"
 
 namespace isolux::app {
-
-double secondsSince(std::chrono::steady_clock::time_point then) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
-}
 
 void Pause::after(bool happened) {
   constexpr int least = 100, most = 4000;
@@ -155,7 +152,7 @@ void ClusterMaster::dropElsewhere(std::uint32_t tile) {
 // that have nothing.
 bool ClusterMaster::handOut() {
   const bool all = std::ranges::all_of(peers_, [](const RankReport& peer) { return peer.ready; });
-  if (!all && secondsSince(began_) < options_.readySeconds) return false;
+  if (!all && base::secondsSince(began_) < options_.readySeconds) return false;
   bool given = false;
   if (!firstTileAt_) firstTileAt_ = std::chrono::steady_clock::now();
   for (int rank = 0; rank < ranks_.size(); ++rank) {
@@ -181,7 +178,7 @@ void ClusterMaster::give(int rank, std::uint32_t tile) {
 }
 
 double ClusterMaster::seconds() const {
-  return firstTileAt_ ? secondsSince(*firstTileAt_) : 0.0;
+  return firstTileAt_ ? base::secondsSince(*firstTileAt_) : 0.0;
 }
 
 double ClusterMaster::fraction() const {
@@ -214,7 +211,7 @@ bool farewellTo(Ranks& ranks, std::vector<RankReport>& peers, double seconds) {
     return std::ranges::all_of(peers, [](const RankReport& peer) { return peer.left; });
   };
   Pause pause;
-  while (!allLeft() && secondsSince(begin) < seconds) {
+  while (!allLeft() && base::secondsSince(begin) < seconds) {
     const auto message = ranks.next();
     if (message) {
       RankReport& peer = peers.at(static_cast<std::size_t>(message->from));

@@ -24,8 +24,6 @@ struct RankReport {
 // A list for --stats: host, threads, tiles, paths, rays, seconds, idle share, instructions.
 nlohmann::ordered_json ranksJson(const std::vector<RankReport>& ranks);
 
-double secondsSince(std::chrono::steady_clock::time_point then);
-
 // Tells all to stop, and waits for their goodbyes; false where some do not answer within `seconds`.
 bool farewellTo(Ranks& ranks, std::vector<RankReport>& peers, double seconds);
 

@@ -80,7 +80,7 @@ std::shared_ptr<const gi::Environment> broadcastProbe(Ranks& ranks,
     pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   ranks.broadcast(std::as_writable_bytes(std::span(pixels)), progress);
   if (probe) return probe;
-  return std::make_shared<gi::Environment>(gi::Environment(width, height, std::move(pixels)));
+  return std::make_shared<gi::Environment>(width, height, std::move(pixels));
 }
 
 }  // namespace isolux::app

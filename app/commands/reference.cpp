@@ -12,6 +12,7 @@
 #include "app/files/reference_image.h"
 #include "app/runtime/progress_bar.h"
 #include "app/version.h"
+#include "base/clock.h"
 #include "base/color.h"
 #include "base/error.h"
 #include "base/number_text.h"
@@ -33,10 +34,6 @@ struct ReferenceOptions {
   std::uint32_t samples = 256;
   std::shared_ptr<SceneOptions> scene;
 };
-
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 ordered_json statsJson(const ReferenceOptions& options, const gi::ReferenceImage& image,
                        std::size_t litPixels, int threads, double seconds,
@@ -112,11 +109,12 @@ void runReference(const ReferenceOptions& options, base::Progress& progress) {
       const double to = static_cast<double>(round) / options.samples;
       if (!picture.refineTo(round, progress, done, to)) break;
       done = to;
-      if (round == options.samples || (written && secondsSince(*written) < kSecondsBetweenWrites)) continue;
+      if (round == options.samples || (written && base::secondsSince(*written) < kSecondsBetweenWrites))
+        continue;
       writePicture(picture.image(), scene, out, session);  // an interrupt leaves it
       written = Clock::now();
     }
-    seconds = secondsSince(start);
+    seconds = base::secondsSince(start);
     image = picture.image();
     progress.report(1.0, "writing");
     writePicture(image, scene, out, session);

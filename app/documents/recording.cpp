@@ -12,6 +12,7 @@
 #include "app/documents/stored_scene.h"
 #include "app/files/files.h"
 #include "app/version.h"
+#include "base/clock.h"
 #include "base/error.h"
 #include "scene/settings/scene_diff.h"
 
@@ -98,7 +99,7 @@ Recorder::Recorder(const fs::path& file, const scene::Scene& start)
 }
 
 void Recorder::add(const scene::SceneDiff& diff) {
-  add(diff, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count());
+  add(diff, base::secondsSince(begin_));
 }
 
 void Recorder::add(const scene::SceneDiff& diff, double seconds) {

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "app/light/light_planner.h"
+#include "base/clock.h"
 #include "base/destroy_in_background.h"
 #include "gi/arithmetic.h"
 #include "gi/file/bake_file.h"
@@ -322,10 +323,7 @@ bool LightController::settle(double timeoutSeconds) const {
 
 bool LightController::finish(base::Progress& progress, double timeoutSeconds) {
   const auto begin = std::chrono::steady_clock::now();
-  const auto over = [&] {
-    return progress.stopRequested() ||
-           std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() > timeoutSeconds;
-  };
+  const auto over = [&] { return progress.stopRequested() || base::secondsSince(begin) > timeoutSeconds; };
   constexpr double slice = 0.02;  // seconds: how soon a stop is seen
   while (!settle(slice))
     if (over()) return false;

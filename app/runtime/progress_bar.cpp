@@ -13,6 +13,8 @@
 
 #include <unistd.h>
 
+#include "base/clock.h"
+
 namespace isolux::app {
 
 namespace {
@@ -37,7 +39,7 @@ void drawBar(const base::Progress& progress, const std::stop_token& stop) {
   };
   if (endsWithin(silence)) return;
   do {
-    const double elapsed = std::chrono::duration<double>(Clock::now() - begin).count();
+    const double elapsed = base::secondsSince(begin);
     const std::string line = progressLine(progress.fraction(), progress.stage(), elapsed);
     std::fprintf(stderr, "\r%s\x1b[K", line.c_str());
     std::fflush(stderr);

@@ -1,5 +1,5 @@
-// Of what a quality setting was found to cost and to err by: the points of a plot, and which of them are
-// worth their time.
+// Makes the points of a plot from what a quality setting was found to cost and to err by, and tells which of
+// them are worth their time.
 #pragma once
 
 #include <string>
@@ -18,8 +18,8 @@ struct QualityPoint {
   bool onFront = false;    // no other point is as cheap and as accurate, and better in one of them
 };
 
-// Of the values, by the study's first panel; those without an error (NaN) are left out. `scene` as the user
-// gave it.
+// Returns the points of the values, by the study's first panel, without those whose error is NaN. `scene` as
+// the user gave it.
 std::vector<QualityPoint> pointsOf(const QualityStudy& study, const scene::Scene& scene,
                                    const scene::VolumeFacts& facts);
 // Sets onFront. Equal points are all on the front.

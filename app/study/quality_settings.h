@@ -11,8 +11,9 @@
 
 namespace isolux::app {
 
-// What a quality setting trades for time or memory: where the surface is, how it is bent, what noise makes of
-// that, how it is lit, how smooth edges of the picture are, or whether the key light throws a shadow.
+// Names what a quality setting trades for time or memory: where the surface is, how it is bent, what noise
+// makes of that, how it is lit, how smooth edges of the picture are, or whether the key light throws a
+// shadow.
 enum class Measure { hits, shape, scale, light, edges, shadow };
 // What it costs: the time of passes, or of the whole frame; of light, tracing it, reading it, or keeping it.
 enum class Cost { passes, frameMilliseconds, bakeSeconds, lookupMilliseconds, gpuMegabytes };
@@ -27,7 +28,7 @@ struct Panel {
   double (*error)(const Errors&);
 };
 struct QualitySetting;
-// What a quality setting is plotted by; the first decides which setting reaches an error.
+// Returns what a quality setting is plotted by; the first decides which setting reaches an error.
 const std::array<Panel, 2>& panelsOf(const QualitySetting& quality);
 
 // Traits: acts on hit.method sampled only; chooses a field: also compared with cubic_interpolating; its

@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/clock.h"
 #include "base/quantiles.h"
 #include "base/random.h"
 #include "volume/field/curvature.h"
@@ -79,7 +80,7 @@ ScaleStudyRunner::Shapes ScaleStudyRunner::shapesOf(const Grid& grid, scene::Fie
     scaled = volume::scaledField(grid, field, scaleMm, progress);
   else if (field == scene::Field::cubic_interpolating)
     coefficients = volume::interpolatingCoefficients(grid, progress);
-  seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+  seconds.push_back(base::secondsSince(begin));
   Shapes shapes(points_.size());
   volume::parallelEach(points_.size(), [&](std::size_t i) {
     const volume::FieldSample sample = volume::sampleField(

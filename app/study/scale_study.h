@@ -1,4 +1,4 @@
-// What noise makes of normals and curvatures at a scale: the quality setting `derivatives_scale`.
+// Studies what noise makes of normals and curvatures at a scale: the quality setting `derivatives_scale`.
 //
 // Noise is added to the volume, kNoiseSeeds times, and each time the shape at points of the view's surface is
 // derived at the scale, in double precision. The points stay those of the volume as it is.

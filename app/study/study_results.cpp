@@ -56,7 +56,7 @@ std::vector<double> passSums(const StudySetting& setting, const Panel& panel) {
   return sums;
 }
 
-// What the panel shows its error against, and the times that it is the median of; bytes have none.
+// Finds what the panel shows its error against, and the times that it is the median of; bytes have none.
 std::pair<double, std::vector<double>> costAndTimes(const QualitySetting& quality,
                                                     const StudySetting& setting, const Panel& panel) {
   if (quality.cost == Cost::passes) return {milliseconds(setting, panel), passSums(setting, panel)};

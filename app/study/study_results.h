@@ -1,4 +1,4 @@
-// What a study finds: of each value of a quality setting what it costs and how far off it is.
+// Holds what a study finds: the cost and the error of each value of a quality setting.
 #pragma once
 
 #include <array>
@@ -83,17 +83,18 @@ struct QualityStudy {
   std::string plot{};  // file name beside study.json; "" where there is none
   bool eightBitVoxels = false;
   std::string skipped{};  // why it was not studied: it has no effect in this scene
-  // Of the scale: the noise that was added, data units, and whether the truth is a phantom's own.
+  // The scale's study states the noise that was added, data units, and whether the truth is a phantom's own.
   double addedNoise = 0.0;
   bool knowsTruth = false;
-  // Of a quality setting of derivatives: the scales of its default row, mm; 0: the field itself.
+  // Settings of derivatives state the scales of their default row, mm; 0: the field itself.
   double normalScaleMm = 0.0, curvatureScaleMm = 0.0;
-  // Of a quality setting of light: what it was compared with.
+  // Settings of light state what they were compared with.
   std::uint64_t truthSamples = 0;  // paths per pixel
   int truthBounces = 0;
 };
 
-// What the panel shows its error against: the time of the passes that make it, or what the light costs.
+// Returns what the panel shows its error against: the time of the passes that make it, or what the light
+// costs.
 double costOf(const QualitySetting& quality, const StudySetting& setting, const Panel& panel);
 // The same with its quartiles; bytes have no spread.
 TimeSpread costSpread(const QualitySetting& quality, const StudySetting& setting, const Panel& panel);

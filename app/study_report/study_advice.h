@@ -1,4 +1,4 @@
-// What a quality setting's table says to do, in a sentence or two of Markdown.
+// Says what a quality setting's table suggests to do, in a sentence or two of Markdown.
 #pragma once
 
 #include <string>

@@ -135,7 +135,7 @@ void writeSurfaceTables(std::ostream& out, const QualityStudy& study) {
   ofField.write(out);
 }
 
-// Of a quality setting that is judged by the picture alone: rays per pixel, or the shadow.
+// Writes the table of a setting that is judged by the picture alone: rays per pixel, or the shadow.
 void writePictureTable(std::ostream& out, const QualityStudy& study) {
   StudyTable table(study);
   table.addCost("frame, ms (quartiles)", panelsOf(study.quality)[0]);

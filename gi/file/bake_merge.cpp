@@ -206,8 +206,7 @@ void merge(std::span<const fs::path> files, const fs::path& out, bool mixArithme
 
 void mergeBakeFiles(std::span<const fs::path> files, const fs::path& out, bool mixArithmetic,
                     base::Progress& progress) {
-  if (files.empty())
-    throw base::Error(base::ErrorKind::usage, out.string(), "", "there are no parts to merge");
+  if (files.empty()) base::throwUsage(out.string(), "", "there are no parts to merge");
   namingFile(out, "merged", [&] { merge(files, out, mixArithmetic, progress); });
 }
 

@@ -87,9 +87,9 @@ std::vector<DicomFile> chooseSeries(std::vector<DicomFile> files, const std::str
         chosen = uid;
       }
   } else if (!all.contains(wanted)) {
-    throw base::Error(base::ErrorKind::usage, folder, "source.series",
-                      "no series " + inQuotes(wanted) + "; the folder has " + std::to_string(all.size()) +
-                          ", the first is " + all.begin()->first);
+    base::throwUsage(folder, "source.series",
+                     "no series " + inQuotes(wanted) + "; the folder has " + std::to_string(all.size()) +
+                         ", the first is " + all.begin()->first);
   }
   for (const auto& [uid, series] : all)
     if (series.slices > 0)

@@ -55,11 +55,10 @@ std::vector<Aov> parseAovList(const std::string& text) {
   const std::string known = base::joined(aovs(), ", ", &AovInfo::name);
   for (std::string word; std::getline(words, word, ',');) {
     const auto info = std::ranges::find(aovs(), word, &AovInfo::name);
-    if (info == aovs().end())
-      throw base::Error(base::ErrorKind::usage, "", "--aov", "unknown image '" + word + "'; known: " + known);
+    if (info == aovs().end()) base::throwUsage("", "--aov", "unknown image '" + word + "'; known: " + known);
     list.push_back(info->aov);
   }
-  if (list.empty()) throw base::Error(base::ErrorKind::usage, "", "--aov", "no image named; known: " + known);
+  if (list.empty()) base::throwUsage("", "--aov", "no image named; known: " + known);
   return list;
 }
 

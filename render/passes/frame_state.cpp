@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/clock.h"
 #include "render/passes/cut_faces_pass.h"
 #include "render/passes/light_passes.h"
 #include "render/passes/passes.h"
@@ -159,7 +160,7 @@ void FrameState::drawInBands(const Parts& parts, const std::function<void()>& dr
       if (drawn < rows) continue;
       gl->Finish();
       if (request.stop.stop_requested()) return;
-      rows = nextBand(rows, std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
+      rows = nextBand(rows, 1000.0 * base::secondsSince(begin));
       drawn = 0;
       begin = Clock::now();
     }

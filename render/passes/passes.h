@@ -40,7 +40,7 @@ glm::ivec2 occlusionCells(const FrameRequest& request);
 // Returns how many pixels around one decide which lines it shows.
 double reachOfLines(const scene::Scene& scene, int heightInRays);
 
-// What the shade pass makes of settings and reuses between frames.
+// Holds what the shade pass makes of settings and reuses between frames.
 struct LookTextures {
   Texture colors;  // the colour map's samples, and the look they were made from
   scene::Look colorsOf;

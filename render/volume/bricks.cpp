@@ -6,6 +6,7 @@
 
 #include <glm/vector_relational.hpp>
 
+#include "base/clock.h"
 #include "base/error.h"
 #include "volume/bricks/brick_source.h"
 
@@ -194,8 +195,7 @@ std::size_t Bricks::serve(BrickCache::Round kept, std::size_t limitBytes) {
     ++uploaded_;
   }
   wanted_.erase(wanted_.begin(), wanted_.begin() + static_cast<std::ptrdiff_t>(next));
-  uploadMilliseconds_ +=
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  uploadMilliseconds_ += 1000.0 * base::secondsSince(begin);
   return count;
 }
 

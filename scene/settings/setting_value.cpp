@@ -240,10 +240,16 @@ json jsonOf(const std::vector<Mark>& marks) {
 }
 
 std::size_t componentsOf(SettingType type) {
-  return type == SettingType::pair         ? 2
-         : type == SettingType::vector     ? 3
-         : type == SettingType::quaternion ? 4
-                                           : 0;
+  switch (type) {
+    case SettingType::pair:
+      return 2;
+    case SettingType::vector:
+      return 3;
+    case SettingType::quaternion:
+      return 4;
+    default:
+      return 0;
+  }
 }
 
 }  // namespace isolux::scene

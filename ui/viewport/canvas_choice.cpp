@@ -16,6 +16,7 @@
 #include <QStringList>
 #include <QSurfaceFormat>
 
+#include "base/clock.h"
 #include "base/error.h"
 #include "render/gl/gl.h"
 #include "render/gl/gl_objects.h"
@@ -94,8 +95,7 @@ double leastMilliseconds(Work work) {
   for (int round = 0; round < rounds; ++round) {
     const auto begin = std::chrono::steady_clock::now();
     work();
-    least = std::min(
-        least, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
+    least = std::min(least, 1000.0 * base::secondsSince(begin));
   }
   return least;
 }

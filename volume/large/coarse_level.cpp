@@ -95,13 +95,13 @@ int levelThatFits(const VolumeFile& file, int finest, double share) {
 
 Volume readLevel(const VolumeFile& file, const scene::Source& source, base::Progress& progress) {
   if (!file.parts)
-    throw base::Error(base::ErrorKind::usage, source.path, "source.level=" + std::to_string(source.level),
-                      "only files that are read in parts have coarser levels: " + file.whyWhole);
+    base::throwUsage(source.path, "source.level=" + std::to_string(source.level),
+                     "only files that are read in parts have coarser levels: " + file.whyWhole);
   const ChunkedFacts& facts = file.parts->facts();
   if (source.level > coarsestLevel(facts))
-    throw base::Error(base::ErrorKind::usage, source.path, "source.level",
-                      "level " + std::to_string(source.level) + " does not exist; the coarsest is " +
-                          std::to_string(coarsestLevel(facts)));
+    base::throwUsage(source.path, "source.level",
+                     "level " + std::to_string(source.level) + " does not exist; the coarsest is " +
+                         std::to_string(coarsestLevel(facts)));
   const ReadOptions options = readOptions(source);
   const GridGeometry geometry = levelGeometry(facts, source.level);
   ImageHeader header = chunkedHeader(facts, geometry, facts.storedType);

@@ -190,8 +190,8 @@ std::span<const PhantomInfo> phantoms() {
 const PhantomInfo& phantomNamed(const std::string& name) {
   for (const PhantomInfo& info : kPhantoms)
     if (info.name == name) return info;
-  throw base::Error(
-      base::ErrorKind::usage, "", "phantom",
+  base::throwUsage(
+      "", "phantom",
       "unknown name \"" + name + "\"; choose one of " + base::joined(kPhantoms, ", ", &PhantomInfo::name));
 }
 
@@ -199,11 +199,11 @@ Grid makePhantom(const PhantomRequest& request, base::Progress& progress) {
   const PhantomInfo& info = phantomNamed(request.name);
   const int size = request.size == 0 ? info.defaultSize : request.size;
   if (!request.geometry && (size < kMinimumSize || size > kMaximumSize))
-    throw base::Error(base::ErrorKind::usage, "", "phantom size",
-                      std::to_string(size) + " is outside " + std::to_string(kMinimumSize) + " to " +
-                          std::to_string(kMaximumSize));
+    base::throwUsage("", "phantom size",
+                     std::to_string(size) + " is outside " + std::to_string(kMinimumSize) + " to " +
+                         std::to_string(kMaximumSize));
   if (!(request.noise >= 0.0) || !std::isfinite(request.noise))
-    throw base::Error(base::ErrorKind::usage, "", "phantom noise", "must be 0 or more");
+    base::throwUsage("", "phantom noise", "must be 0 or more");
   progress.report(0.0, "making the phantom");
   const bool head = info.name == "head";
   const GridGeometry geometry =
@@ -230,9 +230,9 @@ PhantomRequest parsePhantom(std::string_view text) {
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), request.size);
     const bool whole = error == std::errc() && end == digits.data() + digits.size();
     if (!whole || request.size < kMinimumSize || request.size > kMaximumSize)
-      throw base::Error(base::ErrorKind::usage, "", "phantom size",
-                        "\"" + std::string(digits) + "\" is not a whole number from " +
-                            std::to_string(kMinimumSize) + " to " + std::to_string(kMaximumSize));
+      base::throwUsage("", "phantom size",
+                       "\"" + std::string(digits) + "\" is not a whole number from " +
+                           std::to_string(kMinimumSize) + " to " + std::to_string(kMaximumSize));
   }
   return request;
 }

@@ -9,6 +9,7 @@
 
 #include <tbb/combinable.h>
 
+#include "base/clock.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "volume/bricks/brick_source.h"
@@ -28,10 +29,6 @@ namespace isolux::volume {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 // The smallest box with all blocks for which isWanted(index) holds.
 template <class IsWanted>
@@ -245,7 +242,7 @@ std::shared_ptr<PreparedVolume> prepareFile(const std::shared_ptr<const ChunkedV
   volume.kind = source.kind;
   noteStep(volume, source.timeStep);
   const VolumeIndex index = indexOf(*file, source, volume.warnings, progress);
-  const double readSeconds = secondsSince(start);
+  const double readSeconds = base::secondsSince(start);
   auto bricks =
       std::make_shared<BrickSource>(file, VolumePart{static_cast<int>(source.timeStep), source.component},
                                     brickBudget(ramBudgetMb, *index.blocks()));
@@ -265,27 +262,11 @@ std::shared_ptr<PreparedVolume> prepareFile(const std::shared_ptr<const ChunkedV
   const std::shared_ptr<PreparedVolume> prepared = withBlocks(std::move(volume), index.blocks());
   setFacts(prepared, index.histogram(prepared->grid()), index.typicalStep(scaled), progress);
   prepared->readSeconds = readSeconds;
-  prepared->prepareSeconds = secondsSince(start) - readSeconds;
+  prepared->prepareSeconds = base::secondsSince(start) - readSeconds;
   return prepared;
 }
 
-// Whether the voxels stay in their file.
-bool stays(const VolumeFile& file, const scene::Source& source, scene::VoxelPlace place) {
-  if (place == scene::VoxelPlace::memory) return false;
-  if (place == scene::VoxelPlace::automatic)
-    return source.level == 0 && file.parts &&
-           levelBytes(file.parts->facts(), 0) > base::machineMemory().left();
-  if (source.level > 0)
-    throw base::Error(base::ErrorKind::usage, source.path, "memory.voxels=file",
-                      "is of level 0 alone, and source.level is " + std::to_string(source.level));
-  if (!file.parts)
-    base::throwInput(source.path, "memory.voxels=file", "cannot be read in parts: " + file.whyWhole);
-  return true;
-}
-
-}  // namespace
-
-std::shared_ptr<PreparedVolume> prepareVolume(Volume volume, base::Progress& progress) {
+std::shared_ptr<PreparedVolume> prepare(Volume volume, base::Progress& progress) {
   const Clock::time_point start = Clock::now();
   progress.report(0.0, "building blocks");
   noteLabels(volume, progress);
@@ -299,9 +280,29 @@ std::shared_ptr<PreparedVolume> prepareVolume(Volume volume, base::Progress& pro
   const double step = typicalStep(
       grid.dims(), [&](int y, int z) { return valuesOfRow(grid, y, z); }, progress);
   setFacts(prepared, std::move(histogram), step, progress);
-  prepared->prepareSeconds = secondsSince(start);
+  prepared->prepareSeconds = base::secondsSince(start);
   progress.report(1.0, "ready");
   return prepared;
+}
+
+// Whether the voxels stay in their file.
+bool stays(const VolumeFile& file, const scene::Source& source, scene::VoxelPlace place) {
+  if (place == scene::VoxelPlace::memory) return false;
+  if (place == scene::VoxelPlace::automatic)
+    return source.level == 0 && file.parts &&
+           levelBytes(file.parts->facts(), 0) > base::machineMemory().left();
+  if (source.level > 0)
+    base::throwUsage(source.path, "memory.voxels=file",
+                     "is of level 0 alone, and source.level is " + std::to_string(source.level));
+  if (!file.parts)
+    base::throwInput(source.path, "memory.voxels=file", "cannot be read in parts: " + file.whyWhole);
+  return true;
+}
+
+}  // namespace
+
+std::shared_ptr<const PreparedVolume> prepareVolume(Volume volume, base::Progress& progress) {
+  return prepare(std::move(volume), progress);
 }
 
 std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, const scene::HostSettings& host,
@@ -321,9 +322,9 @@ std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, co
   progress.report(0.0, "reading");
   CsgResult read = readSource(source, first, progress);
   if (source.csg != scene::Csg::none) read.volume.noise.reset();  // known of the first alone
-  const double readSeconds = secondsSince(start);
+  const double readSeconds = base::secondsSince(start);
   read.volume.kind = source.kind;
-  const std::shared_ptr<PreparedVolume> prepared = prepareVolume(std::move(read.volume), progress);
+  const std::shared_ptr<PreparedVolume> prepared = prepare(std::move(read.volume), progress);
   prepared->readSeconds = readSeconds;
   prepared->facts.csgIsovalue = read.secondIsovalue;
   return prepared;

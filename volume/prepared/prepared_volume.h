@@ -53,6 +53,6 @@ std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, co
 // As the first, of a file that is open: readSource().
 std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, const VolumeFile& first,
                                                  base::Progress& progress);
-std::shared_ptr<PreparedVolume> prepareVolume(Volume volume, base::Progress& progress);
+std::shared_ptr<const PreparedVolume> prepareVolume(Volume volume, base::Progress& progress);
 
 }  // namespace isolux::volume

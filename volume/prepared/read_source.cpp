@@ -112,9 +112,9 @@ void checkFits(const scene::Source& source, int step, const Volume& read, base::
 // "time step 7 does not exist; ...", where it does not. A fraction needs the next step, too.
 void checkStep(const scene::Source& source, int steps) {
   if (source.timeStep >= 0.0 && source.timeStep <= steps - 1) return;
-  throw base::Error(base::ErrorKind::usage, source.path, "source.time_step",
-                    "time step " + base::shortestText(source.timeStep) + " does not exist; the file has " +
-                        std::to_string(steps) + " (0 is the first)");
+  base::throwUsage(source.path, "source.time_step",
+                   "time step " + base::shortestText(source.timeStep) + " does not exist; the file has " +
+                       std::to_string(steps) + " (0 is the first)");
 }
 
 // Whole files are read around damage only where there is some: it takes longer.

@@ -131,8 +131,7 @@ bool isMeshName(const fs::path& path) {
 
 void writeMesh(const TriangleMesh& mesh, const std::vector<PointArray>& arrays, const fs::path& path) {
   if (!isMeshName(path))
-    throw base::Error(base::ErrorKind::usage, path.string(), "",
-                      "the name of a mesh must end in .stl, .ply, .obj or .vtp");
+    base::throwUsage(path.string(), "", "the name of a mesh must end in .stl, .ply, .obj or .vtp");
   base::OutputFile out(path);
   const fs::path extension = path.extension();
   if (extension == ".stl") putStl(mesh, out);

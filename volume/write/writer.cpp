@@ -154,8 +154,8 @@ std::string vtiHeader(const Grid& grid, VoxelType type, std::uint64_t bytes) {
 void writeVolume(const Grid& grid, const fs::path& path, scene::WorldAxes axes) {
   const std::string extension = lowered(path.extension().string());
   if (extension != ".mhd" && extension != ".mha" && extension != ".nrrd" && extension != ".vti")
-    throw base::Error(base::ErrorKind::usage, path.string(), "file name",
-                      "volumes are written as .mhd, .mha, .nrrd or .vti, not as " + inQuotes(extension));
+    base::throwUsage(path.string(), "file name",
+                     "volumes are written as .mhd, .mha, .nrrd or .vti, not as " + inQuotes(extension));
   Values values;
   fill(grid, values);
   base::OutputFile file(path);

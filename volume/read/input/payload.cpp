@@ -274,13 +274,13 @@ FileVoxels decodeAs(const ImageHeader& header, PayloadStream& stream, const Read
 void checkChoices(const ImageHeader& header, const std::string& file, const ReadOptions& options) {
   const std::int64_t components = header.components * header.slowComponents;
   if (options.component < -1 || options.component >= components)
-    throw base::Error(base::ErrorKind::usage, file, "source.component",
-                      "channel " + std::to_string(options.component) + " does not exist; the file has " +
-                          std::to_string(components) + " (0 is the first, -1 the magnitude)");
+    base::throwUsage(file, "source.component",
+                     "channel " + std::to_string(options.component) + " does not exist; the file has " +
+                         std::to_string(components) + " (0 is the first, -1 the magnitude)");
   if (options.timeStep < 0 || options.timeStep >= header.timeSteps)
-    throw base::Error(base::ErrorKind::usage, file, "source.time_step",
-                      "time step " + std::to_string(options.timeStep) + " does not exist; the file has " +
-                          std::to_string(header.timeSteps) + " (0 is the first)");
+    base::throwUsage(file, "source.time_step",
+                     "time step " + std::to_string(options.timeStep) + " does not exist; the file has " +
+                         std::to_string(header.timeSteps) + " (0 is the first)");
 }
 
 void checkBudget(const ImageHeader& header, const std::string& file, const ReadOptions& options) {

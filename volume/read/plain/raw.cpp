@@ -13,8 +13,7 @@ namespace {
 constexpr const char* usage = "WxHxD TYPE [little|big] [spacing sx,sy,sz] [header BYTES]";
 
 [[noreturn]] void badWord(std::string_view word, const std::string& reason) {
-  throw base::Error(base::ErrorKind::usage, "", "raw description, " + inQuotes(word),
-                    reason + "; expected: " + usage);
+  base::throwUsage("", "raw description, " + inQuotes(word), reason + "; expected: " + usage);
 }
 
 std::optional<VoxelType> rawTypeNamed(std::string_view name) {

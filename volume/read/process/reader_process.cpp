@@ -17,6 +17,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "base/clock.h"
 #include "base/error.h"
 #include "volume/read/input/payload.h"
 #include "volume/read/process/wire.h"
@@ -191,7 +192,7 @@ void ReaderProcess::waitForBytes() {
       busySeconds = now;
       lastSign = Clock::now();
     }
-    if (std::chrono::duration<double>(Clock::now() - lastSign).count() > patienceSeconds_)
+    if (base::secondsSince(lastSign) > patienceSeconds_)
       fail(ErrorKind::input, "cannot be read: its reader neither works nor answers");
   }
   std::array<char, 65536> buffer;

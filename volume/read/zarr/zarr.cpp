@@ -253,7 +253,7 @@ std::unique_ptr<ArrayVolume> openZarr(std::shared_ptr<const ZarrStore> store, co
     throwInput(name, "", "the Zarr group holds no image and no array; open a folder in it that does");
   const std::string chosen = series.empty() ? images.front() : series;
   if (std::ranges::find(images, chosen) == images.end())
-    throw base::Error(base::ErrorKind::usage, name, "source.series", "unknown image \"" + chosen + "\"");
+    base::throwUsage(name, "source.series", "unknown image \"" + chosen + "\"");
   auto volume = openZarr(store, joinedKey(key, chosen), name, "");
   if (images.size() == 1) return volume;
   std::vector<std::string> choices;
