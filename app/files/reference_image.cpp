@@ -10,7 +10,7 @@
 
 #include "app/files/image_io.h"
 #include "base/color.h"
-#include "base/tone_curve.h"
+#include "scene/rules/tone_curve.h"
 
 namespace isolux::app {
 
@@ -49,7 +49,7 @@ render::ColorImage screenImage(const gi::ReferenceImage& image, const scene::Sce
       const glm::dvec3 traced(image.color[i]);
       const double ground = image.ground.empty() ? 1.0 : static_cast<double>(image.ground[i]);
       const glm::dvec3 color = std::isnan(traced.x) ? ground * background
-                               : isFilmic           ? base::filmic(traced)
+                               : isFilmic           ? scene::filmic(traced)
                                                     : traced;
       for (int c = 0; c < 3; ++c)
         screen.rgba[4 * i + static_cast<std::size_t>(c)] = base::screenByte(color[c]);

@@ -1,4 +1,4 @@
-// The filmic tone curve; formula and source: base/tone_curve.h. No channel is negative.
+// The filmic tone curve; formula and source: scene/rules/tone_curve.h. No channel is negative.
 vec3 filmic(vec3 linear) {
   const float knee = 0.5, desaturation = 0.15, d = 1.0 - knee;
   float peak = max(linear.r, max(linear.g, linear.b));

@@ -11,7 +11,7 @@
 
 #include "app/files/image_io.h"
 #include "base/color.h"
-#include "base/tone_curve.h"
+#include "scene/rules/tone_curve.h"
 #include "tests/app/commands/run_isolux.h"
 #include "tests/support/png_reader.h"
 #include "tests/support/poll.h"
@@ -114,7 +114,7 @@ TEST(ReferenceCommand, APngIsWhatAScreenShowsAndCarriesItsSession) {
   ASSERT_EQ(image.size, glm::ivec2(24));
   // A convex body under a sky of radiance 1 shows its albedo, through the tone curve of pictures.
   const std::size_t middle = 4 * (12 * 24 + 12);
-  const glm::dvec3 shown = base::filmic(glm::dvec3(0.2, 0.5, 1.0));
+  const glm::dvec3 shown = scene::filmic(glm::dvec3(0.2, 0.5, 1.0));
   for (int c = 0; c < 3; ++c)
     EXPECT_NEAR(image.rgba[middle + static_cast<std::size_t>(c)], 255.0 * base::encodeSrgb(shown[c]), 2.0);
   EXPECT_THAT(app::readSessionText(folder / "a.png"), HasSubstr("phantom:ball:24"));

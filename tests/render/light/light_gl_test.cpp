@@ -6,11 +6,11 @@
 #include <numbers>
 
 #include "base/color.h"
-#include "base/tone_curve.h"
 #include "gi/harmonics/open_sky.h"
 #include "gi/harmonics/spherical_harmonics.h"
 #include "gi/harmonics/transfer_basis.h"
 #include "scene/opacity.h"
+#include "scene/rules/tone_curve.h"
 #include "scene/settings/settings.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/render/light/light_support.h"
@@ -712,7 +712,7 @@ TEST_F(LightGlTest, TheEnvironmentIsBehindTheSurface) {
       const auto i = static_cast<std::size_t>(y * 96 + x);
       ASSERT_EQ(hit_.values[i], 0.0f);
       const glm::dvec3 d = glm::transpose(world) * glm::normalize(ray({x, y}, {96, 96}).direction);
-      const glm::dvec3 shown = base::filmic(4.0 * (0.2 + 0.1 * d));
+      const glm::dvec3 shown = scene::filmic(4.0 * (0.2 + 0.1 * d));
       for (int c = 0; c < 3; ++c) {
         const double srgb = base::encodeSrgb(shown[c]);
         EXPECT_NEAR(picture.rgba[4 * i + static_cast<std::size_t>(c)] / 255.0, srgb, 0.012) << x << " " << y;

@@ -1,7 +1,7 @@
 // Shaders of looks on points that have no normal, no curvature, no size on screen, or no width of what they
 // are shown over.
 #include "base/color.h"
-#include "base/tone_curve.h"
+#include "scene/rules/tone_curve.h"
 #include "tests/render/shaders/shader_fixture.h"
 
 namespace isolux::test {
@@ -199,7 +199,8 @@ TEST_F(LookShaderGlTest, APictureOfNothingIsNothing) {
   EXPECT_NEAR(picture[1].x, 1.0, 0.01);
 }
 
-// As base/tone_curve.h has it, where the surface covers a part of the pixel; the background stays as it is.
+// As scene/rules/tone_curve.h has it, where the surface covers a part of the pixel; the background stays as
+// it is.
 TEST_F(LookShaderGlTest, TheToneCurveIsOfWhatIsShaded) {
   const auto pictureOf = [&](const char* defines) {
     useShader("resolve.frag.glsl", defines);
@@ -213,7 +214,7 @@ TEST_F(LookShaderGlTest, TheToneCurveIsOfWhatIsShaded) {
   const ShaderRow plain = pictureOf("\n"), filmic = pictureOf("#define FILMIC\n");
   EXPECT_EQ(filmic[0], plain[0]);
   EXPECT_EQ(filmic[2], plain[2]) << "below the knee";
-  const glm::dvec3 seen = 0.5 * base::filmic(glm::dvec3(1.8, 0.6, 0.2)) + 0.5 * 0.8;
+  const glm::dvec3 seen = 0.5 * scene::filmic(glm::dvec3(1.8, 0.6, 0.2)) + 0.5 * 0.8;
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(filmic[1][c], base::encodeSrgb(seen[c]), 0.6 / 255.0);
 }
 

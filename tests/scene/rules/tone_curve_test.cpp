@@ -1,11 +1,11 @@
-#include "base/tone_curve.h"
+#include "scene/rules/tone_curve.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 #include <glm/vec3.hpp>
 
-namespace isolux::base {
+namespace isolux::scene {
 namespace {
 
 double grey(double value) {
@@ -35,4 +35,4 @@ TEST(ToneCurve, KeepsTheHueAndEndsInWhite) {
 }
 
 }  // namespace
-}  // namespace isolux::base
+}  // namespace isolux::scene
