@@ -284,6 +284,7 @@ void defineVolume(py::module_& module) {
       .def("hits", hitsOf)
       .def("probe", probedOf)
       .def("measure", measure)
+      .def("measure_labels", measureLabels)
       .def("bake",
            [](Core& core, const app::SceneOptions& options, const std::string& file, bool overwrite,
               bool mixArithmetic, const py::object& told) {

@@ -6,11 +6,13 @@
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/report/label_report.h"
 #include "app/report/measure_report.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "volume/clip/surface_cut.h"
 #include "volume/hit/exact_hit.h"
+#include "volume/labels/mask_field.h"
 #include "volume/measure/point_probe.h"
 #include "volume/measure/surface_point.h"
 #include "volume/measure/voxel_noise.h"
@@ -33,6 +35,15 @@ struct Question {
   const volume::SurfaceCut& cut;
   glm::dmat4 voxelFromWorld;
 };
+
+// Returns why lengths are doubtful. Throws Error{input} if they are, unless that is to be accepted.
+std::optional<std::string> refuseDoubt(const Core& core, bool anyway) {
+  auto doubt = volume::spacingDoubt(core.prepared()->volume.warnings);
+  if (doubt && !anyway)
+    base::throwInput(core.path(), "",
+                     "lengths are doubtful: " + *doubt + "; anyway=True measures all the same");
+  return doubt;
+}
 
 void hitOne(const Question& question, glm::dvec3 origin, glm::dvec3 given, std::size_t i, Hits& hits) {
   const double length = glm::length(given);
@@ -128,10 +139,7 @@ Probed probe(Core& core, const app::SceneOptions& options, std::vector<glm::dvec
 }
 
 std::string measure(Core& core, const app::SceneOptions& options, bool anyway, const py::object& told) {
-  const auto doubt = volume::spacingDoubt(core.prepared()->volume.warnings);
-  if (doubt && !anyway)
-    base::throwInput(core.path(), "",
-                     "lengths are doubtful: " + *doubt + "; anyway=True measures all the same");
+  const auto doubt = refuseDoubt(core, anyway);
   return core.ask(
       options,
       [doubt, prepared = core.prepared()](const scene::Scene& scene, base::Progress& progress) {
@@ -146,6 +154,20 @@ std::string measure(Core& core, const app::SceneOptions& options, bool anyway, c
           base::throwUsage("", "isovalue " + base::shortText(question.isovalue),
                            volume::whyNoSurface(prepared->grid()));
         return app::surfaceJson(*prepared, question, sized, doubt).dump();
+      },
+      told);
+}
+
+std::string measureLabels(Core& core, double smoothing, bool anyway, const py::object& told) {
+  if (!(smoothing >= 0.0 && smoothing <= volume::kMostSmoothing))
+    base::throwUsage("", "smoothing", "must be from 0 to 2 voxels");
+  refuseDoubt(core, anyway);
+  return core.ask(
+      {},
+      [smoothing, file = core.path(), prepared = core.prepared()](const scene::Scene&,
+                                                                  base::Progress& progress) {
+        const auto nameOf = [](int) { return std::string(); };
+        return app::labelsJson(*prepared, file, smoothing, true, nameOf, progress).dump();
       },
       told);
 }

@@ -42,4 +42,8 @@ Probed probe(Core& core, const app::SceneOptions& options, std::vector<glm::dvec
 // are doubtful. Throws Error{usage} where there is no surface, Error{input} of doubtful lengths.
 std::string measure(Core& core, const app::SceneOptions& options, bool anyway, const pybind11::object& told);
 
+// The JSON of `isolux measure --labels --json`. `smoothing`: voxels. Throws Error{usage} where that is not
+// from 0 to 2, Error{input} of values that are no labels and of doubtful lengths.
+std::string measureLabels(Core& core, double smoothing, bool anyway, const pybind11::object& told);
+
 }  // namespace isolux::python

@@ -1,9 +1,10 @@
 // isolux measure PATH: area and volume of the isosurface, distances, angles, circles and thicknesses, each
-// with its error.
+// with its error; or the labels of a label map.
 #include <filesystem>
 #include <iostream>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <nlohmann/json.hpp>
@@ -14,6 +15,7 @@
 #include "app/marks/mark_evaluator.h"
 #include "app/marks/markups_file.h"
 #include "app/report/curvature_report.h"
+#include "app/report/label_report.h"
 #include "app/report/measure_points.h"
 #include "app/report/measure_report.h"
 #include "app/runtime/progress_bar.h"
@@ -21,6 +23,7 @@
 #include "base/number_text.h"
 #include "base/printable.h"
 #include "scene/rules/automatic.h"
+#include "volume/labels/mask_field.h"
 #include "volume/measure/surface_measure.h"
 #include "volume/measure/voxel_noise.h"
 #include "volume/pieces/shown_pieces.h"
@@ -38,6 +41,8 @@ struct MeasureOptions {
   std::vector<std::string> distances, angles, circles, thicknesses;
   bool json = false, closed = false, anyway = false;
   bool curvature = false;
+  bool labels = false;
+  double smoothing = 1.0;        // voxels
   std::string histograms, plot;  // files of its distribution; either asks for it, too
   std::optional<std::size_t> piece;
   std::shared_ptr<SceneOptions> scene;
@@ -185,12 +190,55 @@ void addMeasureOptions(CLI::App& parser, MeasureOptions& options) {
   addOption(
       parser, "--piece", options.piece, "ID",
       "Curvature of this connected component only (piece id, 0: the largest); default: all that are shown");
+  CLI::Option* const labels =
+      parser.add_flag("--labels", options.labels,
+                      "Measure each label of a label map instead of an isosurface: a row for each but 0");
+  addOption(parser, "--smoothing", options.smoothing, "VOXELS",
+            "Smoothing of the surfaces of labels, 0 to 2 voxels; default: 1")
+      ->check(within(0.0, volume::kMostSmoothing))
+      ->needs(labels);
   addOption(parser, "--marks", options.marks, "FILE.mrk.json",
             "Measure the marks of this file instead of the session's");
-  addOption(parser, "--out", options.out, "FILE.csv", "Write the values of the marks as a table");
+  addOption(parser, "--out", options.out, "FILE.csv", "Write the values of the marks, or labels, as a table");
   parser.add_flag("--closed", options.closed,
                   "Reject an open surface instead of measuring the part inside the data");
   parser.add_flag("--anyway", options.anyway, "Measure even if spacing was assumed or slices were resampled");
+}
+
+void refuseWhatIsOfIsosurfaces(const MeasureOptions& options) {
+  const std::pair<bool, const char*> others[] = {{!options.box.empty(), "--box"},
+                                                 {!options.distances.empty(), "--distance"},
+                                                 {!options.angles.empty(), "--angle"},
+                                                 {!options.circles.empty(), "--circle"},
+                                                 {!options.thicknesses.empty(), "--thickness"},
+                                                 {options.curvature, "--curvature"},
+                                                 {!options.histograms.empty(), "--histograms"},
+                                                 {!options.plot.empty(), "--plot"},
+                                                 {options.piece.has_value(), "--piece"},
+                                                 {!options.marks.empty(), "--marks"},
+                                                 {options.closed, "--closed"}};
+  for (const auto& [given, name] : others)
+    if (given) base::throwUsage("", name, "measures an isosurface, --labels does not; omit one of them");
+}
+
+void runLabels(const MeasureOptions& options, const scene::Scene& scene, base::Progress& progress) {
+  if (!options.out.empty()) {
+    OutputGuard guard = outputGuard(options.path, *options.scene, scene);
+    checkOutput(guard, options.out, "--out");
+  }
+  const auto prepared = loadWithProgressBar(scene.source, progress);
+  const auto nameOf = [](int) { return std::string(); };
+  ordered_json json;
+  {
+    const ProgressBar bar(progress);
+    json = labelsJson(*prepared, scene.source.path, options.smoothing, options.anyway, nameOf, progress);
+  }
+  if (!options.out.empty()) writeTextFile(options.out, labelsCsv(json));
+  if (options.json)
+    std::cout << jsonText(json);
+  else
+    printLabels(json, std::cout);
+  printWarnings(prepared->volume);
 }
 
 void runMeasure(const MeasureOptions& options, base::Progress& progress) {
@@ -198,6 +246,11 @@ void runMeasure(const MeasureOptions& options, base::Progress& progress) {
   checkPoints(options);
   const scene::Scene scene = sceneOf(options.path, *options.scene);
   checkCurvatureFiles(options, scene);
+  if (options.labels) {
+    refuseWhatIsOfIsosurfaces(options);
+    runLabels(options, scene, progress);
+    return;
+  }
   refuseCuts(scene, "isolux measure");
   const ReadMarks wanted = marksToMeasure(options.marks, scene);
   const std::vector<scene::Mark>& marks = wanted.marks;
@@ -234,7 +287,7 @@ void runMeasure(const MeasureOptions& options, base::Progress& progress) {
 
 Command makeMeasure(CLI::App& program) {
   CLI::App* const parser = program.add_subcommand(
-      "measure", "Measure the isosurface: area, volume, distances, angles, thickness, with errors");
+      "measure", "Measure the isosurface or labels: area, volume, distances, angles, thickness, with errors");
   auto options = std::make_shared<MeasureOptions>();
   addMeasureOptions(*parser, *options);
   options->scene = addSceneOptions(*parser);

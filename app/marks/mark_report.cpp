@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
+#include "app/files/csv_field.h"
 #include "app/files/json_text.h"
 #include "app/marks/mark_kinds.h"
 #include "base/decimal_text.h"
@@ -19,22 +19,6 @@ namespace isolux::app {
 namespace {
 
 using nlohmann::ordered_json;
-
-// A field that holds what separates fields is quoted.
-std::string csvField(std::string text) {
-  text = base::printable(std::move(text));
-  if (text.find_first_of(",;\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
-
-// Somebody's words: what a spreadsheet would take for a formula begins with an apostrophe, its mark of a
-// text.
-std::string csvWords(const std::string& text) {
-  const bool formula = !text.empty() && std::string_view("=+-@").find(text.front()) != std::string_view::npos;
-  return csvField(formula ? '\'' + text : text);
-}
 
 std::string positionsText(const std::vector<glm::dvec3>& points) {
   return base::joined(points, "; ", [](const glm::dvec3& p) {

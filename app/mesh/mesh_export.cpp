@@ -44,22 +44,19 @@ std::vector<volume::PointArray> arraysOf(const MeshRequest& asked, scene::Scene&
   return arrays;
 }
 
-// What .stl, which has single precision, makes of the mesh is told as its distance from the surface; far from
-// the origin triangles would collapse.
-void addRounding(const MeshRequest& asked, const volume::PreparedVolume& prepared,
-                 volume::SurfaceMesh& found) {
+}  // namespace
+
+void addRounding(const std::filesystem::path& file, double voxelMm, volume::SurfaceMesh& found) {
   constexpr double mostVoxels = 1e-3;
-  if (asked.file.extension() != ".stl") return;
+  if (file.extension() != ".stl") return;
   const double shift = volume::singlePrecisionShift(found.mesh);
-  if (!(shift <= mostVoxels * prepared.grid().geometry().leastSpacingMm()))
-    base::throwInput(asked.file.string(), "",
+  if (!(shift <= mostVoxels * voxelMm))
+    base::throwInput(file.string(), "",
                      "so far from the origin the single precision of .stl moves points by " +
                          base::shortText(shift, 2) +
                          " mm, over a thousandth of a voxel: write .ply, .obj or .vtp");
   found.largestDistanceMm += shift;
 }
-
-}  // namespace
 
 volume::SurfaceMesh exportMesh(const MeshRequest& asked, scene::Scene resolved,
                                const volume::PreparedVolume& volume, base::Progress& progress) {
@@ -71,7 +68,7 @@ volume::SurfaceMesh exportMesh(const MeshRequest& asked, scene::Scene resolved,
     base::throwInput(
         resolved.source.path, "isosurface.value",
         "no surface at " + base::shortText(resolved.isosurface.value.value()) + "; no file is written");
-  addRounding(asked, volume, found);
+  addRounding(asked.file, volume.grid().geometry().leastSpacingMm(), found);
   const std::vector<volume::PointArray> arrays = arraysOf(asked, resolved, volume, found, progress);
   progress.throwIfStopped();
   volume::writeMesh(found.mesh, arrays, asked.file);

@@ -25,6 +25,9 @@ struct MeshRequest {
 volume::SurfaceMesh exportMesh(const MeshRequest& request, scene::Scene resolved,
                                const volume::PreparedVolume& volume, base::Progress& progress);
 
+// Adds what .stl, which has single precision, makes of a mesh to its distance from the surface. Throws
+// Error{input} where that is over a thousandth of `voxelMm`: far from the origin triangles would collapse.
+void addRounding(const std::filesystem::path& file, double voxelMm, volume::SurfaceMesh& found);
 // "12345 triangles, 6789 points; no farther from the surface than 0.02 mm, closed".
 std::string meshText(const volume::SurfaceMesh& made);
 // What to say besides; empty: nothing.

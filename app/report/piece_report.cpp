@@ -1,9 +1,7 @@
 #include "app/report/piece_report.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <iomanip>
 #include <string>
 #include <vector>
 
@@ -11,6 +9,7 @@
 
 #include "app/files/json_text.h"
 #include "app/report/measure_report.h"
+#include "app/report/notes.h"
 #include "base/number_text.h"
 #include "base/words.h"
 #include "scene/settings/choice_names.h"
@@ -25,17 +24,10 @@ using nlohmann::ordered_json;
 
 constexpr std::size_t kTableRows = 20;
 
-using TableRow = std::array<std::string, 6>;
-
 // Without an exponent where whole numbers say enough.
 std::string plainText(double number, int digits) {
   return std::abs(number) >= std::pow(10.0, digits) ? std::to_string(std::llround(number))
                                                     : base::shortText(number, digits);
-}
-
-std::string withErrorText(const ordered_json& measured) {
-  return plainText(measured["value"].get<double>(), 6) + " +- " +
-         plainText(measured["error"].get<double>(), 2);
 }
 
 // Two decimals: a hundredth of a millimetre.
@@ -45,16 +37,25 @@ std::string pieceAtText(const ordered_json& position) {
   });
 }
 
-TableRow rowOf(const ordered_json& piece) {
+std::vector<std::string> rowOf(const ordered_json& piece) {
   return {std::to_string(piece["id"].get<std::size_t>()) + (piece["shown"].get<bool>() ? "" : " hidden"),
           withErrorText(piece["volume_mm3"]),
           withErrorText(piece["area_mm2"]),
           std::to_string(piece["voxels"].get<std::size_t>()),
-          pieceAtText(piece["bounds_mm"][0]) + " to " + pieceAtText(piece["bounds_mm"][1]),
+          boundsText(piece["bounds_mm"]),
           pieceAtText(piece["seed_mm"])};
 }
 
 }  // namespace
+
+std::string withErrorText(const ordered_json& measured) {
+  return plainText(measured["value"].get<double>(), 6) + " +- " +
+         plainText(measured["error"].get<double>(), 2);
+}
+
+std::string boundsText(const ordered_json& bounds) {
+  return pieceAtText(bounds[0]) + " to " + pieceAtText(bounds[1]);
+}
 
 ordered_json pieceJson(std::size_t id, const volume::PieceMeasure& piece) {
   return {{"id", id},
@@ -93,16 +94,10 @@ void printPieceTable(const ordered_json& json, const volume::PreparedVolume& pre
   out << "pieces        " << pieces.size() << ", inside is " << json["inside"].get<std::string>()
       << " isovalue " << base::shortText(json["isovalue"].get<double>()) << unit << '\n';
   if (pieces.empty()) return;
-  std::vector<TableRow> table{{"id", "volume mm^3", "area mm^2", "voxels", "bounds mm", "seed mm"}};
+  std::vector<std::vector<std::string>> table{
+      {"id", "volume mm^3", "area mm^2", "voxels", "bounds mm", "seed mm"}};
   for (std::size_t i = 0; i < std::min(pieces.size(), kTableRows); ++i) table.push_back(rowOf(pieces[i]));
-  std::array<std::size_t, std::tuple_size_v<TableRow>> widths{};
-  for (const TableRow& row : table)
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
-  for (const TableRow& row : table) {
-    for (std::size_t i = 0; i + 1 < row.size(); ++i)
-      out << "  " << std::left << std::setw(static_cast<int>(widths[i])) << row[i];
-    out << "  " << row.back() << '\n';
-  }
+  printTable(out, table);
   if (pieces.size() > kTableRows) out << "  ... --json lists all\n";
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <ostream>
+#include <string>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -12,6 +13,10 @@
 #include "volume/prepared/prepared_volume.h"
 
 namespace isolux::app {
+
+// "12.3 +- 0.4" of {"value", "error"}; "1,2,3 to 4,5,6" of two corners.
+std::string withErrorText(const nlohmann::ordered_json& measured);
+std::string boundsText(const nlohmann::ordered_json& bounds);
 
 // {"id", "volume_mm3", "area_mm2", "bounds_mm", "open"}.
 nlohmann::ordered_json pieceJson(std::size_t id, const volume::PieceMeasure& piece);

@@ -24,15 +24,15 @@ _ANNOTATIONS = {
     "aovs": "str | Iterable[str]", "camera": "str | Sequence[Any] | Mapping[str, Any] | None", "environment": "Path | None",
     "image": "bool", "linear": "bool", "light": "Path", "light_around": "bool", "accuracy": "bool", "explain": "bool",
     "context": 'Literal["auto", "software", "egl", "osmesa"]', "progress": "Progress", "view": "Any", "origins": "ArrayLike",
-    "directions": "ArrayLike", "points": "ArrayLike", "index": "ArrayLike", "anyway": "bool", "path": "Path", "overwrite": "bool",
-    "mix_arithmetic": "bool",
+    "directions": "ArrayLike", "points": "ArrayLike", "index": "ArrayLike", "anyway": "bool", "smoothing": "float",
+    "path": "Path", "overwrite": "bool", "mix_arithmetic": "bool",
     "knobs": "str | Iterable[str]", "repeat": "int", "array": "ArrayLike", "spacing": "float | Sequence[float]",
     "origin": "Sequence[float]", "axes": "str", "name": "str", "unit": "str", "anatomical": "bool", "raw": "str", "word": "str",
     "pictures": "Iterable[Picture | NDArray[np.uint8]]", "fps": "float", "dtype": "Any", "drawn": "Any"}
 
 _RETURNS = {
-    "render": "Picture", "forget_light": "None", "hits": "Record", "probe": "Record", "measure": "Record", "bake": "Record",
-    "study": "Record", "close": "None", "world": "NDArray[np.float64]", "axes": "str", "shape": "tuple[int, int, int]",
+    "render": "Picture", "forget_light": "None", "hits": "Record", "probe": "Record", "measure": "Record", "measure_labels": "Record",
+    "bake": "Record", "study": "Record", "close": "None", "world": "NDArray[np.float64]", "axes": "str", "shape": "tuple[int, int, int]",
     "spacing": "tuple[float, float, float]", "directions": "NDArray[np.float64]", "origin": "tuple[float, float, float]",
     "name": "str", "unit": "str", "kind": "str", "range": "tuple[float, float]", "suggested_isovalue": "float", "warnings": "list[str]",
     "facts": "Record", "size": "tuple[int, int]", "image": "NDArray[np.uint8] | None", "linear": "NDArray[np.float32] | None",

@@ -182,6 +182,57 @@ class Measure(unittest.TestCase):
                 self.assertIn("doubt", volume.measure(0, anyway=True))
 
 
+class MeasureLabels(unittest.TestCase):
+    def labels(self):
+        z, y, x = np.mgrid[:30, :34, :52]
+        labels = np.zeros(x.shape, np.uint16)
+        for label, (cx, cy, cz, radius) in {3: (13, 17, 15, 9.5), 700: (33, 12, 14, 7.2), 12: (41, 25, 16, 6.1)}.items():
+            labels[(x - cx) ** 2 + (y - cy) ** 2 + (z - cz) ** 2 <= radius**2] = label
+        return labels
+
+    def test_counts_are_those_of_numpy(self):
+        labels = self.labels()
+        counts = np.bincount(labels.ravel())
+        found = isolux.Volume(labels, (2.0, 0.5, 0.75)).measure_labels().labels
+        self.assertEqual([label.label for label in found], [3, 12, 700])
+        pieces = {label: ndimage.label(labels == label)[1] for label in (3, 12, 700)}
+        for label in found:
+            self.assertEqual(label.voxels, counts[label.label])
+            self.assertEqual(label.counted_mm3, counts[label.label] * 0.75)
+            self.assertEqual(label.pieces, pieces[label.label])
+            self.assertEqual((label.name, label.open, label.thin_share < 0.01), ("", False, True))
+            self.assertLess(abs(label.volume_mm3.value / label.counted_mm3 - 1), 0.04)
+            self.assertGreater(label.area_mm2.error, 0)
+            inside = np.argwhere(labels == label.label)[:, ::-1] * (0.75, 0.5, 2.0)  # x, y, z in mm
+            beyond = np.subtract(label.bounds_mm, [inside.min(0), inside.max(0)]) * [[-1], [1]]
+            self.assertTrue(((beyond > 0) & (beyond < (0.75, 0.5, 2.0))).all(), beyond)  # half a voxel from a face at most
+
+    def test_they_are_those_of_the_command(self):
+        import json
+        with temporary_folder() as folder:
+            raw = os.path.join(folder, "labels.raw")
+            self.labels().tofile(raw)
+            words = ("measure", raw, "--raw", "52x34x30 uint16 spacing 0.75,0.5,2", "--labels", "--smoothing", "1.5")
+            table = os.path.join(folder, "labels.csv")
+            theirs = json.loads(command(*words, "--json", "--out", table))
+            ours = isolux.open(raw, raw="52x34x30 uint16 spacing 0.75,0.5,2").measure_labels(1.5)
+            self.assertEqual(ours, theirs)
+            rows = np.genfromtxt(table, delimiter=",", names=True)
+            np.testing.assert_array_equal(rows["voxels"], [label.voxels for label in ours.labels])
+            np.testing.assert_array_equal(rows["area_error_mm2"], [label.area_mm2.error for label in ours.labels])
+            np.testing.assert_array_equal(rows["high_z_mm"], [label.bounds_mm[1][2] for label in ours.labels])
+
+    def test_what_is_no_label_map_is_refused(self):
+        with self.assertRaisesRegex(ValueError, "is not a whole number"):
+            isolux.Volume(ball(12)).measure_labels()
+        with self.assertRaisesRegex(OSError, "do not look like labels"):
+            isolux.open("phantom:head:32").measure_labels()
+        with self.assertRaisesRegex(ValueError, "smoothing: must be from 0 to 2 voxels"):
+            isolux.Volume(self.labels()).measure_labels(2.5)
+        with self.assertRaisesRegex(ValueError, "no label but 0"):
+            isolux.Volume(np.zeros((4, 4, 4), np.uint8)).measure_labels()
+
+
 class LightAndStudies(unittest.TestCase):
     def test_a_bake_is_read_again(self):
         with temporary_folder() as folder:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include <glm/geometric.hpp>
@@ -47,35 +48,59 @@ const PointArray* normalsOf(const std::vector<PointArray>& arrays) {
   return found == arrays.end() ? nullptr : &*found;
 }
 
-void putPly(const TriangleMesh& mesh, const std::vector<PointArray>& arrays, base::OutputFile& out) {
+// The label of each triangle; empty without objects.
+std::vector<std::int32_t> labelsOfTriangles(const TriangleMesh& mesh,
+                                            const std::vector<MeshObject>& objects) {
+  std::vector<std::int32_t> labels;
+  if (!objects.empty()) labels.resize(mesh.triangles.size());
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const std::size_t end = i + 1 < objects.size() ? objects[i + 1].firstTriangle : labels.size();
+    std::fill(labels.begin() + static_cast<std::ptrdiff_t>(objects[i].firstTriangle),
+              labels.begin() + static_cast<std::ptrdiff_t>(end), objects[i].label);
+  }
+  return labels;
+}
+
+void putPly(const TriangleMesh& mesh, const std::vector<PointArray>& arrays,
+            const std::vector<MeshObject>& objects, base::OutputFile& out) {
+  const std::vector<std::int32_t> labels = labelsOfTriangles(mesh, objects);
   const PointArray* const normals = normalsOf(arrays);
   out.write("ply\nformat binary_little_endian 1.0\ncomment Isolux, mm\nelement vertex " +
             std::to_string(mesh.points.size()) +
             "\nproperty double x\nproperty double y\nproperty double z\n" +
             (normals ? "property float nx\nproperty float ny\nproperty float nz\n" : "") + "element face " +
-            std::to_string(mesh.triangles.size()) + "\nproperty list uchar int vertex_indices\nend_header\n");
+            std::to_string(mesh.triangles.size()) + "\nproperty list uchar int vertex_indices\n" +
+            (labels.empty() ? "" : "property int label\n") + "end_header\n");
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
     put(mesh.points[i], out);
     if (normals)
       for (std::size_t c = 0; c < 3; ++c) put(normals->values[3 * i + c], out);
   }
-  for (const Triangle& t : mesh.triangles) {
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     put(std::uint8_t{3}, out);
-    put(t, out);
+    put(mesh.triangles[i], out);
+    if (!labels.empty()) put(labels[i], out);
   }
 }
 
-void putObj(const TriangleMesh& mesh, base::OutputFile& out) {
+void putObj(const TriangleMesh& mesh, const std::vector<MeshObject>& objects, base::OutputFile& out) {
   out.write("# Isolux, mm\n");
   for (const glm::dvec3& p : mesh.points)
     out.write("v " + base::shortestText(p.x) + " " + base::shortestText(p.y) + " " + base::shortestText(p.z) +
               "\n");
-  for (const Triangle& t : mesh.triangles)
+  auto object = objects.begin();
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    for (; object != objects.end() && object->firstTriangle == i; ++object)
+      out.write("o " + object->name + "\n");
+    const Triangle& t = mesh.triangles[i];
     out.write("f " + std::to_string(t.x + 1) + " " + std::to_string(t.y + 1) + " " + std::to_string(t.z + 1) +
               "\n");
+  }
 }
 
-void putVtp(const TriangleMesh& mesh, const std::vector<PointArray>& arrays, base::OutputFile& out) {
+void putVtp(const TriangleMesh& mesh, const std::vector<PointArray>& arrays,
+            const std::vector<MeshObject>& objects, base::OutputFile& out) {
+  const std::vector<std::int32_t> labels = labelsOfTriangles(mesh, objects);
   const std::uint64_t points = mesh.points.size(), triangles = mesh.triangles.size();
   std::uint64_t offset = 0;  // of the next array in the appended data, behind the number of its bytes
   const auto array = [&](const std::string& type, const std::string& name, int components,
@@ -100,7 +125,10 @@ void putVtp(const TriangleMesh& mesh, const std::vector<PointArray>& arrays, bas
   if (normalsOf(arrays) != nullptr) head += std::string(" Normals=\"") + kNormalsName + "\"";
   head += ">\n";
   for (const PointArray& a : arrays) head += array("Float32", a.name, a.components, 4 * a.values.size());
-  head += "</PointData>\n</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
+  head += "</PointData>\n";
+  if (!labels.empty())
+    head += "<CellData>\n" + array("Int32", "label", 1, 4 * labels.size()) + "</CellData>\n";
+  head += "</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
   out.write(head);
   put(24 * points, out);
   putAll(mesh.points, out);
@@ -111,6 +139,10 @@ void putVtp(const TriangleMesh& mesh, const std::vector<PointArray>& arrays, bas
   for (const PointArray& a : arrays) {
     put(static_cast<std::uint64_t>(4 * a.values.size()), out);
     putAll(a.values, out);
+  }
+  if (!labels.empty()) {
+    put(static_cast<std::uint64_t>(4 * labels.size()), out);
+    putAll(labels, out);
   }
   out.write("\n</AppendedData>\n</VTKFile>\n");
 }
@@ -129,15 +161,16 @@ bool isMeshName(const fs::path& path) {
   return extension == ".stl" || extension == ".ply" || extension == ".obj" || extension == ".vtp";
 }
 
-void writeMesh(const TriangleMesh& mesh, const std::vector<PointArray>& arrays, const fs::path& path) {
+void writeMesh(const TriangleMesh& mesh, const std::vector<PointArray>& arrays, const fs::path& path,
+               const std::vector<MeshObject>& objects) {
   if (!isMeshName(path))
     base::throwUsage(path.string(), "", "the name of a mesh must end in .stl, .ply, .obj or .vtp");
   base::OutputFile out(path);
   const fs::path extension = path.extension();
   if (extension == ".stl") putStl(mesh, out);
-  if (extension == ".ply") putPly(mesh, arrays, out);
-  if (extension == ".obj") putObj(mesh, out);
-  if (extension == ".vtp") putVtp(mesh, arrays, out);
+  if (extension == ".ply") putPly(mesh, arrays, objects, out);
+  if (extension == ".obj") putObj(mesh, objects, out);
+  if (extension == ".vtp") putVtp(mesh, arrays, objects, out);
   out.commit();
 }
 

@@ -29,9 +29,9 @@ constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 const std::vector<PointArray> kArrays{{"kappa1", 1, {1.0f, kNone, 3.0f, 4.0f}},
                                       {kNormalsName, 3, {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, -1}}};
 
-std::string written(const char* name) {
+std::string written(const char* name, const std::vector<MeshObject>& objects = {}) {
   const fs::path file = test::temporaryFolder() / name;
-  writeMesh(kMesh, kArrays, file);
+  writeMesh(kMesh, kArrays, file, objects);
   std::ostringstream bytes;
   bytes << std::ifstream(file, std::ios::binary).rdbuf();
   return bytes.str();
@@ -147,6 +147,42 @@ TEST(MeshWriter, VtpHasEveryArrayWhereItsTagSays) {
   Cursor normals = at("normals");
   EXPECT_EQ(normals.next<std::uint64_t>(), 48u);
   for (const float value : kArrays[1].values) EXPECT_EQ(normals.next<float>(), value);
+}
+
+const std::vector<MeshObject> kObjects{{"left kidney", 7, 0}, {"label_-3", -3, 1}};
+constexpr std::int32_t kLabels[] = {7, -3, -3, -3};  // of the triangles
+
+TEST(MeshWriter, ObjNamesObjects) {
+  std::istringstream obj(written("m.obj", kObjects));
+  std::string order;
+  for (std::string line; std::getline(obj, line);)
+    if (line[0] == 'o' || line[0] == 'f') order += line[0] == 'f' ? "f" : line + ';';
+  EXPECT_EQ(order, "o left kidney;fo label_-3;fff");
+}
+
+TEST(MeshWriter, PlyHasTheLabelOfEachFace) {
+  const std::string ply = written("m.ply", kObjects);
+  const std::size_t end = ply.find("end_header\n");
+  EXPECT_THAT(ply.substr(0, end), HasSubstr("vertex_indices\nproperty int label\n"));
+  Cursor at(std::string_view(ply).substr(end + 11 + kMesh.points.size() * (24 + 12)));
+  for (std::size_t i = 0; i < kMesh.triangles.size(); ++i) {
+    EXPECT_EQ(at.next<std::uint8_t>(), 3);
+    EXPECT_EQ(at.next<glm::ivec3>(), kMesh.triangles[i]);
+    EXPECT_EQ(at.next<std::int32_t>(), kLabels[i]);
+  }
+  EXPECT_TRUE(at.atEnd());
+}
+
+TEST(MeshWriter, VtpHasTheLabelOfEachCell) {
+  const std::string vtp = written("m.vtp", kObjects);
+  EXPECT_THAT(vtp, HasSubstr("</PointData>\n<CellData>\n<DataArray type=\"Int32\" Name=\"label\""));
+  EXPECT_THAT(written("m.vtp"), testing::Not(HasSubstr("CellData")));
+  const std::size_t tag = vtp.find("Name=\"label\""), offset = vtp.find("offset=\"", tag) + 8;
+  const std::size_t begin = vtp.find('_', vtp.find("<AppendedData")) + 1;
+  Cursor at(std::string_view(vtp).substr(begin + std::stoul(vtp.substr(offset))));
+  EXPECT_EQ(at.next<std::uint64_t>(), 16u);
+  for (const std::int32_t label : kLabels) EXPECT_EQ(at.next<std::int32_t>(), label);
+  EXPECT_EQ(at.rest(), "\n</AppendedData>\n</VTKFile>\n");
 }
 
 TEST(MeshWriter, OtherNamesAreRefusedAndLeaveNothing) {
