@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/report/label_report.h"
+#include "app/report/label_measures.h"
 #include "app/report/measure_report.h"
 #include "base/error.h"
 #include "base/number_text.h"
@@ -167,7 +167,7 @@ std::string measureLabels(Core& core, double smoothing, bool anyway, const py::o
       [smoothing, file = core.path(), prepared = core.prepared()](const scene::Scene&,
                                                                   base::Progress& progress) {
         const auto nameOf = [](int) { return std::string(); };
-        return app::labelsJson(*prepared, file, smoothing, true, nameOf, progress).dump();
+        return app::labelMeasuresJson(*prepared, file, smoothing, true, nameOf, progress).dump();
       },
       told);
 }

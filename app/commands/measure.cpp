@@ -15,7 +15,7 @@
 #include "app/marks/mark_evaluator.h"
 #include "app/marks/markups_file.h"
 #include "app/report/curvature_report.h"
-#include "app/report/label_report.h"
+#include "app/report/label_measures.h"
 #include "app/report/measure_points.h"
 #include "app/report/measure_report.h"
 #include "app/runtime/progress_bar.h"
@@ -231,13 +231,14 @@ void runLabels(const MeasureOptions& options, const scene::Scene& scene, base::P
   ordered_json json;
   {
     const ProgressBar bar(progress);
-    json = labelsJson(*prepared, scene.source.path, options.smoothing, options.anyway, nameOf, progress);
+    json =
+        labelMeasuresJson(*prepared, scene.source.path, options.smoothing, options.anyway, nameOf, progress);
   }
-  if (!options.out.empty()) writeTextFile(options.out, labelsCsv(json));
+  if (!options.out.empty()) writeTextFile(options.out, labelMeasuresCsv(json));
   if (options.json)
     std::cout << jsonText(json);
   else
-    printLabels(json, std::cout);
+    printLabelMeasures(json, std::cout);
   printWarnings(prepared->volume);
 }
 

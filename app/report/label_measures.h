@@ -18,12 +18,12 @@ using LabelName = std::function<std::string(int label)>;
 // Measures every label but 0. Returns the keys of `measure --labels --json` (docs/reference/outputs.md).
 // `smoothing`: of each label's surface, voxels. `anyway`: also if lengths are doubtful. Throws Error: input
 // with `file` where values are no labels or lengths are doubtful; interrupted, memory.
-nlohmann::ordered_json labelsJson(const volume::PreparedVolume& prepared, const std::string& file,
-                                  double smoothing, bool anyway, const LabelName& nameOf,
-                                  base::Progress& progress);
+nlohmann::ordered_json labelMeasuresJson(const volume::PreparedVolume& prepared, const std::string& file,
+                                         double smoothing, bool anyway, const LabelName& nameOf,
+                                         base::Progress& progress);
 
 // A line for each label.
-void printLabels(const nlohmann::ordered_json& json, std::ostream& out);
-std::string labelsCsv(const nlohmann::ordered_json& json);
+void printLabelMeasures(const nlohmann::ordered_json& json, std::ostream& out);
+std::string labelMeasuresCsv(const nlohmann::ordered_json& json);
 
 }  // namespace isolux::app

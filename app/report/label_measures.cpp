@@ -1,4 +1,4 @@
-#include "app/report/label_report.h"
+#include "app/report/label_measures.h"
 
 #include <cstddef>
 #include <vector>
@@ -51,8 +51,9 @@ std::vector<std::string> labelRow(const ordered_json& label) {
 
 }  // namespace
 
-ordered_json labelsJson(const volume::PreparedVolume& prepared, const std::string& file, double smoothing,
-                        bool anyway, const LabelName& nameOf, base::Progress& progress) {
+ordered_json labelMeasuresJson(const volume::PreparedVolume& prepared, const std::string& file,
+                               double smoothing, bool anyway, const LabelName& nameOf,
+                               base::Progress& progress) {
   const auto doubt = volume::spacingDoubt(prepared.volume.warnings);
   if (doubt && !anyway)
     base::throwInput(file, "", "lengths are doubtful: " + *doubt + "; --anyway measures all the same");
@@ -65,7 +66,7 @@ ordered_json labelsJson(const volume::PreparedVolume& prepared, const std::strin
   return json;
 }
 
-void printLabels(const ordered_json& json, std::ostream& out) {
+void printLabelMeasures(const ordered_json& json, std::ostream& out) {
   printRow(out, "labels", std::to_string(json["labels"].size()));
   printRow(out, "smoothing", base::shortText(json["smoothing_voxels"].get<double>()) + " voxels");
   std::vector<std::vector<std::string>> rows{
@@ -74,7 +75,7 @@ void printLabels(const ordered_json& json, std::ostream& out) {
   printTable(out, rows);
 }
 
-std::string labelsCsv(const ordered_json& json) {
+std::string labelMeasuresCsv(const ordered_json& json) {
   std::string text =
       "label,name,voxels,counted_mm3,volume_mm3,volume_error_mm3,area_mm2,area_error_mm2,thin_share,pieces,"
       "open,"
