@@ -63,7 +63,7 @@ Command makeIndex(CLI::App& program) {
   options->scene = addSceneOptions(*parser);
   parser->add_option(
       "PATH", options->path,
-      "Raw, or NRRD, MetaImage, NIfTI and .vti (appended raw) without compression, OME-Zarr, HDF5");
+      "Raw, or NRRD, MetaImage, NIfTI, MGH and .vti (appended raw) without compression, OME-Zarr, HDF5");
   addOption(*parser, "--out", options->out, "FILE",
             "Index file; default: PATH.index, or the user's cache if that folder is not writable. Images "
             "look for it only there");

@@ -913,6 +913,10 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <translation>HDF5</translation>
     </message>
     <message>
+        <source>FreeSurfer</source>
+        <translation>FreeSurfer</translation>
+    </message>
+    <message>
         <source>MetaImage</source>
         <translation>MetaImage</translation>
     </message>

@@ -211,7 +211,10 @@ def nifti(maker):
     nibabel.save(nibabel.Nifti2Image(values, numpy.eye(4)), maker.folder / "two.nii")
     one = (maker.folder / "a.nii").read_bytes()
     pair = {name: (maker.folder / name).read_bytes() for name in ("p.hdr", "p.img")}
-    return [Seed("a.nii", {"a.nii": one}, "NIfTI-1"), Seed("a.nii.gz", {"a.nii.gz": gzip.compress(one, mtime=0)}, "gzip"),
+    nibabel.save(nibabel.MGHImage(values, numpy.diag([1, 1, 2, 1])), maker.folder / "a.mgh")
+    mgh = (maker.folder / "a.mgh").read_bytes()
+    return [Seed("a.mgh", {"a.mgh": mgh}, "MGH"), Seed("a.mgz", {"a.mgz": gzip.compress(mgh, mtime=0)}, "MGZ"),
+            Seed("a.nii", {"a.nii": one}, "NIfTI-1"), Seed("a.nii.gz", {"a.nii.gz": gzip.compress(one, mtime=0)}, "gzip"),
             Seed("p.hdr", pair, "pair"), Seed("a.nii", {"a.nii": (maker.folder / "two.nii").read_bytes()}, "NIfTI-2")]
 
 

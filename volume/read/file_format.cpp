@@ -6,6 +6,7 @@
 #include "volume/read/known_formats.h"
 #include "volume/read/mesh/mesh.h"
 #include "volume/read/plain/meta_image.h"
+#include "volume/read/plain/mgh.h"
 #include "volume/read/plain/nifti.h"
 #include "volume/read/tiff/tiff_pages.h"
 
@@ -32,12 +33,18 @@ FileFormat formatOf(const Bytes& bytes, const fs::path& path) {
   if (head.find("<VTKFile") != std::string::npos) return FileFormat::vti;
   if (looksLikeTiff(head)) return FileFormat::tiff;
   if (looksLikeNifti(head)) return FileFormat::nifti;
-  if (isPacked(head) && looksLikeNifti(inflatedHead(bytes, niftiHeaderBytes))) return FileFormat::nifti;
+  if (looksLikeMgh(head)) return FileFormat::mgh;
+  if (isPacked(head)) {
+    const std::string inside = inflatedHead(bytes, niftiHeaderBytes);
+    if (looksLikeNifti(inside)) return FileFormat::nifti;
+    if (looksLikeMgh(inside)) return FileFormat::mgh;
+  }
   if (looksLikeMetaImage(head)) return FileFormat::metaImage;
   if (extension == ".mhd" || extension == ".mha") return FileFormat::metaImage;
   if (extension == ".nrrd" || extension == ".nhdr") return FileFormat::nrrd;
   if (extension == ".nii" || extension == ".nii.gz" || extension == ".hdr" || extension == ".hdr.gz")
     return FileFormat::nifti;
+  if (extension == ".mgz" || extension == ".mgh" || extension == ".mgh.gz") return FileFormat::mgh;
   if (extension == ".vtk") return FileFormat::vtkLegacy;
   if (extension == ".vti") return FileFormat::vti;
   if (extension == ".tif" || extension == ".tiff") return FileFormat::tiff;

@@ -7,7 +7,7 @@
 
 namespace isolux::volume {
 
-enum class FileFormat { unknown, nrrd, vtkLegacy, mesh, vti, tiff, dicom, nifti, metaImage };
+enum class FileFormat { unknown, nrrd, vtkLegacy, mesh, vti, tiff, dicom, nifti, mgh, metaImage };
 
 // unknown: it has no header that is known.
 FileFormat formatOf(const Bytes& bytes, const std::filesystem::path& path);

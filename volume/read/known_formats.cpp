@@ -34,7 +34,6 @@ struct Mark {
   Known known;
 };
 
-constexpr Known kFreeSurfer{"a FreeSurfer volume", "`mri_convert FILE out.nii.gz` converts it"};
 constexpr Known kMrtrix{"an MRtrix image", "`mrconvert FILE out.nii.gz` converts it"};
 constexpr Known kMrc{"an MRC or CCP4 map", "`mrc2tif -s FILE out.tif` (IMOD) converts it"};
 constexpr Known kCube{"a Gaussian cube file", "ParaView opens it and saves it as .vti"};
@@ -106,12 +105,6 @@ constexpr Mark kMarks[] = {
     {0, "glTF"sv, kGltf},
 };
 
-// FreeSurfer's version, 1, and seven sizes: big-endian numbers of 4 bytes.
-bool looksLikeFreeSurfer(std::string_view head) {
-  return head.size() >= 32 && head.starts_with("\0\0\0\1\0"sv) && head[8] == 0 && head[12] == 0 &&
-         head[16] == 0 && head.substr(20, 3) == "\0\0\0"sv && head[23] <= 4;
-}
-
 // Two lines of words, then "N x y z" and three axes, "n x y z" each, and N atoms of five numbers: that is all
 // there is to tell it by.
 bool looksLikeCube(std::string_view head) {
@@ -135,8 +128,6 @@ bool looksLikeCube(std::string_view head) {
 // --- by name
 
 constexpr std::pair<std::string_view, Known> kEndings[] = {
-    {".mgz", kFreeSurfer},
-    {".mgh", kFreeSurfer},
     {".head", kAfni},
     {".brik", kAfni},
     {".brik.gz", kAfni},
@@ -203,7 +194,6 @@ bool looksLikeText(std::string_view head, const std::string& ending) {
 std::optional<Known> byContent(std::string_view head) {
   for (const Mark& mark : kMarks)
     if (head.size() > mark.at && head.substr(mark.at).starts_with(mark.bytes)) return mark.known;
-  if (looksLikeFreeSurfer(head)) return kFreeSurfer;
   return std::nullopt;
 }
 

@@ -9,7 +9,9 @@
 #include "volume/read/chunks/array_volume.h"
 #include "volume/read/chunks/chunk_format.h"
 #include "volume/read/input/payload.h"
+#include "volume/read/input/streams.h"
 #include "volume/read/plain/meta_image.h"
+#include "volume/read/plain/mgh.h"
 #include "volume/read/plain/nifti.h"
 #include "volume/read/plain/nrrd.h"
 #include "volume/read/plain/raw.h"
@@ -116,6 +118,13 @@ std::shared_ptr<const DescribedFile> describedFile(const fs::path& path, const R
       file->header = std::move(files.header);
       file->beside = openBeside(files.headerPath);
       bytes = std::make_unique<FileBytes>(files.dataPath);
+      break;
+    }
+    case FileFormat::mgh: {
+      const std::string head = bytes->head(kMghHeaderBytes);
+      const bool packed = isPacked(head);
+      file->header =
+          parseMghHeader(packed ? inflatedHead(*bytes, kMghHeaderBytes) : head, packed, bytes->name());
       break;
     }
     case FileFormat::vti: {

@@ -1,5 +1,5 @@
-// Volumes that a header parsed here describes: raw, NRRD, MetaImage, NIfTI, .vtk and .vti; and those of them
-// whose voxels are plain bytes of a file, read in parts.
+// Volumes that a header parsed here describes: raw, NRRD, MetaImage, NIfTI, MGH, .vtk and .vti; and those of
+// them whose voxels are plain bytes of a file, read in parts.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +20,7 @@ struct DescribedFile {
   OpenBeside beside;
   std::string whyWhole;  // as VolumeFile::whyWhole, unless the payload says it
 };
-inline constexpr const char* kOnlyThese = "only raw, NRRD, MetaImage, NIfTI and .vti files are";
+inline constexpr const char* kOnlyThese = "only raw, NRRD, MetaImage, NIfTI, MGH and .vti files are";
 
 // Opens the file and parses its header, however its voxels are written; null for other formats. `format` is
 // set unless the options describe raw voxels. Throws base::Error{input}.

@@ -45,11 +45,13 @@ bool needsRawDescription(const fs::path& path) {
 }
 
 std::vector<std::string> fileFilters() {
-  return {("Volumes (*.nii *.nii.gz *.nii.zst *.nii.bz2 *.hdr *.mhd *.mha *.nrrd *.nhdr *.vti *.vtk *.dcm "
+  return {("Volumes (*.nii *.nii.gz *.nii.zst *.nii.bz2 *.mgz *.mgh *.hdr *.mhd *.mha *.nrrd *.nhdr *.vti "
+           "*.vtk *.dcm "
            "*.tif *.tiff "
            "*.h5 "
            "*.hdf5 zarr.json .zattrs *.raw *.stl *.obj *.ply *.vtp)"),
           "NIfTI (*.nii *.nii.gz *.nii.zst *.nii.bz2 *.hdr *.img)",
+          "FreeSurfer (*.mgz *.mgh)",
           "MetaImage (*.mhd *.mha)",
           "NRRD (*.nrrd *.nhdr)",
           "VTK (*.vti *.vtk)",

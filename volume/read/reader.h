@@ -1,10 +1,10 @@
 // Reads any supported volume into a Grid and reports the conversions made.
 //
-// Formats are recognised by content first, then by name: raw, VTK legacy, .vti, MetaImage, NRRD, NIfTI, DICOM
-// folder or file, TIFF (pages, or a folder of numbered files), triangle meshes (STL, OBJ, PLY, VTK PolyData)
-// as distance fields, and the built-in phantoms ("phantom:NAME[:SIZE]"). Bad input throws base::Error{input}
-// naming file, place and reason. No allocation exceeds twice what the header claims, nor the budget. A claim
-// that the file's size cannot hold is rejected before allocating.
+// Formats are recognised by content first, then by name: raw, VTK legacy, .vti, MetaImage, NRRD, NIfTI,
+// FreeSurfer MGH, DICOM folder or file, TIFF (pages, or a folder of numbered files), triangle meshes (STL,
+// OBJ, PLY, VTK PolyData) as distance fields, and the built-in phantoms ("phantom:NAME[:SIZE]"). Bad input
+// throws base::Error{input} naming file, place and reason. No allocation exceeds twice what the header
+// claims, nor the budget. A claim that the file's size cannot hold is rejected before allocating.
 #pragma once
 
 #include <filesystem>

@@ -5,7 +5,7 @@ usage: compare_readers.py DESCRIBE_VOLUME
 
 DESCRIBE_VOLUME is the test tool of tests/volume_tools. The real data come from $ISOLUX_DATA, else from
 ../shared/data beside the source tree; made files cover what they lack (qform with qfac -1, big endian,
-slope, several time steps, gantry tilt, sagittal slices). World positions: nibabel's affine is RAS, so x and
+slope, several time steps, gantry tilt, sagittal slices, MGH). World positions: nibabel's affine is RAS, so x and
 y change sign; pydicom's ImagePositionPatient is LPS as it is. Exit code 77: a package is missing (skipped).
 """
 
@@ -112,6 +112,10 @@ def write_nifti_files(folder):
     save(nibabel.Nifti2Image(values.astype("<f4"), oblique), "two.nii")
     save(nibabel.Nifti1Pair(values.astype("<u2"), oblique), "pair.hdr")
     save(nibabel.Nifti1Image(numpy.stack([values, values + 1000], axis=-1).astype("<i2"), oblique), "time.nii")
+    for name, dtype in [("u8.mgz", "u1"), ("i16.mgh", ">i2"), ("i32.mgz", ">i4"), ("f32.mgz", ">f4")]:
+        data = (values % 256 if dtype == "u1" else values).astype(dtype)
+        save(nibabel.MGHImage(data, mirrored), name)
+    save(nibabel.MGHImage(numpy.stack([values, values + 1000], axis=-1).astype(">i2"), oblique), "time.mgz")
     return paths
 
 
@@ -154,6 +158,7 @@ def main():
             compare_nifti(tool, path)
             count += 1
         compare_nifti(tool, folder / "time.nii", time_step=1)
+        compare_nifti(tool, folder / "time.mgz", time_step=1)
         for name, orientation, step in [
             ("axial", [1, 0, 0, 0, 1, 0], [0, 0, 1.25]),
             ("axial_down", [1, 0, 0, 0, 1, 0], [0, 0, -1.25]),

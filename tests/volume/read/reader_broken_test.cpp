@@ -243,10 +243,6 @@ TEST_F(BrokenFiles, FormatsThatAreKnownButNotRead) {
     EXPECT_FALSE(volume::needsRawDescription(folder / name)) << name;
   };
   const std::string binary(4000, '\3');
-  const std::string mgh = bytesOf<std::int32_t>({1, 4, 4, 4, 1, 3, 0}, true) + binary;
-  refuse("brain.mgh", mgh, "mri_convert");
-  refuse("brain.mgz", test::gzipped(mgh), "FreeSurfer");
-  refuse("named.differently", test::gzipped(mgh), "FreeSurfer");
   refuse("a.nii.bz2", "BZh9" + binary, "bunzip2");
   refuse("a.nii.xz",
          "\xfd"
