@@ -12,6 +12,8 @@
 
 namespace isolux::volume {
 
+struct LabelTable;
+
 struct Volume {
   std::shared_ptr<const Grid> grid;
   std::string name;                       // short, for the title bar: file name, or series description
@@ -28,7 +30,8 @@ struct Volume {
   std::optional<double> noise;        // standard deviation of a voxel, data units, if the source states it
   bool isMesh = false;                // a distance field: its roughness is that of the mesh
   int labels = 0;                     // of a label map (volume/statistics/label_map.h); 0: not a label map
-  std::vector<std::string> seriesChoices;  // DICOM: "UID<TAB>description, N slices"
+  std::shared_ptr<const LabelTable> labelTable;  // names, and what states that values are labels; or null
+  std::vector<std::string> seriesChoices;        // DICOM: "UID<TAB>description, N slices"
   // Import warnings, one line each: converted, resampled, missing voxels, ignored fields.
   std::vector<std::string> warnings;
 };

@@ -8,6 +8,7 @@
 #include "app/commands/series_report.h"
 #include "app/ready/ready_fields.h"
 #include "app/report/derivative_report.h"
+#include "app/report/label_report.h"
 #include "app/report/piece_report.h"
 #include "app/runtime/progress_bar.h"
 #include "base/number_text.h"
@@ -270,7 +271,7 @@ void runInfo(const InfoOptions& options, base::Progress& progress) {
     return printSeries(scene.source.path, options.json, options.anonymous, progress, std::cout);
   const auto prepared = loadWithProgressBar(scene.source, progress);
   InfoMeasures measured;
-  ordered_json pieces;
+  ordered_json pieces, labels;
   std::optional<EdgeReport> edges;
   {
     const ProgressBar bar(progress);
@@ -278,6 +279,7 @@ void runInfo(const InfoOptions& options, base::Progress& progress) {
     const volume::DerivativeChoices& choices = *prepared->derivativeChoices;
     measured = {choices.noise(progress),
                 choices.choose({prepared->facts.suggestedIsovalue, scene.derivatives.field}, progress)};
+    labels = labelsJson(*prepared, progress);
     if (options.pieces) {
       progress.report(0.0, "finding pieces");
       pieces = piecesJson(*prepared, scene::resolve(scene, prepared->facts), progress);
@@ -289,12 +291,14 @@ void runInfo(const InfoOptions& options, base::Progress& progress) {
   }
   if (options.json) {
     ordered_json json = infoJson(*prepared, measured);
+    json["label_table"] = labels;
     if (options.pieces) json["pieces"] = pieces;
     if (edges) json["edge"] = edgeJson(*edges);
     std::cout << jsonText(json);
     return;
   }
   printText(*prepared, measured, std::cout);
+  if (!labels.is_null()) printLabelTable(labels, std::cout);
   if (edges) printRow(std::cout, "edge", edgeText(*edges));
   if (options.pieces) printPieceTable(pieces, *prepared, std::cout);
 }

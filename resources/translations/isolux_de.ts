@@ -5639,6 +5639,38 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>die Werte sind wenige ganze Zahlen, die Bereiche füllen</translation>
     </message>
     <message>
+        <source>its header lists segments</source>
+        <translation>der Kopf zählt Segmente auf</translation>
+    </message>
+    <message>
+        <source>its header has a table of labels</source>
+        <translation>der Kopf hat eine Tabelle von Labels</translation>
+    </message>
+    <message>
+        <source>its metadata say image-label</source>
+        <translation>die Metadaten sagen image-label</translation>
+    </message>
+    <message>
+        <source>its intent_code is %1, labels</source>
+        <translation>der intent_code ist %1, Labels</translation>
+    </message>
+    <message>
+        <source>it is a DICOM segmentation</source>
+        <translation>es ist eine DICOM-Segmentierung</translation>
+    </message>
+    <message>
+        <source>its name ends in %1</source>
+        <translation>der Name endet auf %1</translation>
+    </message>
+    <message>
+        <source>its name is that of FreeSurfer&apos;s labels</source>
+        <translation>der Name ist der von FreeSurfers Labels</translation>
+    </message>
+    <message>
+        <source>%1 beside it names labels</source>
+        <translation>%1 daneben benennt Labels</translation>
+    </message>
+    <message>
         <source>its file states it</source>
         <translation>die Datei gibt es an</translation>
     </message>

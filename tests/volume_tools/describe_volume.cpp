@@ -1,14 +1,16 @@
-// describe_volume PATH [COMPONENT [TIMESTEP]]: prints what readVolume() made of PATH as one JSON object, with
-// the values at 27 voxels spread over the volume, and a sum over all of them. Of what can be read in parts,
-// parts are read, too, and compared ("parts_differ"). Exit code of the Error, its text on
-// stderr.
+// describe_volume PATH [COMPONENT [TIMESTEP [all]]]: prints what readVolume() made of PATH as one JSON
+// object, with the values at 27 voxels spread over the volume, or at all of them, and a sum over all. Of what
+// can be read in parts, parts are read, too, and compared ("parts_differ"). Exit code of the Error, its text
+// on stderr.
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <string_view>
 
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "volume/labels/label_table.h"
 #include "volume/read/reader.h"
 #include "volume/read/volume_file.h"
 
@@ -75,6 +77,16 @@ int differences(const isolux::volume::ChunkedVolume& parts, isolux::volume::Volu
   }
 }
 
+nlohmann::json labelsOf(const isolux::volume::LabelTable* table) {
+  if (!table) return nullptr;
+  nlohmann::json list = nlohmann::json::array();
+  for (const auto& label : table->labels) {
+    const glm::vec3 color = isolux::volume::labelColor(table, label.value);
+    list.push_back({{"label", label.value}, {"name", label.name}, {"color", {color.x, color.y, color.z}}});
+  }
+  return {{"reason", table->reason}, {"source", table->source}, {"list", list}};
+}
+
 nlohmann::json describe(const isolux::volume::Volume& volume) {
   const auto& grid = *volume.grid;
   const glm::ivec3 n = grid.dims();
@@ -107,6 +119,8 @@ nlohmann::json describe(const isolux::volume::Volume& volume) {
           {"range", {grid.minimum(), grid.maximum()}},
           {"placed_sum", placedSum(grid)},
           {"missing", grid.missingCount()},
+          {"isovalue", volume.isovalue ? nlohmann::json(*volume.isovalue) : nlohmann::json()},
+          {"labels", labelsOf(volume.labelTable.get())},
           {"samples", samples},
           {"warnings", volume.warnings}};
 }
@@ -114,8 +128,9 @@ nlohmann::json describe(const isolux::volume::Volume& volume) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 2 || argc > 4) {
-    std::cerr << "usage: describe_volume PATH [COMPONENT [TIMESTEP]]\n";
+  const bool all = argc == 5 && std::string_view(argv[4]) == "all";
+  if (argc < 2 || argc > 5 || (argc == 5 && !all)) {
+    std::cerr << "usage: describe_volume PATH [COMPONENT [TIMESTEP [all]]]\n";
     return 2;
   }
   isolux::volume::ReadOptions options;
@@ -126,6 +141,9 @@ int main(int argc, char** argv) {
     const auto file = isolux::volume::openVolume(argv[1], options, progress);
     const auto volume = file.readWhole(options, progress);
     nlohmann::json json = describe(volume);
+    if (all)
+      for (std::size_t i = 0; i < volume.grid->extent().count(); ++i)
+        json["values"].push_back(volume.grid->value(volume.grid->extent().at(i)));
     if (const auto& parts = file.parts) {
       json["parts_differ"] = differences(*parts, {options.timeStep, options.component}, *volume.grid);
       json["levels"] = parts->facts().levels.size();

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,6 +21,8 @@
 #include "volume/voxels/grid_geometry.h"
 
 namespace isolux::volume {
+
+struct LabelTable;
 
 struct ChunkedLevel {
   GridGeometry geometry;
@@ -64,7 +67,8 @@ struct ChunkedFacts {
   int times = 1, channels = 1;
   std::vector<std::string>
       choices;  // "SERIES<TAB>what it is" of all volumes of the file; empty where there is one
-  std::vector<std::string> warnings;  // one line each
+  std::vector<std::string> warnings;         // one line each
+  std::shared_ptr<const LabelTable> labels;  // as Volume::labelTable, of all layers
 };
 
 class ChunkedVolume {

@@ -10,8 +10,10 @@
 #include "base/memory_budget.h"
 #include "base/number_text.h"
 #include "volume/bricks/level_voxels.h"
+#include "volume/labels/label_table.h"
 #include "volume/read/input/chunked_header.h"
 #include "volume/read/input/payload.h"
+#include "volume/read/label_files.h"
 
 namespace isolux::volume {
 
@@ -62,6 +64,14 @@ std::string levelNote(const ChunkedFacts& facts, int level) {
          base::shortText(std::max({thin.x, thin.y, thin.z}), 3) + " mm may be missing";
 }
 
+// Means of labels are no labels.
+void checkLabelLevel(const scene::Source& source, const LevelOrigin& origin) {
+  if (origin.factor != glm::ivec3(1))
+    base::throwUsage(source.path, "source.level=" + std::to_string(source.level),
+                     "its voxels are labels, which have no means; the coarsest level that the file has is " +
+                         std::to_string(origin.fileLevel));
+}
+
 // Where any are missing, of a type that knows missing ones.
 FileVoxels voxelsOf(LevelVoxels&& read, const scene::Source& source, const ReadOptions& options,
                     base::Progress& progress) {
@@ -102,12 +112,15 @@ Volume readLevel(const VolumeFile& file, const scene::Source& source, base::Prog
     base::throwUsage(source.path, "source.level",
                      "level " + std::to_string(source.level) + " does not exist; the coarsest is " +
                          std::to_string(coarsestLevel(facts)));
+  const LevelOrigin origin = originOf(facts, source.level);
+  if (source.kind == scene::DataKind::labels || statesLabels(facts.labels.get()) ||
+      !labelsByName(source.path).empty())
+    checkLabelLevel(source, origin);
   const ReadOptions options = readOptions(source);
   const GridGeometry geometry = levelGeometry(facts, source.level);
   ImageHeader header = chunkedHeader(facts, geometry, facts.storedType);
   checkBudget(header, source.path, options);
   const VolumePart part{static_cast<int>(source.timeStep), source.component};
-  const LevelOrigin origin = originOf(facts, source.level);
   LevelVoxels read = readLevelVoxels(*file.parts, part, origin, geometry.dims, source.aroundDamage, progress);
   const std::string damage = read.damaged.empty() ? "" : damageText(read.damaged);
   if (source.level > 0) header.warnings.insert(header.warnings.begin(), levelNote(facts, source.level));
@@ -120,6 +133,7 @@ Volume readLevel(const VolumeFile& file, const scene::Source& source, base::Prog
   volume.damage = damage;
   volume.coarsestLevel = coarsestLevel(facts);
   takeNames(volume, facts);
+  addLabelFiles(volume, source.path);
   return volume;
 }
 

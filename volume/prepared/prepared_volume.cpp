@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "volume/bricks/brick_source.h"
+#include "volume/labels/label_table.h"
 #include "volume/large/coarse_level.h"
 #include "volume/large/index_file.h"
 #include "volume/parallel/parallel_steps.h"
@@ -21,6 +22,7 @@
 #include "volume/prepared/surface_outline.h"
 #include "volume/read/input/chunked_header.h"
 #include "volume/read/input/payload.h"
+#include "volume/read/label_files.h"
 #include "volume/statistics/label_map.h"
 #include "volume/statistics/typical_step.h"
 
@@ -124,20 +126,38 @@ void noteUnit(Volume& volume, const Histogram& histogram) {
   volume.warnings.emplace_back("values look offset by 1024: not Hounsfield units as stored");
 }
 
+// Whether the file says that it has labels. Its voxels may contradict it: then nothing states them any more.
+bool hasStatedLabels(Volume& volume, base::Progress& progress) {
+  if (!statesLabels(volume.labelTable.get())) return false;
+  if (!volume.grid->isWhole() || valueCounts(*volume.grid, kMostStatedLabels, progress)) return true;
+  volume.warnings.push_back("labels are stated (" + volume.labelTable->reason +
+                            "), but values are no whole numbers; taken for quantities");
+  volume.labelTable.reset();
+  return false;
+}
+
 // Labels are names: between them lies no isovalue, and they have no noise. What is shown first encloses all.
-void noteLabels(Volume& volume, const base::Progress& progress) {
+void noteLabels(Volume& volume, base::Progress& progress) {
   const bool asked = volume.kind == scene::DataKind::labels;
-  if (!asked && volume.kind != scene::DataKind::automatic) return;
-  if (!asked && (volume.isovalue || volume.unit == "HU")) return;  // the source knows better
-  const std::optional<LabelMap> map = labelMapOf(*volume.grid, asked, progress);
-  if (!map) return;
+  if (!asked && volume.kind != scene::DataKind::automatic) return volume.labelTable.reset();
+  const bool stated = !asked && hasStatedLabels(volume, progress);
+  if (!asked && !stated && (volume.isovalue || volume.unit == "HU")) return;  // the source knows better
+  const bool whole = volume.grid->isWhole();                                  // else nothing is counted
+  std::optional<LabelMap> map;
+  if (whole) map = labelMapOf(*volume.grid, asked || stated, progress);
+  if (!map && !stated && (whole || !asked)) return;
+  if (!map) map = LabelMap{};
   volume.labels = map->labels;
   volume.noise = 0.0;
   volume.isovalue = map->background + (map->background < volume.grid->maximum() ? 0.5 : -0.5);
-  volume.warnings.push_back(std::string(asked ? "is taken for" : "looks like") + " a label map of " +
-                            std::to_string(map->labels) +
-                            " labels: values are names of regions, not quantities; the isosurface at " +
-                            base::shortText(*volume.isovalue) + " encloses all of them");
+  const std::string what = asked    ? "is taken for a label map"
+                           : stated ? "is a label map (" + volume.labelTable->reason + ")"
+                                    : "looks like a label map";
+  volume.warnings.push_back(
+      what + (whole ? " of " + std::to_string(map->labels) + (map->labels == 1 ? " label" : " labels") : "") +
+      ": values are names of regions, not quantities; the isosurface at " +
+      base::shortText(*volume.isovalue) + " encloses all of them" +
+      (map->isOutermost ? "" : " that lie above the background"));
 }
 
 // With what is made when it is first asked for.
@@ -194,7 +214,8 @@ void setFacts(const std::shared_ptr<PreparedVolume>& prepared, Histogram histogr
                       facts.contrastIsovalue, progress);
   }
   facts.suggestedIsovalues =
-      prepared->volume.labels > 0
+      prepared->volume.labels > 0 || prepared->volume.kind == scene::DataKind::labels ||
+              statesLabels(prepared->volume.labelTable.get())
           ? std::vector<double>{facts.suggestedIsovalue}
           : suggestIsovalues(prepared->grid(), prepared->histogram, unit, facts.suggestedIsovalue);
   facts.axes = prepared->volume.axes;
@@ -259,6 +280,8 @@ std::shared_ptr<PreparedVolume> prepareFile(const std::shared_ptr<const ChunkedV
   noteMissing(volume, *grid);
   if (!index.damaged().empty()) volume.warnings.push_back(damageText(index.damaged()));
   volume.grid = std::move(grid);
+  addLabelFiles(volume, source.path);
+  noteLabels(volume, progress);
   const std::shared_ptr<PreparedVolume> prepared = withBlocks(std::move(volume), index.blocks());
   setFacts(prepared, index.histogram(prepared->grid()), index.typicalStep(scaled), progress);
   prepared->readSeconds = readSeconds;

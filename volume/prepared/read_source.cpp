@@ -1,6 +1,7 @@
 #include "volume/prepared/read_source.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "volume/labels/label_table.h"
 #include "volume/large/coarse_level.h"
 #include "volume/parallel/parallel_steps.h"
 #include "volume/read/input/patient.h"
@@ -17,6 +19,7 @@
 #include "volume/read/plain_file.h"
 #include "volume/read/reader.h"
 #include "volume/read/step_files.h"
+#include "volume/statistics/label_map.h"
 
 namespace isolux::volume {
 
@@ -165,6 +168,24 @@ Volume readStep(const scene::Source& source, int step, VolumeFile open, ReadOpti
   return volume;
 }
 
+// Whether the values are labels, by `kind`, by the file or, where neither says so, by how they lie.
+bool holdsLabels(const Volume& volume, scene::DataKind kind, base::Progress& progress) {
+  if (kind != scene::DataKind::automatic) return kind == scene::DataKind::labels;
+  if (statesLabels(volume.labelTable.get())) return true;
+  return !volume.isovalue && volume.unit != "HU" && labelMapOf(*volume.grid, false, progress).has_value();
+}
+
+// Names of regions have no means: of two steps the nearer one is shown.
+Volume nearerStep(Volume first, const scene::Source& source, const ReadOptions& options,
+                  base::Progress& progress) {
+  const double nearest = std::round(source.timeStep);
+  if (nearest > source.timeStep) first = readStep(source, static_cast<int>(nearest), {}, options, progress);
+  first.warnings.push_back("labels are not blended: of source.time_step " +
+                           base::shortestText(source.timeStep) + " the nearer step is shown");
+  noteStep(first, nearest);
+  return first;
+}
+
 Volume readBlend(const scene::Source& source, const VolumeFile& first, const ReadOptions& options,
                  base::Progress& progress) {
   const int step = static_cast<int>(source.timeStep);
@@ -172,6 +193,8 @@ Volume readBlend(const scene::Source& source, const VolumeFile& first, const Rea
   Volume volume = readStep(source, step, first, options, progress);
   if (fraction > 0.0) {
     checkStep(source, volume.timeSteps);
+    if (holdsLabels(volume, source.kind, progress))
+      return nearerStep(std::move(volume), source, options, progress);
     volume = blendedSteps(std::move(volume), readStep(source, step + 1, {}, options, progress), fraction,
                           progress);
   }
@@ -193,8 +216,12 @@ CsgResult readSource(const scene::Source& source, const VolumeFile& first, base:
     result.volume.warnings.emplace_back("source.csg_path is empty; give a second volume");
   if (!combines) return result;
   second.grid = result.volume.grid->geometry();
-  return combined(result.volume, readVolume(source.csgPath, second, progress),
-                  {source.csg, source.csgValue, source.csgWeight}, progress);
+  const Volume other = readVolume(source.csgPath, second, progress);
+  if (source.csg == scene::Csg::blend &&
+      (holdsLabels(result.volume, source.kind, progress) || statesLabels(other.labelTable.get())))
+    base::throwUsage(source.path, "source.csg=blend", "labels are not blended; they are names of regions");
+  result.volume.labelTable.reset();  // of the combination nothing is stated
+  return combined(result.volume, other, {source.csg, source.csgValue, source.csgWeight}, progress);
 }
 
 }  // namespace isolux::volume

@@ -173,6 +173,7 @@ std::shared_ptr<const ChunkedVolume> plainVolume(const std::shared_ptr<const Des
   }
   facts.levels.resize(1);
   facts.levels.front().geometry.worldFromVoxel = header.worldFromVoxel;
+  facts.labels = header.labels;
   facts.warnings = header.warnings;
   return std::make_shared<ArrayVolume>(
       std::move(facts), ArrayAxes{.x = 4, .y = 3, .z = 2, .time = 1, .channel = 0},

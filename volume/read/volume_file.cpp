@@ -13,6 +13,7 @@
 #include "volume/read/input/payload.h"
 #include "volume/read/input/text.h"
 #include "volume/read/known_formats.h"
+#include "volume/read/label_files.h"
 #include "volume/read/mesh/mesh.h"
 #include "volume/read/plain_file.h"
 #include "volume/read/process/foreign.h"
@@ -143,6 +144,7 @@ VolumeFile openVolume(const std::string& path, const ReadOptions& options, base:
     Volume volume = withPath(path, [&] { return read(how, reading); });
     // "None" is what some programs write for a description that nobody gave.
     if (volume.name.empty() || sameIgnoringCase(volume.name, "none")) volume.name = named.filename().string();
+    if (!named.empty()) addLabelFiles(volume, named);
     return volume;
   };
   return file;

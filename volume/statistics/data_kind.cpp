@@ -11,6 +11,7 @@
 #include <glm/vector_relational.hpp>
 
 #include "volume/grid.h"
+#include "volume/labels/label_table.h"
 
 namespace isolux::volume {
 
@@ -92,6 +93,7 @@ FoundKind dataKindOf(const Volume& volume, const Histogram& histogram, const sce
     if (asked.kind == Kind::ct) asked.hounsfield = byTissue();
     return asked;
   }
+  if (statesLabels(volume.labelTable.get())) return {Kind::labels, volume.labelTable->reason};
   if (volume.labels > 0) return {Kind::labels, "its values are few whole numbers that fill regions"};
   if (volume.unit == "HU") return {Kind::ct_hu, "its file states it", hounsfield};
   if (volume.isMesh) return {Kind::distance, "it was made from a mesh"};

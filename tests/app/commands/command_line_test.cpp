@@ -394,12 +394,12 @@ TEST(InfoCommand, JsonHasTheDocumentedKeys) {
   const json info = json::parse(success({"info", "phantom:ball:16", "--json"}).out);
   std::vector<std::string> keys;
   for (const auto& [key, value] : info.items()) keys.push_back(key);
-  EXPECT_THAT(
-      keys, testing::UnorderedElementsAre(
-                "name", "format", "dims", "type", "stored_type", "spacing_mm", "origin_mm", "directions",
-                "orientation_stated", "unit", "kind", "kind_reason", "slope", "intercept", "range", "missing",
-                "labels", "suggested_isovalue", "contrast_isovalue", "noise", "derivatives_at_suggested",
-                "histogram", "blocks", "components", "time_steps", "series", "data_hash", "warnings"));
+  EXPECT_THAT(keys, testing::UnorderedElementsAre(
+                        "name", "format", "dims", "type", "stored_type", "spacing_mm", "origin_mm",
+                        "directions", "orientation_stated", "unit", "kind", "kind_reason", "slope",
+                        "intercept", "range", "missing", "labels", "label_table", "suggested_isovalue",
+                        "contrast_isovalue", "noise", "derivatives_at_suggested", "histogram", "blocks",
+                        "components", "time_steps", "series", "data_hash", "warnings"));
   EXPECT_EQ(info["dims"], json({16, 16, 16}));
   EXPECT_EQ(info["type"], "float32");
   EXPECT_EQ(info["directions"].size(), 3u);

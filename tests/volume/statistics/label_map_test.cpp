@@ -3,7 +3,10 @@
 
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -41,7 +44,8 @@ double ballDistance(glm::dvec3 p) {
 }
 
 std::optional<LabelMap> found(const Grid& grid) {
-  return labelMapOf(grid, false, base::Progress());
+  base::Progress progress;
+  return labelMapOf(grid, false, progress);
 }
 
 TEST(LabelMaps, AreFewWholeNumbersThatJump) {
@@ -82,12 +86,56 @@ TEST(LabelMaps, ScansAndSmoothFieldsAreNone) {
   EXPECT_FALSE(found(gridOf<float>([](glm::dvec3 p) { return 0.25 * organs(p); }))) << "no whole numbers";
 }
 
+TEST(LabelMaps, TheBackgroundIsZeroElseTheMostFrequentEnd) {
+  const auto backgroundOf = [](std::vector<std::int16_t> values) {
+    base::Progress progress;
+    const glm::ivec3 dims(static_cast<int>(values.size()), 1, 1);
+    const Grid grid(GridGeometry::make(dims, glm::dvec3(1)), std::move(values));
+    return labelMapOf(grid, true, progress);
+  };
+  EXPECT_EQ(backgroundOf({0, 3, 3, 3})->background, 0.0) << "however rare";
+  EXPECT_EQ(backgroundOf({-1, 0, 0, 3})->background, 0.0);
+  EXPECT_FALSE(backgroundOf({-1, 0, 0, 3})->isOutermost);
+  EXPECT_EQ(backgroundOf({1, 9, 9, 3})->background, 9.0);
+  EXPECT_EQ(backgroundOf({1, 3, 3, 9})->background, 1.0);
+  EXPECT_EQ(backgroundOf({1, 3, 3, 9})->labels, 2);
+}
+
+TEST(LabelMaps, FourThousandLabelsAreFound) {
+  const auto map = found(gridOf<std::uint16_t>([](glm::dvec3 p) {
+    const glm::ivec3 cell = glm::ivec3(p) * 16 / kSize;
+    return 16.0 * (16.0 * cell.z + cell.y) + cell.x;
+  }));
+  ASSERT_TRUE(map);
+  EXPECT_EQ(map->labels, 4095);
+}
+
+TEST(LabelMaps, VoxelsAreCountedWhateverTheirType) {
+  base::Progress progress;
+  const auto valueAt = [](glm::dvec3 p) { return organs(p) == 0.0 ? -3.0 : organs(p); };
+  const ValueCounts wanted = [&] {
+    ValueCounts counts;
+    for (int i = 0; i < kSize * kSize * kSize; ++i)
+      ++counts[valueAt(glm::dvec3(i % kSize, i / kSize % kSize, i / kSize / kSize))];
+    return counts;
+  }();
+  EXPECT_EQ(valueCounts(gridOf<std::int8_t>(valueAt), 6, progress), wanted);
+  EXPECT_EQ(valueCounts(gridOf<std::int16_t>(valueAt), 6, progress), wanted);
+  EXPECT_EQ(valueCounts(gridOf<float>(valueAt), 6, progress), wanted);
+  EXPECT_FALSE(valueCounts(gridOf<std::int8_t>(valueAt), 5, progress)) << "too many";
+}
+
 TEST(LabelMaps, OfTheTestDataNoneIsOne) {
   ISOLUX_NEEDS_DATA();
   base::Progress progress;
-  for (const char* name :
-       {"teapot.mhd", "hydrogen_atom.mhd", "engine.nii.gz", "bonsai.nii.gz", "heptane.nii.gz"})
-    EXPECT_FALSE(found(*readVolume(test::dataFolder() / "volumes" / name, {}, progress).grid)) << name;
+  int volumes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(test::dataFolder() / "volumes")) {
+    const std::string name = entry.path().filename().string();
+    if (!name.ends_with(".mhd") && !name.ends_with(".nii.gz")) continue;
+    EXPECT_FALSE(found(*readVolume(entry.path().string(), {}, progress).grid)) << name;
+    ++volumes;
+  }
+  EXPECT_GE(volumes, 5);
 }
 
 // No isovalue between labels, no noise, and the file is said to be what it is.

@@ -22,6 +22,7 @@ inline ImageHeader chunkedHeader(const ChunkedFacts& facts, const GridGeometry& 
   header.unit = facts.unit;
   header.slope = facts.slope;
   header.intercept = facts.intercept;
+  header.labels = facts.labels;
   header.warnings = facts.warnings;
   return header;
 }

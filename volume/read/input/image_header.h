@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,6 +18,7 @@
 
 #include "scene/world_axes.h"
 #include "volume/grid.h"
+#include "volume/labels/label_table.h"
 #include "volume/read/input/read_options.h"
 
 namespace isolux::volume {
@@ -57,6 +59,8 @@ struct ImageHeader {
       scene::WorldAxes::zUp;            // anatomical: worldFromVoxel leads to LPS by the file's own word
   double slope = 1.0, intercept = 0.0;  // 0 or not finite: none
   std::string unit;
+  std::optional<double> isovalue;            // to show first, if the file states it
+  std::shared_ptr<const LabelTable> labels;  // of all layers; null: nothing is stated of labels
   Payload payload;
   std::vector<std::string> warnings;
 

@@ -269,10 +269,25 @@ FileVoxels decodeAs(const ImageHeader& header, PayloadStream& stream, const Read
   return values;
 }
 
+// "2 layers of labels that overlap, layer 0 (liver, tumour) is shown; source.component chooses another"
+std::string layerText(const LabelTable& table, int layers, int layer) {
+  constexpr std::size_t mostNames = 5;
+  const std::vector<Label> labels = labelsOfLayer(table, layer).labels;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(labels.size(), mostNames); ++i)
+    names +=
+        (i > 0 ? ", " : "") + (labels[i].name.empty() ? std::to_string(labels[i].value) : labels[i].name);
+  if (labels.size() > mostNames) names += ", ...";
+  return std::to_string(layers) + " layers of labels, layer " + std::to_string(layer) + " (" + names +
+         ") is shown; source.component chooses another";
+}
+
 }  // namespace
 
 void checkChoices(const ImageHeader& header, const std::string& file, const ReadOptions& options) {
   const std::int64_t components = header.components * header.slowComponents;
+  if (options.component == -1 && header.labels)
+    base::throwUsage(file, "source.component", "labels have no magnitude; choose a layer, 0 is the first");
   if (options.component < -1 || options.component >= components)
     base::throwUsage(file, "source.component",
                      "channel " + std::to_string(options.component) + " does not exist; the file has " +
@@ -338,8 +353,13 @@ Volume volumeOf(const ImageHeader& header, const ReadOptions& options) {
   volume.axes = header.axes;
   volume.components = static_cast<int>(header.components * header.slowComponents);
   volume.timeSteps = static_cast<int>(header.timeSteps);
+  volume.isovalue = header.isovalue;
   volume.warnings = header.warnings;
-  if (volume.components > 1) {
+  if (header.labels) {
+    volume.labelTable = std::make_shared<const LabelTable>(labelsOfLayer(*header.labels, options.component));
+    if (volume.components > 1)
+      volume.warnings.push_back(layerText(*header.labels, volume.components, options.component));
+  } else if (volume.components > 1) {
     const std::string shown =
         options.component < 0 ? "their magnitude" : "component " + std::to_string(options.component);
     volume.warnings.push_back(std::to_string(volume.components) + " components per voxel, " + shown +

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -11,6 +12,7 @@
 #include "volume/read/input/spacing_reliability.h"
 #include "volume/read/input/streams.h"
 #include "volume/read/input/text.h"
+#include "volume/read/plain/nifti_labels.h"
 
 namespace isolux::volume {
 
@@ -299,9 +301,8 @@ void readGeometry(const NiftiFields& fields, ImageHeader& header) {
 void readIntent(const NiftiFields& fields, const std::string& file, ImageHeader& header) {
   const std::int64_t intent = fields.intent;
   if (intent == 1002 || intent == 1003)
-    header.warnings.push_back(
-        "intent_code " + std::to_string(intent) +
-        ": the values are labels without an order; values between labels are meaningless");
+    header.labels = std::make_shared<const LabelTable>(
+        LabelTable{"its intent_code is " + std::to_string(intent) + ", labels", "", {}});
   if (intent == 1008 || intent == 1009 || intent == 2002 || (intent >= 3000 && intent < 3100))
     throwInput(file, "intent_code",
                intent >= 3000 ? "CIFTI files, whose numbers belong to surfaces, are not read"
@@ -351,6 +352,25 @@ ImageHeader parseNiftiHeader(std::string_view head, const std::string& file, boo
   return header;
 }
 
+namespace {
+
+constexpr std::size_t kMostExtensionBytes = std::size_t{4} << 20;
+
+// Labels that an extension between header and voxels names.
+void readExtensions(const Bytes& bytes, bool compressed, std::string_view head, ImageHeader& header) {
+  const Signature signature = signatureOf(head);
+  const std::size_t begin = signature.version == 1 ? 348 : 540;
+  const std::uint64_t end = header.payload.offset;
+  if (end < begin + 12 || end - begin > kMostExtensionBytes) return;
+  const auto count = static_cast<std::size_t>(end);
+  const std::string whole = compressed ? inflatedHead(bytes, count) : bytes.head(count);
+  if (whole.size() < count) return;
+  if (auto table = labelsInExtensions(std::string_view(whole).substr(begin), signature.big))
+    header.labels = std::make_shared<const LabelTable>(std::move(*table));
+}
+
+}  // namespace
+
 NiftiFiles openNifti(const fs::path& path) {
   NiftiFiles files{.header = {}, .headerPath = path, .dataPath = path};
   const std::string extension =
@@ -377,6 +397,7 @@ NiftiFiles openNifti(const fs::path& path) {
     files.header.warnings.push_back(
         "the header says that the voxels follow it; those of the .img file are read");
   }
+  if (!pairs) readExtensions(headerBytes, compressedHeader, head, files.header);
   if (pairs) {
     files.dataPath = extension == ".img" ? path : counterpart(files.headerPath, ".img");
     if (files.dataPath.empty())

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "volume/read/input/length_unit.h"
 #include "volume/read/input/spacing_reliability.h"
 #include "volume/read/input/text.h"
+#include "volume/read/plain/nrrd_segments.h"
 
 namespace isolux::volume {
 
@@ -66,6 +68,7 @@ class Header : private HeaderFields {
   void assignAxes(ImageHeader& header);
   void readGeometry(ImageHeader& header);
   void noteContradictions();
+  void readLabels(ImageHeader& header) const;
   void readEncoding(ImageHeader& header) const;
   void readDataFiles(ImageHeader& header) const;
 
@@ -73,6 +76,7 @@ class Header : private HeaderFields {
   std::size_t end_ = 0;  // of the header
   int endLine_ = 0;
   bool attached_ = false;  // an empty line ended the header
+  NrrdKeys keys_;
   std::vector<Axis> axes_;
   std::vector<std::size_t> spatial_;  // the axes that are x, y, z
   int spaceDimension_ = 0;
@@ -111,7 +115,11 @@ Header::Header(std::string_view text, const std::string& file) : HeaderFields(fi
     const std::size_t colon = line->find(':');
     if (colon == std::string_view::npos)
       throwInput(file_, linePlace(endLine_), "is not a \"field: value\" line");
-    if (colon + 1 < line->size() && (*line)[colon + 1] == '=') continue;  // key:=value
+    if (colon + 1 < line->size() && (*line)[colon + 1] == '=') {
+      keys_.emplace(line->substr(0, colon),
+                    HeaderField{line->substr(0, colon), line->substr(colon + 2), endLine_});
+      continue;
+    }
     const HeaderField field{trimmed(line->substr(0, colon)), trimmed(line->substr(colon + 1)), endLine_};
     const std::string name = canonicalName(field.name);
     add(name, field, "fields");
@@ -408,6 +416,12 @@ void Header::readGeometry(ImageHeader& header) {
   if (patientSpace_ && placed && usableDirections(directions)) header.axes = scene::WorldAxes::anatomical;
 }
 
+void Header::readLabels(ImageHeader& header) const {
+  const std::int64_t layers = header.components * header.slowComponents;
+  if (auto table = segmentsOf(keys_, layers, file_, header.warnings))
+    header.labels = std::make_shared<const LabelTable>(std::move(*table));
+}
+
 void Header::readEncoding(ImageHeader& header) const {
   const HeaderField& encoding = need("encoding");
   const std::string name = lowered(encoding.value);
@@ -489,6 +503,7 @@ ImageHeader Header::read() {
   readGeometry(header);
   readValues(header);
   header.warnings = warnings_;
+  readLabels(header);
   readEncoding(header);
   readDataFiles(header);
   return header;

@@ -24,6 +24,12 @@ std::optional<Tag> Tags::next() {
       at_ = end + 3;
       continue;
     }
+    if (text_.substr(begin).starts_with("<![CDATA[")) {
+      const std::size_t end = text_.find("]]>", begin);
+      if (end == std::string_view::npos) fail(begin, "a CDATA section is not closed");
+      at_ = end + 3;
+      continue;
+    }
     if (text_.substr(begin).starts_with("<!")) fail(begin, "document types and entities are not supported");
     const std::size_t end = endOfTag(begin);
     at_ = end;

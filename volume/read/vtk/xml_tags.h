@@ -1,5 +1,5 @@
-// Just enough XML to check what a VTK file claims before VTK reads it: tags, their attributes, sizes of
-// arrays.
+// Just enough XML to check what a VTK file claims before VTK reads it, and for tables of labels: tags, their
+// attributes, sizes of arrays.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ struct Tag {
   std::optional<std::string_view> find(std::string_view key) const;
 };
 
-// Goes from tag to tag; text between them, comments and declarations are passed over. Throws
+// Goes from tag to tag; text between them, CDATA, comments and declarations are passed over. Throws
 // base::Error{input} with the byte of the fault. The text and the file's name must outlive it.
 class Tags {
  public:

@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "volume/read/input/spacing_reliability.h"
 #include "volume/read/input/text.h"
+#include "volume/read/zarr/ome_labels.h"
 
 namespace isolux::volume {
 
@@ -145,6 +146,7 @@ std::optional<OmeImage> parseOme(const nlohmann::json& attributes, const std::st
   if (images.size() > 1)
     ome.warnings.push_back(std::to_string(images.size()) + " multiscales; the first is shown");
   if (const std::string names = channelNames(root); !names.empty()) ome.warnings.push_back(names);
+  if (auto labels = imageLabelsOf(root)) ome.labels = std::make_shared<const LabelTable>(std::move(*labels));
   const std::vector<OmeAxis> axes = axesOf(image);
   ome.axisCount = axes.size();
   ome.axes = rolesOf(axes, image.has("axes") ? image.at("axes") : image);

@@ -2,12 +2,14 @@
 // https://ngff.openmicroscopy.org).
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
+#include "volume/labels/label_table.h"
 #include "volume/read/chunks/array_volume.h"
 #include "volume/read/input/length_unit.h"
 #include "volume/read/zarr/json_fields.h"
@@ -25,6 +27,7 @@ struct OmeImage {
   ArrayAxes axes;
   std::size_t axisCount = 5;
   std::vector<OmeLevel> levels;  // at least one
+  std::shared_ptr<const LabelTable> labels;  // null: they are not said to be
   std::vector<std::string> warnings;
 };
 

@@ -142,6 +142,7 @@ std::unique_ptr<ArrayVolume> volumeOfImage(const std::shared_ptr<const ZarrStore
                                            const std::string& name) {
   ChunkedFacts facts = factsNamed(name, "OME-Zarr " + image.version);
   facts.warnings = image.warnings;
+  facts.labels = image.labels;
   UsableLevels usable;
   for (std::size_t i = 0; i < image.levels.size(); ++i) {
     try {

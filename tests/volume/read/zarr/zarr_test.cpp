@@ -13,6 +13,7 @@
 #include "tests/support/memory_store.h"
 #include "tests/support/test_data.h"
 #include "tests/volume/read/reader_support.h"
+#include "volume/labels/label_table.h"
 #include "volume/read/chunks/checksums.h"
 #include "volume/read/volume_file.h"
 #include "volume/read/zarr/zarr.h"
@@ -317,6 +318,29 @@ TEST(Zarr, NamesOfChannelsAreSaid) {
   files[".zattrs"] =
       replaced(files[".zattrs"], "{", R"({"omero": {"channels": [{"label": "DAPI"}, {"label": "GFP"}]}, )");
   EXPECT_THAT(whole(files).warnings, testing::Contains(HasSubstr("DAPI, GFP")));
+}
+
+TEST(Zarr, ImageLabelStatesLabelsWithNamesAndColours) {
+  Files files = image("[3, 2, 1]", R"({"type": "scale", "scale": [6, 4, 2]})");
+  const std::string plain = files[".zattrs"];
+  const auto withLabels = [&](const std::string& content) {
+    files[".zattrs"] = replaced(plain, "{", "{\"image-label\": " + content + ", ");
+  };
+  withLabels(R"({"colors": [{"label-value": 2, "rgba": [0, 255, 255, 128]}, {"label-value": 1}],
+                 "properties": [{"label-value": 2, "class": "nucleus"}, {"label-value": 7, "area": 3}]})");
+  const auto table = opened(files)->facts().labels;
+  ASSERT_NE(table, nullptr);
+  EXPECT_EQ(table->reason, "its metadata say image-label");
+  ASSERT_EQ(table->labels.size(), 3u);
+  EXPECT_EQ(labelName(table.get(), 2), "nucleus");
+  EXPECT_EQ(labelColor(table.get(), 2), glm::vec3(0, 1, 1));
+  EXPECT_EQ(labelName(table.get(), 7), "");
+  EXPECT_EQ(whole(files).labelTable->labels.size(), 3u);
+  for (const char* wrong : {R"({"colors": [{"label-value": 1.5}]})", R"({"properties": [{"class": "a"}]})",
+                            R"({"colors": [{"label-value": 1, "rgba": [1, 2]}]})", R"({"colors": 3})"}) {
+    withLabels(wrong);
+    EXPECT_THAT(refusal(files), HasSubstr("image-label")) << wrong;
+  }
 }
 
 TEST(Zarr, AGroupShowsItsVolumeNotItsPositions) {
