@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "readers/dicom/segmentation.h"
 #include "readers/dicom/series.h"
 #include "readers/limits.h"
 #include "readers/serve.h"
@@ -43,7 +44,8 @@ std::vector<DicomFile> scanDicomFolder(const fs::path& folder, int depth, base::
     nowReading(path);
     try {
       DicomFile file = readWholeHeader(path);
-      if (!file.notAScan.empty() && others++ == 0) firstOther = path.string() + " " + file.notAScan;
+      if (!file.notAScan.empty() && others++ == 0)
+        firstOther = path.string() + " " + file.notAScan + (file.isSegmentation ? "; open it by itself" : "");
       if (!file.frames.empty()) files.push_back(std::move(file));
     } catch (const base::Error& error) {
       if (error.kind() != base::ErrorKind::input) throw;
@@ -251,6 +253,7 @@ DecodedVolume decodeDicom(const fs::path& path, const ReadOptions& options, base
     allowHeaders(1, FileBytes(path).size());
     nowReading(path);
     named = readWholeHeader(path);
+    if (named->isSegmentation) return decodeSegmentation(*named, options, progress);
     if (!named->notAScan.empty()) throwInput(name, "SOPClassUID", named->notAScan);
     if (named->frames.empty()) throwInput(name, "", "has no DICOM image");
     if (wanted.empty()) wanted = named->series;

@@ -61,6 +61,7 @@ struct DicomFile : volume::DicomStatements {
   int tilesAcross = 1, tilesDown = 1;  // more: one image holds the frames as tiles, row by row (frames.h)
   std::uint64_t pixelDataAt = 0;       // where the pixel data begin, bytes
   bool isSigned = false;
+  bool isSegmentation = false;                   // read by itself (segmentation.h); notAScan says so, too
   bool isCine = false;                           // frames are moments
   double pixelAspect = 1.0;                      // height / width of a pixel whose size is not stated
   double windowCenter = 0.0, windowWidth = 0.0;  // after rescale; width 0: not stated

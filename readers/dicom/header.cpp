@@ -15,6 +15,7 @@
 #include "readers/dicom/dicom_object.h"
 #include "readers/dicom/elements.h"
 #include "readers/dicom/frames.h"
+#include "readers/dicom/segmentation.h"
 #include "readers/vtk_messages.h"
 #include "volume/read/input/bytes.h"
 
@@ -199,6 +200,7 @@ DicomFile readHeader(const fs::path& path) {
   if (sopClass.empty()) sopClass = text(meta, DC::MediaStorageSOPClassUID);
   const DicomObject object = dicomObject(sopClass, file.modality);
   file.notAScan = object.notAScan;
+  file.isSegmentation = isSegmentationClass(sopClass);
   if (!parser->GetPixelDataFound()) return file;
   if (!file.notAScan.empty()) {
     file.frames.emplace_back();

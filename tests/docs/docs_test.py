@@ -18,7 +18,7 @@ BUDGETS = {
     "docs/guide/clip.md": 450, "docs/guide/measure.md": 750, "docs/guide/light.md": 600, "docs/guide/compare.md": 350,
     "docs/guide/export.md": 800, "docs/guide/accuracy.md": 600, "docs/guide/sessions.md": 550, "docs/guide/large-data.md": 450,
     "docs/guide/window.md": 350, "docs/reference/settings.md": 4500, "docs/reference/commands.md": 2800,
-    "docs/reference/outputs.md": 1400, "docs/reference/formats.md": 700, "docs/reference/keys.md": 400,
+    "docs/reference/outputs.md": 1400, "docs/reference/formats.md": 780, "docs/reference/keys.md": 400,
     "docs/reference/file-formats-isolux.md": 700, "docs/reference/python.md": 800, "docs/reference/glossary.md": 800,
     "docs/reference/troubleshooting.md": 800, "docs/reference/cite.md": 80, "docs/explanation/trust.md": 500,
     "docs/explanation/hits.md": 800, "docs/explanation/curvature.md": 1000, "docs/explanation/looks.md": 800,

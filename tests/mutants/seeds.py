@@ -94,6 +94,44 @@ def set_frames(slice_, count):
         [group("PlanePositionSequence", ImagePositionPatient=[0, 0, 2.0 * i]) for i in range(count)])
 
 
+def segmentations(maker):
+    """A BINARY segmentation with segments that overlap and a gap, a label map and a FRACTIONAL one."""
+    from pydicom.dataset import Dataset
+    from pydicom.sequence import Sequence
+    seeds = []
+
+    def item(**elements):
+        inner = Dataset()
+        for key, value in elements.items():
+            setattr(inner, key, value)
+        return Sequence([inner])
+
+    for kind, bits in (("BINARY", 1), ("FRACTIONAL", 8), ("LABELMAP", 8)):
+        file = dicom_base(maker, 10, 11)
+        file.SOPClassUID = "1.2.840.10008.5.1.4.1.1.66." + ("7" if kind == "LABELMAP" else "4")
+        file.file_meta.MediaStorageSOPClassUID, file.Modality = file.SOPClassUID, "SEG"
+        file.file_meta.TransferSyntaxUID = "1.2.840.10008.1.2.1"
+        file.SegmentationType, file.BitsAllocated, file.BitsStored, file.HighBit = kind, bits, bits, bits - 1
+        file.PixelRepresentation, file.NumberOfFrames, file.MaximumFractionalValue = 0, 4, 255
+        file.SegmentSequence = Sequence([item(SegmentNumber=n, SegmentLabel=f"organ {n}",
+                                              RecommendedDisplayCIELabValue=[40000, 30000, 50000])[0] for n in (1, 2)])
+        file.SharedFunctionalGroupsSequence = item(
+            PlaneOrientationSequence=item(ImageOrientationPatient=[1, 0, 0, 0, 1, 0]),
+            PixelMeasuresSequence=item(PixelSpacing=[1, 1], SliceThickness=2, SpacingBetweenSlices=2))
+        places = ((1, 0), (1, 1), (2, 1), (2, 4)) if kind != "LABELMAP" else ((1, 0), (1, 1), (1, 2), (1, 4))
+        file.PerFrameFunctionalGroupsSequence = Sequence([
+            item(PlanePositionSequence=item(ImagePositionPatient=[0, 0, 2.0 * k]),
+                 SegmentIdentificationSequence=item(ReferencedSegmentNumber=n))[0] for n, k in places])
+        pixels = wave(11, 10, 4) % 3
+        raw = numpy.packbits(pixels.ravel() > 0, bitorder="little") if bits == 1 else pixels.astype("u1")
+        file.PixelData = raw.tobytes() + b"\0" * (raw.nbytes % 2)
+        file["PixelData"].VR = "OB"
+        file.is_little_endian, file.is_implicit_VR = True, False
+        file.save_as(maker.folder / "seg.dcm", write_like_original=False)
+        seeds.append(Seed("a.dcm", {"a.dcm": (maker.folder / "seg.dcm").read_bytes()}, f"SEG {kind}"))
+    return seeds
+
+
 def dicom(maker):
     import pydicom
     base = dicom_base(maker)
@@ -109,7 +147,8 @@ def dicom(maker):
         return (maker.folder / name).read_bytes()
 
     uid = pydicom.uid
-    seeds = [Seed("a.dcm", {"a.dcm": save("explicit.dcm", uid.ExplicitVRLittleEndian)}, "explicit"),
+    seeds = segmentations(maker) + [
+             Seed("a.dcm", {"a.dcm": save("explicit.dcm", uid.ExplicitVRLittleEndian)}, "explicit"),
              Seed("a.dcm", {"a.dcm": save("implicit.dcm", uid.ImplicitVRLittleEndian, implicit=True)}, "implicit"),
              Seed("a.dcm", {"a.dcm": save("big.dcm", uid.ExplicitVRBigEndian, little=False)}, "big endian"),
              Seed("a.dcm", {"a.dcm": save("frames.dcm", uid.ExplicitVRLittleEndian, frames=4)}, "multi-frame")]
@@ -229,7 +268,16 @@ def headers(maker):
     vtk = ("# vtk DataFile Version 3.0\nwave\n{}\nDATASET STRUCTURED_POINTS\nDIMENSIONS 8 7 6\nORIGIN 0 0 0\nSPACING 1 1 2\n"
            "POINT_DATA 336\nSCALARS v short 1\nLOOKUP_TABLE default\n")
     big = wave(8, 7, 6).astype(">i2").tobytes()
-    return [Seed("a.nrrd", {"a.nrrd": nrrd.format("raw", "").encode() + raw}, "NRRD"),
+    layers = numpy.stack([wave(8, 7, 6) > 50, 2 * (wave(8, 7, 6) > 0)], axis=-1).astype("u1").tobytes()
+    segments = ("NRRD0004\ntype: uint8\ndimension: 4\nspace: LPS\nsizes: 2 8 7 6\nspace directions: none (1,0,0) (0,1,0) "
+                "(0,0,2)\nkinds: list domain domain domain\nencoding: raw\n" + "".join(
+                    f"Segment{i}_ID:=s{i}\nSegment{i}_Name:=organ {i}\nSegment{i}_Color:=0.5 0.2 0.{i}\n"
+                    f"Segment{i}_LabelValue:={i + 1}\nSegment{i}_Layer:={i}\n" for i in range(2)) + "\n")
+    table = b"0 background 0 0 0 0\n1 liver 200 10 10 255\n2 tumour 10 200 10 255\n"
+    return [Seed("a.seg.nrrd", {"a.seg.nrrd": segments.encode() + layers}, "NRRD segments"),
+            Seed("a.mha", {"a.mha": meta.format("False", "LOCAL").replace("SHORT", "UCHAR").encode() + layers[::2],
+                           "a.ctbl": table}, "labels named beside"),
+            Seed("a.nrrd", {"a.nrrd": nrrd.format("raw", "").encode() + raw}, "NRRD"),
             Seed("a.nrrd", {"a.nrrd": nrrd.format("gzip", "").encode() + gzip.compress(raw, mtime=0)}, "NRRD gzip"),
             Seed("a.nrrd", {"a.nrrd": nrrd.format("ascii", "").encode() + text}, "NRRD text"),
             Seed("a.nhdr", {"a.nhdr": nrrd.format("raw", "data file: d.raw\n").encode(), "d.raw": raw}, "NRRD detached"),

@@ -147,6 +147,133 @@ def write_dicom_series(folder, orientation, step):
     return folder
 
 
+def write_seg(path, kind, segments, frames, shape, spacing=(0.75, 0.5), distance=2.5, number=1):
+    """A segmentation; frames: (segment, position, array of rows and columns); segments: {number: name}."""
+    file = pydicom.Dataset()
+    file.file_meta = pydicom.dataset.FileMetaDataset()
+    file.file_meta.TransferSyntaxUID = pydicom.uid.ExplicitVRLittleEndian
+    label_map = kind.startswith("LABELMAP")
+    file.SOPClassUID = "1.2.840.10008.5.1.4.1.1.66." + ("7" if label_map else "4")
+    file.file_meta.MediaStorageSOPClassUID = file.SOPClassUID
+    file.file_meta.MediaStorageSOPInstanceUID = file.SOPInstanceUID = f"1.2.3.9.{number}"
+    file.is_little_endian, file.is_implicit_VR = True, False
+    file.SeriesInstanceUID, file.StudyInstanceUID, file.Modality = "1.2.4", "1.2.5", "SEG"
+    file.Rows, file.Columns = shape
+    file.SamplesPerPixel, file.PhotometricInterpretation, file.PixelRepresentation = 1, "MONOCHROME2", 0
+    bits = {"BINARY": 1, "FRACTIONAL": 8, "LABELMAP8": 8, "LABELMAP16": 16}[kind]
+    file.BitsAllocated = file.BitsStored = bits
+    file.HighBit, file.NumberOfFrames, file.SegmentationType = bits - 1, len(frames), kind.rstrip("0123456789")
+    if kind == "FRACTIONAL":
+        file.MaximumFractionalValue, file.SegmentationFractionalType = 200, "PROBABILITY"
+
+    def item(**elements):
+        inner = pydicom.Dataset()
+        for key, value in elements.items():
+            setattr(inner, key, value)
+        return pydicom.sequence.Sequence([inner])
+
+    file.SegmentSequence = pydicom.sequence.Sequence()
+    for value, name in segments.items():
+        file.SegmentSequence.append(item(SegmentNumber=value, SegmentLabel=name)[0])
+    file.SegmentSequence[-1].RecommendedDisplayCIELabValue = [35580, 53665, 50856]  # of sRGB (1, 0, 0) in D50
+    measures = {"PixelSpacing": list(spacing), "SliceThickness": 1.0}
+    if distance:
+        measures["SpacingBetweenSlices"] = distance
+    file.SharedFunctionalGroupsSequence = item(PixelMeasuresSequence=item(**measures), PlaneOrientationSequence=item(
+        ImageOrientationPatient=[0, 1, 0, 0, 0, -1]))
+    file.PerFrameFunctionalGroupsSequence = pydicom.sequence.Sequence()
+    for segment, position, _ in frames:
+        groups = {"PlanePositionSequence": item(ImagePositionPatient=list(position))}
+        if not label_map:
+            groups["SegmentIdentificationSequence"] = item(ReferencedSegmentNumber=segment)
+        file.PerFrameFunctionalGroupsSequence.append(item(**groups)[0])
+    pixels = numpy.stack([frame for _, _, frame in frames])
+    if bits == 1:
+        raw = numpy.packbits(pixels.astype(bool).ravel(), bitorder="little").tobytes()
+    else:
+        raw = pixels.astype("<u2" if bits == 16 else "u1").tobytes()
+    file.PixelData = raw + b"\0" * (len(raw) % 2)
+    file["PixelData"].VR = "OW" if bits == 16 else "OB"
+    pydicom.dcmwrite(str(path), file, write_like_original=False)
+    return path
+
+
+def unpacked_seg(path):
+    """The masks of a segmentation by pydicom alone: {segment: {position rounded: rows x columns}}."""
+    file = pydicom.dcmread(path)
+    pixels = file.pixel_array.reshape(-1, file.Rows, file.Columns)
+    shared = file.SharedFunctionalGroupsSequence[0]
+    masks = {}
+    for groups, frame in zip(file.PerFrameFunctionalGroupsSequence, pixels):
+        position = tuple(round(float(x), 3) for x in groups.PlanePositionSequence[0].ImagePositionPatient)
+        if "SegmentIdentificationSequence" in groups:
+            owners = {groups.SegmentIdentificationSequence[0].ReferencedSegmentNumber: frame}
+        elif "SegmentIdentificationSequence" in shared:
+            owners = {shared.SegmentIdentificationSequence[0].ReferencedSegmentNumber: frame}
+        else:
+            owners = {int(value): frame == value for value in numpy.unique(frame) if value}
+        for segment, mask in owners.items():
+            here = masks.setdefault(int(segment), {})
+            here[position] = numpy.maximum(here.get(position, 0), mask)
+    return masks, float(file.get("MaximumFractionalValue", 1)), file.SegmentationType
+
+
+def compare_seg(tool, path):
+    """Each voxel of each segment, where pydicom says that it lies; slices without a frame are empty."""
+    masks, most, kind = unpacked_seg(path)
+    first = describe(tool, path, 0, 0, "all")
+    layers = [describe(tool, path, layer, 0, "all") for layer in range(first["components"])]
+    affine = numpy.reshape(first["world_from_voxel"], (4, 4))
+    columns, rows, slices = first["dims"]
+    volumes = [numpy.reshape(numpy.array(layer["values"], float), (slices, rows, columns)) for layer in layers]
+    fractional = kind == "FRACTIONAL"
+    check(f"{path.name} labels", [first["labels"] is None], [fractional], 0)
+    if fractional:
+        check(f"{path.name} isovalue", [first["isovalue"]], [0.5], 0)
+    used = [numpy.zeros_like(volume) for volume in volumes]
+    for order, (segment, places) in enumerate(sorted(masks.items())):
+        holding = [order] if fractional else [
+            i for i, layer in enumerate(layers) if segment in [entry["label"] for entry in layer["labels"]["list"]]]
+        check(f"{path.name} layers of segment {segment}", [len(holding)], [1], 0)
+        volume = volumes[holding[0]]
+        wanted = numpy.zeros_like(volume)
+        for position, mask in places.items():
+            i, j, k = (numpy.linalg.inv(affine) @ [*position, 1.0])[:3]
+            check(f"{path.name} place", [i, j, k], [0, 0, round(k)], 0.02)
+            wanted[int(round(k))] = mask
+        got = volume * most if fractional else volume == segment
+        check(f"{path.name} voxels of segment {segment}", [numpy.count_nonzero(numpy.abs(got - wanted) > 1e-4)], [0], 0)
+        used[holding[0]] += wanted != 0
+    for volume, taken in zip(volumes, used):
+        check(f"{path.name} empty voxels", [numpy.count_nonzero((volume != 0) & (taken == 0))], [0], 0)
+    return layers
+
+
+def write_segs(folder):
+    generator = numpy.random.default_rng(1)
+    shape = (5, 7)  # 35 bits a frame: frames do not begin at bytes
+
+    def at(slice_):  # sagittal rows and columns: slices along -x
+        return [round(10 - 2.5 * slice_, 4), -4.0, 30.0]
+
+    def mask():
+        return generator.integers(0, 2, shape)
+
+    names = {1: "liver", 2: "tumour"}
+    first = {k: mask() for k in (0, 1, 4)}  # slices 2 and 3 have no frame
+    apart = [(1, at(k), first[k]) for k in first] + [(2, at(k), (1 - first[k]) * mask()) for k in (4, 1)]
+    over = [(1, at(k), mask()) for k in (0, 1)] + [(2, at(k), mask()) for k in (3, 1)] + [(3, at(6), mask())]
+    shares = [(s, at(k), generator.integers(0, 201, shape)) for s, k in ((1, 0), (1, 3), (2, 1))]
+    labels = [(0, at(k), generator.integers(0, 3, shape)) for k in (5, 0, 2)]
+    wide = [(0, at(k), generator.integers(0, 3, shape) * 500) for k in (0, 1)]
+    return [write_seg(folder / "binary.dcm", "BINARY", names, apart, shape),
+            write_seg(folder / "by_positions.dcm", "BINARY", names, apart, shape, distance=None),
+            write_seg(folder / "overlap.dcm", "BINARY", {**names, 3: "vessel"}, over, shape),
+            write_seg(folder / "shares.dcm", "FRACTIONAL", names, shares, shape),
+            write_seg(folder / "label_map.dcm", "LABELMAP8", {0: "background", **names}, labels, shape),
+            write_seg(folder / "wide.dcm", "LABELMAP16", {500: "liver", 1000: "tumour"}, wide, shape)]
+
+
 def main():
     tool = sys.argv[1]
     source = pathlib.Path(__file__).resolve().parents[2]
@@ -169,6 +296,15 @@ def main():
         ]:
             compare_dicom(tool, write_dicom_series(folder / name, orientation, step))
             count += 1
+        for path in write_segs(folder):
+            layers = compare_seg(tool, path)
+            count += 1
+            if path.name == "binary.dcm":
+                labels = layers[0]["labels"]["list"]
+                check("names", [label["name"] == name for label, name in zip(labels, ("liver", "tumour"))], [1, 1], 0)
+                check("colour of CIELab", labels[1]["color"], [1, 0, 0], 0.002)
+            if path.name == "overlap.dcm":
+                check("layers", [len(layers)], [2], 0)
     if (data / "volumes").is_dir():
         for path in sorted((data / "volumes").glob("*.nii.gz")):
             compare_nifti(tool, path)

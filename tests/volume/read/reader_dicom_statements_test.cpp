@@ -119,7 +119,7 @@ TEST(DicomObjects, WhatIsNoScanIsRefusedByName) {
       if (!hasPixels) s.pixels.clear();
       const fs::path file = writeOne(s);
       expectError(file, name);
-      expectError(file.parent_path(), name);
+      expectError(file.parent_path(), name);  // also what is read by itself, if it is damaged
     }
   }
 }

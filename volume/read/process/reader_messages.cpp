@@ -1,6 +1,9 @@
 #include "volume/read/process/reader_messages.h"
 
+#include <cmath>
 #include <limits>
+#include <memory>
+#include <utility>
 
 #include "volume/read/process/wire.h"
 
@@ -8,7 +11,7 @@ namespace isolux::volume {
 
 namespace {
 
-constexpr std::size_t mostWarnings = 10000, mostSeries = 1000000, mostSkippedFiles = 1000;
+constexpr std::size_t mostWarnings = 10000, mostSeries = 1000000, mostSkippedFiles = 1000, mostLabels = 65536;
 constexpr std::uint64_t kAnyNumber = std::numeric_limits<std::uint64_t>::max();
 constexpr std::uint64_t kMostSteps = std::uint64_t{1} << 31;
 constexpr auto kLastType = static_cast<std::uint64_t>(VoxelType::float64);
@@ -36,6 +39,23 @@ constexpr auto passRequest = [](auto& wire, auto& request) {
   wire.pass(request.parent, 0, kAnyNumber);
 };
 
+// The empty reason of a table is that of no table.
+constexpr auto passLabels = [](auto& wire, auto& table) {
+  wire.pass(table.reason);
+  wire.pass(table.source);
+  wire.passEach(table.labels, 0, mostLabels, [&wire](auto& label) {
+    wire.pass(label.value, 0, kAnyNumber);
+    wire.pass(label.name);
+    wire.pass(label.layer, 0, mostLabels);
+    double hasColor = label.color ? 1.0 : 0.0;
+    wire.pass(hasColor);
+    glm::dvec3 color(label.color.value_or(glm::vec3(0.0f)));
+    for (int axis = 0; axis < 3; ++axis) wire.passFinite(color[axis]);
+    if constexpr (std::is_same_v<decltype(wire), WireReader&>)
+      if (hasColor != 0.0) label.color = glm::vec3(color);
+  });
+};
+
 constexpr auto passVolume = [](auto& wire, auto& volume) {
   auto& header = volume.header;
   wire.pass(header.format);
@@ -49,6 +69,14 @@ constexpr auto passVolume = [](auto& wire, auto& volume) {
   wire.pass(header.intercept);
   wire.pass(header.unit);
   wire.pass(header.warnings, mostWarnings);
+  double isovalue = header.isovalue.value_or(std::numeric_limits<double>::quiet_NaN());
+  wire.pass(isovalue);
+  LabelTable labels = header.labels ? *header.labels : LabelTable{};
+  passLabels(wire, labels);
+  if constexpr (std::is_same_v<decltype(wire), WireReader&>) {
+    if (std::isfinite(isovalue)) header.isovalue = isovalue;
+    if (!labels.reason.empty()) header.labels = std::make_shared<const LabelTable>(std::move(labels));
+  }
   wire.pass(volume.name);
   wire.pass(volume.seriesChoices, mostSeries);
   passPatient(wire, volume.patient);

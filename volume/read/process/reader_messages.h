@@ -22,7 +22,7 @@
 namespace isolux::volume {
 
 inline constexpr std::uint64_t kMessageMark =
-    0x34525855'4c4f5349;  // "ISOLUXR4": the last digit is the version
+    0x35525855'4c4f5349;  // "ISOLUXR5": the last digit is the version
 inline constexpr std::size_t kMessageHeadBytes = 24;
 inline constexpr std::uint64_t kLongestMessage = std::uint64_t{64} << 20;
 
