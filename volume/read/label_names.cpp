@@ -1,7 +1,9 @@
 #include "volume/read/label_names.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 

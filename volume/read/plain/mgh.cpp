@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
