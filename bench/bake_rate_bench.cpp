@@ -51,7 +51,7 @@ struct Recording {
 std::shared_ptr<gi::LightScene> lightOf(const VolumePointer& volume, const std::string& probe) {
   scene::Scene scene;
   scene.look.mode = scene::LookMode::gi;
-  scene.isosurface.value = 80.0;
+  scene.surfaces.front().value = 80.0;
   scene.light.environment.file = probe;
   scene.gi.bounces = 1;
   const scene::Scene resolved = scene::resolve(scene, volume->facts);

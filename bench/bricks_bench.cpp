@@ -29,7 +29,7 @@ void compare(const render::OffscreenContext& context, const Subject& subject) {
   std::vector<Frame> frames;
   for (const auto layout : {scene::MemoryLayout::whole, scene::MemoryLayout::bricks}) {
     scene::Scene scene;
-    scene.isosurface.value = subject.isovalue;
+    scene.surfaces.front().value = subject.isovalue;
     frames.emplace_back(context.gl(), subject.volume, scene, 1,
                         scene::HostSettings{.memory = {.layout = layout}, .executor = scene::Executor::gpu});
   }

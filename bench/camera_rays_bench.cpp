@@ -21,7 +21,7 @@ constexpr int tile = 16;
 
 void compare(const Subject& subject) {
   scene::Scene wanted;
-  wanted.isosurface.value = subject.isovalue;
+  wanted.surfaces.front().value = subject.isovalue;
   const scene::Scene scene = scene::resolve(wanted, subject.volume->facts);
   const volume::Grid& grid = subject.volume->grid();
   const render::ViewUniforms view(scene.camera, 1.0, grid.geometry());

@@ -12,7 +12,7 @@ namespace {
 Frame edgeFrame(const render::OffscreenContext& context, const Subject& subject, scene::LookMode look,
                 scene::Executor executor) {
   scene::Scene scene;
-  scene.isosurface.value = subject.isovalue;
+  scene.surfaces.front().value = subject.isovalue;
   scene.look.mode = look;
   scene.look.rangeLow = -1.0;
   scene.look.rangeHigh = 1.0;

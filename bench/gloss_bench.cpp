@@ -29,14 +29,15 @@ void compare(Frame frame, const VolumePointer& volume) {
   for (int round = -1; round < rounds; ++round)
     for (const bool glossy : {false, true}) {
       scene::Scene scene = frame.scene;
-      if (!glossy) scene.isosurface.specular = 0.0;
+      if (!glossy) scene.surfaces.front().specular = 0.0;
       const glm::dmat4 turn = glm::rotate(glm::dmat4(1.0), 0.002 * (2 * round + glossy), *scene.camera.up);
       scene.camera.eye = target + glm::dvec3(turn * glm::dvec4(eye - target, 0.0));
       const render::FrameReport& report = frame.renderer->render(scene, frame.request);
       if (round < 0) continue;
       times[glossy].frame.push_back(report.milliseconds);
       for (const render::PassReport& pass : report.passes)
-        if (pass.state == render::PassState::ran) times[glossy].passes[pass.name].push_back(pass.milliseconds);
+        if (pass.state == render::PassState::ran)
+          times[glossy].passes[pass.name].push_back(pass.milliseconds);
     }
   const double plain = base::median(times[false].frame), gloss = base::median(times[true].frame);
   std::printf("  %d ray%s per pixel  %7.2f ms, with gloss %7.2f ms  %5.2fx ",
@@ -44,7 +45,8 @@ void compare(Frame frame, const VolumePointer& volume) {
               frame.request.supersampling == 1 ? " " : "s", plain, gloss, gloss / plain);
   for (const auto& [pass, samples] : times[true].passes) {
     const std::vector<double>& without = times[false].passes[pass];
-    std::printf("  %s %+.2f", pass.c_str(), base::median(samples) - (without.empty() ? 0.0 : base::median(without)));
+    std::printf("  %s %+.2f", pass.c_str(),
+                base::median(samples) - (without.empty() ? 0.0 : base::median(without)));
   }
   std::printf("\n");
   std::fflush(stdout);
@@ -57,9 +59,9 @@ void run() {
   for (const Subject& subject : subjects()) {
     std::printf(" %s\n", subject.name.c_str());
     scene::Scene scene;
-    scene.isosurface.value = subject.isovalue;
+    scene.surfaces.front().value = subject.isovalue;
     scene.look.mode = scene::LookMode::gi;
-    scene.isosurface.specular = 0.3;
+    scene.surfaces.front().specular = 0.3;
     scene.gi.samples = 16;
     for (const int supersampling : {1, 2})
       compare(Frame(context->gl(), subject.volume, scene, supersampling), subject.volume);

@@ -186,7 +186,7 @@ void checkRay(const test::TrilinearOracle& oracle, glm::dvec3 eye, glm::dvec3 di
 void checkHits(const render::OffscreenContext& context, const Gyroid& gyroid, const fs::path& volume) {
   scene::Scene wanted;
   wanted.source.path = volume.string();
-  wanted.isosurface.value = isovalue;
+  wanted.surfaces.front().value = isovalue;
   scene::HostSettings host;
   host.voxels = scene::VoxelPlace::file;
   host.ramBudgetMb = ramBudgetMb;

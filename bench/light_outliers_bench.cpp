@@ -40,7 +40,7 @@ void judge(const Judged& judged) {
   const VolumePointer volume = load(judged.path);
   const auto context = render::OffscreenContext::create({});
   scene::Scene scene;
-  scene.isosurface.value = judged.isovalue;
+  scene.surfaces.front().value = judged.isovalue;
   scene.light.environment.file = (test::dataFolder() / "hdr/grace_cathedral_1k.hdr").string();
   std::printf("  %-26s", judged.name);
   for (const int paths : kPathsTried) {

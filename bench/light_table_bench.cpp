@@ -37,7 +37,7 @@ constexpr Row rows[] = {
 scene::Scene sceneOf(const Row& row, const std::string& probe) {
   scene::Scene scene;
   scene.look.mode = scene::LookMode::gi;
-  scene.isosurface.value = 80.0;
+  scene.surfaces.front().value = 80.0;
   if (!row.builtIn) scene.light.environment.file = probe;
   scene.light.environment.moves = row.moves;
   scene.gi.extent = row.extent;

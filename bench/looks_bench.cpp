@@ -16,7 +16,7 @@ constexpr int rounds = 5;
 void compare(const render::OffscreenContext& context, const Subject& subject) {
   const scene::Setting& mode = scene::setting("look.mode");
   scene::Scene plain;
-  plain.isosurface.value = subject.isovalue;
+  plain.surfaces.front().value = subject.isovalue;
   const Frame base(context.gl(), subject.volume, plain);  // they share its renderer, and so its volume
   std::vector<Frame> frames;
   std::size_t reference = 0;

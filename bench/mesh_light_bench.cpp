@@ -21,7 +21,7 @@ void compare(const Subject& subject, const std::string& probe) {
   base::Progress progress;
   scene::Scene wanted;
   wanted.look.mode = scene::LookMode::gi;
-  wanted.isosurface.value = subject.isovalue;
+  wanted.surfaces.front().value = subject.isovalue;
   wanted.light.environment.file = probe;
   wanted.gi.bounces = 1;
   const scene::Scene scene = scene::resolve(wanted, subject.volume->facts);

@@ -20,7 +20,7 @@ const scene::HostSettings shaders{.executor = scene::Executor::gpu};
 
 scene::Scene paperScene(std::optional<double> isovalue, scene::LookMode look) {
   scene::Scene scene;
-  scene.isosurface.value = isovalue;
+  scene.surfaces.front().value = isovalue;
   scene.look.mode = look;
   scene.hit.method = scene::HitMethod::sampled;
   scene.hit.rate = 1.0;
@@ -31,7 +31,7 @@ scene::Scene paperScene(std::optional<double> isovalue, scene::LookMode look) {
 
 scene::Scene ownScene(std::optional<double> isovalue, scene::LookMode look) {
   scene::Scene scene;
-  scene.isosurface.value = isovalue;
+  scene.surfaces.front().value = isovalue;
   scene.look.mode = look;
   return scene;
 }

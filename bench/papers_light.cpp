@@ -38,7 +38,7 @@ constexpr double paperReferenceMinutes[] = {0.73, 4.51, 18.0, 72.1};
 
 scene::Scene engineScene(const std::filesystem::path& data) {
   scene::Scene scene;
-  scene.isosurface.value = 80.0;
+  scene.surfaces.front().value = 80.0;
   scene.look.mode = scene::LookMode::gi;
   scene.light.environment.file = (data / "hdr/grace_cathedral_1k.hdr").string();
   scene.gi.bounces = 1;

@@ -24,7 +24,7 @@ void run() {
     std::printf(" %s\n", subject.name.c_str());
     const VolumePointer large = withBlocks(subject.volume, 8), small = withBlocks(subject.volume, 4);
     scene::Scene base;
-    base.isosurface.value = subject.isovalue;
+    base.surfaces.front().value = subject.isovalue;
     scene::Scene sampled = base, trilinear = base, interpolating = base, shadowed = base, cubic = base;
     sampled.hit.method = scene::HitMethod::sampled;
     trilinear.derivatives.field = scene::Field::trilinear;

@@ -12,7 +12,7 @@ namespace {
 Frame curved(const render::OffscreenContext& context, const Subject& subject, double scale,
              double normalScale, scene::Executor executor) {
   scene::Scene scene;
-  scene.isosurface.value = subject.isovalue;
+  scene.surfaces.front().value = subject.isovalue;
   scene.look.mode = scene::LookMode::kappa1;
   scene.derivatives.scale = scale;
   scene.derivatives.normalScale = normalScale;

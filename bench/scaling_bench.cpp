@@ -61,7 +61,7 @@ void run() {
   std::vector<Frame> frames;
   for (const int edge : edges) {
     scene::Scene scene;
-    scene.isosurface.value = 0.0;
+    scene.surfaces.front().value = 0.0;
     frames.emplace_back(context->gl(), load("phantom:gyroid:" + std::to_string(edge)), scene);
   }
   const std::vector<PassTimes> times = passTimes(frames, rounds);

@@ -43,7 +43,7 @@ class Row {
  public:
   explicit Row(const Lit& lit)
       : lit_(lit), volume_(load(lit.path)), context_(render::OffscreenContext::create({})) {
-    scene_.isosurface.value = lit.isovalue;
+    scene_.surfaces.front().value = lit.isovalue;
     scene_.light.environment.file = (test::dataFolder() / "hdr/grace_cathedral_1k.hdr").string();
   }
 

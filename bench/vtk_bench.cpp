@@ -43,7 +43,7 @@ struct Yardstick {
         const scene::Ray ray = scene::rayThrough(camera, ndc, 1.0);
         const glm::dvec3 origin(voxelFromWorld * glm::dvec4(ray.origin, 1.0)),
             direction(voxelFromWorld * glm::dvec4(ray.direction, 0.0));
-        const auto hit = volume::firstHit(volume.grid(), *volume.blocks, scene.isosurface.value.value(),
+        const auto hit = volume::firstHit(volume.grid(), *volume.blocks, scene.surfaces.front().value.value(),
                                           {origin, direction});
         const double along = glm::dot(ray.direction, -camera.back);
         pixels.push_back({static_cast<std::size_t>(y) * pictureSize.x + static_cast<std::size_t>(x),
@@ -129,7 +129,7 @@ std::function<void()> dragging(const Subject& subject, std::function<void(double
 
 void compare(VtkContext& context, const Subject& subject) {
   scene::Scene wanted;
-  wanted.isosurface.value = subject.isovalue;
+  wanted.surfaces.front().value = subject.isovalue;
   const scene::Scene scene = scene::resolve(wanted, subject.volume->facts);
   const auto ours = [&] {
     context.makeCurrent();
@@ -176,7 +176,7 @@ void compare(VtkContext& context, const Subject& subject) {
                            dragging(subject,
                                     [&](double value) {
                                       context.makeCurrent();
-                                      isovalue.scene.isosurface.value = value;
+                                      isovalue.scene.surfaces.front().value = value;
                                       isovalue.changed();
                                     }),
                            dragging(subject,

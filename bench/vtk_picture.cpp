@@ -136,7 +136,7 @@ struct VtkPicture::Parts {
 };
 
 void VtkPicture::Parts::addRayMapper(const scene::Scene& scene) {
-  const glm::dvec3 spacing = volume->grid().geometry().spacingMm(), albedo = scene.isosurface.albedo;
+  const glm::dvec3 spacing = volume->grid().geometry().spacingMm(), albedo = scene.surfaces.front().albedo;
   rayMapper->SetInputData(imageOf(volume->grid()));
   rayMapper->SetBlendModeToIsoSurface();
   rayMapper->SetAutoAdjustSampleDistances(0);
@@ -161,7 +161,7 @@ void VtkPicture::Parts::addRayMapper(const scene::Scene& scene) {
 }
 
 void VtkPicture::Parts::addMesh(const scene::Scene& scene) {
-  const glm::dvec3 albedo = scene.isosurface.albedo;
+  const glm::dvec3 albedo = scene.surfaces.front().albedo;
   edges->SetInputData(imageOf(volume->grid()));
   edges->ComputeNormalsOn();
   edges->ComputeScalarsOff();
@@ -189,7 +189,7 @@ VtkPicture::VtkPicture(VtkWay way, VolumePointer volume, const scene::Scene& sce
   else
     parts_->addMesh(scene);
   parts_->window->AddRenderer(parts_->renderer);
-  setIsovalue(scene.isosurface.value.value());
+  setIsovalue(scene.surfaces.front().value.value());
   setCamera(scene.camera);
 }
 VtkPicture::~VtkPicture() = default;

@@ -226,8 +226,8 @@ for light in window overcast sunset; do
   isolux render $skull --look gi --environment $light --set light.environment.visible=true --out gi_$light.png
 done
 for s in engine skull heptane; do
-  isolux render ${!s} --look gi --set light.environment.constant=0.12,0.14,0.2 --set lamp1.shown=true \
-    --set lamp1.kind=sphere --set lamp1.color=1,0.85,0.6 --set picture.exposure=0 --out gi_lamp_$s.png
+  isolux render ${!s} --look gi --set light.environment.constant=0.12,0.14,0.2 \
+    --set lamps.lamp.kind=sphere --set lamps.lamp.color=1,0.85,0.6 --set picture.exposure=0 --out gi_lamp_$s.png
   isolux render ${!s} --look curvature_2d --set look.shading=gi --out gi_curvature_$s.png
 done
 
@@ -324,8 +324,8 @@ isolux render $heptane --look lambert --set look.fog=0.7 --out paper_heptane_fog
 isolux render $heptane --look lambert --out paper_heptane_lambert.png
 for value in 0.51 0.60 0.69; do
   isolux render $skull --isovalue $value --look gi --set gi.texels=own --set light.environment.constant=0.1,0.12,0.2 \
-    --set lamp1.shown=true --set lamp1.kind=sphere --set lamp1.color=1,0.8,0.35 --set lamp1.position=330,-80,150 \
-    --set lamp1.radius=12 --set picture.exposure=0 --out paper_fade_$value.png
+    --set lamps.lamp.kind=sphere --set lamps.lamp.color=1,0.8,0.35 --set lamps.lamp.position=330,-80,150 \
+    --set lamps.lamp.radius=12 --set picture.exposure=0 --out paper_fade_$value.png
 done
 for scale in 0.5 1 2; do
   isolux render $lit --set gi.lattice_scale=$scale --set gi.interpolation=trilinear --out paper_lattice_$scale.png

@@ -42,6 +42,8 @@ if [ -d "$data/volumes" ]; then
   guide light "${bone[@]}" --set look.mode=gi --set light.environment.builtin=sunset --light-at 42 --find environment "$skull"
   guide compare --set pieces.keep=1 --set "color.volume=$data/volumes/mri_colin27.nii.gz" --set color.below=6 --set isosurface.value=43 \
     --find color "$data/volumes/mri_colin27.nii.gz"
+  # A segmentation with names beside it (torsoLabel.nii.gz of niivue's demos); left as it is where there is none.
+  [ -z "${ISOLUX_LABELS:-}" ] || guide labels --panel labels --set look.mode=gi "$ISOLUX_LABELS"
   guide accuracy --panel accuracy --errors depth "${bone[@]}" "$skull"
   guide measure --panel marks "${bone[@]}" --set "marks.list=$(cat docs/images/guide/measure.json)" "$skull"
 fi

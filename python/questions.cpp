@@ -84,7 +84,7 @@ Hits hits(Core& core, const app::SceneOptions& options, std::vector<glm::dvec3> 
         hits.position.assign(count, glm::dvec3(kNothing));
         hits.normal = hits.position;
         hits.entering.assign(count, 0);
-        const double isovalue = scene.isosurface.value.value();
+        const double isovalue = scene.surfaces.front().value.value();
         const volume::SurfaceOf surface{
             prepared->grid(),
             isovalue,
@@ -144,7 +144,7 @@ std::string measure(Core& core, const app::SceneOptions& options, bool anyway, c
       options,
       [doubt, prepared = core.prepared()](const scene::Scene& scene, base::Progress& progress) {
         app::refuseCuts(scene, "measure");
-        const volume::SurfaceQuestion question{scene.isosurface.value.value(),
+        const volume::SurfaceQuestion question{scene.surfaces.front().value.value(),
                                                scene.isosurface.inside,
                                                std::nullopt,
                                                volume::voxelNoise(*prepared, scene, progress),
@@ -166,8 +166,7 @@ std::string measureLabels(Core& core, double smoothing, bool anyway, const py::o
       {},
       [smoothing, file = core.path(), prepared = core.prepared()](const scene::Scene&,
                                                                   base::Progress& progress) {
-        const auto nameOf = [](int) { return std::string(); };
-        return app::labelMeasuresJson(*prepared, file, smoothing, true, nameOf, progress).dump();
+        return app::labelMeasuresJson(*prepared, file, smoothing, true, progress).dump();
       },
       told);
 }

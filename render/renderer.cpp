@@ -69,7 +69,8 @@ void Renderer::invalidate() {
 }
 
 const scene::Scene& Renderer::Parts::completed(const scene::Scene& scene, const FrameRequest& request) {
-  const bool ghosts = scene.isosurface.ghost > 0.0;
+  const auto hasGhosts = [](const scene::Surface& surface) { return surface.ghost > 0.0; };
+  const bool ghosts = std::ranges::any_of(scene.surfaces, hasGhosts);
   const bool unread = volume && !scene.color.volume.empty() && !volume->secondVolumes->find(scene.color);
   const bool derived = readsDerivatives(scene, request);
   if (!volume || !(ghosts || unread || derived)) return scene;
@@ -121,6 +122,7 @@ void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& req
   }
   frame.crossed = frame.volume && frame.volume->mayCross(scene.hit.field, valuesOf(frame.surfaces));
   frame.second = volume && readsSecond(scene, request) ? volume->secondVolumes->find(scene.color) : nullptr;
+  frame.labels = volume ? volume->labels : nullptr;
   frame.pieces = volume ? volume->pieces : nullptr;
   frame.readsLight = (request.color && scene::usesGi(scene)) || request.asksFor(Aov::irradiance);
   frame.lighting->prepare(frame, budgetWithout(volumeBytes()));
@@ -352,7 +354,7 @@ void Renderer::Parts::writeReport() {
 
 const FrameReport& Renderer::render(const scene::Scene& asked, const FrameRequest& request) {
   assert(request.size.x > 0 && request.size.y > 0 && request.supersampling >= 1);
-  assert(asked.isosurface.value && asked.camera.eye && asked.camera.target && asked.camera.up);
+  assert(asked.surfaces.front().value && asked.camera.eye && asked.camera.target && asked.camera.up);
   using Clock = std::chrono::steady_clock;
   Parts& parts = *parts_;
   const scene::Scene& scene = parts.completed(asked, request);

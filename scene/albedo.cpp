@@ -20,7 +20,7 @@ AlbedoOfIsovalue::AlbedoOfIsovalue(const Scene& scene) {
     return;
   }
   std::vector<std::pair<double, glm::vec3>> shown;
-  for (const ShownSurface& surface : shownSurfaces(scene))
+  for (const Surface& surface : shownSurfaces(scene))
     shown.emplace_back(surface.value.value(), glm::vec3(surface.albedo));
   std::ranges::stable_sort(shown, [](auto& a, auto& b) { return a.first < b.first; });
   const bool same =

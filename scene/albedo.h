@@ -1,4 +1,5 @@
-// Provides the diffuse reflectance (albedo) of the surface of any isovalue, for global illumination and looks.
+// Provides the diffuse reflectance (albedo) of the surface of any isovalue, for global illumination and
+// looks.
 #pragma once
 
 #include <vector>

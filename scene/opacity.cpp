@@ -18,7 +18,7 @@ double meanOpacity(double opacity, double facingOpacity) {
 }
 
 bool variesByAngle(const Scene& scene) {
-  return std::ranges::any_of(shownSurfaces(scene), variesByAngle<ShownSurface>);
+  return std::ranges::any_of(shownSurfaces(scene), variesByAngle<Surface>);
 }
 
 }  // namespace isolux::scene

@@ -31,7 +31,7 @@ constexpr double lightThrough(double meanOpacity, double albedo) {
   return (1.0 - meanOpacity) / (1.0 - meanOpacity * albedo);
 }
 
-// Returns whether the surface (Isosurface or ExtraIsosurface) hides everything behind it, from every
+// Returns whether the surface hides everything behind it, from every
 // direction.
 template <class S>
 constexpr bool isOpaque(const S& surface) {
@@ -48,7 +48,7 @@ constexpr bool variesByAngle(const S& surface) {
   return surface.opacity > 0.0 && surface.facingOpacity < 1.0;
 }
 
-// Returns how much of its own shadow the surface (Isosurface or ExtraIsosurface) shows.
+// Returns how much of its own shadow the surface shows.
 template <class S>
 double shadowShown(const S& surface) {
   return isOpaque(surface) ? 1.0 : shadowShown(meanOpacity(surface.opacity, surface.facingOpacity));

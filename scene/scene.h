@@ -9,7 +9,6 @@
 // scene/rules/automatic.h fills it in from the volume.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -33,6 +32,8 @@ struct Source {
   int level = 0;                   // 0: full resolution; n: means of about 2^n voxels along each axis
   bool aroundDamage = false;       // unreadable chunks become missing voxels; else the file is rejected
   int meshVoxels = 128;            // of a mesh's distance field, along its longest axis
+  std::string labels;              // of a label map, those whose surface is drawn: "2,4-7"; empty: all but 0
+  double smoothing = 1.0;          // of that surface, voxels (volume/labels)
   Csg csg = Csg::none;             // volume/prepared/csg.h
   std::string csgPath;             // the second volume, as `path`
   std::optional<double> csgValue;  // the second volume's isovalue, its data units
@@ -40,40 +41,34 @@ struct Source {
   bool operator==(const Source&) const = default;
 };
 
-struct Isosurface {
-  std::string name;             // for lists; changes no picture
-  std::optional<double> value;  // data units
-  Suggestion suggestion = Suggestion::object;
-  Inside inside = Inside::above;
+// An isosurface of the volume. All are drawn in exact depth order.
+struct Surface {
+  std::string id{};    // unique in its list (settings/scene_list.h); never changes
+  std::string name{};  // for lists; changes no picture
+  bool shown = true;
+  std::optional<double> value{};  // data units
   glm::dvec3 albedo{0.70, 0.62, 0.50};
   double specular = 0.0;   // reflectance at normal incidence under global illumination (gi/gloss); 0: matt
   double roughness = 0.3;  // of the gloss: 0 is a mirror
-  AlbedoSource albedoSource = AlbedoSource::color;  // of all isosurfaces
-  ColorMap albedoMap = ColorMap::viridis;
-  std::optional<double> albedoLow, albedoHigh;  // data units: the ends of the map
   double opacity = 1.0;
   double facingOpacity = 1.0;  // times opacity where the surface faces the viewer: scene/opacity.h
-  int layers = 8;              // crossings composited behind one another where surfaces are transparent
   bool clipped = true;         // by Clip
   // Uncertainty surfaces: the same surface at its isovalue plus and minus this many standard deviations σ of
   // the noise, transparent; 0: none.
   double ghost = 0.0;
-  double ghostOpacity = 0.3;
-  bool operator==(const Isosurface&) const = default;
+  bool operator==(const Surface&) const = default;
 };
 
-// A further isosurface of the same volume, drawn with the first in exact depth order.
-struct ExtraIsosurface {
-  bool shown = false;
-  std::string name = {};
-  std::optional<double> value = {};  // data units
-  glm::dvec3 albedo{0.5};
-  double specular = 0.0;
-  double roughness = 0.3;
-  double opacity = 0.5;
-  double facingOpacity = 1.0;
-  bool clipped = true;
-  bool operator==(const ExtraIsosurface&) const = default;
+// What all isosurfaces have in common.
+struct Isosurfaces {
+  Suggestion suggestion = Suggestion::object;
+  Inside inside = Inside::above;
+  AlbedoSource albedoSource = AlbedoSource::color;
+  ColorMap albedoMap = ColorMap::viridis;
+  std::optional<double> albedoLow, albedoHigh;  // data units: the ends of the map
+  int layers = 8;  // crossings composited behind one another where surfaces are transparent
+  double ghostOpacity = 0.3;
+  bool operator==(const Isosurfaces&) const = default;
 };
 
 // The connected components of each isosurface's inside that are shown (volume/pieces). A point in a component
@@ -282,11 +277,13 @@ struct Light {
 
 // A light source of global illumination, fixed in the world.
 struct Lamp {
-  bool shown = false;
+  std::string id{};    // unique in its list (settings/scene_list.h); never changes
+  std::string name{};  // for lists; changes no picture
+  bool shown = true;
   LampKind kind = LampKind::point;
-  std::optional<glm::dvec3> position;     // mm; point and sphere
+  std::optional<glm::dvec3> position{};   // mm; point and sphere
   glm::dvec3 direction{-0.5, -0.7, 0.9};  // toward the lamp, world; directional
-  std::optional<double> radius;           // mm; sphere
+  std::optional<double> radius{};         // mm; sphere
   double angle = 0.0;                     // degrees, diameter as seen from the volume; directional
   glm::dvec3 color{1.0};
   double intensity = 1.0;  // E / pi on an unoccluded surface at the volume's centre that faces it
@@ -342,17 +339,15 @@ struct Picture {
   bool operator==(const Picture&) const = default;
 };
 
-constexpr int kExtraIsosurfaces = 3;
-constexpr int kLamps = 3;
+constexpr std::size_t kSurfaces = 4;
+constexpr std::size_t kLamps = 3;
 constexpr std::size_t kClipPlanes = 6;
 constexpr std::size_t kRemovedBoxes = 8;
 
 struct Scene {
   Source source;
-  Isosurface isosurface;
-  // isosurface2, isosurface3, isosurface4 in paths.
-  std::array<ExtraIsosurface, kExtraIsosurfaces> extraIsosurfaces{
-      {{.albedo{0.25, 0.45, 0.75}}, {.albedo{0.30, 0.62, 0.35}}, {.albedo{0.75, 0.28, 0.22}}}};
+  std::vector<Surface> surfaces{{.id = "main"}};  // 1 to kSurfaces; automatic values depend on the first
+  Isosurfaces isosurface;
   Pieces pieces;
   Clip clip;
   Slice slice;
@@ -364,7 +359,7 @@ struct Scene {
   Look look;
   Flow flow;
   Light light;
-  std::array<Lamp, kLamps> lamps;  // lamp1, lamp2, lamp3 in paths
+  std::vector<Lamp> lamps;  // at most kLamps
   Gi gi;
   Camera camera;
   Picture picture;

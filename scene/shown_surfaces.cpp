@@ -2,20 +2,18 @@
 
 namespace isolux::scene {
 
-std::vector<ShownSurface> shownSurfaces(const Scene& scene) {
-  std::vector<ShownSurface> list;
-  const auto add = [&](const auto& s) {
-    list.push_back({s.value, s.albedo, s.specular, s.roughness, s.opacity, s.facingOpacity, s.clipped});
-  };
-  add(scene.isosurface);
-  for (const ExtraIsosurface& extra : scene.extraIsosurfaces)
-    if (extra.shown) add(extra);
+std::vector<Surface> shownSurfaces(const Scene& scene) {
+  std::vector<Surface> list = scene.surfaces;
+  Surface& first = list.front();
+  if (!first.shown) first.opacity = 0.0;
+  first.shown = true;
+  std::erase_if(list, [](const Surface& surface) { return !surface.shown; });
   return list;
 }
 
-std::vector<ShownSurface> visibleSurfaces(const Scene& scene) {
-  std::vector<ShownSurface> list = shownSurfaces(scene);
-  std::erase_if(list, [](const ShownSurface& surface) { return !(surface.opacity > 0.0); });
+std::vector<Surface> visibleSurfaces(const Scene& scene) {
+  std::vector<Surface> list = shownSurfaces(scene);
+  std::erase_if(list, [](const Surface& surface) { return !(surface.opacity > 0.0); });
   return list;
 }
 

@@ -1,4 +1,5 @@
-// Lists the isosurfaces that a scene shows: the first, and the further ones that are switched on.
+// Lists the isosurfaces that a scene shows: the first, with an opacity of 0 if it is switched off, and the
+// further ones that are switched on.
 #pragma once
 
 #include <optional>
@@ -10,18 +11,9 @@
 
 namespace isolux::scene {
 
-// The settings that Isosurface and ExtraIsosurface have in common.
-struct ShownSurface {
-  std::optional<double> value;  // data units; known in a resolved scene
-  glm::dvec3 albedo;            // of the surface itself, without isosurface.albedo_source
-  double specular, roughness;
-  double opacity, facingOpacity;
-  bool clipped;
-};
-
 // Returns the first surface first, surfaces of opacity 0 included.
-std::vector<ShownSurface> shownSurfaces(const Scene& scene);
+std::vector<Surface> shownSurfaces(const Scene& scene);
 // Returns those of opacity above 0.
-std::vector<ShownSurface> visibleSurfaces(const Scene& scene);
+std::vector<Surface> visibleSurfaces(const Scene& scene);
 
 }  // namespace isolux::scene

@@ -33,7 +33,7 @@ constexpr double kLeastPart = 0.2;             // of the picture's mean change c
 
 bool allOpaque(scene::Scene scene) {
   scene::addGhosts(scene);
-  return std::ranges::none_of(scene::shownSurfaces(scene), scene::isSeenThrough<scene::ShownSurface>);
+  return std::ranges::none_of(scene::shownSurfaces(scene), scene::isSeenThrough<scene::Surface>);
 }
 
 gi::StoredSide halfOf(const gi::StoredSide& side, gi::HalfOfTexels half) {

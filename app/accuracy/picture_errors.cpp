@@ -72,7 +72,7 @@ class PictureEvaluator {
         data_(volume::voxelNoise(volume, scene, progress)) {
     if (scene::showsCutFaces(scene)) faces_.emplace(volume.grid(), *volume.cubicFields, scene, hidden_);
     const scene::NoiseModel model = volume.derivativeChoices->noise(progress);
-    const double noise = scene.derivatives.noise.value_or(model.at(scene.isosurface.value.value()));
+    const double noise = scene.derivatives.noise.value_or(model.at(scene.surfaces.front().value.value()));
     normals_.emplace(fieldsOf(scene, scene.derivatives.normalScale.value_or(0.0), noise, model, progress));
     curvature_.emplace(fieldsOf(scene, scene.derivatives.scale.value_or(0.0), noise, model, progress));
   }
@@ -83,7 +83,7 @@ class PictureEvaluator {
     if (faces_)
       if (const auto face = faces_->at(ray)) ray.tMaximum = face->t;
     constexpr std::size_t mostStretches = volume::ClipRegion::kMostRemoved + 1;
-    std::array<volume::RaySurface, (scene::kExtraIsosurfaces + 1) * mostStretches> surfaces;
+    std::array<volume::RaySurface, scene::kSurfaces * mostStretches> surfaces;
     std::size_t count = 0;
     volume::Ray whole = ray;
     whole.tMinimum = -std::numeric_limits<double>::infinity();

@@ -21,6 +21,7 @@
 #include "render/offscreen_renderer.h"
 #include "scene/rules/needs.h"
 #include "scene/settings/settings.h"
+#include "scene/shown_surfaces.h"
 
 namespace isolux::app {
 
@@ -73,9 +74,9 @@ std::string texelsText(const std::string& size, const scene::Scene& scene) {
   // What lookups read around a surface, and whose surface it is.
   const nlohmann::json settings = scene::toJson(scene);
   text += ", " + settings.at("gi").at("interpolation").dump() + " " + settings.at("hit").at("field").dump();
-  text += ", surfaces " + base::shortText(*scene.isosurface.value, 17);
-  for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces)
-    if (extra.shown) text += " " + base::shortText(*extra.value, 17);
+  text += ", surfaces";
+  for (const scene::Surface& surface : scene::shownSurfaces(scene))
+    text += " " + base::shortText(*surface.value, 17);
   return text;
 }
 

@@ -17,6 +17,7 @@
 #include "scene/rules/needs.h"
 #include "scene/settings/choice_names.h"
 #include "volume/edge/surface_edges.h"
+#include "volume/labels/shown_labels.h"
 
 namespace isolux::app {
 
@@ -225,14 +226,15 @@ EdgeReport measureEdges(scene::Scene scene, const std::shared_ptr<const volume::
   report.searchMm = report.scene.edge.search.value_or(
       volume::automaticEdgeSearch(volume->grid().geometry(), scene::derivativesScale(report.scene)));
   report.edges = volume::edgeStatistics(
-      edges.finder(), volume::visiblePoints(volume->grid(), *volume->blocks, *report.scene.isosurface.value));
+      edges.finder(),
+      volume::visiblePoints(volume->grid(), *volume->blocks, *report.scene.surfaces.front().value));
   return report;
 }
 
 ordered_json edgeJson(const EdgeReport& report) {
   const volume::EdgeStatistics& edges = report.edges;
   ordered_json json;
-  json["isovalue"] = *report.scene.isosurface.value;
+  json["isovalue"] = *report.scene.surfaces.front().value;
   json["scale_mm"] = scene::derivativesScale(report.scene);
   json["search_mm"] = report.searchMm;
   json["contrast"] = report.scene.edge.contrast;
@@ -248,7 +250,7 @@ ordered_json edgeJson(const EdgeReport& report) {
 // "half of this surface lies within 0.1 mm of an edge, 90 % within 0.4 mm, 3 % have none within 3 mm"
 std::string edgeText(const EdgeReport& report) {
   const volume::EdgeStatistics& edges = report.edges;
-  const std::string surface = "the surface of " + base::shortText(*report.scene.isosurface.value);
+  const std::string surface = "the surface of " + base::shortText(*report.scene.surfaces.front().value);
   if (edges.points == 0) return surface + " is empty";
   std::string text;
   if (edges.within50)
@@ -269,7 +271,7 @@ void runInfo(const InfoOptions& options, base::Progress& progress) {
   const scene::Scene scene = sceneOf(options.path, *options.scene);
   if (options.series)
     return printSeries(scene.source.path, options.json, options.anonymous, progress, std::cout);
-  const auto prepared = loadWithProgressBar(scene.source, progress);
+  const auto prepared = loadWithProgressBar(volume::withLabelsAsValues(scene.source), progress);
   InfoMeasures measured;
   ordered_json pieces, labels;
   std::optional<EdgeReport> edges;
@@ -279,7 +281,7 @@ void runInfo(const InfoOptions& options, base::Progress& progress) {
     const volume::DerivativeChoices& choices = *prepared->derivativeChoices;
     measured = {choices.noise(progress),
                 choices.choose({prepared->facts.suggestedIsovalue, scene.derivatives.field}, progress)};
-    labels = labelsJson(*prepared, progress);
+    labels = labelTableJson(*prepared, progress);
     if (options.pieces) {
       progress.report(0.0, "finding pieces");
       pieces = piecesJson(*prepared, scene::resolve(scene, prepared->facts), progress);

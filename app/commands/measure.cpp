@@ -24,6 +24,7 @@
 #include "base/printable.h"
 #include "scene/rules/automatic.h"
 #include "volume/labels/mask_field.h"
+#include "volume/labels/shown_labels.h"
 #include "volume/measure/surface_measure.h"
 #include "volume/measure/voxel_noise.h"
 #include "volume/pieces/shown_pieces.h"
@@ -72,9 +73,10 @@ void refuseWhatIsNoSurface(const MeasureOptions& options, const MeasuredSurface&
 ordered_json curvatureOf(const MeasureOptions& options, scene::Scene scene, const PreparedVolume& prepared,
                          base::Progress& progress) {
   prepared.derivativeChoices->complete(scene, progress);
-  const auto pieces = prepared.pieces->at(scene.isosurface.value.value(), scene.isosurface.inside, progress);
+  const auto pieces =
+      prepared.pieces->at(scene.surfaces.front().value.value(), scene.isosurface.inside, progress);
   volume::CurvaturePart part{{}, boxOf(options.box)};
-  std::string title = prepared.volume.name + " at " + base::shortText(scene.isosurface.value.value()) +
+  std::string title = prepared.volume.name + " at " + base::shortText(scene.surfaces.front().value.value()) +
                       (prepared.volume.unit.empty() ? "" : " " + prepared.volume.unit);
   if (options.piece) {
     const std::size_t id = *options.piece, count = pieces->list().size();
@@ -100,7 +102,7 @@ ordered_json curvatureOf(const MeasureOptions& options, scene::Scene scene, cons
 // The isosurface of the scene as a whole or in the box, then what was asked about points.
 ordered_json measure(const MeasureOptions& options, const scene::Scene& scene, const PreparedVolume& prepared,
                      base::Progress& progress) {
-  const double isovalue = scene.isosurface.value.value_or(prepared.facts.suggestedIsovalue);
+  const double isovalue = scene.surfaces.front().value.value_or(prepared.facts.suggestedIsovalue);
   const auto doubt = volume::spacingDoubt(prepared.volume.warnings);
   if (doubt && !options.anyway)
     base::throwInput(scene.source.path, "",
@@ -226,13 +228,11 @@ void runLabels(const MeasureOptions& options, const scene::Scene& scene, base::P
     OutputGuard guard = outputGuard(options.path, *options.scene, scene);
     checkOutput(guard, options.out, "--out");
   }
-  const auto prepared = loadWithProgressBar(scene.source, progress);
-  const auto nameOf = [](int) { return std::string(); };
+  const auto prepared = loadWithProgressBar(volume::withLabelsAsValues(scene.source), progress);
   ordered_json json;
   {
     const ProgressBar bar(progress);
-    json =
-        labelMeasuresJson(*prepared, scene.source.path, options.smoothing, options.anyway, nameOf, progress);
+    json = labelMeasuresJson(*prepared, scene.source.path, options.smoothing, options.anyway, progress);
   }
   if (!options.out.empty()) writeTextFile(options.out, labelMeasuresCsv(json));
   if (options.json)

@@ -17,6 +17,7 @@
 #include "base/printable.h"
 #include "scene/rules/automatic.h"
 #include "volume/labels/mask_field.h"
+#include "volume/labels/shown_labels.h"
 #include "volume/write/mesh_writer.h"
 
 namespace isolux::app {
@@ -38,7 +39,7 @@ ordered_json meshJson(const MeshOptions& options, const scene::Scene& scene,
                       const volume::SurfaceMesh& found) {
   ordered_json json;
   json["file"] = options.out;
-  json["isovalue"] = scene.isosurface.value.value();
+  json["isovalue"] = scene.surfaces.front().value.value();
   json["points"] = found.mesh.points.size();
   json["triangles"] = found.mesh.triangles.size();
   json["largest_distance_mm"] = found.largestDistanceMm;
@@ -75,13 +76,12 @@ void printLabelMeshes(const std::vector<LabelMesh>& made) {
 }
 
 void runLabelMeshes(const MeshOptions& options, const scene::Scene& scene, base::Progress& progress) {
-  const auto prepared = loadWithProgressBar(scene.source, progress);
-  const auto nameOf = [](int) { return std::string(); };
+  const auto prepared = loadWithProgressBar(volume::withLabelsAsValues(scene.source), progress);
   std::vector<LabelMesh> made;
   {
     const ProgressBar bar(progress);
     made = exportLabelMeshes({options.out, options.tolerance, options.smoothing.value_or(1.0), options.label},
-                             *prepared, scene.source.path, nameOf, progress);
+                             *prepared, scene.source.path, progress);
   }
   if (options.json)
     std::cout << jsonText(labelMeshJson(options, made));

@@ -154,7 +154,7 @@ Probed probed(const ProbeOptions& options, const scene::Scene& scene,
     addPoint(probed, probes, world, point);
     result.points.add(std::move(probed));
   }
-  const double isovalue = scene.isosurface.value.value_or(0.0);
+  const double isovalue = scene.surfaces.front().value.value_or(0.0);
   const volume::SurfaceOf surface{prepared->grid(),
                                   isovalue,
                                   scene.isosurface.inside,

@@ -228,9 +228,8 @@ class RenderRun {
                                      overlayReserve(overlay_, request_.size));
     if (plan_.sweep && plan_.sweep->path == "source.time_step") {
       const scene::Scene resolved = scene::resolve(scene, prepared_->facts);
-      scene.isosurface.value = resolved.isosurface.value;
-      for (std::size_t i = 0; i < scene.extraIsosurfaces.size(); ++i)
-        scene.extraIsosurfaces[i].value = resolved.extraIsosurfaces[i].value;
+      for (std::size_t i = 0; i < scene.surfaces.size(); ++i)
+        scene.surfaces[i].value = resolved.surfaces[i].value;
     }
     return scene;
   }

@@ -90,7 +90,10 @@ std::string withoutPatient(const std::string& text, const volume::Patient& patie
 }
 
 scene::Scene withoutPatient(scene::Scene scene, const volume::Patient& patient) {
-  for (scene::Mark& mark : scene.marks) mark.name = withoutPatient(mark.name, patient);
+  const auto hide = [&patient](auto& named) { named.name = withoutPatient(named.name, patient); };
+  std::ranges::for_each(scene.surfaces, hide);
+  std::ranges::for_each(scene.marks, hide);
+  std::ranges::for_each(scene.lamps, hide);
   return scene;
 }
 

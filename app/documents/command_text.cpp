@@ -52,7 +52,7 @@ std::string renderCommand(const scene::Scene& scene, const scene::HostSettings& 
   const auto add = [&](const std::string& path, const nlohmann::json& value) {
     line += " --set " + shellWord(assignmentText(path, value));
   };
-  for (const scene::SceneChange& change : scene::difference(scene::Scene{}, scene, "").changes)
+  for (const scene::SceneChange& change : scene::assignmentsOf(scene))
     if (change.path != "source.path") add(change.path, change.value);
   const scene::HostSetting* const executor = scene::hostSetting("picture.executor");
   if (executor != nullptr && host.executor != scene::HostSettings{}.executor)

@@ -24,9 +24,9 @@ using nlohmann::json;
 
 namespace {
 
-constexpr int recordingVersion = 6;
+constexpr int recordingVersion = 7;
 // The version of sessions whose scenes a version of recordings has.
-constexpr std::array<int, recordingVersion> kSessionVersions{3, 4, 6, 7, 8, sessionVersion};
+constexpr std::array<int, recordingVersion> kSessionVersions{3, 4, 6, 7, 8, 9, sessionVersion};
 constexpr double longestSeconds = 1e6;
 constexpr std::size_t longestFile = std::size_t{1} << 30;  // bytes
 
@@ -40,14 +40,15 @@ scene::Scene startOf(const json& header, const std::string& file, const StoredFo
   const auto found = header.find("isolux_recording");
   if (found == header.end()) throwInput(file, place, "is not a recording: \"isolux_recording\" is missing");
   if (!found->is_number_integer() || *found < 1 || *found > recordingVersion)
-    throwInput(file, place, "this Isolux reads recordings of versions 1 to 6 only");
+    throwInput(file, place, "this Isolux reads recordings of versions 1 to 7 only");
   const int written = kSessionVersions.at(found->get<std::size_t>() - 1);
   const json scene = sceneOfVersion(written, header.value("scene", json::object()));
   return sceneFromStored(scene, file, place + ", scene", folders);
 }
 
+// `before`: the scene to which the step is applied, which becomes that after it.
 Recording::Step stepOf(const json& entry, const std::string& file, const std::string& place,
-                       const StoredFolders& folders) {
+                       const StoredFolders& folders, scene::Scene& before) {
   checkKeys(entry, {"time", "name", "set"}, file, place);
   Recording::Step step{};
   const auto time = entry.find("time");
@@ -63,20 +64,15 @@ Recording::Step stepOf(const json& entry, const std::string& file, const std::st
   const auto set = entry.find("set");
   if (set == entry.end() || !set->is_object())
     throwInput(file, place, "\"set\" must be an object of settings");
-  scene::Scene trial;  // checks each value before it is kept
-  for (const auto& [path, value] : set->items()) {
-    try {
-      const scene::Setting& setting = scene::setting(path);
-      setting.set(trial, value);
-      step.diff.changes.push_back({path, setting.get(trial)});
-    } catch (const base::Error& error) {
-      throwInput(file, place + ", " + error.place(), error.reason());
-    }
-    if (isStoredPath(path)) {
-      json& stored = step.diff.changes.back().value;
-      stored = pathFromStored(stored.get<std::string>(), folders);
-    }
+  for (const auto& [path, value] : set->items()) step.diff.changes.push_back({path, value});
+  try {
+    before = scene::applied(std::move(before), step.diff);
+    for (auto& [path, value] : step.diff.changes) value = scene::setting(path).get(before);
+  } catch (const base::Error& error) {
+    throwInput(file, place + ", " + error.place(), error.reason());
   }
+  for (auto& [path, value] : step.diff.changes)
+    if (isStoredPath(path)) value = pathFromStored(value.get<std::string>(), folders);
   return step;
 }
 
@@ -150,6 +146,7 @@ Recording loadRecording(const fs::path& file) {
   const std::string text = readTextFile(file, longestFile);
   const StoredFolders folders = foldersOf(file);
   Recording recording;
+  scene::Scene shown;
   std::size_t number = 0;
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
@@ -164,10 +161,10 @@ Recording loadRecording(const fs::path& file) {
     }
     const json entry = parseJson(lineText, name, place);
     if (number == 1) {
-      recording.start = startOf(entry, name, folders);
+      shown = recording.start = startOf(entry, name, folders);
       continue;
     }
-    recording.steps.push_back(stepOf(entry, name, place, folders));
+    recording.steps.push_back(stepOf(entry, name, place, folders, shown));
     const auto& steps = recording.steps;
     if (steps.size() > 1 && steps.back().seconds < steps[steps.size() - 2].seconds)
       throwInput(name, place, "\"time\" is before that of the line above");

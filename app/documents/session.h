@@ -13,7 +13,7 @@
 
 namespace isolux::app {
 
-constexpr int sessionVersion = 9;
+constexpr int sessionVersion = 10;
 
 std::string sessionText(const scene::Scene& scene, const std::filesystem::path& folder);
 // Returns the session for an image in `folder` that may be shared: it names no other folder

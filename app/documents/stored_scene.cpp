@@ -9,6 +9,8 @@
 #include "app/documents/path_text.h"
 #include "app/documents/places.h"
 #include "base/error.h"
+#include "scene/settings/scene_list.h"
+#include "volume/labels/shown_labels.h"
 #include "volume/read/hdf5/hdf5.h"
 #include "volume/read/step_files.h"
 
@@ -34,6 +36,20 @@ void addMissing(json& stored, const json& members) {
     else if (value.is_object())
       addMissing(stored[key], value);
   }
+}
+
+// Whether a further isosurface of before there was a list is switched off, with nothing set but an isovalue.
+bool isUntouched(const std::string& group, const json& members) {
+  if (!members.is_object()) return false;
+  json others = members;
+  others.erase("value");
+  scene::Scene scene;
+  try {
+    for (const auto& [name, value] : others.items()) scene::setting(group + '.' + name).set(scene, value);
+  } catch (const base::Error&) {
+    return false;  // refused where the scene is read
+  }
+  return scene == scene::Scene{};
 }
 
 fs::path absoluteFolder(const fs::path& folder) {
@@ -189,6 +205,12 @@ json sceneOfVersion(int written, json stored) {
     rename("/picture/metering", "surface", "brightness");
     rename("/light/environment/builtin", "studio", "dark_studio");
   }
+  if (written <=
+      9)  // before surfaces were a list, and pictures carried isovalues of those that nobody had made
+    for (const char* group : {"isosurface2", "isosurface3", "isosurface4"})
+      if (stored.contains(group) && isUntouched(group, stored[group])) stored.erase(group);
+  if (written <= 9)  // before the surfaces of labels
+    addMissing(stored, {{"source", {{"labels", volume::kLabelsAsValues}}}});
   return stored;
 }
 

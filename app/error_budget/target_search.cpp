@@ -45,9 +45,9 @@ bool hasName(std::span<const Limit> limits, Quantity quantity) {
 
 // The first isosurface, opaque and whole: what truths are known of.
 scene::Scene wholeSurface(scene::Scene scene) {
-  for (scene::ExtraIsosurface& extra : scene.extraIsosurfaces) extra.shown = false;
-  scene.isosurface.opacity = scene.isosurface.facingOpacity = 1.0;
-  scene.isosurface.ghost = 0.0;
+  scene.surfaces.resize(1);
+  scene.surfaces.front().opacity = scene.surfaces.front().facingOpacity = 1.0;
+  scene.surfaces.front().ghost = 0.0;
   scene.pieces = {};
   return scene;
 }

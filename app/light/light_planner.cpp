@@ -137,9 +137,8 @@ void LightPlanner::considerMetering(base::Progress& progress) {
   scene::Scene wanted = gi::meteredScene(scene_);
   const bool sameStage = brightnessStage_ == std::pair(volume_.get(), environmentName_);
   if (sameStage && wanted == brightnessOf_) return;
-  wanted.isosurface.value = brightnessOf_.isosurface.value;
-  for (std::size_t i = 0; i < wanted.extraIsosurfaces.size(); ++i)
-    wanted.extraIsosurfaces[i].value = brightnessOf_.extraIsosurfaces[i].value;
+  for (std::size_t i = 0; i < std::min(wanted.surfaces.size(), brightnessOf_.surfaces.size()); ++i)
+    wanted.surfaces[i].value = brightnessOf_.surfaces[i].value;
   if (background_ && sameStage && wanted == brightnessOf_)
     meterPending_ = true;
   else

@@ -20,15 +20,11 @@ using volume::SurfacePoint;
 // All that marks depend on, of a scene.
 scene::Scene measuredPart(const scene::Scene& scene) {
   scene::Scene part;
-  part.isosurface.value = scene.isosurface.value;
   part.isosurface.inside = scene.isosurface.inside;
-  part.extraIsosurfaces = scene.extraIsosurfaces;
-  for (scene::ExtraIsosurface& extra : part.extraIsosurfaces) {
-    extra.name.clear();
-    extra.albedo = {};
-    extra.opacity = extra.facingOpacity = 1.0;
-    extra.clipped = true;
-    if (!extra.shown) extra.value.reset();
+  part.surfaces.clear();  // all that is not copied stays at its default
+  for (const scene::Surface& surface : scene.surfaces) {
+    const bool measured = part.surfaces.empty() || surface.shown;
+    part.surfaces.push_back({.shown = measured, .value = measured ? surface.value : std::nullopt});
   }
   part.hit.field = scene.hit.field;
   part.derivatives = scene.derivatives;
@@ -79,9 +75,8 @@ MarkEvaluator::MarkEvaluator(std::shared_ptr<const volume::PreparedVolume> volum
     surfaces_.push_back(
         {number, {volume_->grid(), value.value_or(volume_->facts.suggestedIsovalue), inside, {}}});
   };
-  add(1, scene_.isosurface.value);
-  for (std::size_t i = 0; i < scene_.extraIsosurfaces.size(); ++i)
-    if (scene_.extraIsosurfaces[i].shown) add(static_cast<int>(i) + 2, scene_.extraIsosurfaces[i].value);
+  for (std::size_t i = 0; i < scene_.surfaces.size(); ++i)
+    if (scene_.surfaces[i].shown) add(static_cast<int>(i) + 1, scene_.surfaces[i].value);
 }
 
 bool MarkEvaluator::isFor(const std::shared_ptr<const volume::PreparedVolume>& volume,
@@ -224,7 +219,7 @@ void MarkEvaluator::addShape(glm::dvec3 world, MarkReport& report, base::Progres
     const volume::DerivativeQuestion question{surfaces_.front().of.isovalue, scene_.derivatives.field,
                                               scene_.derivatives.noise};
     scene::Scene complete = scene_;
-    complete.isosurface.value = surfaces_.front().of.isovalue;
+    complete.surfaces.front().value = surfaces_.front().of.isovalue;
     volume_->derivativeChoices->complete(complete, progress);
     const auto choice = volume_->derivativeChoices->find(question);
     const double scale = complete.derivatives.scale.value_or(0.0);

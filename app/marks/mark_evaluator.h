@@ -43,7 +43,7 @@ class MarkEvaluator {
 
  private:
   struct Surface {
-    int number;  // 1: isosurface; 2 ...: isosurface2 ...
+    int number;  // its position in the list, from 1
     volume::SurfaceOf of;
     std::optional<volume::SurfaceGraph> graph{};
     std::shared_ptr<const volume::Pieces> pieces{};

@@ -215,7 +215,7 @@ void checkMarks(const std::vector<Mark>& marks, const std::string& file) {
   scene::Scene scene;
   scene.marks = marks;
   try {
-    const scene::Setting& setting = scene::setting("marks.list");
+    const scene::Setting setting = scene::setting("marks.list");
     setting.set(scene, setting.get(scene));
   } catch (const base::Error& error) {
     base::throwInput(file, "", error.reason());

@@ -51,13 +51,12 @@ void append(const volume::TriangleMesh& mesh, volume::TriangleMesh& all, const L
 
 std::vector<LabelMesh> exportLabelMeshes(const LabelMeshRequest& asked,
                                          const volume::PreparedVolume& prepared, const std::string& source,
-                                         const std::function<std::string(int)>& nameOf,
                                          base::Progress& progress) {
   if (asked.file.extension() == ".stl" && !asked.label)
     base::throwUsage(asked.file.string(), "",
                      ".stl holds one surface; choose a label with --label, or write .obj, .ply or .vtp");
-  const volume::LabelBlocks blocks = labelBlocksOf(prepared, source, progress);
-  const std::vector<volume::LabelExtent> labels = labelsToMesh(blocks, asked, source);
+  const auto blocks = labelBlocksOf(prepared, source, progress);
+  const std::vector<volume::LabelExtent> labels = labelsToMesh(*blocks, asked, source);
   std::vector<LabelMesh> made;
   volume::TriangleMesh all;
   std::vector<volume::MeshObject> objects;
@@ -65,8 +64,9 @@ std::vector<LabelMesh> exportLabelMeshes(const LabelMeshRequest& asked,
     progress.report(static_cast<double>(made.size()) / static_cast<double>(labels.size()), "making meshes");
     base::Progress own;  // its fractions are those of one label
     const std::stop_callback stop(progress.token(), [&own] { own.requestStop(); });
-    LabelMesh mesh{label.label, nameOf(label.label), meshOfLabel(blocks.grid(), label, asked, own)};
-    addRounding(asked.file, blocks.grid().geometry().leastSpacingMm(), mesh.surface);
+    LabelMesh mesh{label.label, volume::labelName(prepared.volume.labelTable.get(), label.label),
+                   meshOfLabel(blocks->grid(), label, asked, own)};
+    addRounding(asked.file, blocks->grid().geometry().leastSpacingMm(), mesh.surface);
     const std::string name = base::printable(mesh.name);
     objects.push_back(
         {name.empty() ? "label_" + std::to_string(label.label) : name, label.label, all.triangles.size()});

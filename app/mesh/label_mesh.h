@@ -33,7 +33,6 @@ struct LabelMesh {
 // labels; a file that cannot be written), memory, interrupted.
 std::vector<LabelMesh> exportLabelMeshes(const LabelMeshRequest& request,
                                          const volume::PreparedVolume& prepared, const std::string& source,
-                                         const std::function<std::string(int)>& nameOf,
                                          base::Progress& progress);
 
 }  // namespace isolux::app

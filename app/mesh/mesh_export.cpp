@@ -17,7 +17,7 @@ namespace {
 volume::SurfaceMesh extracted(const MeshRequest& asked, const scene::Scene& scene,
                               const volume::PreparedVolume& prepared, base::Progress& progress) {
   volume::SurfaceMeshRequest request;
-  request.isovalue = scene.isosurface.value.value();
+  request.isovalue = scene.surfaces.front().value.value();
   request.inside = scene.isosurface.inside;
   request.field = scene.hit.field;
   const auto cubic = prepared.cubicFields->make(request.field, progress);
@@ -67,7 +67,7 @@ volume::SurfaceMesh exportMesh(const MeshRequest& asked, scene::Scene resolved,
   if (found.mesh.triangles.empty())
     base::throwInput(
         resolved.source.path, "isosurface.value",
-        "no surface at " + base::shortText(resolved.isosurface.value.value()) + "; no file is written");
+        "no surface at " + base::shortText(resolved.surfaces.front().value.value()) + "; no file is written");
   addRounding(asked.file, volume.grid().geometry().leastSpacingMm(), found);
   const std::vector<volume::PointArray> arrays = arraysOf(asked, resolved, volume, found, progress);
   progress.throwIfStopped();

@@ -11,6 +11,7 @@
 #include "scene/rules/automatic.h"
 #include "scene/rules/needs.h"
 #include "scene/settings/assignment.h"
+#include "scene/settings/scene_list.h"
 #include "scene/settings/settings.h"
 
 namespace isolux::app {
@@ -26,7 +27,7 @@ void requireSource(const std::string& path, const SceneOptions& options) {
 }
 
 void refuseCuts(const scene::Scene& scene, const char* command) {
-  if (scene.isosurface.clipped && scene::cutsSurfaces(scene))
+  if (scene.surfaces.front().clipped && scene::cutsSurfaces(scene))
     base::throwUsage(
         "",
         !scene.clip.planes.empty() ? "clip.planes"
@@ -65,6 +66,12 @@ bool assigns(const SceneOptions& options, std::string_view path) {
       all, [&](const std::string& assignment) { return scene::pathOf(assignment) == path; });
 }
 
+bool assignsIsovalue(const SceneOptions& options) {
+  return std::ranges::any_of(options.assignments, [](const std::string& assignment) {
+    return scene::patternOf(scene::pathOf(assignment)) == "surfaces.#.value";
+  });
+}
+
 }  // namespace
 
 scene::Scene sceneOf(const std::string& path, const SceneOptions& options) {
@@ -81,7 +88,7 @@ scene::Scene sceneOf(const std::string& path, const SceneOptions& options,
   scene::Scene scene = startingScene(path, options);
   if (!options.preset.empty()) {
     const Preset preset = findPreset(options.preset);
-    const std::string reason = whyNot(preset, volume, assigns(options, "isosurface.value"));
+    const std::string reason = whyNot(preset, volume, assignsIsovalue(options));
     if (!reason.empty())
       base::throwUsage(
           volume.volume.name, "preset " + preset.name,

@@ -14,12 +14,11 @@ bool sameValue(const std::optional<double>& a, const std::optional<double>& b) {
 }
 
 bool shows(const scene::Scene& scene, scene::Scene preset) {
-  if (!sameValue(scene.isosurface.value, preset.isosurface.value)) return false;
-  preset.isosurface.value = scene.isosurface.value;
-  for (std::size_t i = 0; i < preset.extraIsosurfaces.size(); ++i) {
-    std::optional<double>& value = preset.extraIsosurfaces[i].value;
-    if (!sameValue(scene.extraIsosurfaces[i].value, value)) return false;
-    value = scene.extraIsosurfaces[i].value;
+  if (scene.surfaces.size() != preset.surfaces.size()) return false;
+  for (std::size_t i = 0; i < preset.surfaces.size(); ++i) {
+    std::optional<double>& value = preset.surfaces[i].value;
+    if (!sameValue(scene.surfaces[i].value, value)) return false;
+    value = scene.surfaces[i].value;
   }
   return scene == preset;
 }
@@ -30,13 +29,13 @@ std::optional<AppliedPreset> appliedPreset(const scene::Scene& scene, std::span<
                                            const volume::PreparedVolume& volume,
                                            std::optional<std::size_t> last) {
   const double suggested = volume.facts.suggestedIsovalue;
-  const double value = scene.isosurface.value.value_or(suggested);
+  const double value = scene.surfaces.front().value.value_or(suggested);
   std::optional<AppliedPreset> shifted;
   for (std::size_t i = 0; i < presets.size(); ++i) {
     if (!whyNot(presets[i], volume).empty()) continue;
     const scene::Scene plain = withPreset(scene, presets[i], volume);
     if (shows(scene, plain)) return AppliedPreset{i, 0.0};
-    const double shift = value - plain.isosurface.value.value_or(suggested);
+    const double shift = value - plain.surfaces.front().value.value_or(suggested);
     if (shift == 0.0 || (shifted && shifted->index == last)) continue;
     const bool nearer = !shifted || i == last || std::abs(shift) < std::abs(shifted->shift);
     if (nearer && shows(scene, withPreset(scene, presets[i], volume, shift)))

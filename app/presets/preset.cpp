@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "scene/settings/host_settings.h"
 #include "scene/settings/scene_diff.h"
+#include "scene/settings/scene_list.h"
 #include "scene/settings/settings.h"
 
 namespace isolux::app {
@@ -37,7 +38,7 @@ constexpr std::array<const char*, 13> kOfVolume{
     "source.",        "camera.eye",  "camera.target", "camera.up",         "pieces.hidden",
     "pieces.only",    "clip.planes", "clip.box",      "clip.box_rotation", "clip.removed",
     "slice.position", "marks.",      "color."};
-constexpr std::array<const char*, 9> kReset{"isosurface.",     "isosurface#.",  "look.",
+constexpr std::array<const char*, 9> kReset{"isosurface.",     "surfaces.",     "look.",
                                             "flow.",           "pieces.keep",   "pieces.depth",
                                             "pieces.smallest", "pieces.within", "light.environment.builtin"};
 
@@ -57,19 +58,19 @@ PresetNeed needNamed(const ordered_json& name, const std::filesystem::path& file
   base::throwInput(file, "needs", name.dump() + " is no need of a preset");
 }
 
-// Refuses what withPreset() could not apply.
-void checkPresetSetting(const std::string& path, const ordered_json& value,
-                        const std::filesystem::path& file) {
+bool isIsovalue(const std::string& path) {
+  return scene::patternOf(path) == "surfaces.#.value";
+}
+
+// Refuses what withPreset() could not apply. `trial`: the scene after the settings before.
+void checkPresetSetting(const std::string& path, const ordered_json& value, const std::filesystem::path& file,
+                        scene::Scene& trial) {
   if (belongsToVolume(path))
     base::throwInput(file, path, "belongs to one volume or machine; no preset sets it");
   try {
-    const scene::Setting& setting = scene::setting(path);
-    if (isValueOfVolume(value)) {
-      checkValueOfVolume(setting, value);
-      return;
-    }
-    scene::Scene scene;
-    setting.set(scene, value);
+    const scene::Setting setting = scene::setting(path);
+    if (isValueOfVolume(value)) checkValueOfVolume(setting, value);
+    setting.set(trial, isValueOfVolume(value) ? nlohmann::json(0.0) : nlohmann::json(value));
   } catch (const base::Error& error) {
     base::throwInput(file, path, error.reason());
   }
@@ -82,6 +83,27 @@ void checkPresetName(const std::string& name, const std::filesystem::path& file)
   if (!plain)
     base::throwInput(file, "name",
                      "may have lower case letters, letters beyond ASCII, digits, '_' and '-' only");
+}
+
+// What a scene has other than a new one, items of lists by their position, as before there were lists.
+std::vector<scene::SceneChange> settingsOf(const scene::Scene& scene) {
+  std::vector<scene::SceneChange> changes;
+  for (const scene::Setting& setting : scene::settings())
+    if (nlohmann::json value = setting.get(scene); value != setting.defaultValue())
+      changes.push_back({setting.path, std::move(value)});
+  for (const scene::SceneList& list : scene::sceneLists()) {
+    const std::vector<std::string> ids = list.ids(scene);
+    for (std::size_t position = 0; position < ids.size(); ++position) {
+      const bool first = position == 0 && list.firstHadNoNumber;
+      const std::string group = list.former + (first ? "" : std::to_string(position + 1)) + '.';
+      for (std::size_t field = 0; field < list.fields.size(); ++field) {
+        nlohmann::json value = list.get(scene, ids[position], field);
+        if (value != list.formerValue(position, field))
+          changes.push_back({group + std::string(nameOfField(list, list.fields[field])), std::move(value)});
+      }
+    }
+  }
+  return changes;
 }
 
 // The background is the user's, unless a preset of the program made it what it is.
@@ -98,12 +120,12 @@ bool isUsersBackground(const scene::Setting& setting, const scene::Scene& scene)
 }  // namespace
 
 bool belongsToVolume(const std::string& path) {
-  const bool lampPosition = path.starts_with("lamp") && path.ends_with(".position");
-  return lampPosition || coveredByOne(kOfVolume, path) || isStoredPath(path) || scene::isHostSetting(path);
+  return scene::patternOf(path) == "lamps.#.position" || coveredByOne(kOfVolume, path) ||
+         isStoredPath(path) || scene::isHostSetting(path);
 }
 
 bool resetByPreset(const std::string& path) {
-  return coveredByOne(kReset, path);
+  return coveredByOne(kReset, scene::patternOf(path));
 }
 
 Preset parsePreset(const std::string& text, const std::filesystem::path& file) {
@@ -129,7 +151,8 @@ Preset parsePreset(const std::string& text, const std::filesystem::path& file) {
     for (const ordered_json& need : json["needs"]) preset.needs.push_back(needNamed(need, file));
   }
   if (!json.contains("set") || !json["set"].is_object()) base::throwInput(file, "set", "must be an object");
-  for (const auto& [path, value] : json["set"].items()) checkPresetSetting(path, value, file);
+  scene::Scene trial;
+  for (const auto& [path, value] : json["set"].items()) checkPresetSetting(path, value, file, trial);
   preset.settings = json["set"];
   return preset;
 }
@@ -191,18 +214,18 @@ scene::Scene withPreset(const scene::Scene& scene, const Preset& preset, const v
   for (const scene::Setting& setting : scene::settings())
     if (resetByPreset(setting.path) && !isUsersBackground(setting, scene))
       setting.set(result, setting.defaultValue());
+  result.surfaces = scene::Scene{}.surfaces;
   for (const auto& [path, value] : preset.settings.items()) {
-    const scene::Setting& setting = scene::setting(path);
-    const bool isovalue = path.starts_with("isosurface") && path.ends_with(".value");
+    const scene::Setting setting = scene::setting(path);
     if (isValueOfVolume(value))
-      setting.set(result, valueInVolume(value, volume) + (isovalue ? shift : 0.0));
-    else if (isovalue && value.is_number())
+      setting.set(result, valueInVolume(value, volume) + (isIsovalue(path) ? shift : 0.0));
+    else if (isIsovalue(path) && value.is_number())
       setting.set(result, value.get<double>() + shift);
     else
       setting.set(result, value);
   }
-  if (shift != 0.0 && !result.isosurface.value)
-    scene::setting("isosurface.value").set(result, volume.facts.suggestedIsovalue + shift);
+  if (shift != 0.0 && !result.surfaces.front().value)
+    result.surfaces.front().value = volume.facts.suggestedIsovalue + shift;
   return result;
 }
 
@@ -210,14 +233,13 @@ Preset presetOf(const scene::Scene& scene, const std::string& name, const std::s
                 const volume::PreparedVolume* volume) {
   Preset preset{name, title, "A preset of one's own", {}};
   const bool hounsfield = volume != nullptr && volume->kind.kind == scene::DataKind::ct_hu;
-  for (const scene::SceneChange& change : scene::difference(scene::Scene{}, scene, "").changes) {
-    if (belongsToVolume(change.path)) continue;
-    const bool isovalue = change.path.starts_with("isosurface") && change.path.ends_with(".value");
-    if (hounsfield && isovalue && change.value.is_number()) {
-      preset.settings[change.path] = {{"hu", change.value}};
+  for (const auto& [path, value] : settingsOf(scene)) {
+    if (belongsToVolume(path)) continue;
+    if (hounsfield && isIsovalue(path) && value.is_number()) {
+      preset.settings[path] = {{"hu", value}};
       preset.needs = {PresetNeed::hounsfield};
     } else {
-      preset.settings[change.path] = change.value;
+      preset.settings[path] = value;
     }
   }
   return preset;

@@ -28,8 +28,7 @@ scene::Scene drawnThumbnail(const Thumbnail& thumbnail, const volume::PreparedVo
   scene.look.legend = false;
   scene.flow.animate = false;
   scene.color = {};  // read by nobody yet
-  scene.isosurface.name.clear();
-  for (scene::ExtraIsosurface& extra : scene.extraIsosurfaces) extra.name.clear();
+  for (scene::Surface& surface : scene.surfaces) surface.name.clear();
   scene.picture.restHits = scene::StillField::same;
   scene = scene::resolve(scene, volume.facts);
   return withReadyFields(scene, volume);

@@ -115,7 +115,7 @@ bool needSameFields(const scene::Scene& a, const scene::Scene& b) {
       a.picture.restHits == b.picture.restHits && scene::mayRefineHits(a) == scene::mayRefineHits(b);
   const bool measures = awaitsChoice(b) || scene::mayRefineHits(b);
   return same && sameColor && sameAtRest && a.pieces == b.pieces &&
-         (!measures || a.isosurface.value == b.isosurface.value);
+         (!measures || a.surfaces.front().value == b.surfaces.front().value);
 }
 
 }  // namespace isolux::app

@@ -23,7 +23,7 @@ scene::Scene withSplineHits(scene::Scene scene) {
 std::optional<bool> wantsSpline(const scene::Scene& resolved, const volume::StillHits& hits) {
   if (!scene::mayRefineHits(resolved)) return false;
   if (resolved.picture.restHits == StillField::cubic_interpolating) return true;
-  const std::optional<double> share = hits.find(resolved.isosurface.value.value());
+  const std::optional<double> share = hits.find(resolved.surfaces.front().value.value());
   return share ? std::optional(hits.gains(*share)) : std::nullopt;
 }
 
@@ -31,7 +31,7 @@ std::optional<bool> wantsSpline(const scene::Scene& resolved, const volume::Stil
 
 scene::Scene atRest(scene::Scene resolved, const volume::PreparedVolume& volume, base::Progress& progress) {
   const volume::StillHits& hits = *volume.stillHits;
-  if (!wantsSpline(resolved, hits)) hits.measure(resolved.isosurface.value.value(), progress);
+  if (!wantsSpline(resolved, hits)) hits.measure(resolved.surfaces.front().value.value(), progress);
   if (!*wantsSpline(resolved, hits)) return resolved;
   try {
     volume.cubicFields->make(kFieldAtRest, progress);

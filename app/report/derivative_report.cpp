@@ -69,7 +69,7 @@ DerivativeFacts derivativeFacts(render::Renderer& renderer, const scene::Derivat
   const scene::Scene& drawn = picture.inputs.scene;
   DerivativeFacts facts{asked, drawn, {}, picture.still.report.curvature, {}};
   const volume::DerivativeChoices& choices = *picture.inputs.volume->derivativeChoices;
-  const volume::DerivativeQuestion whole{drawn.isosurface.value.value(), drawn.derivatives.field,
+  const volume::DerivativeQuestion whole{drawn.surfaces.front().value.value(), drawn.derivatives.field,
                                          asked.noise},
       ofNoise{whole.isovalue, whole.field, drawn.derivatives.noise};  // which was known before
   facts.choice = choices.find(whole);
@@ -125,7 +125,7 @@ void printDerivatives(const DerivativeFacts& facts) {
 }
 
 ordered_json restJson(const scene::Scene& drawn, const volume::PreparedVolume& volume) {
-  const std::optional<double> share = volume.stillHits->find(drawn.isosurface.value.value());
+  const std::optional<double> share = volume.stillHits->find(drawn.surfaces.front().value.value());
   return {{"field", scene::setting("hit.field").get(atRestIfReady(drawn, volume))},
           {"share_beside_spline", share}};
 }

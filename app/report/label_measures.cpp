@@ -23,9 +23,9 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json labelJson(const volume::LabelMeasure& label, const LabelName& nameOf) {
+ordered_json labelJson(const volume::LabelMeasure& label, const volume::LabelTable* names) {
   return {{"label", label.label},
-          {"name", nameOf(label.label)},
+          {"name", volume::labelName(names, label.label)},
           {"voxels", label.voxels},
           {"counted_mm3", label.countedMm3},
           {"volume_mm3", measuredJson(label.volumeMm3)},
@@ -52,17 +52,16 @@ std::vector<std::string> labelRow(const ordered_json& label) {
 }  // namespace
 
 ordered_json labelMeasuresJson(const volume::PreparedVolume& prepared, const std::string& file,
-                               double smoothing, bool anyway, const LabelName& nameOf,
-                               base::Progress& progress) {
+                               double smoothing, bool anyway, base::Progress& progress) {
   const auto doubt = volume::spacingDoubt(prepared.volume.warnings);
   if (doubt && !anyway)
     base::throwInput(file, "", "lengths are doubtful: " + *doubt + "; --anyway measures all the same");
-  const volume::LabelBlocks blocks = labelBlocksOf(prepared, file, progress);
+  const auto blocks = labelBlocksOf(prepared, file, progress);
   ordered_json json{{"smoothing_voxels", smoothing}};
   if (doubt) json["doubt"] = *doubt;
   json["labels"] = ordered_json::array();
-  for (const volume::LabelMeasure& label : measureLabels(blocks, smoothing, progress))
-    json["labels"].push_back(labelJson(label, nameOf));
+  for (const volume::LabelMeasure& label : measureLabels(*blocks, smoothing, progress))
+    json["labels"].push_back(labelJson(label, prepared.volume.labelTable.get()));
   return json;
 }
 

@@ -1,7 +1,6 @@
 // Measures of the labels of a label map, as JSON, as a table and as CSV.
 #pragma once
 
-#include <functional>
 #include <ostream>
 #include <string>
 
@@ -12,15 +11,11 @@
 
 namespace isolux::app {
 
-// Returns the name of a label; empty: it has none.
-using LabelName = std::function<std::string(int label)>;
-
 // Measures every label but 0. Returns the keys of `measure --labels --json` (docs/reference/outputs.md).
 // `smoothing`: of each label's surface, voxels. `anyway`: also if lengths are doubtful. Throws Error: input
 // with `file` where values are no labels or lengths are doubtful; interrupted, memory.
 nlohmann::ordered_json labelMeasuresJson(const volume::PreparedVolume& prepared, const std::string& file,
-                                         double smoothing, bool anyway, const LabelName& nameOf,
-                                         base::Progress& progress);
+                                         double smoothing, bool anyway, base::Progress& progress);
 
 // A line for each label.
 void printLabelMeasures(const nlohmann::ordered_json& json, std::ostream& out);

@@ -13,7 +13,7 @@ namespace isolux::app {
 // {"reason", "names_from", "list": [{"label", "name", "color", "voxels"}]} by ascending label, without the
 // background, 0; also labels that the file names and no voxel has. `color` is linear RGB. `voxels` is null
 // where the volume stays in its file. Null for volumes that hold no labels. Throws Error{interrupted}.
-nlohmann::ordered_json labelsJson(const volume::PreparedVolume& prepared, base::Progress& progress);
+nlohmann::ordered_json labelTableJson(const volume::PreparedVolume& prepared, base::Progress& progress);
 
 // A line for each of the first 20.
 void printLabelTable(const nlohmann::ordered_json& labels, std::ostream& out);

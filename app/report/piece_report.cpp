@@ -67,7 +67,7 @@ ordered_json pieceJson(std::size_t id, const volume::PieceMeasure& piece) {
 
 ordered_json piecesJson(const volume::PreparedVolume& prepared, const scene::Scene& scene,
                         base::Progress& progress) {
-  const double isovalue = scene.isosurface.value.value();
+  const double isovalue = scene.surfaces.front().value.value();
   const auto pieces = prepared.pieces->at(isovalue, scene.isosurface.inside, progress);
   const volume::SurfaceQuestion question{
       isovalue, scene.isosurface.inside, std::nullopt, volume::voxelNoise(prepared, scene, progress), {}};

@@ -17,6 +17,7 @@
 #include "scene/rules/ghosts.h"
 #include "volume/bricks/brick_source.h"
 #include "volume/cast/surface_caster.h"
+#include "volume/labels/shown_labels.h"
 
 namespace isolux::app {
 
@@ -62,7 +63,7 @@ ordered_json renderJson(const FinishedPicture& picture, const render::ContextDes
   addContext(json, context);
   json["size"] = picture.inputs.request.size;
   json["supersampling"] = picture.inputs.request.supersampling;
-  json["isovalue"] = *scene.isosurface.value;
+  json["isovalue"] = *scene.surfaces.front().value;
   json["passes"] = passes;
   json["frame_milliseconds"] = picture.milliseconds;
   json["repeat"] = picture.inputs.repeat;
@@ -136,8 +137,11 @@ std::vector<std::string> notesOf(const render::FrameReport& report) {
 
 void noteOfPicture(const scene::Scene& scene, const render::FrameReport& report) {
   if (const int missing = scene::ghostsWithoutRoom(scene))
-    printNote("isosurface.ghost: " + std::to_string(missing) +
-              " of the two ghosts is missing, because further isosurfaces are shown");
+    printNote("surfaces: " + std::to_string(missing) +
+              " of the uncertainty surfaces is missing, because further isosurfaces are shown");
+  const bool labels = scene.source.kind == scene::DataKind::labels;
+  if (labels && scene.source.labels != volume::kLabelsAsValues && scene.surfaces.size() > 1)
+    printNote("surfaces: a label map has one surface; further isosurfaces are not drawn");
   for (const std::string& note : notesOf(report)) printNote(note);
 }
 

@@ -11,6 +11,7 @@
 #include "base/words.h"
 #include "scene/looks.h"
 #include "scene/settings/host_settings.h"
+#include "scene/settings/scene_list.h"
 #include "scene/settings/settings.h"
 
 namespace isolux::app {
@@ -24,8 +25,8 @@ std::string typeName(const SettingInfo& setting) {
   static constexpr const char* names[] = {
       "number",        "integer",        "text",          "choice",         "two numbers",
       "three numbers", "four numbers",   "true or false", "list of points", "list of points",
-      "list of x,y,z", "list of planes", "list of marks"};
-  static_assert(std::size(names) == static_cast<std::size_t>(SettingType::marks) + 1);
+      "list of x,y,z", "list of planes", "list of marks", "item",           "list of ids"};
+  static_assert(std::size(names) == static_cast<std::size_t>(SettingType::ids) + 1);
   return names[static_cast<std::size_t>(setting.type)];
 }
 
@@ -70,6 +71,10 @@ void forEachSetting(const std::string& word,
                     const std::function<void(const SettingInfo&, const nlohmann::json&, bool)>& each) {
   for (const scene::Setting& setting : scene::settings())
     if (matches(setting, word)) each(setting, setting.defaultValue(), false);
+  for (const scene::SceneList& list : scene::sceneLists())
+    for (std::size_t field = 0; field < list.fields.size(); ++field)
+      if (matches(list.fields[field], word))
+        each(list.fields[field], list.get(scene::Scene{}, "", field), false);
   for (const scene::HostSetting& setting : scene::hostSettings())
     if (matches(setting, word)) each(setting, setting.defaultValue(), true);
 }
@@ -87,15 +92,14 @@ void printLooks(std::ostream& out) {
   }
 }
 
-// Further isosurfaces and lamps have the settings of the first of their kind.
-bool isLikeAnother(const std::string& path) {
-  return path.starts_with("isosurface3.") || path.starts_with("isosurface4.") || path.starts_with("lamp2.") ||
-         path.starts_with("lamp3.");
-}
-
-std::string titleOf(const std::string& group) {
-  if (group == "isosurface2") return "isosurface2, isosurface3, isosurface4";
-  return group == "lamp1" ? "lamp1, lamp2, lamp3" : group;
+// How items of a list are named, for the page.
+std::string listNote(const scene::SceneList& list) {
+  const std::string item = list.path + ".ID", number = list.firstHadNoNumber ? "" : "1";
+  return "Settings of each " + list.noun + " (" + std::to_string(list.least) + " to " +
+         std::to_string(list.most) + "). ID is a name of a to z, 0 to 9 and `_`, or the position, from 1. `" +
+         item + "." + list.maker + "` of a new ID makes a " + list.noun + ", `" + item +
+         "=none` removes it, `" + list.path + ".order=a,b` orders all. `" + list.former + number +
+         ".` and `" + list.former + "2.` name them by position, as before session version 10.\n\n";
 }
 
 }  // namespace
@@ -138,13 +142,13 @@ void printSettingsPage(std::ostream& out) {
          "and an argument of `--set PATH=VALUE`. Vectors are written `x,y,z`.\n";
   std::string title;
   forEachSetting("", [&](const SettingInfo& setting, const nlohmann::json& byDefault, bool ofMachine) {
-    if (isLikeAnother(setting.path)) return;
-    const std::string its = ofMachine ? "Host" : titleOf(setting.path.substr(0, setting.path.rfind('.')));
+    const std::string its = ofMachine ? "Host" : setting.path.substr(0, setting.path.rfind('.'));
     if (its != title) {
       out << "\n## " << its << "\n\n";
       if (ofMachine)
         out << "They describe the computer and are not part of a session. `--set` applies them to one run; "
                "the window keeps them per user (Edit, Preferences).\n\n";
+      if (const scene::SceneList* const list = scene::listOfPath(setting.path)) out << listNote(*list);
       title = its;
     }
     const std::string value = valueText(byDefault), allowed = allowedText(setting);

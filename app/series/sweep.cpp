@@ -29,7 +29,7 @@ double Sweep::value(int index) const {
 }
 
 void Sweep::apply(scene::Scene& scene, int index) const {
-  const scene::Setting& setting = scene::setting(path);
+  const scene::Setting setting = scene::setting(path);
   const double v = value(index);
   if (setting.type == scene::SettingType::integer)
     setting.set(scene, std::llround(v));
@@ -60,7 +60,7 @@ Sweep parseSweep(const std::string& text) {
   sweep.count = static_cast<int>(count);
   if (scene::isHostSetting(sweep.path))
     base::throwUsage("", sweep.path, "is a host setting and changes no image");
-  const scene::Setting& setting = scene::setting(sweep.path);
+  const scene::Setting setting = scene::setting(sweep.path);
   if (setting.type != scene::SettingType::number && setting.type != scene::SettingType::integer)
     base::throwUsage("", sweep.path, "is not a number and cannot be swept");
   if (setting.type == scene::SettingType::integer)

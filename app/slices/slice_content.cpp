@@ -19,10 +19,10 @@ std::vector<SurfaceOnSlice> surfacesOnSlice(const Scene& scene) {
 
 std::optional<std::pair<double, double>> noiseBand(const PreparedVolume& prepared, Scene scene,
                                                    base::Progress& progress) {
-  if (scene.slice.noiseBand <= 0.0 || !scene.isosurface.value) return std::nullopt;
+  if (scene.slice.noiseBand <= 0.0 || !scene.surfaces.front().value) return std::nullopt;
   prepared.derivativeChoices->complete(scene, progress);
   const double reach = scene.slice.noiseBand * scene.derivatives.noise.value_or(0.0);
-  return std::pair{*scene.isosurface.value - reach, *scene.isosurface.value + reach};
+  return std::pair{*scene.surfaces.front().value - reach, *scene.surfaces.front().value + reach};
 }
 
 }  // namespace
@@ -44,7 +44,10 @@ SliceContent sliceContent(const PreparedVolume& prepared, const Scene& scene, co
   content.plane = plane;
   content.window = volume::greyWindow(scene.slice, prepared.histogram);
   content.band = noiseBand(prepared, scene, progress);
-  content.values = sliceValues(field, plane, {scene.slice.slab, scene.slice.slabMode}, progress);
+  content.labels = prepared.labels;
+  content.values = prepared.labels
+                       ? nearestValues(prepared.labels->grid(), plane, progress)
+                       : sliceValues(field, plane, {scene.slice.slab, scene.slice.slabMode}, progress);
   if (scene.slice.contourWidth <= 0.0) return content;
   const auto hidden = volume::hiddenOf(scene, *prepared.pieces, progress);
   content.surfaces = surfacesOnSlice(scene);

@@ -1,6 +1,7 @@
 // What a scene shows on a plane: values and isocontours. Takes long: never on the window's thread.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -26,6 +27,7 @@ struct SliceContent {
   volume::GreyWindow window;
   std::vector<SurfaceOnSlice> surfaces;             // that are shown, the first one first
   std::optional<std::pair<double, double>> band{};  // data units: slice.noise_band
+  std::shared_ptr<const volume::ShownLabels> labels{};  // the values are labels, each of the nearest voxel
 };
 
 // `scene`: resolved. Of a thick slab contours are those on the plane itself. Where noise is asked for and not

@@ -203,6 +203,7 @@ bool showsLeftAndRight(const SliceLetters& letters) {
 }
 
 std::string windowText(const SliceContent& content, const scene::Slice& slice, const std::string& unit) {
+  if (content.labels) return "labels of the nearest voxels";
   std::string text = "level " + signedText(content.window.level, 4) + " \u00b7 width " +
                      base::shortText(content.window.width, 4) + (unit.empty() ? "" : " " + unit);
   if (slice.slab > 0.0)
@@ -225,7 +226,7 @@ SliceWords wordsOf(const SliceContent& content, const volume::SlicePlane& plane,
     words.convention = conventionText(slice.convention, volume.axes);
   words.window = windowText(content, slice, volume.unit);
   words.ruler = rulerOf(plane);
-  if (slice.contourWidth > 0.0)
+  if (slice.contourWidth > 0.0 && !content.labels)
     for (const SurfaceOnSlice& surface : content.surfaces)
       words.key.push_back(
           {signedText(surface.isovalue, 5) + (volume.unit.empty() ? "" : " " + volume.unit), surface.color});

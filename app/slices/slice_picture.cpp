@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <unordered_map>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -44,15 +45,40 @@ void blend(std::uint8_t* rgba, const Byte3& color, double opacity) {
     rgba[i] = static_cast<std::uint8_t>(std::lround(rgba[i] + opacity * (color[i] - double(rgba[i]))));
 }
 
+// Shown labels in their colours, hidden ones grey, 0 black.
+class LabelPaint {
+ public:
+  explicit LabelPaint(const volume::ShownLabels* labels) {
+    if (!labels) return;
+    for (const volume::LabelExtent& label : labels->blocks->list()) {
+      const bool shown = std::ranges::binary_search(labels->mask.labels, label.label);
+      const glm::vec3 color = volume::labelColor(labels->table.get(), label.label);
+      colors_[label.label] = shown ? encodedColor(glm::dvec3(color)) : kHidden;
+    }
+    if (!std::ranges::binary_search(labels->mask.labels, 0)) colors_[0] = {0, 0, 0};
+  }
+  Byte3 at(double label) const {
+    const auto found = colors_.find(label);
+    return found != colors_.end() ? found->second : kHidden;  // labels beyond 2^24 are rounded in slices
+  }
+
+ private:
+  static constexpr Byte3 kHidden{70, 70, 70};
+  std::unordered_map<double, Byte3> colors_;
+};
+
 void paintValues(const SliceContent& content, const scene::Slice& slice, render::ColorImage& image,
                  base::Progress& progress) {
   const std::vector<Byte3> table = colorTable(slice.map);
+  const LabelPaint labels(content.labels.get());
   const auto width = static_cast<std::size_t>(image.size.x);
   volume::parallelSteps(static_cast<std::size_t>(image.size.y), progress, {}, [&](std::size_t y) {
     for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
       const double value = content.values.values[i];
       Byte3 color{kNoValue[0], kNoValue[1], kNoValue[2]};
-      if (!std::isnan(value))
+      if (!std::isnan(value) && content.labels)
+        color = labels.at(value);
+      else if (!std::isnan(value))
         color = table[static_cast<std::size_t>(
             std::lround(std::clamp(content.window.greyOf(value), 0.0, 1.0) * (kMapSteps - 1)))];
       std::uint8_t* const pixel = &image.rgba[4 * i];

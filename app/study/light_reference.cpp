@@ -149,7 +149,7 @@ LightReference lightReferenceOf(scene::Scene scene,
   const std::vector<std::size_t> pixels = chosenPixels(isHit, count);
   std::vector<glm::vec3> voxels;
   for (const std::size_t pixel : pixels) voxels.emplace_back(hits[pixel].voxel);
-  const auto isovalue = static_cast<float>(volume->grid().storedOfValue(*scene.isosurface.value));
+  const auto isovalue = static_cast<float>(volume->grid().storedOfValue(*scene.surfaces.front().value));
   return lightReferenceAt(light, skyScale, isovalue, voxels, pixels, options, progress);
 }
 

@@ -19,7 +19,7 @@ namespace {
 constexpr std::string_view kThreshold = "near_threshold", kScale = "derivatives_scale", kAutomatic = "auto";
 
 scene::Scene resolvedFirstSurface(scene::Scene scene, const scene::VolumeFacts& facts) {
-  for (scene::ExtraIsosurface& extra : scene.extraIsosurfaces) extra.shown = false;
+  scene.surfaces.resize(1);
   return scene::resolve(std::move(scene), facts);
 }
 
@@ -103,7 +103,7 @@ scene::Scene litScene(const QualitySetting& quality, scene::Scene scene) {
   scene.hit.method = scene::HitMethod::exact;
   scene.hit.field = scene::Field::trilinear;
   scene.gi.extent = scene::GiExtent::view;
-  scene.isosurface.opacity = scene.isosurface.facingOpacity = 1.0;
+  scene.surfaces.front().opacity = scene.surfaces.front().facingOpacity = 1.0;
   if (!quality.transfer() || scene.gi.mode == scene::GiMode::off) return scene;
   scene.gi.mode = scene::GiMode::automatic;
   scene.light.environment.moves = true;

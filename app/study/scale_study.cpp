@@ -67,7 +67,7 @@ ScaleStudyRunner::ScaleStudyRunner(std::shared_ptr<const volume::PreparedVolume>
       flatCurvature_(volume::curvatureScale(volume_->grid().geometry(), field_, 0.0).flatCurvature) {
   if (phantom_) noise_.correlation = glm::dvec3(0.0);
   deviation_ = phantom_ ? kPhantomNoiseVoxels * medianGradient(volume_->grid(), points_)
-                        : noise_.at(*resolved.isosurface.value);
+                        : noise_.at(*resolved.surfaces.front().value);
 }
 
 ScaleStudyRunner::Shapes ScaleStudyRunner::shapesOf(const Grid& grid, scene::Field field, double scaleMm,

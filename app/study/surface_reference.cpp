@@ -35,7 +35,7 @@ SurfaceReference::SurfaceReference(std::shared_ptr<const volume::PreparedVolume>
       rayStartMm_(
           render::ViewUniforms(scene.camera, static_cast<double>(size.x) / size.y, volume_->grid().geometry())
               .rayStartMm),
-      isovalue_(scene.isosurface.value.value()),
+      isovalue_(scene.surfaces.front().value.value()),
       outward_(scene.isosurface.inside == scene::Inside::above ? -1.0 : 1.0) {
   base::Progress unwatched;
   const scene::NoiseModel noise = volume_->derivativeChoices->noise(unwatched);

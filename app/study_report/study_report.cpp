@@ -267,7 +267,7 @@ std::string studyMarkdown(const StudySubject& subject, const render::ContextDesc
   std::ostringstream out;
   out << "# What accuracy costs: " << markdownText(subject.volume->volume.name) << "\n\n"
       << dims.x << " x " << dims.y << " x " << dims.z << " voxels, isovalue "
-      << tableNumber(*resolved.isosurface.value, 6) << ", picture " << subject.size.x << " x "
+      << tableNumber(*resolved.surfaces.front().value, 6) << ", picture " << subject.size.x << " x "
       << subject.size.y << ". " << context.renderer << ", " << processorName() << "; medians of "
       << subject.repeat << " frames of each setting in turns.\n"
       << "Errors of surfaces are relative to double precision on the same fields, errors of light to path "

@@ -44,11 +44,23 @@ LoadedVolume load(scene::Source source, LoadInstead instead, base::Progress& pro
   }
 }
 
+// Whether the source asks for other labels of a volume that is there.
+bool differsInLabels(scene::Source source, const std::optional<LoadedVolume>& shown) {
+  if (!shown || !shown->volume || !shown->volume->labels || source.labels == volume::kLabelsAsValues)
+    return false;
+  source.labels = shown->source.labels;
+  source.smoothing = shown->source.smoothing;
+  return source == shown->source;
+}
+
 }  // namespace
 
-std::unique_ptr<LoadTask> loadTask(scene::Source asked, LoadInstead instead) {
+std::unique_ptr<LoadTask> loadTask(scene::Source asked, LoadInstead instead,
+                                   std::optional<LoadedVolume> shown) {
   const std::string file = asked.path;
-  const auto work = [source = std::move(asked), instead](base::Progress& progress) {
+  const auto work = [source = std::move(asked), instead, shown = std::move(shown)](base::Progress& progress) {
+    if (differsInLabels(source, shown))
+      return LoadedVolume{source, freedElsewhere(volume::showOtherLabels(*shown->volume, source, progress))};
     return load(source, instead, progress);
   };
   return LoadTask::start({file, "load the volume"}, work);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "base/task.h"
 #include "scene/scene.h"
@@ -20,6 +21,8 @@ struct LoadedVolume {
   std::shared_ptr<const volume::PreparedVolume> volume;  // never null
 };
 using LoadTask = base::Task<LoadedVolume>;
-std::unique_ptr<LoadTask> loadTask(scene::Source asked, LoadInstead instead = {});
+// `shown`: a volume that is there; if the source asks for other labels of it, its file is not read again.
+std::unique_ptr<LoadTask> loadTask(scene::Source asked, LoadInstead instead = {},
+                                   std::optional<LoadedVolume> shown = std::nullopt);
 
 }  // namespace isolux::app

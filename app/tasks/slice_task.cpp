@@ -15,7 +15,7 @@ SliceOrder sliceOrder(std::shared_ptr<const volume::PreparedVolume> volume, cons
   SliceOrder order{std::move(volume), plane, {}};
   order.scene.slice = resolved.slice;
   order.scene.isosurface = resolved.isosurface;
-  order.scene.extraIsosurfaces = resolved.extraIsosurfaces;
+  order.scene.surfaces = resolved.surfaces;
   order.scene.pieces = resolved.pieces;
   order.scene.slice.position.reset();
   if (resolved.slice.noiseBand > 0.0) order.scene.derivatives.noise = resolved.derivatives.noise;

@@ -43,7 +43,7 @@ scene::Scene sceneOfWholeFile(const scene::Scene& asked, const scene::Scene& sho
   scene::Scene scene = asked;
   scene.source.level = 0;
   scene.camera = shown.camera;
-  scene.isosurface.value = shown.isosurface.value;
+  scene.surfaces.front().value = shown.surfaces.front().value;
   scene = scene::resolve(std::move(scene), whole.facts);
   base::Progress progress;
   if (const std::optional<std::string> needs = scene::needsWholeVoxels(scene))

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -82,25 +83,28 @@ LampStage lampStageOf(const scene::Scene& resolved, const scene::VolumeFacts& fa
           std::max(0.5 * glm::length(facts.boundsMaxMm - facts.boundsMinMm), 1e-9)};
 }
 
-const scene::Lamp& lampOf(const scene::Scene& scene, int lamp) {
-  return scene.lamps[static_cast<std::size_t>(lamp - 1)];
+const scene::Lamp* lampOf(const scene::Scene& scene, const std::string& id) {
+  const auto found = std::ranges::find(scene.lamps, id, &scene::Lamp::id);
+  return found == scene.lamps.end() ? nullptr : &*found;
 }
 
-scene::Lamp& lampOf(scene::Scene& scene, int lamp) {
-  return scene.lamps[static_cast<std::size_t>(lamp - 1)];
+scene::Lamp* lampOf(scene::Scene& scene, const std::string& id) {
+  return const_cast<scene::Lamp*>(lampOf(std::as_const(scene), id));
 }
 
 std::vector<LampHandle> lampHandles(const scene::Scene& resolved, const LampStage& stage) {
   std::vector<LampHandle> handles;
   if (scene::shadingOf(resolved) != scene::Shading::gi) return handles;
   const ProjectedPoint centre = project(stage.centreMm, stage);
-  for (int number = 1; number <= scene::kLamps; ++number) {
-    const scene::Lamp& lamp = lampOf(resolved, number);
+  int number = 0;
+  for (const scene::Lamp& lamp : resolved.lamps) {
+    ++number;
     if (!lamp.shown) continue;
     const glm::dvec3 world = placeOf(lamp, stage);
     const ProjectedPoint place = project(world, stage);
     LampHandle handle;
-    handle.lamp = number;
+    handle.id = lamp.id;
+    handle.number = number;
     handle.kind = lamp.kind;
     handle.color = lamp.color;
     handle.outside = !place.before || !inside(place.pixel, stage.pixels);
@@ -128,13 +132,13 @@ std::optional<LampGrip> lampAt(const std::vector<LampHandle>& handles, glm::dvec
     const double distance = glm::distance(handle.pixel, pixel);
     if (distance > least) continue;
     least = distance;
-    nearest = LampGrip{handle.lamp, LampPart::handle};
+    nearest = LampGrip{handle.id, handle.number, LampPart::handle};
   }
   if (nearest) return nearest;
   for (const LampHandle& handle : handles) {
     if (handle.kind != scene::LampKind::sphere || handle.outside || handle.ringPixels <= grabReach) continue;
     if (std::abs(glm::distance(handle.ballPixel, pixel) - handle.ringPixels) <= ringReach)
-      return LampGrip{handle.lamp, LampPart::ring};
+      return LampGrip{handle.id, handle.number, LampPart::ring};
   }
   return std::nullopt;
 }

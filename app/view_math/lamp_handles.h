@@ -5,6 +5,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -25,7 +26,8 @@ struct LampStage {
 LampStage lampStageOf(const scene::Scene& resolved, const scene::VolumeFacts& facts, glm::dvec2 pixels);
 
 struct LampHandle {
-  int lamp = 0;  // 1 .. 3
+  std::string id;  // of the lamp
+  int number = 0;  // its position in the list, from 1
   scene::LampKind kind = scene::LampKind::point;
   glm::dvec3 color{1.0};    // linear RGB
   glm::dvec2 pixel{0.0};    // where the handle is drawn: always on the picture
@@ -41,14 +43,16 @@ std::vector<LampHandle> lampHandles(const scene::Scene& resolved, const LampStag
 
 enum class LampPart { handle, ring };  // ring: the radius of a sphere
 struct LampGrip {
-  int lamp = 0;
+  std::string id;
+  int number = 0;
   LampPart part = LampPart::handle;
   bool operator==(const LampGrip&) const = default;
 };
 std::optional<LampGrip> lampAt(const std::vector<LampHandle>& handles, glm::dvec2 pixel);
 
-const scene::Lamp& lampOf(const scene::Scene& scene, int lamp);
-scene::Lamp& lampOf(scene::Scene& scene, int lamp);
+// Return the lamp of an id, or null.
+const scene::Lamp* lampOf(const scene::Scene& scene, const std::string& id);
+scene::Lamp* lampOf(scene::Scene& scene, const std::string& id);
 
 // `lamp` is a resolved one. The handle comes to `pixel`: a lamp with a place moves in the plane through it
 // that is parallel to the screen, a distant one on its side of the ball (beyond its rim, along the rim).

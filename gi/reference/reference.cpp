@@ -65,7 +65,7 @@ bool runTasks(std::size_t count, int threads, const Body& body) {
 }
 
 scene::Scene checked(scene::Scene scene) {
-  if (!std::ranges::all_of(scene::shownSurfaces(scene), scene::isOpaque<scene::ShownSurface>))
+  if (!std::ranges::all_of(scene::shownSurfaces(scene), scene::isOpaque<scene::Surface>))
     throw base::Error(
         base::ErrorKind::usage, "", "isosurface.opacity",
         "the reference is of opaque surfaces only: set it to 1, and isosurface.facing_opacity, too");

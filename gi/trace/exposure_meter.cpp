@@ -71,7 +71,7 @@ bool showsReflectance(const scene::Scene& scene) {
 scene::Scene meteredScene(const scene::Scene& resolved) {
   scene::Scene scene;
   scene.isosurface = resolved.isosurface;
-  scene.extraIsosurfaces = resolved.extraIsosurfaces;
+  scene.surfaces = resolved.surfaces;
   scene.pieces = resolved.pieces;
   scene.clip = resolved.clip;
   scene.look.mode = showsReflectance(resolved) ? scene::LookMode::gi : scene::LookMode::mean_curvature;

@@ -21,54 +21,20 @@ SettingsDict = TypedDict("SettingsDict", {
     "source.level": int,  # Resolution level of a large file: 0 is full resolution, each further level halves it along each axis. Levels stored in the file are used; others are averaged.
     "source.around_damage": bool,  # Treats unreadable voxels of a chunked file as missing; otherwise the file is rejected.
     "source.mesh_voxels": int,  # Resolution of the distance field made from a triangle mesh: voxels along the longest axis.
+    "source.labels": str | os.PathLike[str],  # Labels of a label map whose surface is drawn: numbers, ranges and names, as "2,4-7,liver"; empty draws all but 0.
+    "source.smoothing": float,  # Smoothing of the surface of labels: standard deviation of the Gaussian. Every voxel's centre keeps its label whatever it is; 0 shows the voxels' own steps.
     "source.csg": Literal["none", "union", "intersection", "difference", "blend"],  # Boolean operation that combines a second volume with the first, as solids on one grid.
     "source.csg_path": str | os.PathLike[str],  # Second volume of the Boolean operation, given as in source.path. A phantom without SIZE uses the first volume's grid.
     "source.csg_value": float | Literal["auto"] | None,  # Isovalue of the second volume, in its own units; auto uses the suggested one.
     "source.csg_weight": float,  # Weight of the second volume where source.csg is blend: 0 shows the first volume's surface, 1 the second's.
-    "isosurface.name": str | os.PathLike[str],  # Name of the surface in lists and on the histogram.
-    "isosurface.value": float | Literal["auto"] | None,  # Isovalue of the first surface; auto follows isosurface.suggestion.
-    "isosurface.suggestion": Literal["object", "contrast"],  # Automatic isovalue: the boundary of the whole object (skin in a scan of a head), or the clearest boundary inside it (often bone).
+    "isosurface.suggestion": Literal["object", "contrast"],  # Automatic isovalue of the first surface: the boundary of the whole object (skin in a scan of a head), or the clearest boundary inside it (often bone).
     "isosurface.inside": Literal["above", "below"],  # Side of the isovalue that is solid; the normal points away from it.
-    "isosurface.albedo": Sequence[Any] | str,  # Diffuse reflectance of the surface.
-    "isosurface.specular": float,  # Gloss under global illumination: reflectance of the surface seen head on. Water and skin have 0.02 to 0.04, teeth 0.06, metal 0.5 to 0.9; 0 is matt.
-    "isosurface.roughness": float,  # Roughness of that gloss: small values reflect sharply, 1 spreads over half the sky.
     "isosurface.albedo_source": Literal["color", "map"],  # Source of the isosurfaces' reflectances: a colour per surface, or a colour map over the isovalue.
     "isosurface.albedo_map": Literal["auto", "viridis", "cividis", "inferno", "gray", "coolwarm", "blue_orange", "purple_green", "spectral"],  # Colour map over the isovalue; auto is viridis.
     "isosurface.albedo_low": float | Literal["auto"] | None,  # Isovalue at the lower end of that map; auto is the volume's minimum.
     "isosurface.albedo_high": float | Literal["auto"] | None,  # Isovalue at the upper end of that map; auto is the volume's maximum.
-    "isosurface.opacity": float,  # Opacity of the surface; 1 hides everything behind it.
-    "isosurface.facing_opacity": float,  # View-dependent opacity: factor on the opacity where the surface faces the viewer; edge-on the opacity is unchanged.
     "isosurface.layers": int,  # Maximum number of surface crossings composited along a ray, where surfaces are transparent.
-    "isosurface.ghost": float,  # Draws two uncertainty surfaces: transparent isosurfaces at the first isovalue ± this many standard deviations of the noise. They bound the shift due to noise; 0 draws none.
     "isosurface.ghost_opacity": float,  # Opacity of the uncertainty surfaces.
-    "isosurface.clipped": bool,  # Applies clip planes and clip box to the first surface.
-    "isosurface2.shown": bool,  # Draws one more isosurface of the same volume.
-    "isosurface2.name": str | os.PathLike[str],  # Name of that surface.
-    "isosurface2.value": float | Literal["auto"] | None,  # Isovalue of that surface; auto uses the histogram's next suggestion outside the first surface, or inside if there is none.
-    "isosurface2.albedo": Sequence[Any] | str,  # Diffuse reflectance of that surface.
-    "isosurface2.specular": float,  # Gloss of that surface under global illumination; 0 is matt.
-    "isosurface2.roughness": float,  # Roughness of that gloss.
-    "isosurface2.opacity": float,  # Opacity of that surface; 1 hides everything behind it.
-    "isosurface2.facing_opacity": float,  # View-dependent opacity: factor on that opacity where the surface faces the viewer.
-    "isosurface2.clipped": bool,  # Applies clip planes and clip box to that surface.
-    "isosurface3.shown": bool,  # Draws one more isosurface of the same volume.
-    "isosurface3.name": str | os.PathLike[str],  # Name of that surface.
-    "isosurface3.value": float | Literal["auto"] | None,  # Isovalue of that surface; auto uses the histogram's next suggestion outside the first surface, or inside if there is none.
-    "isosurface3.albedo": Sequence[Any] | str,  # Diffuse reflectance of that surface.
-    "isosurface3.specular": float,  # Gloss of that surface under global illumination; 0 is matt.
-    "isosurface3.roughness": float,  # Roughness of that gloss.
-    "isosurface3.opacity": float,  # Opacity of that surface; 1 hides everything behind it.
-    "isosurface3.facing_opacity": float,  # View-dependent opacity: factor on that opacity where the surface faces the viewer.
-    "isosurface3.clipped": bool,  # Applies clip planes and clip box to that surface.
-    "isosurface4.shown": bool,  # Draws one more isosurface of the same volume.
-    "isosurface4.name": str | os.PathLike[str],  # Name of that surface.
-    "isosurface4.value": float | Literal["auto"] | None,  # Isovalue of that surface; auto uses the histogram's next suggestion outside the first surface, or inside if there is none.
-    "isosurface4.albedo": Sequence[Any] | str,  # Diffuse reflectance of that surface.
-    "isosurface4.specular": float,  # Gloss of that surface under global illumination; 0 is matt.
-    "isosurface4.roughness": float,  # Roughness of that gloss.
-    "isosurface4.opacity": float,  # Opacity of that surface; 1 hides everything behind it.
-    "isosurface4.facing_opacity": float,  # View-dependent opacity: factor on that opacity where the surface faces the viewer.
-    "isosurface4.clipped": bool,  # Applies clip planes and clip box to that surface.
     "pieces.keep": int,  # Maximum number of connected components (pieces) shown per isosurface, largest first; 0 shows all.
     "pieces.smallest": float,  # Hides connected components that enclose a smaller volume.
     "pieces.hidden": Sequence[Any] | str,  # Hides the connected components that contain one of these world points.
@@ -181,33 +147,6 @@ SettingsDict = TypedDict("SettingsDict", {
     "light.environment.moves": bool,  # With gi.mode=auto, bakes light such that the environment can be rotated or exchanged without another bake.
     "light.environment.visible": bool,  # Shows the environment behind the surface.
     "light.environment.shadows": bool,  # The surface occludes the environment; off, its light reaches every point, and reflected light stays.
-    "lamp1.shown": bool,  # Switches on a light source of global illumination.
-    "lamp1.kind": Literal["point", "directional", "sphere"],  # Kind of the light source: point, distant (directional) or sphere light.
-    "lamp1.position": Sequence[Any] | str | Literal["auto"] | None,  # Position of a point or sphere light; auto is above the volume, towards the front and the left.
-    "lamp1.direction": Sequence[Any] | str,  # Direction towards a distant light, world axes; any length but zero.
-    "lamp1.radius": float | Literal["auto"] | None,  # Radius of a sphere light; a larger one gives softer shadows; auto is a tenth of the volume's diagonal.
-    "lamp1.angle": float,  # Angular diameter of a distant light; the sun has 0.53, 0 gives hard shadows.
-    "lamp1.color": Sequence[Any] | str,  # Colour of the light source.
-    "lamp1.intensity": float,  # Brightness of a white surface that faces the light source at the volume's centre.
-    "lamp1.shadows": bool,  # The light source casts shadows; off, its light reaches every point that faces it, and reflected light stays.
-    "lamp2.shown": bool,  # Switches on a light source of global illumination.
-    "lamp2.kind": Literal["point", "directional", "sphere"],  # Kind of the light source: point, distant (directional) or sphere light.
-    "lamp2.position": Sequence[Any] | str | Literal["auto"] | None,  # Position of a point or sphere light; auto is above the volume, towards the front and the left.
-    "lamp2.direction": Sequence[Any] | str,  # Direction towards a distant light, world axes; any length but zero.
-    "lamp2.radius": float | Literal["auto"] | None,  # Radius of a sphere light; a larger one gives softer shadows; auto is a tenth of the volume's diagonal.
-    "lamp2.angle": float,  # Angular diameter of a distant light; the sun has 0.53, 0 gives hard shadows.
-    "lamp2.color": Sequence[Any] | str,  # Colour of the light source.
-    "lamp2.intensity": float,  # Brightness of a white surface that faces the light source at the volume's centre.
-    "lamp2.shadows": bool,  # The light source casts shadows; off, its light reaches every point that faces it, and reflected light stays.
-    "lamp3.shown": bool,  # Switches on a light source of global illumination.
-    "lamp3.kind": Literal["point", "directional", "sphere"],  # Kind of the light source: point, distant (directional) or sphere light.
-    "lamp3.position": Sequence[Any] | str | Literal["auto"] | None,  # Position of a point or sphere light; auto is above the volume, towards the front and the left.
-    "lamp3.direction": Sequence[Any] | str,  # Direction towards a distant light, world axes; any length but zero.
-    "lamp3.radius": float | Literal["auto"] | None,  # Radius of a sphere light; a larger one gives softer shadows; auto is a tenth of the volume's diagonal.
-    "lamp3.angle": float,  # Angular diameter of a distant light; the sun has 0.53, 0 gives hard shadows.
-    "lamp3.color": Sequence[Any] | str,  # Colour of the light source.
-    "lamp3.intensity": float,  # Brightness of a white surface that faces the light source at the volume's centre.
-    "lamp3.shadows": bool,  # The light source casts shadows; off, its light reaches every point that faces it, and reflected light stays.
     "gi.mode": Literal["auto", "off", "irradiance", "transfer", "vicinity", "shadow"],  # Quantity that is baked: irradiance (static light), transfer (spherical harmonics, rotatable environment), vicinity (constant environment, no bounces) or shadow (no bounces). auto bakes the cheapest that the scene allows.
     "gi.extent": Literal["full", "band", "view"],  # Texels that are lit: all, those needed for the isovalues of gi.band, or the visible ones.
     "gi.band": Sequence[Any] | str | Literal["auto"] | None,  # Isovalues of interest, low and high; auto is the isovalue ± a twentieth of the volume's range.

@@ -51,6 +51,8 @@ def _setting_type(setting):
 def _settings_dict():
     lines = ['SettingsDict = TypedDict("SettingsDict", {']
     for path, setting in isolux.settings().items():
+        if ".ID." in path:  # of items of lists, whose ids are the user's
+            continue
         lines.append(f'    "{path}": {_setting_type(setting)},  # {setting.meaning}')
     return "\n".join([*lines, "}, total=False)"])
 

@@ -42,6 +42,7 @@ const std::vector<AovInfo>& aovs() {
       {Aov::edge_offset, "edge_offset", "mm along the outward normal", {""}},
       {Aov::edge_strength, "edge_strength", "standard deviations of the gradient's noise", {""}},
       {Aov::color_value, "color_value", "data units of color.volume", {""}},
+      {Aov::label, "label", "label of the shown label map", {""}},
       {Aov::piece, "piece", "id of the connected piece, 0 is the largest", {""}},
       {Aov::irradiance, "irradiance", "radiance times sr, no exposure of the picture", {"r", "g", "b"}},
       {Aov::hit, "hit", "1 or 0", {""}},

@@ -35,6 +35,7 @@ enum class Aov {
   edge_offset,
   edge_strength,
   color_value,
+  label,
   piece,
   irradiance,
   hit

@@ -8,17 +8,18 @@
 
 #include "scene/rules/needs.h"
 #include "scene/rules/relevance.h"
+#include "scene/settings/scene_list.h"
+#include "scene/shown_surfaces.h"
 
 namespace isolux::render {
 
 namespace {
 
-// The settings that a pattern covers, at least one.
+// The settings that a pattern covers, without those of items.
 std::vector<const scene::Setting*> settingsOf(std::string_view pattern) {
   std::vector<const scene::Setting*> found;
   for (const scene::Setting& setting : scene::settings())
     if (scene::covers(pattern, setting.path)) found.push_back(&setting);
-  assert(!found.empty());
   return found;
 }
 
@@ -59,6 +60,17 @@ std::uint64_t Asked::hashOf(const scene::Setting& setting) const {
   return hashes_.emplace(&setting, hash).first->second;
 }
 
+std::uint64_t Asked::hashOf(const scene::SceneList& list, std::size_t field) const {
+  const auto at = itemHashes_.find(&list.fields[field]);
+  if (at != itemHashes_.end()) return at->second;
+  const std::string_view name = scene::nameOfField(list, list.fields[field]);
+  base::Hasher hash;
+  for (const std::string& id : list.ids(scene))
+    if (acts(std::string(list.path).append(".").append(id).append(".").append(name)))
+      hash.add(std::hash<nlohmann::json>{}(list.get(scene, id, field)));
+  return itemHashes_.emplace(&list.fields[field], hash).first->second;
+}
+
 Declaring& Declaring::reads(const char* image) {
   const auto at = std::find(declared.reads.begin(), declared.reads.end(), image);
   if (at == declared.reads.end()) declared.reads.emplace_back(image);
@@ -78,6 +90,13 @@ Declaring& Declaring::settings(std::initializer_list<std::string_view> paths,
       if (std::none_of(except.begin(), except.end(),
                        [&](std::string_view pattern) { return scene::covers(pattern, setting->path); }))
         add({setting->path, asked.hashOf(*setting)});
+  for (const std::string_view path : paths) {
+    const scene::SceneList* const list = scene::listOfPath(path);
+    if (list == nullptr) continue;
+    for (std::size_t field = 0; field < list->fields.size(); ++field)
+      if (std::string pattern = scene::patternOf(list->fields[field].path); scene::covers(path, pattern))
+        add({std::move(pattern), asked.hashOf(*list, field)});
+  }
   return *this;
 }
 
@@ -115,23 +134,28 @@ Declaring& Declaring::pictureSize() {
 
 Declaring& Declaring::isovalues() {
   const scene::Scene& s = asked.scene;
-  std::array<bool, scene::kExtraIsosurfaces> there{};
-  for (std::size_t i = 0; i < there.size(); ++i)
-    there[i] = s.extraIsosurfaces[i].shown && s.extraIsosurfaces[i].opacity > 0.0;
-  settings({"isosurface.value", "isosurface#.value"});
+  base::Hasher ghosts;
+  for (const scene::Surface& surface : s.surfaces)
+    if (surface.shown) ghosts.add(surface.ghost * s.derivatives.noise.value_or(1.0));
+  settings({"surfaces.#.value"});
   input("hidden pieces", asked.volume.hidden);
-  input("ghosts", s.isosurface.ghost * s.derivatives.noise.value_or(1.0));
-  return input("which isosurfaces are there", s.isosurface.opacity > 0.0, there, asked.volume.crossed);
+  input("ghosts", std::uint64_t{ghosts});
+  ofSurfaces("which isosurfaces are there",
+             [](const scene::Surface& surface) { return surface.opacity > 0.0; });
+  return input("crossed", asked.volume.crossed);
 }
 
 Declaring& Declaring::cuts() {
   const scene::Scene& s = asked.scene;
   if (!scene::cutsSurfaces(s)) return input("cuts", 0);
-  std::array<bool, scene::kExtraIsosurfaces> clipped{};
-  for (std::size_t i = 0; i < clipped.size(); ++i)
-    clipped[i] = s.extraIsosurfaces[i].shown && s.extraIsosurfaces[i].clipped;
   settings({"clip.planes", "clip.box", "clip.box_rotation", "clip.removed"});
-  return input("cuts", 1, s.isosurface.clipped, clipped);
+  return ofSurfaces("cuts", [](const scene::Surface& surface) { return surface.clipped; });
+}
+
+Declaring& Declaring::ofSurfaces(const char* name, bool (*holds)(const scene::Surface&)) {
+  base::Hasher hash;
+  for (const scene::Surface& surface : scene::shownSurfaces(asked.scene)) hash.add(holds(surface));
+  return add({name, hash});
 }
 
 }  // namespace isolux::render

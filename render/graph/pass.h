@@ -18,7 +18,7 @@
 #include "base/hash.h"
 #include "render/graph/frame_graph.h"
 #include "scene/scene.h"
-#include "scene/settings/settings.h"
+#include "scene/settings/scene_list.h"
 
 namespace isolux::render {
 
@@ -50,7 +50,7 @@ inline constexpr const char *activeBlocks = "active blocks", *segments = "ray se
                             *bricks = "resident bricks", *bracket = "brackets", *surface = "surface points",
                             *gradient = "gradients", *hessian = "Hessians", *tangents = "tangent planes",
                             *curvature = "curvatures", *edge = "edges",
-                            *second = "values of the second volume", *piece = "pieces",
+                            *second = "values of the second volume", *piece = "pieces", *label = "labels",
                             *ranges = "curvature ranges", *shadow = "shadows", *openness = "openness",
                             *occlusion = "occlusions", *flowField = "flow fields", *flow = "streaks",
                             *extrema = "curvature extrema", *lineField = "line fields", *lines = "lines",
@@ -113,12 +113,15 @@ class Asked {
   bool acts(std::string_view path) const;
   // Returns the hash of the setting's value; one and the same for all values of an inactive setting.
   std::uint64_t hashOf(const scene::Setting& setting) const;
+  // Returns the hash of a field of all items of a list, without ids; inactive settings are left out.
+  std::uint64_t hashOf(const scene::SceneList& list, std::size_t field) const;
 
  private:
   // AOVs read derivatives and light whatever the look: settings are active if they are under a look that
   // reads both.
   std::optional<scene::Scene> ofImages_;
   mutable std::unordered_map<const scene::Setting*, std::uint64_t> hashes_;
+  mutable std::unordered_map<const scene::SettingInfo*, std::uint64_t> itemHashes_;
 };
 
 // Builds the declaration of a pass for one frame.
@@ -144,6 +147,8 @@ class Declaring {
   // `except`.
   Declaring& settings(std::initializer_list<std::string_view> paths,
                       std::initializer_list<std::string_view> except = {});
+  // Declares that it also depends on what holds of each shown surface.
+  Declaring& ofSurfaces(const char* name, bool (*holds)(const scene::Surface&));
   // Declares that it also depends on these values, which are not settings or come from several.
   template <class... Values>
   Declaring& input(const char* name, const Values&... values) {

@@ -50,12 +50,9 @@ void declareCutFaces(Declaring& d) {
     d.notNeeded("no cut face is shown");
     return;
   }
-  const scene::Scene& s = d.asked.scene;
-  std::array<bool, scene::kExtraIsosurfaces> filled{};
-  for (std::size_t i = 0; i < filled.size(); ++i) filled[i] = scene::isOpaque(s.extraIsosurfaces[i]);
   d.volume().isovalues().cuts().pictureSize();
   d.settings({"camera.", "hit.field", "isosurface.inside", "clip.cap", "slice.field"});
-  d.input("which isosurfaces are opaque", scene::isOpaque(s.isosurface), filled);
+  d.ofSurfaces("what is opaque", scene::isOpaque);
 }
 
 void findCutFaces(FrameState& frame) {

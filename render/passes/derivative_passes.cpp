@@ -3,6 +3,7 @@
 #include <glm/matrix.hpp>
 
 #include "render/gl/constants.h"
+#include "render/passes/label_pass.h"
 #include "render/passes/pass_declarations.h"
 #include "render/passes/passes.h"
 #include "render/passes/second_volume_pass.h"
@@ -201,6 +202,7 @@ PassList derivativePasses() {
       // ratio of the gradient there to its noise.
       {"edge", declareEdge, drawEdge, edge, ofCrossing, Pass::Cpu::all},
       secondVolumePass(),
+      labelPass(),
       piecePass(),
       rangesPass(),
   };

@@ -42,10 +42,7 @@ double phaseOf(const scene::Flow& flow) {
 void declareShadow(Declaring& d) {
   d.reads(image::surface).reads(image::gradient).reads(image::activeBlocks).writes(image::shadow, 1);
   d.settings({"camera.", "hit.method", "hit.field", "light.space", "light.direction"}).cuts();
-  const scene::Scene& s = d.asked.scene;
-  std::array<bool, scene::kExtraIsosurfaces> opaque{};
-  for (std::size_t i = 0; i < opaque.size(); ++i) opaque[i] = scene::isOpaque(s.extraIsosurfaces[i]);
-  d.input("what is opaque", scene::isOpaque(s.isosurface), opaque);
+  d.ofSurfaces("what is opaque", scene::isOpaque);
   d.input("executor at the hits", d.asked.onProcessor.all);
 }
 

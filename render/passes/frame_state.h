@@ -25,6 +25,7 @@
 #include "volume/clip/cut_faces.h"
 #include "volume/color/second_volume.h"
 #include "volume/edge/edge_walk.h"
+#include "volume/labels/shown_labels.h"
 #include "volume/pieces/piece_sets.h"
 #include "volume/statistics/curvature_statistics.h"
 #include "volume/statistics/grey_window.h"
@@ -81,6 +82,7 @@ struct FrameState {
   const volume::PreparedVolume* prepared = nullptr;    // during render() only; null: nothing is loaded
   std::optional<GpuVolume> volume;                     // none: nothing is loaded
   std::shared_ptr<const volume::SecondVolume> second;  // that colours the surface; null: none
+  std::shared_ptr<const volume::ShownLabels> labels;   // whose surface it is; null: no labels
   std::shared_ptr<const volume::PieceSets> pieces;     // of the volume
   glm::dvec2 secondRange{0.0, 1.0};                    // of its values, if automatic; set by the ranges pass
   std::shared_ptr<const gi::PictureLight> light;       // null: the light is unknown

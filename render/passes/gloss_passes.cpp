@@ -61,11 +61,9 @@ std::uint32_t placeOf(glm::ivec2 cell) {
 // Without light that knows reflections, there are none.
 void declareGloss(Declaring& d) {
   if (!d.asked.light.gloss) return;
-  d.settings({"camera.", "isosurface.inside", "isosurface.roughness", "isosurface#.roughness"});
-  const scene::Scene& s = d.asked.scene;
-  std::array<bool, scene::kExtraIsosurfaces> glossy{};
-  for (std::size_t i = 0; i < glossy.size(); ++i) glossy[i] = s.extraIsosurfaces[i].specular > 0.0;
-  d.input("glossy surfaces", s.isosurface.specular > 0.0, glossy).input("light", d.asked.light.version);
+  d.settings({"camera.", "isosurface.inside", "surfaces.#.roughness"});
+  d.ofSurfaces("glossy surfaces", [](const scene::Surface& surface) { return surface.specular > 0.0; });
+  d.input("light", d.asked.light.version);
 }
 
 // One point of a cell that is traced.
@@ -275,7 +273,7 @@ int reachOfGloss() {
 
 void GlossUniforms::declare(Declaring& d) {
   declareGloss(d);
-  if (d.asked.light.gloss) d.settings({"isosurface.specular", "isosurface#.specular"});
+  if (d.asked.light.gloss) d.settings({"surfaces.#.specular"});
 }
 
 void GlossUniforms::set(FrameState& frame, Program& p, int unit) {

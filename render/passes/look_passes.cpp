@@ -274,11 +274,9 @@ void declareShade(Declaring& d) {
     for (const Pass& pass : d.passes)
       if (pass.isReadByLook(d.asked.scene)) d.reads(pass.lookInput.image);
   }
-  d.settings({"camera.", "isosurface.", "isosurface#."},
-             {"isosurface.value", "isosurface.inside", "isosurface.layers", "isosurface.ghost",
-              "isosurface.ghost_opacity", "isosurface#.value", "isosurface.clipped", "isosurface#.clipped",
-              "isosurface.specular", "isosurface#.specular", "isosurface.roughness", "isosurface#.roughness",
-              "isosurface.name", "isosurface#.name"});
+  d.settings({"camera.", "isosurface."},
+             {"isosurface.inside", "isosurface.layers", "isosurface.ghost_opacity"});
+  d.settings({"surfaces.#.albedo", "surfaces.#.opacity", "surfaces.#.facing_opacity"});
   d.settings({"look."}, {"look.legend", "look.legend_corner", "look.background_top", "look.background_bottom",
                          "look.contour_width", "look.ridge_threshold", "look.ridge_width",
                          "look.ridge_width_unit", "look.ridge_length"});

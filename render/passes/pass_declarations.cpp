@@ -115,6 +115,8 @@ std::vector<std::string> wantedImages(const FrameRequest& request, const scene::
       wanted.emplace_back(image::edge);
     } else if (aov == Aov::color_value) {
       wanted.emplace_back(image::second);
+    } else if (aov == Aov::label) {
+      wanted.emplace_back(image::label);
     } else if (aov == Aov::piece) {
       wanted.emplace_back(image::piece);
     }

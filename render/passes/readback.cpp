@@ -121,6 +121,10 @@ PixelReader readerOf(const FrameState& frame, const DrawnFrame& drawn, Aov aov,
       return [of = floats(image::second, 4)](std::size_t i, float* out) {
         if (of[4 * i] < kNoValue) out[0] = of[4 * i];
       };
+    case Aov::label:
+      return [of = floats(image::label, 4)](std::size_t i, float* out) {
+        if (of[4 * i + 3] < kNoValue) out[0] = of[4 * i + 3];
+      };
     case Aov::piece:
       return [of = floats(image::piece, 1)](std::size_t i, float* out) {
         if (of[i] >= 0.0f) out[0] = of[i];

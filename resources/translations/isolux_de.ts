@@ -216,14 +216,6 @@
         <translation>Textur und Nebel</translation>
     </message>
     <message>
-        <source>Isosurface</source>
-        <translation>Isofläche</translation>
-    </message>
-    <message>
-        <source>More isosurfaces</source>
-        <translation>Weitere Isoflächen</translation>
-    </message>
-    <message>
         <source>Hit finding</source>
         <translation>Treffersuche</translation>
     </message>
@@ -896,6 +888,38 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
     <message>
         <source>Contents</source>
         <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>Isosurfaces</source>
+        <translation>Isoflächen</translation>
+    </message>
+    <message>
+        <source>Add light</source>
+        <translation>Lichtquelle hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove light</source>
+        <translation>Lichtquelle entfernen</translation>
+    </message>
+    <message>
+        <source>At most %1 lights are possible</source>
+        <translation>Höchstens %1 Lichtquellen sind möglich</translation>
+    </message>
+    <message>
+        <source>Remove isosurface</source>
+        <translation>Isofläche entfernen</translation>
+    </message>
+    <message>
+        <source>At most %1 isosurfaces are possible</source>
+        <translation>Höchstens %1 Isoflächen sind möglich</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Labels</translation>
+    </message>
+    <message>
+        <source>label %1</source>
+        <translation>Label %1</translation>
     </message>
 </context>
 <context>
@@ -2010,6 +2034,41 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
     </message>
 </context>
 <context>
+    <name>isolux::ui::FullResolutionView</name>
+    <message>
+        <source>Full resolution is not drawn: %1</source>
+        <translation>Volle Auflösung wird nicht gezeichnet: %1</translation>
+    </message>
+    <message>
+        <source>drawing full resolution</source>
+        <translation>volle Auflösung wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>%1: %2 %</source>
+        <translation>%1: %2 %</translation>
+    </message>
+    <message>
+        <source>Full resolution is drawn from the file once its index exists.</source>
+        <translation>Die volle Auflösung wird aus der Datei gezeichnet, sobald deren Index vorliegt.</translation>
+    </message>
+    <message>
+        <source>When the view is idle, the image shows the file at full resolution (level 0).</source>
+        <translation>Ruht die Ansicht, zeigt das Bild die Datei in voller Auflösung (Stufe 0).</translation>
+    </message>
+    <message>
+        <source>%1 % of the image is hatched, because the volume is unreadable there: %2</source>
+        <translation>%1 % des Bildes sind schraffiert, weil das Volumen dort nicht lesbar ist: %2</translation>
+    </message>
+    <message>
+        <source>%1 % of the image is missing; raise Graphics memory (memory.gpu_budget_mb)</source>
+        <translation>%1 % des Bildes fehlen; Grafikspeicher (memory.gpu_budget_mb) erhöhen</translation>
+    </message>
+    <message>
+        <source>waiting for the image was cancelled</source>
+        <translation>das Warten auf das Bild wurde abgebrochen</translation>
+    </message>
+</context>
+<context>
     <name>isolux::ui::HistogramSlider</name>
     <message>
         <source>Isovalue on the histogram</source>
@@ -2100,6 +2159,97 @@ Strg+Rad: Wertachse zoomen, Ziehen mit der mittleren Taste: verschieben</transla
     </message>
 </context>
 <context>
+    <name>isolux::ui::LabelsPanel</name>
+    <message>
+        <source>Hide</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>Hide the labels selected in the list</source>
+        <translation>Die in der Liste gewählten Labels ausblenden</translation>
+    </message>
+    <message>
+        <source>Show only</source>
+        <translation>Nur diese zeigen</translation>
+    </message>
+    <message>
+        <source>Hide all but the selected labels</source>
+        <translation>Alle außer den gewählten Labels ausblenden</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Alle zeigen</translation>
+    </message>
+    <message>
+        <source>Show all labels but 0</source>
+        <translation>Alle Labels außer 0 zeigen</translation>
+    </message>
+    <message>
+        <source>Find a label</source>
+        <translation>Label suchen</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Label</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Volume, mm³</source>
+        <translation>Volumen, mm³</translation>
+    </message>
+    <message>
+        <source>Labels of the volume</source>
+        <translation>Labels des Volumens</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Glättung</translation>
+    </message>
+    <message>
+        <source>Hide labels</source>
+        <translation>Labels ausblenden</translation>
+    </message>
+    <message>
+        <source>Show only labels</source>
+        <translation>Nur diese Labels zeigen</translation>
+    </message>
+    <message>
+        <source>Show all labels</source>
+        <translation>Alle Labels zeigen</translation>
+    </message>
+    <message>
+        <source>Labels: %1</source>
+        <translation>Labels: %1</translation>
+    </message>
+    <message>
+        <source>The volume is no label map.</source>
+        <translation>Das Volumen ist keine Labelkarte.</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Hintergrund</translation>
+    </message>
+    <message>
+        <source>Label %1</source>
+        <translation>Label %1</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>%1 zeigen</translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation>%1 ausblenden</translation>
+    </message>
+    <message>
+        <source>At least one label stays shown.</source>
+        <translation>Mindestens ein Label bleibt sichtbar.</translation>
+    </message>
+</context>
+<context>
     <name>isolux::ui::LevelMarks</name>
     <message>
         <source>Marking lost structure requires the volume’s index; the command “isolux index” creates it.</source>
@@ -2120,41 +2270,6 @@ Strg+Rad: Wertachse zoomen, Ziehen mit der mittleren Taste: verschieben</transla
     <message>
         <source>Hatched: the isosurface crosses the volume here, but the overview does not show it. Structures thinner than %1 may be missing.</source>
         <translation>Schraffiert: Hier geht die Isofläche durch das Volumen, aber die Übersicht zeigt sie nicht. Strukturen dünner als %1 können fehlen.</translation>
-    </message>
-</context>
-<context>
-    <name>isolux::ui::FullResolutionView</name>
-    <message>
-        <source>Full resolution is not drawn: %1</source>
-        <translation>Volle Auflösung wird nicht gezeichnet: %1</translation>
-    </message>
-    <message>
-        <source>drawing full resolution</source>
-        <translation>volle Auflösung wird gezeichnet</translation>
-    </message>
-    <message>
-        <source>%1: %2 %</source>
-        <translation>%1: %2 %</translation>
-    </message>
-    <message>
-        <source>Full resolution is drawn from the file once its index exists.</source>
-        <translation>Die volle Auflösung wird aus der Datei gezeichnet, sobald deren Index vorliegt.</translation>
-    </message>
-    <message>
-        <source>When the view is idle, the image shows the file at full resolution (level 0).</source>
-        <translation>Ruht die Ansicht, zeigt das Bild die Datei in voller Auflösung (Stufe 0).</translation>
-    </message>
-    <message>
-        <source>%1 % of the image is hatched, because the volume is unreadable there: %2</source>
-        <translation>%1 % des Bildes sind schraffiert, weil das Volumen dort nicht lesbar ist: %2</translation>
-    </message>
-    <message>
-        <source>%1 % of the image is missing; raise Graphics memory (memory.gpu_budget_mb)</source>
-        <translation>%1 % des Bildes fehlen; Grafikspeicher (memory.gpu_budget_mb) erhöhen</translation>
-    </message>
-    <message>
-        <source>waiting for the image was cancelled</source>
-        <translation>das Warten auf das Bild wurde abgebrochen</translation>
     </message>
 </context>
 <context>
@@ -2302,10 +2417,6 @@ Strg+Rad: Wertachse zoomen, Ziehen mit der mittleren Taste: verschieben</transla
     <message>
         <source>● Recording</source>
         <translation>● Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>%1   %2   %3 mm      voxel %4, %5, %6      value %7</source>
-        <translation>%1   %2   %3 mm      Voxel %4, %5, %6      Wert %7</translation>
     </message>
     <message>
         <source>Change look</source>
@@ -3050,6 +3161,14 @@ Strg+Rad: Wertachse zoomen, Ziehen mit der mittleren Taste: verschieben</transla
     <message>
         <source>Change image quality</source>
         <translation>Bildqualität ändern</translation>
+    </message>
+    <message>
+        <source>%1   %2   %3 mm      voxel %4, %5, %6      %7</source>
+        <translation>%1   %2   %3 mm      Voxel %4, %5, %6      %7</translation>
+    </message>
+    <message>
+        <source>value %1</source>
+        <translation>Wert %1</translation>
     </message>
 </context>
 <context>
@@ -5316,10 +5435,6 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>es werden keine Linien oder Streifen mit Größe in Pixeln gezeichnet</translation>
     </message>
     <message>
-        <source>the opacity of that surface is 0</source>
-        <translation>die Deckkraft dieser Fläche ist 0</translation>
-    </message>
-    <message>
         <source>the opacity of the surface is 0</source>
         <translation>die Deckkraft der Fläche ist 0</translation>
     </message>
@@ -5348,16 +5463,20 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>source.csg ist nicht blend</translation>
     </message>
     <message>
-        <source>that surface is matt</source>
-        <translation>diese Fläche ist matt</translation>
-    </message>
-    <message>
         <source>the surface is matt</source>
         <translation>die Fläche ist matt</translation>
     </message>
     <message>
         <source>several isosurfaces are lit</source>
         <translation>mehrere Isoflächen sind beleuchtet</translation>
+    </message>
+    <message>
+        <source>the data are no labels</source>
+        <translation>die Daten sind keine Labels</translation>
+    </message>
+    <message>
+        <source>there is no such item</source>
+        <translation>es gibt keinen solchen Eintrag</translation>
     </message>
 </context>
 <context>
@@ -5714,10 +5833,6 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
 <context>
     <name>settings</name>
     <message>
-        <source>Kind of the light source: point, distant (directional) or sphere light.</source>
-        <translation>Art der Lichtquelle: Punktlicht, fernes (gerichtetes) Licht oder Kugellicht.</translation>
-    </message>
-    <message>
         <source>Second volume whose values colour the surface, given as in source.path; if empty, none is used.</source>
         <translation>Zweites Volumen, dessen Werte die Oberfläche färben, angegeben wie source.path; ist es leer, wird keines verwendet.</translation>
     </message>
@@ -5830,20 +5945,12 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Zeichnet eine Legende mit Einheiten, wo Farben eine Größe zeigen.</translation>
     </message>
     <message>
-        <source>Draws one more isosurface of the same volume.</source>
-        <translation>Zeichnet eine weitere Isofläche desselben Volumens.</translation>
-    </message>
-    <message>
-        <source>Draws two uncertainty surfaces: transparent isosurfaces at the first isovalue ± this many standard deviations of the noise. They bound the shift due to noise; 0 draws none.</source>
-        <translation>Zeichnet zwei Unsicherheitsflächen: durchsichtige Isoflächen beim ersten Isowert ± so vielen Standardabweichungen des Rauschens. Sie begrenzen die Verschiebung durch Rauschen; 0 zeichnet keine.</translation>
-    </message>
-    <message>
         <source>Specular exponent; higher values give a smaller, sharper highlight.</source>
         <translation>Exponent des Glanzlichts; höhere Werte geben ein kleineres, schärferes Glanzlicht.</translation>
     </message>
     <message>
         <source>Fills the uncertainty band of the first surface&apos;s contour: its isovalue ± this many standard deviations of the noise; 0 fills nothing.</source>
-        <translation>Füllt das Unsicherheitsband der Kontur der ersten Fläche: ihr Isowert ± so viele Standardabweichungen des Rauschens; 0 füllt nichts.</translation>
+        <translation>Füllt das Unsicherheitsband der Kontur der ersten Fläche: ihr Isowert ± so vielen Standardabweichungen des Rauschens; 0 füllt nichts.</translation>
     </message>
     <message>
         <source>Bounce at which Russian roulette begins: paths then end at random, with the probability that light is absorbed.</source>
@@ -5916,10 +6023,6 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     <message>
         <source>Opacity of these colours over the surface&apos;s own colour.</source>
         <translation>Deckkraft dieser Farben über der eigenen Farbe der Oberfläche.</translation>
-    </message>
-    <message>
-        <source>Opacity of that surface; 1 hides everything behind it.</source>
-        <translation>Deckkraft dieser Fläche; 1 verdeckt alles hinter ihr.</translation>
     </message>
     <message>
         <source>Opacity of the surface; 1 hides everything behind it.</source>
@@ -6086,10 +6189,6 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Stärke der Umrisslinien; auto ist 0,5 bei Warm-Kalt-Schattierung, sonst 0.</translation>
     </message>
     <message>
-        <source>Switches on a light source of global illumination.</source>
-        <translation>Schaltet eine Lichtquelle der globalen Beleuchtung ein.</translation>
-    </message>
-    <message>
         <source>SeriesInstanceUID of the series to read from a DICOM folder; empty selects the series with the most slices.</source>
         <translation>SeriesInstanceUID der Serie, die aus einem DICOM-Ordner gelesen wird; leer wählt die Serie mit den meisten Schichten.</translation>
     </message>
@@ -6100,10 +6199,6 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     <message>
         <source>Colour map over the isovalue; auto is viridis.</source>
         <translation>Farbskala über dem Isowert; auto ist Viridis.</translation>
-    </message>
-    <message>
-        <source>Diffuse reflectance of that surface.</source>
-        <translation>Diffuser Reflexionsgrad dieser Fläche.</translation>
     </message>
     <message>
         <source>Diffuse reflectance of the surface.</source>
@@ -6326,14 +6421,6 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Quelle der Reflexionsgrade der Isoflächen: eine Farbe je Fläche oder eine Farbskala über dem Isowert.</translation>
     </message>
     <message>
-        <source>Applies clip planes and clip box to that surface.</source>
-        <translation>Wendet Schnittebenen und Schnittquader auf diese Fläche an.</translation>
-    </message>
-    <message>
-        <source>Applies clip planes and clip box to the first surface.</source>
-        <translation>Wendet Schnittebenen und Schnittquader auf die erste Fläche an.</translation>
-    </message>
-    <message>
         <source>Unit of the width of ridge and valley lines: pixels of the image, or mm on the surface.</source>
         <translation>Einheit der Breite der Grat- und Tallinien: Pixel im Bild oder mm auf der Oberfläche.</translation>
     </message>
@@ -6386,10 +6473,6 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Zeichnet einen Maßstab von runder Länge auf das fertige Bild. In der Perspektive gilt er in der Tiefe von camera.target. Das Fenster zeigt ihn immer.</translation>
     </message>
     <message>
-        <source>Isovalue of that surface; auto uses the histogram&apos;s next suggestion outside the first surface, or inside if there is none.</source>
-        <translation>Isowert dieser Fläche; auto nimmt den nächsten Vorschlag des Histogramms außerhalb der ersten Fläche oder, gibt es keinen, innerhalb.</translation>
-    </message>
-    <message>
         <source>Draws orientation labels at the edges of the final image: the ends of the patient&apos;s axes. If the patient orientation is unknown, they name the world&apos;s axes. The window always shows them.</source>
         <translation>Zeichnet Orientierungsbuchstaben an die Ränder des fertigen Bildes: die Enden der Achsen des Patienten. Ist die Orientierung des Patienten unbekannt, bezeichnen sie die Achsen des Raums. Das Fenster zeigt sie immer.</translation>
     </message>
@@ -6406,16 +6489,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Schreibt die Isowerte der gezeigten Flächen mit ihrer Einheit auf das fertige Bild.</translation>
     </message>
     <message>
-        <source>View-dependent opacity: factor on that opacity where the surface faces the viewer.</source>
-        <translation>Blickabhängige Deckkraft: Faktor dieser Deckkraft, wo die Fläche zum Betrachter zeigt.</translation>
-    </message>
-    <message>
         <source>View-dependent opacity: factor on the opacity where the surface faces the viewer; edge-on the opacity is unchanged.</source>
         <translation>Blickabhängige Deckkraft: Faktor der Deckkraft, wo die Fläche zum Betrachter zeigt; von der Kante gesehen bleibt sie unverändert.</translation>
-    </message>
-    <message>
-        <source>Name of that surface.</source>
-        <translation>Name dieser Fläche.</translation>
     </message>
     <message>
         <source>Name of the surface in lists and on the histogram.</source>
@@ -6434,16 +6509,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Schreibt für jede Auslassung oder Interpolation eine Zeile auf das fertige Bild, etwa für verborgene Teile oder interpolierte fehlende Schichten.</translation>
     </message>
     <message>
-        <source>Isovalue of the first surface; auto follows isosurface.suggestion.</source>
-        <translation>Isowert der ersten Fläche; auto richtet sich nach isosurface.suggestion.</translation>
-    </message>
-    <message>
         <source>Point that the camera looks at and turns about; auto is the centre of the framed object.</source>
         <translation>Punkt, auf den die Kamera blickt und um den sie dreht; auto ist die Mitte des Objekts, das das Bild füllt.</translation>
-    </message>
-    <message>
-        <source>Automatic isovalue: the boundary of the whole object (skin in a scan of a head), or the clearest boundary inside it (often bone).</source>
-        <translation>Automatischer Isowert: die Grenze des ganzen Objekts (Haut in der Aufnahme eines Kopfes) oder die deutlichste Grenze darin (oft Knochen).</translation>
     </message>
     <message>
         <source>Object that the automatic camera frames: the surface or the volume. A patient&apos;s surface and the volume are seen from the front, other surfaces from where most of them is visible.</source>
@@ -6466,16 +6533,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Wie das Fenster Bilder zeigt: als Texturen, die auf der Grafikkarte bleiben, oder als Pixel, die in den Hauptspeicher kopiert werden. auto nimmt Texturen, wo es eine Grafikkarte gibt. Ein Wechsel zu Texturen kann einen Neustart brauchen.</translation>
     </message>
     <message>
-        <source>Gloss of that surface under global illumination; 0 is matt.</source>
-        <translation>Glanz dieser Fläche unter globaler Beleuchtung; 0 ist matt.</translation>
-    </message>
-    <message>
         <source>Gloss under global illumination: reflectance of the surface seen head on. Water and skin have 0.02 to 0.04, teeth 0.06, metal 0.5 to 0.9; 0 is matt.</source>
         <translation>Glanz unter globaler Beleuchtung: Reflexionsgrad der Fläche bei senkrechtem Blick. Wasser und Haut haben 0,02 bis 0,04, Zähne 0,06, Metall 0,5 bis 0,9; 0 ist matt.</translation>
-    </message>
-    <message>
-        <source>Roughness of that gloss.</source>
-        <translation>Rauheit dieses Glanzes.</translation>
     </message>
     <message>
         <source>Roughness of that gloss: small values reflect sharply, 1 spreads over half the sky.</source>
@@ -6524,6 +6583,46 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     <message>
         <source>The surface occludes the environment; off, its light reaches every point, and reflected light stays.</source>
         <translation>Die Fläche verdeckt die Umgebung; aus: Ihr Licht erreicht jeden Punkt, und reflektiertes Licht bleibt.</translation>
+    </message>
+    <message>
+        <source>Applies clip planes and clip box to the surface.</source>
+        <translation>Wendet Schnittebenen und Schnittquader auf die Fläche an.</translation>
+    </message>
+    <message>
+        <source>Automatic isovalue of the first surface: the boundary of the whole object (skin in a scan of a head), or the clearest boundary inside it (often bone).</source>
+        <translation>Automatischer Isowert der ersten Fläche: die Grenze des ganzen Objekts (Haut im Scan eines Kopfes) oder die deutlichste Grenze darin (oft Knochen).</translation>
+    </message>
+    <message>
+        <source>Draws the surface.</source>
+        <translation>Zeichnet die Fläche.</translation>
+    </message>
+    <message>
+        <source>Draws two uncertainty surfaces: transparent isosurfaces at the isovalue ± this many standard deviations of the noise. They bound the shift due to noise; 0 draws none.</source>
+        <translation>Zeichnet zwei Unsicherheitsflächen: durchsichtige Isoflächen beim Isowert ± so vielen Standardabweichungen des Rauschens. Sie begrenzen die Verschiebung durch Rauschen; 0 zeichnet keine.</translation>
+    </message>
+    <message>
+        <source>Isovalue of the surface. auto: the first follows isosurface.suggestion, others take the histogram&apos;s next suggestion outside the first, or inside if there is none. Assigning it to a new ID makes a surface.</source>
+        <translation>Isowert der Fläche. auto: die erste folgt isosurface.suggestion, andere nehmen den nächsten Vorschlag des Histogramms außerhalb der ersten, sonst innerhalb. Einer neuen ID zugewiesen, erzeugt er eine Fläche.</translation>
+    </message>
+    <message>
+        <source>Kind of the light source: point, distant (directional) or sphere light. Assigning it to a new ID makes a light source.</source>
+        <translation>Art der Lichtquelle: Punktlicht, fernes (gerichtetes) Licht oder Kugellicht. Einer neuen ID zugewiesen, erzeugt sie eine Lichtquelle.</translation>
+    </message>
+    <message>
+        <source>Labels of a label map whose surface is drawn: numbers, ranges and names, as &quot;2,4-7,liver&quot;; empty draws all but 0.</source>
+        <translation>Labels einer Labelkarte, deren Fläche gezeichnet wird: Zahlen, Bereiche und Namen, wie &quot;2,4-7,liver&quot;; leer zeichnet alle außer 0.</translation>
+    </message>
+    <message>
+        <source>Name of the light source, for lists.</source>
+        <translation>Name der Lichtquelle, für Listen.</translation>
+    </message>
+    <message>
+        <source>Smoothing of the surface of labels: standard deviation of the Gaussian. Every voxel&apos;s centre keeps its label whatever it is; 0 shows the voxels&apos; own steps.</source>
+        <translation>Glättung der Fläche von Labels: Standardabweichung der Gaußfunktion. Die Mitte jedes Voxels behält in jedem Fall ihr Label; 0 zeigt die Stufen der Voxel.</translation>
+    </message>
+    <message>
+        <source>Switches the light source on.</source>
+        <translation>Schaltet die Lichtquelle ein.</translation>
     </message>
 </context>
 <context>
@@ -7075,18 +7174,6 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Isolinien</translation>
     </message>
     <message>
-        <source>Isosurface 2</source>
-        <translation>Isofläche 2</translation>
-    </message>
-    <message>
-        <source>Isosurface 3</source>
-        <translation>Isofläche 3</translation>
-    </message>
-    <message>
-        <source>Isosurface 4</source>
-        <translation>Isofläche 4</translation>
-    </message>
-    <message>
         <source>Keep</source>
         <translation>Größte behalten</translation>
     </message>
@@ -7097,18 +7184,6 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     <message>
         <source>Lambert</source>
         <translation>Lambert</translation>
-    </message>
-    <message>
-        <source>Light 1</source>
-        <translation>Lichtquelle 1</translation>
-    </message>
-    <message>
-        <source>Light 2</source>
-        <translation>Lichtquelle 2</translation>
-    </message>
-    <message>
-        <source>Light 3</source>
-        <translation>Lichtquelle 3</translation>
     </message>
     <message>
         <source>Lattice scale</source>
@@ -7971,164 +8046,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Isolinien</translation>
     </message>
     <message>
-        <source>isosurface 2 albedo</source>
-        <translation>Isofläche 2: Farbe</translation>
-    </message>
-    <message>
-        <source>isosurface 2 clipped</source>
-        <translation>Isofläche 2: Geschnitten</translation>
-    </message>
-    <message>
-        <source>isosurface 2 opacity</source>
-        <translation>Isofläche 2: Deckkraft</translation>
-    </message>
-    <message>
-        <source>isosurface 2 shown</source>
-        <translation>Isofläche 2: Gezeigt</translation>
-    </message>
-    <message>
-        <source>isosurface 2 value</source>
-        <translation>Isofläche 2: Wert</translation>
-    </message>
-    <message>
-        <source>isosurface 3 albedo</source>
-        <translation>Isofläche 3: Farbe</translation>
-    </message>
-    <message>
-        <source>isosurface 3 clipped</source>
-        <translation>Isofläche 3: Geschnitten</translation>
-    </message>
-    <message>
-        <source>isosurface 3 opacity</source>
-        <translation>Isofläche 3: Deckkraft</translation>
-    </message>
-    <message>
-        <source>isosurface 3 shown</source>
-        <translation>Isofläche 3: Gezeigt</translation>
-    </message>
-    <message>
-        <source>isosurface 3 value</source>
-        <translation>Isofläche 3: Wert</translation>
-    </message>
-    <message>
-        <source>isosurface 4 albedo</source>
-        <translation>Isofläche 4: Farbe</translation>
-    </message>
-    <message>
-        <source>isosurface 4 clipped</source>
-        <translation>Isofläche 4: Geschnitten</translation>
-    </message>
-    <message>
-        <source>isosurface 4 opacity</source>
-        <translation>Isofläche 4: Deckkraft</translation>
-    </message>
-    <message>
-        <source>isosurface 4 shown</source>
-        <translation>Isofläche 4: Gezeigt</translation>
-    </message>
-    <message>
-        <source>isosurface 4 value</source>
-        <translation>Isofläche 4: Wert</translation>
-    </message>
-    <message>
         <source>keep</source>
         <translation>Größte behalten</translation>
-    </message>
-    <message>
-        <source>light 1 angle</source>
-        <translation>Lichtquelle 1: Winkel</translation>
-    </message>
-    <message>
-        <source>light 1 colour</source>
-        <translation>Lichtquelle 1: Farbe</translation>
-    </message>
-    <message>
-        <source>light 1 direction</source>
-        <translation>Lichtquelle 1: Richtung</translation>
-    </message>
-    <message>
-        <source>light 1 intensity</source>
-        <translation>Lichtquelle 1: Helligkeit</translation>
-    </message>
-    <message>
-        <source>light 1 kind</source>
-        <translation>Lichtquelle 1: Art</translation>
-    </message>
-    <message>
-        <source>light 1 position</source>
-        <translation>Lichtquelle 1: Position</translation>
-    </message>
-    <message>
-        <source>light 1 radius</source>
-        <translation>Lichtquelle 1: Radius</translation>
-    </message>
-    <message>
-        <source>light 1 shown</source>
-        <translation>Lichtquelle 1: Gezeigt</translation>
-    </message>
-    <message>
-        <source>light 2 angle</source>
-        <translation>Lichtquelle 2: Winkel</translation>
-    </message>
-    <message>
-        <source>light 2 colour</source>
-        <translation>Lichtquelle 2: Farbe</translation>
-    </message>
-    <message>
-        <source>light 2 direction</source>
-        <translation>Lichtquelle 2: Richtung</translation>
-    </message>
-    <message>
-        <source>light 2 intensity</source>
-        <translation>Lichtquelle 2: Helligkeit</translation>
-    </message>
-    <message>
-        <source>light 2 kind</source>
-        <translation>Lichtquelle 2: Art</translation>
-    </message>
-    <message>
-        <source>light 2 position</source>
-        <translation>Lichtquelle 2: Position</translation>
-    </message>
-    <message>
-        <source>light 2 radius</source>
-        <translation>Lichtquelle 2: Radius</translation>
-    </message>
-    <message>
-        <source>light 2 shown</source>
-        <translation>Lichtquelle 2: Gezeigt</translation>
-    </message>
-    <message>
-        <source>light 3 angle</source>
-        <translation>Lichtquelle 3: Winkel</translation>
-    </message>
-    <message>
-        <source>light 3 colour</source>
-        <translation>Lichtquelle 3: Farbe</translation>
-    </message>
-    <message>
-        <source>light 3 direction</source>
-        <translation>Lichtquelle 3: Richtung</translation>
-    </message>
-    <message>
-        <source>light 3 intensity</source>
-        <translation>Lichtquelle 3: Helligkeit</translation>
-    </message>
-    <message>
-        <source>light 3 kind</source>
-        <translation>Lichtquelle 3: Art</translation>
-    </message>
-    <message>
-        <source>light 3 position</source>
-        <translation>Lichtquelle 3: Position</translation>
-    </message>
-    <message>
-        <source>light 3 radius</source>
-        <translation>Lichtquelle 3: Radius</translation>
-    </message>
-    <message>
-        <source>light 3 shown</source>
-        <translation>Lichtquelle 3: Gezeigt</translation>
     </message>
     <message>
         <source>lattice scale</source>
@@ -8487,30 +8406,6 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Deckkraft nach Blickrichtung</translation>
     </message>
     <message>
-        <source>isosurface 2 view-dependent opacity</source>
-        <translation>Isofläche 2: Deckkraft nach Blickrichtung</translation>
-    </message>
-    <message>
-        <source>isosurface 2 name</source>
-        <translation>Isofläche 2: Name</translation>
-    </message>
-    <message>
-        <source>isosurface 3 view-dependent opacity</source>
-        <translation>Isofläche 3: Deckkraft nach Blickrichtung</translation>
-    </message>
-    <message>
-        <source>isosurface 3 name</source>
-        <translation>Isofläche 3: Name</translation>
-    </message>
-    <message>
-        <source>isosurface 4 view-dependent opacity</source>
-        <translation>Isofläche 4: Deckkraft nach Blickrichtung</translation>
-    </message>
-    <message>
-        <source>isosurface 4 name</source>
-        <translation>Isofläche 4: Name</translation>
-    </message>
-    <message>
         <source>isovalue</source>
         <translation>Isowert</translation>
     </message>
@@ -8831,30 +8726,6 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Tonwertkurve</translation>
     </message>
     <message>
-        <source>isosurface 2 roughness</source>
-        <translation>Isofläche 2: Rauheit</translation>
-    </message>
-    <message>
-        <source>isosurface 2 specular</source>
-        <translation>Isofläche 2: Glanz</translation>
-    </message>
-    <message>
-        <source>isosurface 3 roughness</source>
-        <translation>Isofläche 3: Rauheit</translation>
-    </message>
-    <message>
-        <source>isosurface 3 specular</source>
-        <translation>Isofläche 3: Glanz</translation>
-    </message>
-    <message>
-        <source>isosurface 4 roughness</source>
-        <translation>Isofläche 4: Rauheit</translation>
-    </message>
-    <message>
-        <source>isosurface 4 specular</source>
-        <translation>Isofläche 4: Glanz</translation>
-    </message>
-    <message>
         <source>overlay</source>
         <translation>Überlagerung</translation>
     </message>
@@ -8891,16 +8762,76 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Boden</translation>
     </message>
     <message>
-        <source>light 1 shadows</source>
-        <translation>Schatten von Licht 1</translation>
+        <source>Finding labels</source>
+        <translation>Labels werden gesucht</translation>
     </message>
     <message>
-        <source>light 2 shadows</source>
-        <translation>Schatten von Licht 2</translation>
+        <source>Measuring labels</source>
+        <translation>Labels werden gemessen</translation>
     </message>
     <message>
-        <source>light 3 shadows</source>
-        <translation>Schatten von Licht 3</translation>
+        <source>Smoothing</source>
+        <translation>Glättung</translation>
+    </message>
+    <message>
+        <source>finding labels</source>
+        <translation>Labels werden gesucht</translation>
+    </message>
+    <message>
+        <source>labels</source>
+        <translation>Labels</translation>
+    </message>
+    <message>
+        <source>light angle</source>
+        <translation>Lichtquelle: Winkel</translation>
+    </message>
+    <message>
+        <source>light colour</source>
+        <translation>Lichtquelle: Farbe</translation>
+    </message>
+    <message>
+        <source>light direction</source>
+        <translation>Lichtquelle: Richtung</translation>
+    </message>
+    <message>
+        <source>light intensity</source>
+        <translation>Lichtquelle: Helligkeit</translation>
+    </message>
+    <message>
+        <source>light kind</source>
+        <translation>Lichtquelle: Art</translation>
+    </message>
+    <message>
+        <source>light name</source>
+        <translation>Lichtquelle: Name</translation>
+    </message>
+    <message>
+        <source>light position</source>
+        <translation>Lichtquelle: Position</translation>
+    </message>
+    <message>
+        <source>light radius</source>
+        <translation>Lichtquelle: Radius</translation>
+    </message>
+    <message>
+        <source>light shadows</source>
+        <translation>Lichtquelle: Schatten</translation>
+    </message>
+    <message>
+        <source>light shown</source>
+        <translation>Lichtquelle: gezeigt</translation>
+    </message>
+    <message>
+        <source>measuring labels</source>
+        <translation>Labels werden gemessen</translation>
+    </message>
+    <message>
+        <source>shown</source>
+        <translation>gezeigt</translation>
+    </message>
+    <message>
+        <source>smoothing</source>
+        <translation>Glättung</translation>
     </message>
 </context>
 </TS>

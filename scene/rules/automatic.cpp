@@ -64,20 +64,22 @@ std::optional<double> nextSuggestion(const VolumeFacts& facts, double first, Ins
 }
 
 void resolveFurther(Scene& scene, const VolumeFacts& facts) {
-  const double first = *scene.isosurface.value;
+  const double first = *scene.surfaces.front().value;
   const bool above = scene.isosurface.inside == Inside::above;
   const double innermost = above ? std::max(facts.maximum, first) : std::min(facts.minimum, first);
   std::vector<double> taken = {first};
-  for (const ExtraIsosurface& extra : scene.extraIsosurfaces)
-    if (extra.shown && extra.value) taken.push_back(*extra.value);
-  for (std::size_t i = 0; i < scene.extraIsosurfaces.size(); ++i) {
-    ExtraIsosurface& extra = scene.extraIsosurfaces[i];
-    if (extra.value) continue;
-    const double spread = std::lerp(first, innermost, static_cast<double>(i + 1) / 4.0);
-    extra.value = nextSuggestion(facts, first, scene.isosurface.inside, taken).value_or(spread);
-    if (extra.shown) taken.push_back(*extra.value);
+  for (std::size_t i = 1; i < scene.surfaces.size(); ++i)
+    if (scene.surfaces[i].shown && scene.surfaces[i].value) taken.push_back(*scene.surfaces[i].value);
+  for (std::size_t i = 1; i < scene.surfaces.size(); ++i) {
+    Surface& further = scene.surfaces[i];
+    if (further.value) continue;
+    const double spread = std::lerp(first, innermost, static_cast<double>(i) / 4.0);
+    further.value = nextSuggestion(facts, first, scene.isosurface.inside, taken).value_or(spread);
+    if (further.shown) taken.push_back(*further.value);
   }
 }
+
+constexpr double kLabelNormalScale = 0.8;  // of the normals of labels: distances of slices
 
 bool framesOutline(const Camera& camera, const VolumeFacts& facts) {
   return camera.frames == Frames::surface && !facts.outlineMm.empty();
@@ -101,10 +103,19 @@ Camera fittedTo(const Camera& camera, const VolumeFacts& facts, const std::funct
 }
 
 Scene resolve(Scene scene, const VolumeFacts& facts) {
-  if (!scene.isosurface.value) {
+  if (!scene.surfaces.front().value) {
     const bool ofObject = scene.isosurface.suggestion == Suggestion::object;
     const double value = ofObject ? facts.suggestedIsovalue : facts.contrastIsovalue;
-    scene.isosurface.value = std::isfinite(value) ? value : 0.0;
+    scene.surfaces.front().value = std::isfinite(value) ? value : 0.0;
+  }
+  if (facts.labelAlbedo) {
+    scene.source.kind = DataKind::labels;
+    scene.surfaces.front().albedo = *facts.labelAlbedo;
+    for (std::size_t i = 1; i < scene.surfaces.size(); ++i) scene.surfaces[i].shown = false;
+    // The surface keeps the steps of slices that are far apart; its shading does not.
+    const auto [least, largest] = std::minmax({facts.spacingMm.x, facts.spacingMm.y, facts.spacingMm.z});
+    if (!scene.derivatives.normalScale && largest > 1.5 * least)
+      scene.derivatives.normalScale = kLabelNormalScale * largest;
   }
   if (!scene.source.csgValue) scene.source.csgValue = facts.csgIsovalue;
 
@@ -113,7 +124,7 @@ Scene resolve(Scene scene, const VolumeFacts& facts) {
   if (!scene.isosurface.albedoHigh) scene.isosurface.albedoHigh = facts.maximum;
   if (!scene.gi.band) {
     const double reach = 0.05 * (facts.maximum - facts.minimum);
-    scene.gi.band = glm::dvec2(*scene.isosurface.value - reach, *scene.isosurface.value + reach);
+    scene.gi.band = glm::dvec2(*scene.surfaces.front().value - reach, *scene.surfaces.front().value + reach);
   }
   resolveLamps(scene, facts);
   if (!scene.hit.nearThreshold) scene.hit.nearThreshold = facts.typicalStep / scene.hit.rate;

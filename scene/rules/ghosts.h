@@ -1,5 +1,5 @@
-// Adds uncertainty surfaces: the first surface at its isovalue plus and minus multiples of the noise, as
-// transparent isosurfaces (isosurface.ghost).
+// Adds uncertainty surfaces: a surface at its isovalue plus and minus multiples of the noise, as transparent
+// isosurfaces (surfaces.ID.ghost).
 #pragma once
 
 #include <vector>
@@ -8,11 +8,11 @@
 
 namespace isolux::scene {
 
-// Turns further isosurfaces that are not shown into uncertainty surfaces, in their order and colours: first
-// the one above the isovalue. If only one of them is free, adds one; if none is free or the noise is 0, adds
-// none. Requires that isosurface.value and derivatives.noise are known.
+// Adds the uncertainty surfaces of each surface that is shown, first the one above its isovalue, in the
+// places of surfaces that are not shown and at the end, as far as there is room (kSurfaces). If the noise is
+// 0, adds none. Requires that isovalues and derivatives.noise are known.
 void addGhosts(Scene& scene);
-// Returns how many of the two uncertainty surfaces found no free further isosurface.
+// Returns how many uncertainty surfaces have no room.
 int ghostsWithoutRoom(const Scene& scene);
 
 // Returns the isovalues (data units) of all visible surfaces, including uncertainty surfaces; the first

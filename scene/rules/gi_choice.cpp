@@ -27,7 +27,7 @@ bool shines(const Lamp& lamp) {
 
 bool albedoIsGrey(const Scene& scene) {
   if (scene.isosurface.albedoSource == AlbedoSource::map) return scene.isosurface.albedoMap == ColorMap::gray;
-  return std::ranges::all_of(shownSurfaces(scene), isGrey, &ShownSurface::albedo);
+  return std::ranges::all_of(shownSurfaces(scene), isGrey, &Surface::albedo);
 }
 
 void addReason(GiChoice& choice, const char* clause) {
@@ -37,7 +37,7 @@ void addReason(GiChoice& choice, const char* clause) {
 // Isovalues of the shown isosurfaces whose light is baked; of all shown ones if all are too transparent.
 std::vector<std::optional<double>> litValues(const Scene& scene) {
   std::vector<std::optional<double>> lit, shown;
-  for (const ShownSurface& surface : shownSurfaces(scene)) {
+  for (const Surface& surface : shownSurfaces(scene)) {
     shown.push_back(surface.value);
     if (bakesLight(surface)) lit.push_back(surface.value);
   }

@@ -60,7 +60,7 @@ bool showsOcclusion(const Scene& scene) {
 std::vector<GlossySurface> glossySurfaces(const Scene& scene) {
   std::vector<GlossySurface> list;
   if (!usesGi(scene) || isMeasure(scene.look.mode)) return list;
-  for (const ShownSurface& surface : visibleSurfaces(scene))
+  for (const Surface& surface : visibleSurfaces(scene))
     if (surface.specular > 0.0) list.push_back({surface.specular, surface.roughness});
   return list;
 }
@@ -77,6 +77,10 @@ bool showsSecondVolume(const Scene& scene) {
   const ColorVolume& color = scene.color;
   return !color.volume.empty() && (color.strength > 0.0 || color.isolines > 0.0) && !isPlain(scene) &&
          !isMeasure(scene.look.mode);
+}
+
+bool showsLabels(const Scene& scene) {
+  return scene.source.kind == DataKind::labels && !isPlain(scene) && !isMeasure(scene.look.mode);
 }
 
 bool showsLegend(const Scene& scene) {
@@ -144,8 +148,7 @@ bool hasCuts(const Clip& clip) {
 }
 
 bool cutsSurfaces(const Scene& scene) {
-  return hasCuts(scene.clip) &&
-         std::ranges::any_of(shownSurfaces(scene), std::identity{}, &ShownSurface::clipped);
+  return hasCuts(scene.clip) && std::ranges::any_of(shownSurfaces(scene), std::identity{}, &Surface::clipped);
 }
 
 bool showsCutFaces(const Scene& scene) {
@@ -153,7 +156,7 @@ bool showsCutFaces(const Scene& scene) {
 }
 
 bool isTransparent(const Scene& scene) {
-  return std::ranges::any_of(shownSurfaces(scene), isSeenThrough<ShownSurface>);
+  return std::ranges::any_of(shownSurfaces(scene), isSeenThrough<Surface>);
 }
 
 }  // namespace isolux::scene

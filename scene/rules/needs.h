@@ -40,6 +40,8 @@ bool showsGloss(const Scene& scene);
 bool showsFlow(const Scene& scene);
 // Returns whether a second volume colours the surface.
 bool showsSecondVolume(const Scene& scene);
+// Returns whether the surface of a label map has the colours of its labels, in a resolved scene.
+bool showsLabels(const Scene& scene);
 bool showsLegend(const Scene& scene);
 // Returns the strength of the silhouette: tone shading is designed for outlines (Gooch et al. 1998).
 double contoursOf(const Scene& scene);

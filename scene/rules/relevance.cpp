@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "scene/looks.h"
 #include "scene/rules/environment.h"
 #include "scene/rules/gi_choice.h"
+#include "scene/settings/scene_list.h"
 #include "scene/settings/settings.h"
 #include "scene/shown_surfaces.h"
 
@@ -39,6 +41,10 @@ bool drawsRidges(const Scene& s) {
   return !isPlain(s) && s.look.ridges > 0.0;
 }
 
+bool hasGhosts(const Scene& s) {
+  return std::ranges::any_of(s.surfaces, [](const Surface& of) { return of.shown && of.ghost > 0.0; });
+}
+
 bool isMesh(const Scene& s) {
   const std::string path = base::lowerCase(s.source.path);
   return path.ends_with(".stl") || path.ends_with(".obj") || path.ends_with(".ply") || path.ends_with(".vtp");
@@ -50,7 +56,7 @@ struct Rule {
   std::string_view otherwise;  // why they do not act
 };
 
-// Of an item of a list: `item` is its place in Scene::lamps, Scene::extraIsosurfaces.
+// Of an item of a list: `item` is its position in Scene::surfaces or Scene::lamps.
 struct ItemRule {
   std::string_view paths;
   bool (*acts)(const Scene&, std::size_t item);
@@ -78,44 +84,39 @@ constexpr auto isCombined = [](const Scene& s) { return s.source.csg != Csg::non
 
 // All rules that cover a path must hold; the first that fails says why.
 constexpr Rule rules[] = {
+    {"source.labels source.smoothing",
+     [](const Scene& s) { return s.source.kind == DataKind::automatic || s.source.kind == DataKind::labels; },
+     "the data are no labels"},
     {"source.mesh_voxels", isMesh, "the source is not a triangle mesh"},
     {"source.csg_path source.csg_value source.csg_weight", isCombined,
      "no second volume is combined with the first"},
     {"source.csg_weight", [](const Scene& s) { return s.source.csg == Csg::blend; },
      "source.csg is not blend"},
 
-    {"isosurface.suggestion", [](const Scene& s) { return !s.isosurface.value; }, "the isovalue is set"},
+    {"isosurface.suggestion", [](const Scene& s) { return !s.surfaces.front().value; },
+     "the isovalue is set"},
     {"camera.frames", [](const Scene& s) { return !s.camera.eye; }, "camera.eye is set"},
     {"isosurface.inside",
      [](const Scene& s) { return needsGradient(s) || s.pieces != Pieces{} || showsCutFaces(s); },
      "depth does not depend on the side"},
     {"isosurface.albedo_map isosurface.albedo_low isosurface.albedo_high", hasAlbedoMap,
      "each isosurface has its own colour"},
-    {"isosurface.albedo isosurface.albedo_source isosurface.albedo_map isosurface.albedo_low "
-     "isosurface.albedo_high isosurface#.albedo look.inner_tint",
+    {"isosurface.albedo_source isosurface.albedo_map isosurface.albedo_low "
+     "isosurface.albedo_high surfaces.#.albedo look.inner_tint",
      showsAlbedo, "this look does not show the surface's own colour"},
-    {"isosurface.albedo isosurface#.albedo",
-     [](const Scene& s) { return s.isosurface.albedoSource == AlbedoSource::color; },
+    {"surfaces.#.albedo", [](const Scene& s) { return s.isosurface.albedoSource == AlbedoSource::color; },
      "the albedo comes from a colour map"},
-    {"isosurface.specular isosurface.roughness isosurface#.specular isosurface#.roughness", usesGi,
-     "the shading is not global illumination"},
-    {"isosurface.specular isosurface.roughness isosurface#.specular isosurface#.roughness",
-     [](const Scene& s) { return !isMeasure(s.look.mode); }, "colours show numbers"},
-    {"isosurface.specular isosurface.roughness", [](const Scene& s) { return s.isosurface.opacity > 0.0; },
-     "the opacity of the surface is 0"},
-    {"isosurface.roughness", [](const Scene& s) { return s.isosurface.specular > 0.0; },
-     "the surface is matt"},
-    {"isosurface.layers", [](const Scene& s) { return isTransparent(s) || s.isosurface.ghost > 0.0; },
+    {"surfaces.#.specular surfaces.#.roughness", usesGi, "the shading is not global illumination"},
+    {"surfaces.#.specular surfaces.#.roughness", [](const Scene& s) { return !isMeasure(s.look.mode); },
+     "colours show numbers"},
+    {"isosurface.layers", [](const Scene& s) { return isTransparent(s) || hasGhosts(s); },
      "every isosurface is opaque"},
-    {"isosurface.facing_opacity", [](const Scene& s) { return s.isosurface.opacity > 0.0; },
-     "the opacity of the surface is 0"},
-    {"isosurface.ghost_opacity", [](const Scene& s) { return s.isosurface.ghost > 0.0; },
-     "no uncertainty surfaces are drawn"},
+    {"isosurface.ghost_opacity", hasGhosts, "no uncertainty surfaces are drawn"},
 
     {"pieces.", [](const Scene& s) { return !visibleSurfaces(s).empty(); }, "no isosurface is shown"},
     {"pieces.depth", [](const Scene& s) { return s.pieces.within.has_value(); },
      "connected components are shown everywhere"},
-    {"isosurface.clipped isosurface#.clipped clip.cap", [](const Scene& s) { return hasCuts(s.clip); },
+    {"surfaces.#.clipped clip.cap", [](const Scene& s) { return hasCuts(s.clip); },
      "no clip plane or clip box is set"},
     {"clip.box_rotation", [](const Scene& s) { return !s.clip.box.empty(); }, "no clip box is set"},
 
@@ -214,7 +215,7 @@ constexpr Rule rules[] = {
     {"flow.direction flow.length flow.grain flow.animate flow.speed flow.time", showsFlow,
      "no flow is drawn: the look is not flow and flow.strength is 0"},
 
-    {"light.environment. lamp#. gi. picture.exposure picture.metering", usesGi,
+    {"light.environment. lamps. gi. picture.exposure picture.metering", usesGi,
      "the shading is not global illumination"},
     {"picture.metering", [](const Scene& s) { return !s.picture.exposure; }, "the exposure is set"},
     {"light.environment.constant light.environment.builtin", [](const Scene& s) { return !hasFile(s); },
@@ -230,7 +231,7 @@ constexpr Rule rules[] = {
      "no light is baked"},
     {"gi.sequence light.environment.shadows", [](const Scene& s) { return giChoiceOf(s).traced; },
      "no light is baked"},
-    {"lamp#.shadows", storesLight, "no light is baked"},
+    {"lamps.#.shadows", storesLight, "no light is baked"},
     {"gi.band", [](const Scene& s) { return s.gi.extent == GiExtent::band; },
      "texels are not chosen by isovalue"},
     {"gi.texels", litAlone, "several isosurfaces are lit"},
@@ -248,38 +249,35 @@ constexpr Rule rules[] = {
 };
 
 constexpr ItemRule itemRules[] = {
-    {"isosurface#.name isosurface#.value isosurface#.albedo isosurface#.specular isosurface#.roughness "
-     "isosurface#.opacity isosurface#.facing_opacity "
-     "isosurface#.clipped",
-     [](const Scene& s, std::size_t item) { return s.extraIsosurfaces[item].shown; },
+    {"surfaces.#.name surfaces.#.value surfaces.#.albedo surfaces.#.specular surfaces.#.roughness "
+     "surfaces.#.opacity surfaces.#.facing_opacity surfaces.#.ghost surfaces.#.clipped",
+     [](const Scene& s, std::size_t item) { return item == 0 || s.surfaces[item].shown; },
      "that isosurface is not shown"},
-    {"isosurface#.facing_opacity isosurface#.specular isosurface#.roughness",
-     [](const Scene& s, std::size_t item) { return s.extraIsosurfaces[item].opacity > 0.0; },
-     "the opacity of that surface is 0"},
-    {"isosurface#.roughness",
-     [](const Scene& s, std::size_t item) { return s.extraIsosurfaces[item].specular > 0.0; },
-     "that surface is matt"},
-    {"lamp#.kind lamp#.position lamp#.direction lamp#.radius lamp#.angle lamp#.color lamp#.intensity "
-     "lamp#.shadows",
+    {"surfaces.#.albedo surfaces.#.opacity surfaces.#.clipped surfaces.#.ghost",
+     [](const Scene& s, std::size_t item) { return s.surfaces[item].shown; }, "that isosurface is not shown"},
+    {"surfaces.#.facing_opacity surfaces.#.specular surfaces.#.roughness",
+     [](const Scene& s, std::size_t item) {
+       return s.surfaces[item].shown && s.surfaces[item].opacity > 0.0;
+     },
+     "the opacity of the surface is 0"},
+    {"surfaces.#.roughness", [](const Scene& s, std::size_t item) { return s.surfaces[item].specular > 0.0; },
+     "the surface is matt"},
+    {"lamps.#.kind lamps.#.position lamps.#.direction lamps.#.radius lamps.#.angle lamps.#.color "
+     "lamps.#.intensity lamps.#.shadows",
      [](const Scene& s, std::size_t item) { return s.lamps[item].shown; }, "that light source is off"},
-    {"lamp#.position",
+    {"lamps.#.position",
      [](const Scene& s, std::size_t item) { return s.lamps[item].kind != LampKind::directional; },
      "the light source is distant"},
-    {"lamp#.direction",
+    {"lamps.#.direction",
      [](const Scene& s, std::size_t item) { return s.lamps[item].kind == LampKind::directional; },
      "the light source has a position"},
-    {"lamp#.radius", [](const Scene& s, std::size_t item) { return s.lamps[item].kind == LampKind::sphere; },
+    {"lamps.#.radius",
+     [](const Scene& s, std::size_t item) { return s.lamps[item].kind == LampKind::sphere; },
      "the light source is not a sphere"},
-    {"lamp#.angle",
+    {"lamps.#.angle",
      [](const Scene& s, std::size_t item) { return s.lamps[item].kind == LampKind::directional; },
      "the light source is not distant"},
 };
-
-// Of "lamp2.kind", "isosurface3.value": the number in paths less that of the first item.
-std::size_t itemOf(std::string_view path) {
-  const int first = path.starts_with("lamp") ? 1 : 2;
-  return static_cast<std::size_t>(path[path.find('.') - 1] - '0' - first);
-}
 
 struct RulesOfPath {
   std::vector<const Rule*> rules;
@@ -288,13 +286,16 @@ struct RulesOfPath {
 
 std::map<std::string, RulesOfPath, std::less<>> indexed() {
   std::map<std::string, RulesOfPath, std::less<>> index;
-  for (const Setting& setting : settings()) {
-    RulesOfPath& of = index[setting.path];
+  const auto add = [&index](const std::string& path) {
+    RulesOfPath& of = index[path];
     for (const Rule& rule : rules)
-      if (coversAny(rule.paths, setting.path)) of.rules.push_back(&rule);
+      if (coversAny(rule.paths, path)) of.rules.push_back(&rule);
     for (const ItemRule& rule : itemRules)
-      if (coversAny(rule.paths, setting.path)) of.ofItem.push_back(&rule);
-  }
+      if (coversAny(rule.paths, path)) of.ofItem.push_back(&rule);
+  };
+  for (const Setting& setting : settings()) add(setting.path);
+  for (const SceneList& list : sceneLists())
+    for (const SettingInfo& field : list.fields) add(patternOf(field.path));
   return index;
 }
 
@@ -302,12 +303,15 @@ std::map<std::string, RulesOfPath, std::less<>> indexed() {
 
 std::string_view whyInactive(std::string_view path, const Scene& scene) {
   static const auto index = indexed();
-  const auto found = index.find(path);
+  const auto found = index.find(patternOf(path));
   if (found == index.end()) return {};
   for (const Rule* rule : found->second.rules)
     if (!rule->acts(scene)) return rule->otherwise;
+  if (found->second.ofItem.empty()) return {};
+  const std::optional<std::size_t> item = positionOf(scene, path);
+  if (!item) return "there is no such item";
   for (const ItemRule* rule : found->second.ofItem)
-    if (!rule->acts(scene, itemOf(path))) return rule->otherwise;
+    if (!rule->acts(scene, *item)) return rule->otherwise;
   return {};
 }
 
@@ -315,6 +319,7 @@ std::vector<std::string_view> inactiveReasons() {
   std::vector<std::string_view> list;
   for (const Rule& rule : rules) list.push_back(rule.otherwise);
   for (const ItemRule& rule : itemRules) list.push_back(rule.otherwise);
+  list.emplace_back("there is no such item");
   return list;
 }
 

@@ -49,6 +49,17 @@ json listOf(std::string_view text, const ItemOf& itemOf) {
   return list;
 }
 
+// "a,b,c" as a list of texts.
+json idsOf(std::string_view words) {
+  json list = json::array();
+  for (std::size_t begin = 0; begin < words.size();) {
+    const std::size_t comma = std::min(words.find(',', begin), words.size());
+    list.push_back(std::string(trimmed(words.substr(begin, comma - begin))));
+    begin = comma + 1;
+  }
+  return list;
+}
+
 // What the words of an assignment mean for this setting; a word that makes no sense stays a word, which
 // Setting::set then refuses with the reason.
 json valueOfWords(const SettingInfo& target, std::string_view text) {
@@ -58,7 +69,9 @@ json valueOfWords(const SettingInfo& target, std::string_view text) {
     return std::string(word);
   if (target.type == SettingType::planes && !word.starts_with('[')) return planesOf(word);
   if (target.type == SettingType::positions && !word.starts_with('[')) return positionsOf(word);
-  if (target.type >= SettingType::points) {  // a list
+  if (target.type == SettingType::item && word == "none") return nullptr;
+  if (target.type == SettingType::ids && !word.starts_with('[')) return idsOf(word);
+  if (target.type >= SettingType::points) {  // a list, or an object
     json list = json::parse(word, nullptr, false);
     return list.is_discarded() ? json(std::string(word)) : list;
   }

@@ -16,6 +16,8 @@ namespace isolux::scene {
 //   positions   a list of any length of world points [x, y, z]
 //   planes      a list of ClipPlane, each [px, py, pz, nx, ny, nz]
 //   marks       a list of Mark, each an object
+//   item        an item of a list of the scene (scene_list.h): an object of its settings, or null for none
+//   ids         the ids of the items of such a list, in their order
 enum class SettingType {
   number,
   integer,
@@ -29,7 +31,9 @@ enum class SettingType {
   color_points,
   positions,
   planes,
-  marks
+  marks,
+  item,
+  ids
 };
 // Returns the number of components of a pair, vector or quaternion; 0 for other types.
 std::size_t componentsOf(SettingType type);

@@ -4,6 +4,7 @@
 
 #include "base/words.h"
 #include "scene/settings/host_settings.h"
+#include "scene/settings/scene_list.h"
 #include "scene/settings/setting_entry.h"
 
 namespace isolux::scene {
@@ -36,6 +37,14 @@ std::vector<Setting> makeSettings() {
            "Treats unreadable voxels of a chunked file as missing; otherwise the file is rejected.");
   list.add("source.mesh_voxels", ISOLUX_MEMBER(source.meshVoxels), {16, 1024}, "voxels",
            "Resolution of the distance field made from a triangle mesh: voxels along the longest axis.");
+  list.add(
+      "source.labels", ISOLUX_MEMBER(source.labels),
+      "Labels of a label map whose surface is drawn: numbers, ranges and names, as \"2,4-7,liver\"; empty "
+      "draws all but 0.");
+  list.add(
+      "source.smoothing", ISOLUX_MEMBER(source.smoothing), {0, 2}, "voxels",
+      "Smoothing of the surface of labels: standard deviation of the Gaussian. Every voxel's centre keeps "
+      "its label whatever it is; 0 shows the voxels' own steps.");
   list.add("source.csg", ISOLUX_MEMBER(source.csg),
            "Boolean operation that combines a second volume with the first, as solids on one grid.");
   list.add("source.csg_path", ISOLUX_MEMBER(source.csgPath),
@@ -48,22 +57,11 @@ std::vector<Setting> makeSettings() {
            "Weight of the second volume where source.csg is blend: 0 shows the first volume's surface, 1 the "
            "second's.");
 
-  list.add("isosurface.name", ISOLUX_MEMBER(isosurface.name),
-           "Name of the surface in lists and on the histogram.");
-  list.add("isosurface.value", ISOLUX_MEMBER(isosurface.value), {-1e38, 1e38}, "data units",
-           "Isovalue of the first surface; auto follows isosurface.suggestion.");
   list.add("isosurface.suggestion", ISOLUX_MEMBER(isosurface.suggestion),
-           "Automatic isovalue: the boundary of the whole object (skin in a scan of a head), or the clearest "
-           "boundary inside it (often bone).");
+           "Automatic isovalue of the first surface: the boundary of the whole object (skin in a scan of a "
+           "head), or the clearest boundary inside it (often bone).");
   list.add("isosurface.inside", ISOLUX_MEMBER(isosurface.inside),
            "Side of the isovalue that is solid; the normal points away from it.");
-  list.add("isosurface.albedo", ISOLUX_MEMBER(isosurface.albedo), unitRange, "linear RGB",
-           "Diffuse reflectance of the surface.");
-  list.add("isosurface.specular", ISOLUX_MEMBER(isosurface.specular), unitRange, "",
-           "Gloss under global illumination: reflectance of the surface seen head on. Water and skin have "
-           "0.02 to 0.04, teeth 0.06, metal 0.5 to 0.9; 0 is matt.");
-  list.add("isosurface.roughness", ISOLUX_MEMBER(isosurface.roughness), {0.05, 1.0}, "",
-           "Roughness of that gloss: small values reflect sharply, 1 spreads over half the sky.");
   list.add(
       "isosurface.albedo_source", ISOLUX_MEMBER(isosurface.albedoSource),
       "Source of the isosurfaces' reflectances: a colour per surface, or a colour map over the isovalue.");
@@ -73,41 +71,10 @@ std::vector<Setting> makeSettings() {
            "Isovalue at the lower end of that map; auto is the volume's minimum.");
   list.add("isosurface.albedo_high", ISOLUX_MEMBER(isosurface.albedoHigh), {-1e38, 1e38}, "data units",
            "Isovalue at the upper end of that map; auto is the volume's maximum.");
-  list.add("isosurface.opacity", ISOLUX_MEMBER(isosurface.opacity), unitRange, "",
-           "Opacity of the surface; 1 hides everything behind it.");
-  list.add("isosurface.facing_opacity", ISOLUX_MEMBER(isosurface.facingOpacity), unitRange, "",
-           "View-dependent opacity: factor on the opacity where the surface faces the viewer; edge-on the "
-           "opacity is unchanged.");
   list.add("isosurface.layers", ISOLUX_MEMBER(isosurface.layers), {1, 64}, "",
            "Maximum number of surface crossings composited along a ray, where surfaces are transparent.");
-  list.add("isosurface.ghost", ISOLUX_MEMBER(isosurface.ghost), {0, 100}, "standard deviations of the noise",
-           "Draws two uncertainty surfaces: transparent isosurfaces at the first isovalue ± this many "
-           "standard deviations of the noise. They bound the shift due to noise; 0 draws none.");
   list.add("isosurface.ghost_opacity", ISOLUX_MEMBER(isosurface.ghostOpacity), unitRange, "",
            "Opacity of the uncertainty surfaces.");
-  list.add("isosurface.clipped", ISOLUX_MEMBER(isosurface.clipped),
-           "Applies clip planes and clip box to the first surface.");
-  for (std::size_t i = 0; i < kExtraIsosurfaces; ++i) {
-    const std::string group = "isosurface" + std::to_string(i + 2) + '.';
-    list.add(group + "shown", ISOLUX_ITEM(extraIsosurfaces, i, shown),
-             "Draws one more isosurface of the same volume.");
-    list.add(group + "name", ISOLUX_ITEM(extraIsosurfaces, i, name), "Name of that surface.");
-    list.add(group + "value", ISOLUX_ITEM(extraIsosurfaces, i, value), {-1e38, 1e38}, "data units",
-             "Isovalue of that surface; auto uses the histogram's next suggestion outside the first surface, "
-             "or inside if there is none.");
-    list.add(group + "albedo", ISOLUX_ITEM(extraIsosurfaces, i, albedo), unitRange, "linear RGB",
-             "Diffuse reflectance of that surface.");
-    list.add(group + "specular", ISOLUX_ITEM(extraIsosurfaces, i, specular), unitRange, "",
-             "Gloss of that surface under global illumination; 0 is matt.");
-    list.add(group + "roughness", ISOLUX_ITEM(extraIsosurfaces, i, roughness), {0.05, 1.0}, "",
-             "Roughness of that gloss.");
-    list.add(group + "opacity", ISOLUX_ITEM(extraIsosurfaces, i, opacity), unitRange, "",
-             "Opacity of that surface; 1 hides everything behind it.");
-    list.add(group + "facing_opacity", ISOLUX_ITEM(extraIsosurfaces, i, facingOpacity), unitRange, "",
-             "View-dependent opacity: factor on that opacity where the surface faces the viewer.");
-    list.add(group + "clipped", ISOLUX_ITEM(extraIsosurfaces, i, clipped),
-             "Applies clip planes and clip box to that surface.");
-  }
 
   list.add(
       "pieces.keep", ISOLUX_MEMBER(pieces.keep), {0, 1000000}, "",
@@ -380,30 +347,6 @@ std::vector<Setting> makeSettings() {
   list.add(
       "light.environment.shadows", ISOLUX_MEMBER(light.environment.shadows),
       "The surface occludes the environment; off, its light reaches every point, and reflected light stays.");
-  for (std::size_t i = 0; i < kLamps; ++i) {
-    const std::string group = "lamp" + std::to_string(i + 1) + '.';
-    list.add(group + "shown", ISOLUX_ITEM(lamps, i, shown),
-             "Switches on a light source of global illumination.");
-    list.add(group + "kind", ISOLUX_ITEM(lamps, i, kind),
-             "Kind of the light source: point, distant (directional) or sphere light.");
-    list.add(
-        group + "position", ISOLUX_ITEM(lamps, i, position), positionRange, "mm",
-        "Position of a point or sphere light; auto is above the volume, towards the front and the left.");
-    list.addDirection(group + "direction", ISOLUX_ITEM(lamps, i, direction),
-                      "Direction towards a distant light, world axes; any length but zero.");
-    list.add(group + "radius", ISOLUX_ITEM(lamps, i, radius), {1e-12, 1e13}, "mm",
-             "Radius of a sphere light; a larger one gives softer shadows; auto is a tenth of the volume's "
-             "diagonal.");
-    list.add(group + "angle", ISOLUX_ITEM(lamps, i, angle), {0, 90}, "degrees",
-             "Angular diameter of a distant light; the sun has 0.53, 0 gives hard shadows.");
-    list.add(group + "color", ISOLUX_ITEM(lamps, i, color), unitRange, "linear RGB",
-             "Colour of the light source.");
-    list.add(group + "intensity", ISOLUX_ITEM(lamps, i, intensity), {0, 1e6}, "",
-             "Brightness of a white surface that faces the light source at the volume's centre.");
-    list.add(group + "shadows", ISOLUX_ITEM(lamps, i, shadows),
-             "The light source casts shadows; off, its light reaches every point that faces it, and "
-             "reflected light stays.");
-  }
 
   list.add("gi.mode", ISOLUX_MEMBER(gi.mode),
            "Quantity that is baked: irradiance (static light), transfer (spherical harmonics, rotatable "
@@ -513,21 +456,32 @@ std::span<const Setting> settings() {
 }
 
 bool covers(std::string_view pattern, std::string_view path) {
-  const auto same = [](char wanted, char given) {
-    return wanted == given || (wanted == '#' && given >= '0' && given <= '9');
-  };
-  const bool group = pattern.ends_with('.');
-  if (group ? path.size() <= pattern.size() : path.size() != pattern.size()) return false;
-  return std::equal(pattern.begin(), pattern.end(), path.begin(), same);
+  std::size_t at = 0;
+  for (const char wanted : pattern) {
+    const std::size_t before = at;
+    if (wanted == '#')
+      at = std::min(path.find('.', at), path.size());
+    else if (at < path.size() && path[at] == wanted)
+      ++at;
+    if (at == before) return false;
+  }
+  return pattern.ends_with('.') ? at < path.size() : at == path.size();
 }
 
-const Setting& setting(std::string_view path) {
+Setting setting(std::string_view path) {
   const std::span<const Setting> list = settings();
   const auto found = std::ranges::find_if(list, [&](const Setting& s) { return s.path == path; });
   if (found != list.end()) return *found;
+  if (std::optional<Setting> ofItem = itemSetting(path)) return *std::move(ofItem);
   std::vector<std::string> paths;
   for (const Setting& known : list) paths.push_back(known.path);
   for (const HostSetting& known : hostSettings()) paths.push_back(known.path);
+  for (const SceneList& known : sceneLists()) {
+    for (const SettingInfo& field : known.fields) {
+      paths.push_back(field.path);
+      if (known.firstHadNoNumber) paths.push_back((known.former + '.').append(nameOfField(known, field)));
+    }
+  }
   std::string suggestion = base::nearest(path, paths);
   if (suggestion.empty()) {  // "fov", "view.fov": the right name in no or the wrong group
     const std::string name = '.' + std::string(path.substr(path.rfind('.') + 1));

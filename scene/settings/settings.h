@@ -1,4 +1,5 @@
-// Lists the settings: each member of Scene once, with path, type, default, range, unit and meaning.
+// Lists the settings: each member of Scene once, with path, type, default, range, unit and meaning. Settings
+// of items of lists have paths "list.id.name": scene/settings/scene_list.h.
 //
 // JSON, --set, undo, recordings, hashing, `isolux settings` and the documentation are generated from this
 // list. Paths are "group.name" or "group.subgroup.name" in snake_case. Errors are base::Error of kind usage
@@ -17,11 +18,13 @@ namespace isolux::scene {
 
 using Setting = SettingOf<Scene>;
 
-std::span<const Setting> settings();
-// Returns whether a pattern covers a path: "camera." all paths of a group, '#' the number of a list item
-// ("lamp#.kind"), otherwise the path itself.
+std::span<const Setting> settings();  // without those of items
+// Returns whether a pattern covers a path: "camera." all paths of a group, '#' any id or number
+// ("lamps.#.kind"), otherwise the path itself.
 bool covers(std::string_view pattern, std::string_view path);
-const Setting& setting(std::string_view path);  // throws Error, with the nearest path as a suggestion
+// Returns the setting of a path, also of an item, of a whole item and of the order of a list. Throws Error,
+// with the nearest path as a suggestion.
+Setting setting(std::string_view path);
 
 // Applies an assignment as on the command line: scene/settings/assignment.h.
 void applyAssignment(Scene& scene, std::string_view assignment);

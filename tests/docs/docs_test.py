@@ -14,7 +14,7 @@ DOCS = os.path.join(SOURCE, "docs")
 BUDGETS = {
     "README.md": 750, "CONTRIBUTING.md": 60, "docs/index.md": 120, "docs/gallery.md": 1100, "docs/howto/index.md": 1400,
     "docs/start/clinician.md": 550, "docs/start/engineer.md": 550, "docs/start/simulation.md": 550, "docs/start/python.md": 550,
-    "docs/guide/open.md": 750, "docs/guide/surfaces.md": 750, "docs/guide/looks.md": 750, "docs/guide/slices.md": 450,
+    "docs/guide/open.md": 750, "docs/guide/surfaces.md": 750, "docs/guide/labels.md": 400, "docs/guide/looks.md": 750, "docs/guide/slices.md": 450,
     "docs/guide/clip.md": 450, "docs/guide/measure.md": 750, "docs/guide/light.md": 600, "docs/guide/compare.md": 350,
     "docs/guide/export.md": 800, "docs/guide/accuracy.md": 600, "docs/guide/sessions.md": 550, "docs/guide/large-data.md": 450,
     "docs/guide/window.md": 350, "docs/reference/settings.md": 4500, "docs/reference/commands.md": 2800,
@@ -32,7 +32,7 @@ BUDGETS = {
     "docs/records/2026-11-derivative-scales.md": 500, "docs/records/2026-11-paper-tables.md": 900,
     "docs/records/tried-and-not-kept.md": 400, "docs/records/2026-11-build-time.md": 200,
 }
-MOST_WORDS = 45500  # of all pages together
+MOST_WORDS = 46500  # of all pages together
 
 # Words that the writing guide replaces, in text for users.
 REPLACED = [r"\bas ever\b", r"\bheeds?\b", r"\bof its own\b", r"\bof one's own\b", r"\bfor want of\b", r"\bwhich one is taken\b",

@@ -30,8 +30,8 @@ gi::LightScene lightSceneOf(std::shared_ptr<const volume::PreparedVolume> volume
                             glm::dvec3 albedo) {
   base::Progress progress;
   scene::Scene scene;
-  scene.isosurface.value = 0.0;
-  scene.isosurface.albedo = albedo;
+  scene.surfaces.front().value = 0.0;
+  scene.surfaces.front().albedo = albedo;
   auto tracer = std::make_shared<const volume::IsosurfaceTracer>(volume->volume.grid, inside, progress);
   return {.volume = std::move(volume),
           .tracer = std::move(tracer),

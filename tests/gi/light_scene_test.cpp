@@ -1,5 +1,7 @@
 // What a scene says about its light: lamps in physical units, shares, and the key of stored light.
 #include "gi/light_scene.h"
+#include "tests/support/lamps.h"
+#include "tests/support/surfaces.h"
 #include "tests/support/volumes.h"
 
 #include <cmath>
@@ -26,7 +28,8 @@ using std::numbers::pi;
 scene::Scene giScene(const volume::PreparedVolume& volume) {
   scene::Scene scene;
   scene.look.mode = scene::LookMode::gi;
-  scene.isosurface.value = 0.0;
+  scene.surfaces.front().value = 0.0;
+  lampAt(scene, scene::kLamps - 1);  // all are there, switched off
   return scene::resolve(scene, volume.facts);
 }
 
@@ -47,15 +50,15 @@ TEST(LightScene, LampsAreAsBrightAsTheirSettingsSay) {
   scene::Scene scene = giScene(*volume);
   const auto [low, high] = volume->grid().geometry().worldBounds();
   const glm::dvec3 centre = 0.5 * (low + high);
-  scene.lamps[0].shown = true;
-  scene.lamps[0].color = {1.0, 0.5, 0.25};
-  scene.lamps[0].intensity = 1.7;
+  test::lampAt(scene, 0).shown = true;
+  test::lampAt(scene, 0).color = {1.0, 0.5, 0.25};
+  test::lampAt(scene, 0).intensity = 1.7;
   const auto check = [&](const char* what) {
     const std::vector<LampLight> lamps = lampsOf(scene, volume->grid().geometry());
     ASSERT_EQ(lamps.size(), 1u);
-    const glm::dvec3 toward = scene.lamps[0].kind == scene::LampKind::directional
-                                  ? glm::normalize(scene.lamps[0].direction)
-                                  : glm::normalize(*scene.lamps[0].position - centre);
+    const glm::dvec3 toward = test::lampAt(scene, 0).kind == scene::LampKind::directional
+                                  ? glm::normalize(test::lampAt(scene, 0).direction)
+                                  : glm::normalize(*test::lampAt(scene, 0).position - centre);
     const LampSampler sampler(lamps, volume->grid().geometry());
     const glm::vec3 voxel(volume->grid().geometry().voxelFromWorld() * glm::dvec4(centre, 1.0));
     glm::dvec3 mean(0.0);
@@ -66,19 +69,19 @@ TEST(LightScene, LampsAreAsBrightAsTheirSettingsSay) {
       mean += glm::dvec3(sampler.sample(0, voxel, glm::vec3(toward), u).irradiance) / double(steps * steps);
     }
     for (int channel = 0; channel < 3; ++channel)
-      EXPECT_NEAR(mean[channel], pi * 1.7 * scene.lamps[0].color[channel], 2e-4) << what;
+      EXPECT_NEAR(mean[channel], pi * 1.7 * test::lampAt(scene, 0).color[channel], 2e-4) << what;
   };
   for (const double distance : {0.5, 5.0, 500.0}) {
-    scene.lamps[0].position = centre + distance * glm::normalize(glm::dvec3(1.0, 2.0, -2.0));
-    scene.lamps[0].kind = scene::LampKind::point;
+    test::lampAt(scene, 0).position = centre + distance * glm::normalize(glm::dvec3(1.0, 2.0, -2.0));
+    test::lampAt(scene, 0).kind = scene::LampKind::point;
     check("point");
-    scene.lamps[0].kind = scene::LampKind::sphere;
-    scene.lamps[0].radius = 3.0;  // at 0.5 the centre is inside
+    test::lampAt(scene, 0).kind = scene::LampKind::sphere;
+    test::lampAt(scene, 0).radius = 3.0;  // at 0.5 the centre is inside
     check("sphere");
   }
-  scene.lamps[0].kind = scene::LampKind::directional;
+  test::lampAt(scene, 0).kind = scene::LampKind::directional;
   for (const double angle : {0.0, 1e-9, 0.53, 60.0}) {
-    scene.lamps[0].angle = angle;
+    test::lampAt(scene, 0).angle = angle;
     check("directional");
   }
 }
@@ -86,10 +89,10 @@ TEST(LightScene, LampsAreAsBrightAsTheirSettingsSay) {
 TEST(LightScene, OnlyLampsThatShineAreThere) {
   const auto volume = test::phantom("ball", 12);
   scene::Scene scene = giScene(*volume);
-  scene.lamps[0].shown = scene.lamps[1].shown = true;
-  scene.lamps[1].intensity = 0.0;
-  scene.lamps[2].shown = true;
-  scene.lamps[2].color = glm::dvec3(0.0);
+  test::lampAt(scene, 0).shown = test::lampAt(scene, 1).shown = true;
+  test::lampAt(scene, 1).intensity = 0.0;
+  test::lampAt(scene, 2).shown = true;
+  test::lampAt(scene, 2).color = glm::dvec3(0.0);
   EXPECT_EQ(lampsOf(scene, volume->grid().geometry()).size(), 1u);
 }
 
@@ -125,7 +128,7 @@ class LightKey : public ::testing::Test {
  protected:
   LightKey() {
     scene_.light.environment.file = "probe.hdr";
-    scene_.lamps[0].shown = true;
+    test::lampAt(scene_, 0).shown = true;
   }
   std::string key(const scene::Scene& scene, LightPart part) const {
     return lightKey(scene, *lightOf(scene, volume_, probe_), part);
@@ -155,15 +158,15 @@ TEST_F(LightKey, IsJson) {
 
 TEST_F(LightKey, KeepsWhatOnlyThePictureDependsOn) {
   scene_.gi.texels = scene::GiTexels::own;
-  EXPECT_EQ(changed([](scene::Scene& s) { s.isosurface.value = 3.0; }), "none");
+  EXPECT_EQ(changed([](scene::Scene& s) { s.surfaces.front().value = 3.0; }), "none");
   EXPECT_EQ(changed([](scene::Scene& s) { s.gi.samples = 4; }), "none");
   EXPECT_EQ(changed([](scene::Scene& s) { s.light.environment.exposure = 3.0; }), "none");
   EXPECT_EQ(changed([](scene::Scene& s) { s.light.environment.visible = true; }), "none");
   EXPECT_EQ(changed([](scene::Scene& s) { s.camera.fov = 12.0; }), "none");
   EXPECT_EQ(changed([](scene::Scene& s) { s.gi.interpolation = scene::GiInterpolation::nearest; }), "none");
   EXPECT_EQ(changed([](scene::Scene& s) { s.gi.extent = scene::GiExtent::full; }), "none");
-  EXPECT_EQ(changed([](scene::Scene& s) { s.gi.shOrder = 3; }), "none");            // of transfer only
-  EXPECT_EQ(changed([](scene::Scene& s) { s.lamps[1].intensity = 7.0; }), "none");  // is not shown
+  EXPECT_EQ(changed([](scene::Scene& s) { s.gi.shOrder = 3; }), "none");  // of transfer only
+  EXPECT_EQ(changed([](scene::Scene& s) { test::lampAt(s, 1).intensity = 7.0; }), "none");  // is not shown
   EXPECT_EQ(changed([](scene::Scene& s) {
               s.gi.rouletteDepth = 9;
               s.gi.bounces = 1;
@@ -174,14 +177,16 @@ TEST_F(LightKey, KeepsWhatOnlyThePictureDependsOn) {
 
 // Light of the shown isosurface alone is of that isovalue; of all, and of several, it is of none.
 TEST_F(LightKey, IsOfTheIsovalueWhereTexelsAreLitOnIt) {
-  const auto otherValue = [](scene::Scene& s) { s.isosurface.value = 3.0; };
+  const auto otherValue = [](scene::Scene& s) { s.surfaces.front().value = 3.0; };
   EXPECT_EQ(changed(otherValue), "both");
-  EXPECT_EQ(nlohmann::json::parse(key(scene_, LightPart::sky)).at("isovalue"), *scene_.isosurface.value);
+  EXPECT_EQ(nlohmann::json::parse(key(scene_, LightPart::sky)).at("isovalue"),
+            *scene_.surfaces.front().value);
   scene_.gi.extent = scene::GiExtent::full;
   EXPECT_EQ(changed(otherValue), "none");
   scene_.gi.texels = scene::GiTexels::shown;
   EXPECT_EQ(changed(otherValue), "both");
-  scene_.extraIsosurfaces[0].shown = true;
+  test::surfaceAt(scene_, 1).shown = true;
+  test::surfaceAt(scene_, 1).value = 2.0;
   EXPECT_FALSE(nlohmann::json::parse(key(scene_, LightPart::sky)).contains("isovalue"));
 }
 
@@ -190,19 +195,19 @@ TEST_F(LightKey, FollowsWhatLightDependsOn) {
   EXPECT_EQ(changed([](scene::Scene& s) { s.gi.sequence = scene::DirectionSequence::random; }), "both");
   EXPECT_EQ(changed([](scene::Scene& s) { s.gi.latticeScale = 0.5; }), "both");
   EXPECT_EQ(changed([](scene::Scene& s) { s.isosurface.inside = scene::Inside::below; }), "both");
-  EXPECT_EQ(changed([](scene::Scene& s) { s.isosurface.albedo = {0.9, 0.8, 0.7}; }), "both");
+  EXPECT_EQ(changed([](scene::Scene& s) { s.surfaces.front().albedo = {0.9, 0.8, 0.7}; }), "both");
   EXPECT_EQ(changed([](scene::Scene& s) { s.isosurface.albedoSource = scene::AlbedoSource::map; }), "both");
   EXPECT_EQ(changed([](scene::Scene& s) { s.light.environment.rotation = {1.0, 1.0, 0.0, 0.0}; }), "sky");
   EXPECT_EQ(changed([](scene::Scene& s) { s.gi.environmentShare = 0.1; }), "sky");
   EXPECT_EQ(changed([](scene::Scene& s) { s.gi.mode = scene::GiMode::transfer; }), "sky");
-  EXPECT_EQ(changed([](scene::Scene& s) { s.lamps[0].intensity = 2.0; }), "lamps");
-  EXPECT_EQ(changed([](scene::Scene& s) { s.lamps[0].kind = scene::LampKind::sphere; }), "lamps");
-  EXPECT_EQ(changed([](scene::Scene& s) { s.lamps[1].shown = true; }), "lamps");
+  EXPECT_EQ(changed([](scene::Scene& s) { test::lampAt(s, 0).intensity = 2.0; }), "lamps");
+  EXPECT_EQ(changed([](scene::Scene& s) { test::lampAt(s, 0).kind = scene::LampKind::sphere; }), "lamps");
+  EXPECT_EQ(changed([](scene::Scene& s) { test::lampAt(s, 1).shown = true; }), "lamps");
 }
 
 TEST_F(LightKey, WithoutBouncesTheSurfacesColourDoesNotMatter) {
   scene_.gi.bounces = 0;
-  EXPECT_EQ(changed([](scene::Scene& s) { s.isosurface.albedo = {0.9, 0.8, 0.7}; }), "none");
+  EXPECT_EQ(changed([](scene::Scene& s) { s.surfaces.front().albedo = {0.9, 0.8, 0.7}; }), "none");
 }
 
 TEST_F(LightKey, TransferAndAUnitSkyDoNotDependOnTheEnvironment) {
@@ -250,8 +255,8 @@ TEST_F(LightKey, NamesABuiltInLightAndTakesTheRotationAsAWhole) {
 TEST_F(LightKey, ShadowsAreOfTheirOwnLattice) {
   const auto withoutSky = [](scene::Scene& s) { s.light.environment.shadows = false; };
   EXPECT_EQ(changed(withoutSky), "sky");
-  EXPECT_EQ(changed([](scene::Scene& s) { s.lamps[0].shadows = false; }), "lamps");
-  EXPECT_EQ(changed([](scene::Scene& s) { s.lamps[1].shadows = false; }), "none") << "is not shown";
+  EXPECT_EQ(changed([](scene::Scene& s) { test::lampAt(s, 0).shadows = false; }), "lamps");
+  EXPECT_EQ(changed([](scene::Scene& s) { test::lampAt(s, 1).shadows = false; }), "none") << "is not shown";
   scene_.light.environment.moves = true;
   EXPECT_EQ(changed(withoutSky), "sky") << "transfer";
   scene_.light.environment.file.clear();

@@ -365,7 +365,7 @@ def probes(maker):
 
 
 def sessions(maker):
-    volume = headers(maker)[0].files
+    volume = next(seed.files for seed in headers(maker) if "a.nrrd" in seed.files)
     (maker.folder / "a.nrrd").write_bytes(volume["a.nrrd"])
     for name in ("a.png", "a.exr"):
         maker.run(maker.isolux, "reference", "a.nrrd", "--spp", "1", "--size", "16x12", "--out", name)
@@ -382,7 +382,7 @@ def sessions(maker):
 
 
 def recordings(maker):
-    volume = headers(maker)[0].files
+    volume = next(seed.files for seed in headers(maker) if "a.nrrd" in seed.files)
     lines = [{"isolux_recording": 1, "program": "0.1.0", "scene": {"source": {"path": "a.nrrd"}}},
              {"time": 0.1, "name": "Turn", "set": {"camera.eye": [0, -40, 5]}},
              {"time": 0.25, "name": "Isovalue", "set": {"isosurface.value": 20, "look.mode": "tone"}}]

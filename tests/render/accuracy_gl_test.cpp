@@ -61,7 +61,7 @@ TEST_P(AccuracyGlTest, BallHitsWithin0_01VoxelAndNormalsWithin0_1Degree) {
     for (const auto field : {scene::Field::cubic, scene::Field::cubic_interpolating})
       for (const auto method : {scene::HitMethod::exact, scene::HitMethod::sampled}) {
         scene::Scene scene;
-        scene.isosurface.value = 0.0;
+        scene.surfaces.front().value = 0.0;
         scene.hit.method = method;
         scene.derivatives.field = field;
         const Images result = images(volume, scene, size);
@@ -113,7 +113,7 @@ TEST_P(AccuracyGlTest, RefinementsOfASampledHitFindTheRootOfACurvedField) {
                                [&](glm::dvec3 q) { return std::exp((radius - glm::length(q)) / 3.0); }));
   const auto meanDistance = [&](int refinements) {
     scene::Scene scene;
-    scene.isosurface.value = 1.0;
+    scene.surfaces.front().value = 1.0;
     scene.hit.method = scene::HitMethod::sampled;
     scene.hit.rate = 0.25;
     scene.hit.nearFactor = 1.0;
@@ -145,7 +145,7 @@ TEST_P(AccuracyGlTest, TorusNormalsWithin0_1Degree) {
     const glm::dmat3 normalMatrix = glm::transpose(glm::dmat3(placement.geometry.voxelFromWorld()));
     for (const auto field : {scene::Field::cubic, scene::Field::cubic_interpolating}) {
       scene::Scene scene;
-      scene.isosurface.value = 0.0;
+      scene.surfaces.front().value = 0.0;
       scene.derivatives.field = field;
       const Images result = images(volume, scene, size);
       double sumAngle = 0.0, sumDistance = 0.0;
@@ -181,7 +181,7 @@ TEST_P(AccuracyGlTest, WorldBallIsAsGoodAsItsSamplingAllows) {
     const glm::dvec3 spacing = placement.geometry.spacingMm();
     const double edge = 127.0 * std::min({spacing.x, spacing.y, spacing.z}), radius = 0.35 * edge;
     scene::Scene scene;
-    scene.isosurface.value = 0.0;
+    scene.surfaces.front().value = 0.0;
     scene.derivatives.field = scene::Field::cubic_interpolating;
     scene.camera.eye = glm::dvec3(0.3, -1.0, 0.4) * (6.0 * radius);
     scene.camera.target = glm::dvec3(0.0);
@@ -226,7 +226,7 @@ TEST_P(AccuracyGlTest, ExactHitsAgreeWithTheDoublePrecisionIntersector) {
       for (int i = 0; i < size.x * size.y; ++i) {
         const scene::Ray r = ray({i % size.x, i / size.x}, size);
         const auto expected = volume::firstHit(
-            volume->grid(), *volume->blocks, scene_.isosurface.value.value(),
+            volume->grid(), *volume->blocks, scene_.surfaces.front().value.value(),
             {glm::dvec3(voxelFromWorld * glm::dvec4(r.origin, 1.0)), glm::dmat3(voxelFromWorld) * r.direction,
              projection == scene::Projection::orthographic ? -1e6 : 0.0});
         const bool hit = result.hit.values[static_cast<std::size_t>(i)] == 1.0f;

@@ -11,6 +11,7 @@
 #include "scene/settings/settings.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/support/analytic_fields.h"
+#include "tests/support/surfaces.h"
 
 namespace isolux::test {
 namespace {
@@ -121,9 +122,9 @@ class HardCasesGlTest : public ExecutorsGlTest {
           "flow.strength=1", "isosurface.opacity=0.5", "isosurface.layers=2", "light.headlight=0.5",
           "isosurface2.shown=1", "isosurface2.opacity=1", "isosurface3.shown=1", "isosurface3.opacity=0.3"})
       scene::applyAssignment(scene, setting);
-    const double value = scene.isosurface.value.value_or(volume.facts.suggestedIsovalue);
-    scene.extraIsosurfaces[0].value = value + 0.3 * volume.facts.typicalStep;
-    scene.extraIsosurfaces[1].value = value;
+    const double value = scene.surfaces.front().value.value_or(volume.facts.suggestedIsovalue);
+    test::surfaceAt(scene, 1).value = value + 0.3 * volume.facts.typicalStep;
+    test::surfaceAt(scene, 2).value = value;
     return scene;
   }
 
@@ -159,7 +160,7 @@ TEST_P(HardCasesGlTest, ConstantVolumeHasNoSurface) {
   const auto volume = made<std::uint8_t>({9, 9, 9}, [](int, int, int) { return std::uint8_t{7}; });
   for (const double isovalue : {6.0, 7.0, 8.0, -1e30, 1e30}) {
     scene::Scene scene;
-    scene.isosurface.value = isovalue;
+    scene.surfaces.front().value = isovalue;
     EXPECT_EQ(drawn(volume, scene), 0u) << isovalue;
   }
 }
@@ -170,31 +171,31 @@ TEST_P(HardCasesGlTest, IsovalueAtMinimumMaximumAndOutside) {
   });
   scene::Scene scene;
   for (const double isovalue : {-1.0, 201.0}) {
-    scene.isosurface.value = isovalue;
+    scene.surfaces.front().value = isovalue;
     EXPECT_EQ(drawn(volume, scene), 0u) << isovalue;
   }
-  scene.isosurface.value = 0.0;  // everything is at least the minimum: inside everywhere, no surface
+  scene.surfaces.front().value = 0.0;  // everything is at least the minimum: inside everywhere, no surface
   EXPECT_EQ(drawn(volume, scene), 0u);
-  scene.isosurface.value = 200.0;  // the inner cube's own voxels
+  scene.surfaces.front().value = 200.0;  // the inner cube's own voxels
   EXPECT_GT(drawn(volume, scene), 20u);
 }
 
 TEST_P(HardCasesGlTest, OneAndTwoVoxelAxes) {
   const auto value = [](int x, int y, int z) { return static_cast<float>(x + y + z); };
   scene::Scene scene;
-  scene.isosurface.value = 3.5;
+  scene.surfaces.front().value = 3.5;
   for (const glm::ivec3& dims : {glm::ivec3(8, 8, 1), glm::ivec3(1, 1, 1), glm::ivec3(1, 8, 8)})
     EXPECT_EQ(drawn(made<float>(dims, value), scene), 0u);
   EXPECT_GT(drawn(made<float>({8, 8, 2}, value), scene), 10u);
   EXPECT_GT(drawn(made<float>({2, 8, 8}, value), scene), 10u);
-  scene.isosurface.value = 1.5;
+  scene.surfaces.front().value = 1.5;
   EXPECT_GT(drawn(made<float>({2, 2, 2}, value), scene), 10u);
 }
 
 TEST_P(HardCasesGlTest, TinyAndOffsetValues) {
   const auto ball = [](int x, int y, int z) { return 7.0 - glm::length(glm::dvec3(x, y, z) - 10.0); };
   scene::Scene scene;
-  scene.isosurface.value = 0.0;
+  scene.surfaces.front().value = 0.0;
   const std::size_t plain =
       drawn(made<float>({21, 21, 21}, [&](int x, int y, int z) { return static_cast<float>(ball(x, y, z)); }),
             scene);
@@ -206,7 +207,7 @@ TEST_P(HardCasesGlTest, TinyAndOffsetValues) {
               scene);
     EXPECT_NEAR(static_cast<double>(scaled), static_cast<double>(plain), 2.0) << scale;
   }
-  scene.isosurface.value = 1e6;
+  scene.surfaces.front().value = 1e6;
   const std::size_t offset = drawn(
       made<float>({21, 21, 21}, [&](int x, int y, int z) { return static_cast<float>(1e6 + ball(x, y, z)); }),
       scene);
@@ -216,19 +217,19 @@ TEST_P(HardCasesGlTest, TinyAndOffsetValues) {
 
 TEST_P(HardCasesGlTest, FullRangeIntegers) {
   scene::Scene scene;
-  scene.isosurface.value = 32766.5;
+  scene.surfaces.front().value = 32766.5;
   EXPECT_GT(
       drawn(made<std::int16_t>(
                 {8, 8, 8}, [](int, int y, int) { return static_cast<std::int16_t>(y < 4 ? -32768 : 32767); }),
             scene),
       20u);
-  scene.isosurface.value = 65534.5;
+  scene.surfaces.front().value = 65534.5;
   EXPECT_GT(
       drawn(made<std::uint16_t>(
                 {8, 8, 8}, [](int, int y, int) { return static_cast<std::uint16_t>(y < 4 ? 65534 : 65535); }),
             scene),
       20u);
-  scene.isosurface.value = -127.5;
+  scene.surfaces.front().value = -127.5;
   EXPECT_GT(
       drawn(made<std::int8_t>({8, 8, 8},
                               [](int, int y, int) { return static_cast<std::int8_t>(y < 4 ? -128 : -127); }),
@@ -241,7 +242,7 @@ TEST_P(HardCasesGlTest, NeighbouringIntegersHitWhereTheyShould) {
   const auto volume = made<std::uint16_t>(
       {8, 8, 8}, [](int x, int, int) { return static_cast<std::uint16_t>(x < 4 ? 1000 : 1001); });
   scene::Scene scene;
-  scene.isosurface.value = 1000.25;
+  scene.surfaces.front().value = 1000.25;
   scene.camera.eye = glm::dvec3(-40.0, 3.0, 3.0);
   scene.camera.target = glm::dvec3(3.5);
   scene.camera.up = glm::dvec3(0.0, 0.0, 1.0);
@@ -260,7 +261,7 @@ TEST_P(HardCasesGlTest, MissingVoxelsHoldNoSurface) {
     });
   };
   scene::Scene scene;
-  scene.isosurface.value = 0.0;
+  scene.surfaces.front().value = 0.0;
   const std::size_t whole = drawn(half(false), scene), cut = drawn(half(true), scene);
   EXPECT_GT(cut, 0u);
   EXPECT_LT(cut, whole);
@@ -281,13 +282,13 @@ TEST_P(HardCasesGlTest, MissingVoxelsHoldNoSurface) {
 TEST_P(HardCasesGlTest, VanishingGradient) {
   const auto volume = phantom("two_balls", 33);
   scene::Scene scene;
-  scene.isosurface.value = 0.0;
+  scene.surfaces.front().value = 0.0;
   EXPECT_GT(drawn(volume, scene), 50u);
   // Exactly symmetric about the isovalue: the B-spline's gradient is 0 on the thin sheet.
   const auto sheet = made<float>({9, 9, 9}, [](int, int y, int) { return y == 4 ? 1.0f : 0.0f; });
-  scene.isosurface.value = 1.0;
+  scene.surfaces.front().value = 1.0;
   drawn(sheet, scene);
-  scene.isosurface.value = 0.999;
+  scene.surfaces.front().value = 0.999;
   EXPECT_GT(drawn(sheet, scene), 20u);
 }
 
@@ -297,7 +298,7 @@ TEST_P(HardCasesGlTest, WhereTheGradientIsZeroDirectionsAreZero) {
   scene::Scene scene = assigned({"hit.method=exact", "hit.field=trilinear", "derivatives.field=cubic",
                                  "camera.projection=orthographic", "camera.target=4,4,4",
                                  "camera.eye=4,-28,4", "camera.up=0,0,1"});
-  scene.isosurface.value = 1.0;
+  scene.surfaces.front().value = 1.0;
   EXPECT_GT(checkedHits(sheet, scene), 20u);
   const render::AovImage gradient = renderer_->readAov(render::Aov::gradient),
                          across = renderer_->readAov(render::Aov::direction2);
@@ -318,7 +319,7 @@ TEST_P(HardCasesGlTest, EyeInsideTheVolume) {
   const double radius = 0.35 * 47.0;
   for (const double distance : {0.0, 0.5, 0.9, 0.999, 1.0, 1.001, 1.1, 1.35}) {
     scene::Scene scene;
-    scene.isosurface.value = 0.0;
+    scene.surfaces.front().value = 0.0;
     const glm::dvec3 centre = (low + high) * 0.5;
     scene.camera.eye = centre + glm::dvec3(0.0, -distance * radius, 0.0);
     scene.camera.target = centre + glm::dvec3(0.0, 10.0 * radius, 0.0);
@@ -347,7 +348,7 @@ TEST_P(HardCasesGlTest, EyeInsideTheVolume) {
 TEST_P(HardCasesGlTest, OrthographicEyeInsideStillSeesAll) {
   const auto volume = phantom("ball", 48);
   scene::Scene scene;
-  scene.isosurface.value = 0.0;
+  scene.surfaces.front().value = 0.0;
   scene.camera.projection = scene::Projection::orthographic;
   const Images outside = images(volume, scene, {64, 64});
   const glm::dvec3 toTarget = *scene_.camera.target - *scene_.camera.eye;
@@ -371,7 +372,7 @@ TEST_P(HardCasesGlTest, OrthographicEyeInsideStillSeesAll) {
 TEST_P(HardCasesGlTest, DegenerateCameras) {
   const auto volume = phantom("ball", 32);
   scene::Scene scene;
-  scene.isosurface.value = 0.0;
+  scene.surfaces.front().value = 0.0;
   scene.camera.eye = glm::dvec3(5.0);
   scene.camera.target = glm::dvec3(5.0);  // no direction
   scene.camera.up = glm::dvec3(0.0);
@@ -393,7 +394,7 @@ TEST_P(HardCasesGlTest, RaysAlongAxesThroughCorners) {
   for (int axis = 0; axis < 3; ++axis)
     for (const double side : {-1.0, 1.0}) {
       scene::Scene scene;
-      scene.isosurface.value = 0.0;
+      scene.surfaces.front().value = 0.0;
       scene.camera.projection = scene::Projection::orthographic;
       glm::dvec3 direction(0.0), up(0.0);
       direction[axis] = side;
@@ -425,7 +426,7 @@ TEST_P(HardCasesGlTest, GradientsAtTheEndsOfTheRangeOfFloats) {
       return scale * static_cast<float>(7.0 - glm::length(glm::dvec3(x, y, z) - 10.0));
     });
     scene::Scene scene;
-    scene.isosurface.value = 0.0;
+    scene.surfaces.front().value = 0.0;
     scene.derivatives.field = scene::Field::cubic;
     const Images result = images(volume, scene, {64, 48});
     const render::AovImage kappa = renderer_->readAov(render::Aov::kappa);
@@ -452,7 +453,7 @@ TEST_P(HardCasesGlTest, AGapIsNoSurface) {
   });
   for (const double side : {-1.0, 1.0}) {
     scene::Scene scene;
-    scene.isosurface.value = 0.0;
+    scene.surfaces.front().value = 0.0;
     scene.camera.target = glm::dvec3(16.0, 8.0, 8.0);
     scene.camera.eye = glm::dvec3(16.0 + side * 45.0, 8.0, 8.0);
     scene.camera.up = glm::dvec3(0.0, 0.0, 1.0);
@@ -476,7 +477,7 @@ TEST_P(HardCasesGlTest, AGapIsNoSurface) {
 // Flat and round surfaces, saddles, contacts, sheets thinner than a voxel, in every geometry.
 TEST_P(HardCasesGlTest, ShapesInAnyGeometry) {
   scene::Scene scene;
-  scene.isosurface.value = 0.0;
+  scene.surfaces.front().value = 0.0;
   for (const char* name : {"plane", "saddle", "two_balls", "sheet"})
     EXPECT_GT(drawn(phantom(name, 17), scene), 20u) << name;
   const auto slabs = GridGeometry::make({17, 17, 9}, {0.4, 0.4, 5.0});
@@ -493,23 +494,23 @@ TEST_P(HardCasesGlTest, RaysWithinTheSurface) {
   scene.camera.eye = glm::dvec3(8.0, 8.0, 60.0);
   scene.camera.up = glm::dvec3(0.0, 1.0, 0.0);
   for (const double isovalue : {0.0, 1e-6, -1e-6, 0.5, -8.0, 8.0}) {
-    scene.isosurface.value = isovalue;
+    scene.surfaces.front().value = isovalue;
     drawn(volume, scene);
   }
   scene.camera.projection = scene::Projection::perspective;
   scene.camera.eye = glm::dvec3(8.0, 8.0, -20.0);
-  scene.isosurface.value = 0.0;
+  scene.surfaces.front().value = 0.0;
   drawn(volume, scene);
 }
 
 TEST_P(HardCasesGlTest, LightsAndAlbedosAtTheirEnds) {
   const auto volume = phantom("ball", 17);
   scene::Scene scene;
-  scene.isosurface.value = 0.0;
+  scene.surfaces.front().value = 0.0;
   for (const double intensity : {0.0, 1e-3, 1e5, 1e6})
     for (const double albedo : {0.0, 1.0}) {
       scene.light.intensity = scene.light.headlight = intensity;
-      scene.isosurface.albedo = glm::dvec3(albedo);
+      scene.surfaces.front().albedo = glm::dvec3(albedo);
       scene.look.backgroundTop = scene.look.backgroundBottom = glm::dvec3(0.0);
       scene.light.direction = glm::dvec3(0.0);  // none: the viewer's
       for (const char* shading : {"look.mode=blinn_phong", "look.mode=tone", "look.mode=accessibility"}) {

@@ -37,7 +37,7 @@ class PropertiesGlTest : public ExecutorsGlTest {
   std::string imagesAreFinite(const PropertyCase& made) {
     const auto volume = prepared(made.grid());
     scene::Scene scene = assigned(settingsOf(made));
-    scene.isosurface.value = made.isovalueIn(volume->grid());
+    scene.surfaces.front().value = made.isovalueIn(volume->grid());
     scene.camera = made.camera(volume->grid().geometry());
     const Images result = images(volume, scene, made.picture);
     for (const render::AovInfo& info : render::aovs()) {

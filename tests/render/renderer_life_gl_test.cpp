@@ -64,7 +64,7 @@ TEST_F(RendererLifeGlTest, PointsToldOfALargePictureAreSpreadEvenly) {
   const auto volume = phantom("ball", 24);
   scene::Scene scene;
   scene.look.mode = scene::LookMode::gi;
-  scene.isosurface.opacity = 0.5;
+  scene.surfaces.front().opacity = 0.5;
   scene.camera.projection = scene::Projection::orthographic;
   const glm::dvec3 centre = 0.5 * (volume->facts.boundsMinMm + volume->facts.boundsMaxMm);
   scene.camera.target = centre;

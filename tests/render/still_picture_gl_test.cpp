@@ -208,7 +208,7 @@ TEST_F(StillPictureGlTest, AFarNarrowCameraLosesNoPrecision) {
         const auto i = static_cast<std::size_t>(y * size.x + x);
         const scene::Ray line = ray({x, y}, size);
         const glm::dmat4 voxelFromWorld = volume->grid().geometry().voxelFromWorld();
-        const auto exact = volume::firstHit(volume->grid(), *volume->blocks, *scene_.isosurface.value,
+        const auto exact = volume::firstHit(volume->grid(), *volume->blocks, *scene_.surfaces.front().value,
                                             {glm::dvec3(voxelFromWorld * glm::dvec4(line.origin, 1.0)),
                                              glm::dmat3(voxelFromWorld) * line.direction});
         wrong += exact.has_value() != (seen.hit.values[i] == 1.0f);

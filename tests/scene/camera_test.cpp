@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "scene/rules/automatic.h"
+#include "tests/support/lamps.h"
 
 namespace isolux::scene {
 namespace {
@@ -326,7 +327,7 @@ VolumeFacts headFacts() {
 
 TEST(Automatic, FillsEverythingAndShowsTheWholeBox) {
   const Scene scene = resolve(Scene{}, headFacts());
-  EXPECT_EQ(scene.isosurface.value, 300.0);
+  EXPECT_EQ(scene.surfaces.front().value, 300.0);
   const CameraFrame f = frameOf(scene.camera);
   EXPECT_LT(f.eye.y, -110.0) << "in front of the patient";
   EXPECT_GT(f.back.z, 0.05) << "slightly above";
@@ -341,13 +342,15 @@ TEST(Automatic, FillsEverythingAndShowsTheWholeBox) {
 TEST(Automatic, MeshesStandOnTheirYAxis) {
   VolumeFacts facts = headFacts();
   facts.axes = WorldAxes::yUp;
-  const Scene scene = resolve(Scene{}, facts);
+  Scene given;
+  test::lampAt(given, 0).shown = true;
+  const Scene scene = resolve(given, facts);
   const CameraFrame f = frameOf(scene.camera);
   EXPECT_GT(f.back.z, 0.9) << "in front, which is +z";
   EXPECT_GT(f.back.y, 0.05) << "slightly above";
   EXPECT_NEAR(f.right.x, 1.0, 1e-9);
   EXPECT_GT(f.up.y, 0.9);
-  EXPECT_GT(scene.lamps[0].position->y, 95.0) << "lamps stand above, too";
+  EXPECT_GT(test::lampAt(scene, 0).position->y, 95.0) << "lamps stand above, too";
 }
 
 TEST(Automatic, NeverChangesWhatIsExplicit) {
@@ -356,10 +359,10 @@ TEST(Automatic, NeverChangesWhatIsExplicit) {
     if (bits & 1) scene.camera.eye = glm::dvec3(7, 8, 900);
     if (bits & 2) scene.camera.target = glm::dvec3(1, 2, 3);
     if (bits & 4) scene.camera.up = glm::dvec3(0, 1, 0.5);
-    if (bits & 8) scene.isosurface.value = -5.0;
+    if (bits & 8) scene.surfaces.front().value = -5.0;
     const Scene resolved = resolve(scene, headFacts());
     ASSERT_TRUE(resolved.camera.eye && resolved.camera.target && resolved.camera.up &&
-                resolved.isosurface.value);
+                resolved.surfaces.front().value);
     if (bits & 1) {
       EXPECT_EQ(resolved.camera.eye, scene.camera.eye);
     }
@@ -370,7 +373,7 @@ TEST(Automatic, NeverChangesWhatIsExplicit) {
       EXPECT_EQ(resolved.camera.up, scene.camera.up);
     }
     if (bits & 8) {
-      EXPECT_EQ(resolved.isosurface.value, -5.0);
+      EXPECT_EQ(resolved.surfaces.front().value, -5.0);
     }
     EXPECT_TRUE(resolve(resolved, VolumeFacts{}) == resolved) << "resolved once, resolved for good";
   }
@@ -380,7 +383,7 @@ TEST(Automatic, SurvivesDegenerateFacts) {
   for (const VolumeFacts& facts : {VolumeFacts{}, VolumeFacts{glm::dvec3(nan), glm::dvec3(nan), nan},
                                    VolumeFacts{glm::dvec3(5), glm::dvec3(5), infinity}}) {
     const Scene scene = resolve(Scene{}, facts);
-    EXPECT_TRUE(std::isfinite(*scene.isosurface.value));
+    EXPECT_TRUE(std::isfinite(*scene.surfaces.front().value));
     expectOrthonormal(frameOf(scene.camera));
   }
   Scene centred;

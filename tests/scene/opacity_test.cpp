@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/rules/needs.h"
+#include "tests/support/surfaces.h"
 
 namespace isolux::scene {
 namespace {
@@ -58,14 +59,14 @@ TEST(Opacity, ASurfaceThatIsSeenThroughFromTheFrontIsTransparent) {
   Scene scene;
   EXPECT_FALSE(isTransparent(scene));
   EXPECT_FALSE(variesByAngle(scene));
-  scene.isosurface.facingOpacity = 0.5;
+  scene.surfaces.front().facingOpacity = 0.5;
   EXPECT_TRUE(isTransparent(scene) && variesByAngle(scene));
-  scene.isosurface.opacity = 0.0;
+  scene.surfaces.front().opacity = 0.0;
   EXPECT_FALSE(isTransparent(scene) || variesByAngle(scene));
-  scene.extraIsosurfaces[1].opacity = 1.0;
-  scene.extraIsosurfaces[1].facingOpacity = 0.0;
+  test::surfaceAt(scene, 2).opacity = 1.0;
+  test::surfaceAt(scene, 2).facingOpacity = 0.0;
   EXPECT_FALSE(isTransparent(scene));
-  scene.extraIsosurfaces[1].shown = true;
+  test::surfaceAt(scene, 2).shown = true;
   EXPECT_TRUE(isTransparent(scene) && variesByAngle(scene));
 }
 

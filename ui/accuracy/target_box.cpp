@@ -127,7 +127,7 @@ QString TargetBox::questionName() const {
 
 void TargetBox::find() {
   drop();
-  if (subject_.given.isosurface.clipped && scene::cutsSurfaces(subject_.given)) {
+  if (subject_.given.surfaces.front().clipped && scene::cutsSurfaces(subject_.given)) {
     said_ = tr("Errors are known only for an uncut isosurface: remove the cuts or exclude it from them");
     return showState();
   }

@@ -54,8 +54,8 @@ MeshDialog::MeshDialog(std::shared_ptr<const volume::PreparedVolume> volume, sce
   showPlace->hide();
   layOut(this, columnOf({form, text_, bar, lineOf({showPlace, Cell::room(), close, start})}));
 
-  const bool cut = resolved_.isosurface.clipped && scene::cutsSurfaces(resolved_);
-  resolved_.isosurface.clipped = false;
+  const bool cut = resolved_.surfaces.front().clipped && scene::cutsSurfaces(resolved_);
+  resolved_.surfaces.front().clipped = false;
   const QString what =
       tr("Exports the surface as shown, without hidden pieces. The extension sets the format: .stl, .ply, "
          ".obj or .vtp. A .vtp file also contains curvature and the values of a second volume.");
@@ -70,7 +70,7 @@ MeshDialog::MeshDialog(std::shared_ptr<const volume::PreparedVolume> volume, sce
 
 scene::Scene MeshDialog::chosenScene() const {
   scene::Scene scene = resolved_;
-  scene.isosurface.value = surface->currentData().toDouble();
+  scene.surfaces.front().value = surface->currentData().toDouble();
   return scene;
 }
 

@@ -69,11 +69,9 @@ scene::Scene ofTheUser(const scene::Scene& before) {
 
 // Of another series of the same patient all stays but its values, its places and who knows it by which name.
 void makeAutomatic(scene::Scene& scene) {
-  scene.isosurface.value.reset();
-  scene.isosurface.name.clear();
-  for (scene::ExtraIsosurface& extra : scene.extraIsosurfaces) {
-    extra.value.reset();
-    extra.name.clear();
+  for (scene::Surface& surface : scene.surfaces) {
+    surface.value.reset();
+    surface.name.clear();
   }
   scene.camera.eye.reset();
   scene.camera.target.reset();
@@ -93,15 +91,12 @@ void makeAutomatic(scene::Scene& scene) {
 // What decides which surface is shown, all else at its defaults.
 scene::Scene surfacesOf(const scene::Scene& scene) {
   scene::Scene surfaces;
-  surfaces.isosurface.value = scene.isosurface.value;
   surfaces.isosurface.inside = scene.isosurface.inside;
   surfaces.isosurface.suggestion = scene.isosurface.suggestion;
   surfaces.pieces = scene.pieces;
-  for (std::size_t i = 0; i < scene.extraIsosurfaces.size(); ++i) {
-    if (!scene.extraIsosurfaces[i].shown) continue;
-    surfaces.extraIsosurfaces[i].shown = true;
-    surfaces.extraIsosurfaces[i].value = scene.extraIsosurfaces[i].value;
-  }
+  surfaces.surfaces.clear();
+  for (const scene::Surface& surface : scene.surfaces)
+    if (surface.shown || surfaces.surfaces.empty()) surfaces.surfaces.push_back({.value = surface.value});
   return surfaces;
 }
 }  // namespace
@@ -251,7 +246,8 @@ void Document::startLoading(const scene::Scene& scene, After after) {
   std::unique_ptr<app::LoadTask> task = ahead_.take(scene.source);
   if (!task) {
     const bool opens = after == After::replaceDocument || after == After::restoreDocument;
-    task = app::loadTask(scene.source, {.coarser = opens, .aroundDamage = after != After::keepScene});
+    task = app::loadTask(scene.source, {.coarser = opens, .aroundDamage = after != After::keepScene},
+                         volume_ ? std::optional(app::LoadedVolume{loadedSource_, volume_}) : std::nullopt);
   }
   loading_.watch(
       std::move(task), [this](auto& loaded) { finishLoading(loaded); },
@@ -351,7 +347,7 @@ void Document::restoreDocument() {
 scene::Scene Document::atLoadedStep() const {
   scene::Scene next = scene();
   const scene::Scene resolved = resolvedScene();
-  next.isosurface.value = resolved.isosurface.value;
+  next.surfaces.front().value = resolved.surfaces.front().value;
   next.camera = resolved.camera;
   next.source = loadedSource_;
   return next;
@@ -369,9 +365,9 @@ void Document::changeSource(const volume::PreparedVolume& volume) {
   }
   next.source = loadedSource_;
   if (otherSeries) makeAutomatic(next);
-  if (next.isosurface.value && (*next.isosurface.value <= volume.grid().minimum() ||
-                                *next.isosurface.value >= volume.grid().maximum())) {
-    next.isosurface.value.reset();
+  if (next.surfaces.front().value && (*next.surfaces.front().value <= volume.grid().minimum() ||
+                                      *next.surfaces.front().value >= volume.grid().maximum())) {
+    next.surfaces.front().value.reset();
   }
   history_.edit(next, pendingName_.toStdString());
 }

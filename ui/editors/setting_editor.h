@@ -42,7 +42,7 @@ class SettingEditor : public QWidget {
   nlohmann::json seenValue() const;  // the scene's, or the resolved one, or what was found; "auto": unknown
   void explain();
 
-  const scene::Setting& setting_;
+  const scene::Setting setting_;
   scene::Scene scene_, resolved_;
   const std::unique_ptr<nlohmann::json> shown_, found_;
   QString description_, whyInactive_;

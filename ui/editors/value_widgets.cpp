@@ -417,6 +417,10 @@ ValueWidget* makeValueWidget(const SettingInfo& setting, QWidget* parent) {
       return new PointsEditor(new CurvatureMapView(parent), parent);
     case SettingType::quaternion:
       return new RotationWidget(parent);
+    case SettingType::item:
+    case SettingType::ids:
+      assert(false && "whole items have no row");
+      break;
     case SettingType::pair:
     case SettingType::vector:
       break;

@@ -5,6 +5,7 @@
 
 #include <QCoreApplication>
 
+#include "scene/settings/scene_list.h"
 #include "ui/language/number_text.h"
 
 namespace isolux::ui {
@@ -23,14 +24,11 @@ QString translatedFilter(std::string_view filter) {
 
 QString plainNameOf(const scene::SettingInfo& setting) {
   const QString path = QString::fromStdString(setting.path);
-  QString name = plainWordsOf(path.section('.', 1)).replace('.', ' ').replace("color", "colour");
+  const scene::SceneList* const list = scene::listOfPath(setting.path);
+  QString name = plainWordsOf(path.section('.', list ? 2 : 1)).replace('.', ' ').replace("color", "colour");
   if (name == "Colormap") name = "Colour map";
   name[0] = name[0].toLower();
-  // The light sources and the further isosurfaces have the same members: the group tells them apart.
-  QString group = path.section('.', 0, 0);
-  if (!group.back().isDigit()) return name;
-  group.replace("lamp", "light");
-  return group.chopped(1) + ' ' + group.back() + ' ' + name;
+  return list && list->path == "lamps" ? "light " + name : name;
 }
 
 QString nameOf(const scene::SettingInfo& setting) {

@@ -34,8 +34,8 @@ QString translated(const char* context, std::string_view english);
 // "Volumes (*.nii *.mhd)": what stands before the patterns.
 QString translatedFilter(std::string_view filter);
 
-// Returns the name of a setting in undo steps: "colour map" of look.colormap, "light 1 colour" of
-// lamp1.color.
+// Returns the name of a setting in undo steps: "colour map" of look.colormap, "light colour"
+// of lamps.key.color.
 QString plainNameOf(const scene::SettingInfo& setting);  // as the translations know it
 QString nameOf(const scene::SettingInfo& setting);
 

@@ -82,10 +82,10 @@ void IsovaluePanel::setVolume(VolumePointer volume) {
 
 void IsovaluePanel::setScene(const scene::Scene& scene, const scene::Scene& resolved) {
   scene_ = scene;
-  if (!resolved.isosurface.value) return;
-  slider_->setIsovalue(*resolved.isosurface.value, resolved.isosurface.inside == scene::Inside::above);
-  spinBox_->showValue(*resolved.isosurface.value);
-  suggest_->setEnabled(scene.isosurface.value.has_value());
+  if (!resolved.surfaces.front().value) return;
+  slider_->setIsovalue(*resolved.surfaces.front().value, resolved.isosurface.inside == scene::Inside::above);
+  spinBox_->showValue(*resolved.surfaces.front().value);
+  suggest_->setEnabled(scene.surfaces.front().value.has_value());
   showSurfaces(resolved);
 }
 
@@ -97,11 +97,11 @@ void IsovaluePanel::showSurfaces(const scene::Scene& resolved) {
     handles.push_back({one.number, one.value, screenColour(one.albedo), surfaceName(one), one.shown});
   slider_->setSurfaces(handles);
   arrange(list.size() > 1);
-  const bool room = list.size() < app::kMostSurfaces;
+  const bool room = list.size() < scene::kSurfaces;
   add_->setEnabled(room);
   add_->setToolTip(room ? tr("Add an isosurface outside the present ones, where the histogram suggests one "
                              "(also: Alt+click on the histogram)")
-                        : tr("At most %1 isosurfaces are possible").arg(app::kMostSurfaces));
+                        : tr("At most %1 isosurfaces are possible").arg(scene::kSurfaces));
 }
 
 // One isosurface: its value above the buttons. Several: their list, and the buttons in a line below.
@@ -114,7 +114,7 @@ void IsovaluePanel::arrange(bool several) {
 
 void IsovaluePanel::moveSurface(int number, double value, bool endsAfterPause) {
   Edit edit{scene_, tr("Set isovalue"), QString("isovalue %1").arg(number), endsAfterPause};
-  app::setValue(edit.scene, number, value);
+  edit.scene.surfaces.at(static_cast<std::size_t>(number)).value = value;
   Q_EMIT edited(edit);
 }
 
@@ -126,7 +126,7 @@ void IsovaluePanel::addSurface(std::optional<double> value) {
 
 void IsovaluePanel::send(std::optional<double> value, const char* mergeKey, bool endsAfterPause) {
   Edit edit{scene_, value ? tr("Set isovalue") : tr("Suggested isovalue"), mergeKey, endsAfterPause};
-  edit.scene.isosurface.value = value;
+  edit.scene.surfaces.front().value = value;
   Q_EMIT edited(edit);
 }
 

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include <QObject>
+#include <nlohmann/json.hpp>
 
 #include "ui/language/number_text.h"
 #include "ui/language/translated.h"
@@ -45,7 +46,7 @@ const std::vector<GroupPlan>& plan() {
         "light.environment.exposure", "light.environment.visible", "light.environment.file",
         "light.environment.constant", "light.environment.rotation", "light.environment.moves",
         "light.environment."}},
-      {QT_TRANSLATE_NOOP("QObject", "Lights"), true, {"lamp#."}},
+      {QT_TRANSLATE_NOOP("QObject", "Lights"), true, {"lamps."}},
       {QT_TRANSLATE_NOOP("QObject", "Global illumination"),
        true,
        {"picture.exposure", "picture.metering", "picture.curve", "gi.ground", "gi.mode", "gi.samples",
@@ -53,11 +54,10 @@ const std::vector<GroupPlan>& plan() {
       {QT_TRANSLATE_NOOP("QObject", "Texture and fog"),
        false,
        {"look.texture", "look.texture_scale", "look.fog", "look.fog_color"}},
-      {QT_TRANSLATE_NOOP("QObject", "Isosurface"),
+      {QT_TRANSLATE_NOOP("QObject", "Isosurfaces"),
        true,
-       {"isosurface.value", "isosurface.inside", "isosurface.albedo_source", "isosurface.albedo",
-        "isosurface.albedo_map", "isosurface.albedo_low", "isosurface.albedo_high", "isosurface."}},
-      {QT_TRANSLATE_NOOP("QObject", "More isosurfaces"), false, {"isosurface#."}},
+       {"isosurface.inside", "isosurface.albedo_source", "isosurface.albedo_map", "isosurface.albedo_low",
+        "isosurface.albedo_high", "isosurface.", "surfaces."}},
       {QT_TRANSLATE_NOOP("QObject", "Cut"), false, {"clip."}},
       {QT_TRANSLATE_NOOP("QObject", "Hit finding"), false, {"hit."}},
       {QT_TRANSLATE_NOOP("QObject", "Derivatives"), false, {"derivatives."}},
@@ -70,7 +70,7 @@ const std::vector<GroupPlan>& plan() {
 }
 
 // In panels of their own: the volume's, which knows the choices the file offers, and the marks'.
-constexpr std::string_view elsewhere[] = {"source.", "marks.", "isosurface.name", "isosurface#.name"};
+constexpr std::string_view elsewhere[] = {"source.", "marks."};
 
 std::string prefixOf(const scene::Setting& setting) {
   return setting.path.substr(0, setting.path.find('.') + 1);
@@ -97,39 +97,36 @@ QString environmentLabel(const QString& name) {
   return wordsOf(name);
 }
 
-QString lampLabel(const QString& lamp, const QString& name) {
-  if (name == "shown") return QObject::tr("Light %1").arg(lamp);
-  return name == "color" ? QObject::tr("Colour") : wordsOf(name);
-}
-
 }  // namespace
 
 std::vector<PanelGroup> panelGroups() {
   std::vector<PanelGroup> result;
   for (const GroupPlan& group : plan()) {
     PanelGroup& made = result.emplace_back(PanelGroup{group.title, group.open, {}});
-    for (const std::string_view entry : group.paths)
+    for (const std::string_view entry : group.paths) {
       for (const scene::Setting& setting : scene::settings())
-        if (entryOf(setting) == entry) made.settings.push_back(&setting);
+        if (entryOf(setting) == entry) made.settings.push_back(setting);
+      for (const scene::SceneList& list : scene::sceneLists())
+        if (list.path + '.' == entry) made.list = &list;
+    }
   }
   for (const scene::Setting& setting : scene::settings()) {
     if (!entryOf(setting).empty()) continue;
     const QString title = plainWordsOf(QString::fromStdString(prefixOf(setting)).chopped(1));
     auto found = std::find_if(result.begin(), result.end(), [&](const auto& g) { return g.title == title; });
     if (found == result.end()) found = result.insert(result.end(), {title, false, {}});
-    found->settings.push_back(&setting);
+    found->settings.push_back(setting);
   }
   return result;
 }
 
-RowLabel labelOf(const scene::Setting& setting) {
+RowLabel labelOf(const scene::SettingInfo& setting) {
   const QString path = QString::fromStdString(setting.path), name = path.section('.', 1);
-  // The further isosurfaces share a group: a check box for each, its details below it.
-  if (path.startsWith("isosurface") && path[10].isDigit()) {
-    if (name == "shown") return {QObject::tr("Isosurface %1").arg(path[10]), false};
-    return {name == "albedo" ? QObject::tr("Colour") : wordsOf(name), true};
+  if (scene::listOfPath(setting.path) != nullptr) {  // a check box for each item, its details below it
+    const QString field = path.section('.', 2);
+    const bool colour = field == "color" || field == "albedo";
+    return {colour ? QObject::tr("Colour") : wordsOf(field), field != "shown"};
   }
-  if (path.startsWith("lamp")) return {lampLabel(path.mid(4, 1), name), name != "shown"};
   if (path.startsWith("light.environment.")) return {environmentLabel(path.section('.', 2)), false};
   if (name == "albedo") return {QObject::tr("Colour"), false};
   if (name == "albedo_source") return {QObject::tr("Colour source"), false};
@@ -141,6 +138,15 @@ RowLabel labelOf(const scene::Setting& setting) {
   words.replace("color", "colour").replace("Color", "Colour");
   if (words == "Colourmap") words = "Colour map";
   return {translated(texts::words, words.toStdString()), false};
+}
+
+QString titleOf(const scene::SceneList& list, const scene::Scene& scene, const std::string& id) {
+  const std::string path = list.path + '.' + id;
+  const std::string name = scene::setting(path + ".name").get(scene).get<std::string>();
+  if (!name.empty()) return QString::fromStdString(name);
+  const auto number = scene::positionOf(scene, path).value_or(0) + 1;
+  return list.path == "lamps" ? QObject::tr("Light %1").arg(number)
+                              : QObject::tr("Isosurface %1").arg(number);
 }
 
 }  // namespace isolux::ui

@@ -8,7 +8,7 @@
 
 #include <QString>
 
-#include "scene/settings/settings.h"
+#include "scene/settings/scene_list.h"
 
 namespace isolux::ui {
 
@@ -18,7 +18,8 @@ inline constexpr const char* environmentGroup = "Environment";
 struct PanelGroup {
   QString title;
   bool open;  // at first
-  std::vector<const scene::Setting*> settings;
+  std::vector<scene::Setting> settings;
+  const scene::SceneList* list = nullptr;  // the group shows the items of this list
 };
 
 // Without the source, which the volume panel edits.
@@ -29,6 +30,8 @@ struct RowLabel {
   QString text;
   bool indented;
 };
-RowLabel labelOf(const scene::Setting& setting);
+RowLabel labelOf(const scene::SettingInfo& setting);
+// Returns the name of an item of a list, or "Light 2".
+QString titleOf(const scene::SceneList& list, const scene::Scene& scene, const std::string& id);
 
 }  // namespace isolux::ui

@@ -150,7 +150,8 @@ void PiecesPanel::hideEvent(QHideEvent* event) {
 }
 
 bool PiecesPanel::current() const {
-  return found_.pieces && foundOf_ == volume_ && resolved_.isosurface.value == found_.pieces->isovalue() &&
+  return found_.pieces && foundOf_ == volume_ &&
+         resolved_.surfaces.front().value == found_.pieces->isovalue() &&
          resolved_.isosurface.inside == found_.pieces->inside();
 }
 
@@ -159,9 +160,9 @@ bool PiecesPanel::measured() const {
 }
 
 bool PiecesPanel::isWanted() const {
-  return isSeen(this) && volume_ && resolved_.isosurface.value && !measured() &&
-         !(task_ &&
-           asked_ == app::PieceSubject{volume_, *resolved_.isosurface.value, resolved_.isosurface.inside});
+  return isSeen(this) && volume_ && resolved_.surfaces.front().value && !measured() &&
+         !(task_ && asked_ == app::PieceSubject{volume_, *resolved_.surfaces.front().value,
+                                                resolved_.isosurface.inside});
 }
 
 // While the isovalue is dragged nothing is begun.
@@ -171,7 +172,7 @@ void PiecesPanel::findSoon() {
 
 void PiecesPanel::find() {
   if (!isWanted()) return;
-  asked_ = {volume_, *resolved_.isosurface.value, resolved_.isosurface.inside};
+  asked_ = {volume_, *resolved_.surfaces.front().value, resolved_.isosurface.inside};
   task_.watch(
       app::pieceTask(asked_, resolved_, current()), [this](auto& task) { take(task); },
       [this] { showState(); });

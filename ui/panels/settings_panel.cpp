@@ -5,16 +5,19 @@
 #include <QBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QToolButton>
 #include <nlohmann/json.hpp>
 
+#include "scene/rules/relevance.h"
 #include "ui/document/environment_edit.h"
 #include "ui/editors/environment_preview.h"
 #include "ui/editors/light_chooser.h"
 #include "ui/editors/setting_editor.h"
 #include "ui/language/number_text.h"
 #include "ui/language/translated.h"
+#include "ui/theme/icons.h"
 #include "ui/theme/style.h"
 #include "ui/widgets/parts.h"
 
@@ -42,6 +45,23 @@ bool shownByThumbnails(const scene::Setting& setting) {
 
 bool turnsEnvironment(const scene::Setting& setting) {
   return setting.path == "light.environment.azimuth" || setting.path == "light.environment.elevation";
+}
+
+struct ListWords {
+  QString add, remove, most;
+};
+
+ListWords wordsFor(const scene::SceneList& list) {
+  if (list.path == "lamps")
+    return {QObject::tr("Add light"), QObject::tr("Remove light"),
+            QObject::tr("At most %1 lights are possible")};
+  return {QObject::tr("Add isosurface"), QObject::tr("Remove isosurface"),
+          QObject::tr("At most %1 isosurfaces are possible")};
+}
+
+// Why no item of the list has an effect; empty: they act.
+QString whyUseless(const scene::SceneList& list, const scene::Scene& scene) {
+  return translated(texts::reasons, scene::whyInactive(list.path + ".#.shown", scene));
 }
 
 QToolButton* makeHeader(const PanelGroup& plan, QWidget* parent) {
@@ -111,12 +131,72 @@ void SettingsPanel::addGroup(const PanelGroup& plan, QBoxLayout* layout) {
     rows->addWidget(lights_);
     rows->addWidget(environment_);
   }
-  for (const scene::Setting* setting : plan.settings) group.rows.push_back(addRow(*setting, group));
+  for (const scene::Setting& setting : plan.settings) group.rows.push_back(addRow(setting, group));
+  group.list = plan.list;
+  if (group.list != nullptr) {
+    addItemRows(group);
+    group.addItem = new QPushButton(wordsFor(*group.list).add, box);
+    rows->addWidget(group.addItem, 0, Qt::AlignLeft);
+  }
   groups_.push_back(std::move(group));
-  connect(groups_.back().header, &QToolButton::clicked, this, [this, index = groups_.size() - 1](bool open) {
+  const std::size_t index = groups_.size() - 1;
+  connect(groups_.back().header, &QToolButton::clicked, this, [this, index](bool open) {
     groups_[index].open = open;
     showGroup(groups_[index]);
   });
+  if (plan.list == nullptr) return;
+  connect(groups_.back().addItem, &QPushButton::clicked, this, [this, list = plan.list] {
+    std::vector<std::string> ids = list->ids(scene_);
+    ids.push_back(scene::newId(*list, scene_));
+    sendItems(*list, ids, wordsFor(*list).add);
+  });
+}
+
+void SettingsPanel::sendItems(const scene::SceneList& list, const std::vector<std::string>& ids,
+                              const QString& name) {
+  Edit edit{scene_, name, {}, false};
+  list.arrange(edit.scene, ids);
+  Q_EMIT edited(edit);
+}
+
+// A row for each setting of each item that there may be: those of items that the scene lacks are hidden.
+void SettingsPanel::addItemRows(Group& group) {
+  for (std::size_t position = 0; position < group.list->most; ++position) {
+    for (const scene::SettingInfo& field : group.list->fields) {
+      const std::string path = std::string(group.list->path)
+                                   .append(".")
+                                   .append(std::to_string(position + 1))
+                                   .append(".")
+                                   .append(scene::nameOfField(*group.list, field));
+      group.rows.push_back(addRow(scene::setting(path), group));
+      if (!path.ends_with(".shown")) continue;
+      auto* remove = new QToolButton(group.rows.back().line);
+      remove->setIcon(icon("close"));
+      remove->setAutoRaise(true);
+      nameAndTip(remove, wordsFor(*group.list).remove);
+      group.rows.back().line->layout()->addWidget(remove);
+      group.removers.push_back(remove);
+      connect(remove, &QToolButton::clicked, this, [this, list = group.list, position] {
+        std::vector<std::string> left = list->ids(scene_);
+        if (position < left.size()) left.erase(left.begin() + static_cast<std::ptrdiff_t>(position));
+        sendItems(*list, left, wordsFor(*list).remove);
+      });
+    }
+  }
+}
+
+void SettingsPanel::showItems(const Group& group) {
+  const std::vector<std::string> ids = group.list->ids(scene_);
+  for (const Row& row : group.rows) {
+    const std::string& path = row.editor->setting().path;
+    const auto position = scene::positionOf(scene_, path);
+    if (position && path.ends_with(".shown"))
+      row.label->setText(titleOf(*group.list, scene_, ids[*position]));
+  }
+  for (QToolButton* remove : group.removers) remove->setVisible(ids.size() > group.list->least);
+  const bool full = ids.size() >= group.list->most;
+  group.addItem->setEnabled(!full);
+  group.addItem->setToolTip(full ? wordsFor(*group.list).most.arg(group.list->most) : QString());
 }
 
 SettingsPanel::Row SettingsPanel::addRow(const scene::Setting& setting, const Group& group) {
@@ -158,17 +238,27 @@ void SettingsPanel::holdRows(SettingEditor* editor) {
   });
 }
 
+// Whether the setting is of every scene, or of an item that this one has.
+bool SettingsPanel::isThere(const std::string& path) const {
+  return scene::listOfPath(path) == nullptr || scene::positionOf(scene_, path).has_value();
+}
+
 bool SettingsPanel::searching() const {
   return !search_->text().trimmed().isEmpty();
 }
 
 void SettingsPanel::showGroup(Group& group) {
   const auto useful = [](const Row& row) { return row.editor->whyInactive().isEmpty(); };
-  const bool anyUseful = std::any_of(group.rows.begin(), group.rows.end(), useful);
+  const QString why =
+      group.list != nullptr ? whyUseless(*group.list, scene_) : group.rows.front().editor->whyInactive();
+  const bool anyUseful =
+      (group.list != nullptr && why.isEmpty()) || std::any_of(group.rows.begin(), group.rows.end(), useful);
   const bool anyFound =
       std::any_of(group.rows.begin(), group.rows.end(), [](auto& row) { return row.found; });
   for (Row& row : group.rows) {
-    const bool shown = searching() ? row.found : useful(row) && !shownByThumbnails(row.editor->setting());
+    const bool there = group.list == nullptr || isThere(row.editor->setting().path);
+    const bool shown =
+        searching() ? row.found && there : useful(row) && !shownByThumbnails(row.editor->setting());
     const QString tip = row.editor->toolTip();
     if (row.label->toolTip() != tip) row.label->setToolTip(tip);
     row.label->setEnabled(useful(row));
@@ -179,10 +269,7 @@ void SettingsPanel::showGroup(Group& group) {
   const bool open = searching() ? anyFound : group.open && anyUseful;
   group.header->setVisible(!searching() || anyFound);
   group.header->setEnabled(searching() || anyUseful);
-  group.header->setToolTip(
-      anyUseful
-          ? QString()
-          : tr("No setting in this group has an effect: %1").arg(group.rows.front().editor->whyInactive()));
+  group.header->setToolTip(anyUseful ? QString() : tr("No setting in this group has an effect: %1").arg(why));
   group.header->setChecked(open);
   group.header->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
   group.box->setVisible(open);
@@ -208,7 +295,10 @@ void SettingsPanel::setVolume(const VolumePointer& volume) {
 }
 
 void SettingsPanel::setScene(const scene::Scene& scene, const scene::Scene& resolved) {
+  scene_ = scene;
   lights_->setScene(scene);
+  for (Group& group : groups_)
+    if (group.list != nullptr) showItems(group);
   environment_->setScene(scene, resolved);
   for (const Group& group : groups_)
     for (const Row& row : group.rows) row.editor->setScene(scene, resolved);
@@ -232,9 +322,10 @@ void SettingsPanel::showRows() {
 }
 
 const SettingsPanel::Row* SettingsPanel::rowOf(const QString& path) const {
+  const std::string wanted = scene::canonicalPath(scene_, path.toStdString());
   for (const Group& group : groups_)
     for (const Row& row : group.rows)
-      if (QString::fromStdString(row.editor->setting().path) == path) return &row;
+      if (scene::canonicalPath(scene_, row.editor->setting().path) == wanted) return &row;
   return nullptr;
 }
 

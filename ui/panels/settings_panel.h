@@ -4,6 +4,7 @@
 // the same and says why it does nothing.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <QTimer>
@@ -12,6 +13,7 @@
 
 class QLabel;
 class QLineEdit;
+class QPushButton;
 class QScrollArea;
 class QToolButton;
 class QBoxLayout;
@@ -48,10 +50,17 @@ class SettingsPanel : public Panel {
     QToolButton* header;
     QWidget* box;
     std::vector<Row> rows;
-    bool open;  // as the user left it
+    bool open;                               // as the user left it
+    const scene::SceneList* list = nullptr;  // whose items the rows belong to
+    QPushButton* addItem = nullptr;
+    std::vector<QToolButton*> removers{};
   };
   void addGroup(const PanelGroup& plan, QBoxLayout* layout);
   Row addRow(const scene::Setting& setting, const Group& group);
+  void addItemRows(Group& group);
+  void showItems(const Group& group);  // titles, and what can be added and removed
+  bool isThere(const std::string& path) const;
+  void sendItems(const scene::SceneList& list, const std::vector<std::string>& ids, const QString& name);
   const Row* rowOf(const QString& path) const;  // null: not edited here
   void holdRows(SettingEditor* editor);
   void showRows();
@@ -65,6 +74,7 @@ class SettingsPanel : public Panel {
   LightChooser* lights_;
   EnvironmentPreview* environment_;
   std::vector<Group> groups_;
+  scene::Scene scene_;
   // While a value is dragged, or turned by the wheel or keys, no row comes or goes: none may slip under the
   // pointer.
   bool dragging_ = false;

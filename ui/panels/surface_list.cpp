@@ -128,26 +128,26 @@ void SurfaceList::connectRow(const Row& row) {
   });
   connect(row.colour, &ColorButton::chosen, this, [this, number, key](glm::dvec3 linear) {
     send(tr("Colour of isosurface"), key + "colour", true,
-         [&](scene::Scene& scene) { app::setAlbedo(scene, number, linear); });
+         [&](scene::Scene& scene) { scene.surfaces.at(number).albedo = linear; });
   });
   connect(row.name, &QLineEdit::editingFinished, this, [this, number, name = row.name] {
     send(tr("Rename isosurface"), {}, false,
-         [&](scene::Scene& scene) { app::setName(scene, number, name->text().trimmed().toStdString()); });
+         [&](scene::Scene& scene) { scene.surfaces.at(number).name = name->text().trimmed().toStdString(); });
   });
   connect(row.value, &NumberSpinBox::valueChanged, this, [this, number, key](double value) {
     send(tr("Set isovalue"), key + "value", true,
-         [&](scene::Scene& scene) { app::setValue(scene, number, value); });
+         [&](scene::Scene& scene) { scene.surfaces.at(number).value = value; });
   });
   connect(row.opacity, &QSlider::sliderPressed, this, &SurfaceList::dragStarted);
   connect(row.opacity, &QSlider::sliderReleased, this, &SurfaceList::dragEnded);
   connect(row.opacity, &QSlider::valueChanged, this, [this, number, key, slider = row.opacity](int steps) {
     send(tr("Opacity of isosurface"), key + "opacity", !slider->isSliderDown(), [&](scene::Scene& scene) {
-      app::setOpacity(scene, number, static_cast<double>(steps) / opacitySteps);
+      scene.surfaces.at(number).opacity = static_cast<double>(steps) / opacitySteps;
     });
   });
   connect(row.seeThrough, &QToolButton::clicked, this, [this, number](bool on) {
     send(on ? tr("Turn on view-dependent opacity") : tr("Turn off view-dependent opacity"), {}, false,
-         [&](scene::Scene& scene) { app::setFacingOpacity(scene, number, on ? app::kSeeThrough : 1.0); });
+         [&](scene::Scene& scene) { scene.surfaces.at(number).facingOpacity = on ? app::kSeeThrough : 1.0; });
   });
   connect(row.remove, &QToolButton::clicked, this, [this, number] {
     if (!volume_) return;

@@ -202,9 +202,9 @@ void CutMenu::showState() {
     action->setChecked(action->property("cap").toInt() == static_cast<int>(clip.cap));
   }
   for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-    const bool shown = i == 0 || scene_.extraIsosurfaces[i - 1].shown;
-    surfaces_[i]->setVisible(shown);
-    surfaces_[i]->setChecked(i == 0 ? scene_.isosurface.clipped : scene_.extraIsosurfaces[i - 1].clipped);
+    const bool there = i < scene_.surfaces.size();
+    surfaces_[i]->setVisible(there && (i == 0 || scene_.surfaces[i].shown));
+    surfaces_[i]->setChecked(there && scene_.surfaces[i].clipped);
     allow(surfaces_[i], noCut);
   }
   allow(handles_, noCut);
@@ -310,10 +310,7 @@ void CutMenu::removeAll() {
 void CutMenu::setCut(int surface, bool cut) {
   Edit edit{
       scene_, (cut ? tr("Cut isosurface %1") : tr("Do not cut isosurface %1")).arg(surface + 1), {}, false};
-  if (surface == 0)
-    edit.scene.isosurface.clipped = cut;
-  else
-    edit.scene.extraIsosurfaces[static_cast<std::size_t>(surface - 1)].clipped = cut;
+  edit.scene.surfaces.at(static_cast<std::size_t>(surface)).clipped = cut;
   Q_EMIT edited(edit);
 }
 

@@ -78,7 +78,7 @@ class CutMenu : public QObject {
           *handles_ = nullptr, *straightenBox_ = nullptr, *all_ = nullptr;
   std::array<PlaneActions, scene::kClipPlanes> planes_{};
   std::array<QMenu*, scene::kRemovedBoxes> corners_{};
-  std::array<QAction*, 1 + scene::kExtraIsosurfaces> surfaces_{};
+  std::array<QAction*, scene::kSurfaces> surfaces_{};
   QActionGroup* faces_ = nullptr;
 };
 

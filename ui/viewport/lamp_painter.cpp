@@ -57,7 +57,7 @@ void paintHandle(QPainter& painter, const app::LampHandle& handle, bool marked) 
   painter.setFont(font);
   painter.setPen(colour.lightnessF() > 0.45F ? QColor(0x14, 0x16, 0x1a) : QColor(Qt::white));
   painter.drawText(QRectF(centre.x() - discRadius, centre.y() - discRadius, 2 * discRadius, 2 * discRadius),
-                   Qt::AlignCenter, QString::number(handle.lamp));
+                   Qt::AlignCenter, QString::number(handle.number));
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ void paintHandle(QPainter& painter, const app::LampHandle& handle, bool marked) 
 void paintLamps(QPainter& painter, const std::vector<app::LampHandle>& handles,
                 const std::optional<app::LampGrip>& grip) {
   for (const app::LampHandle& handle : handles) {
-    const bool held = grip && grip->lamp == handle.lamp;
+    const bool held = grip && grip->id == handle.id;
     const QPointF ball(handle.ballPixel.x, handle.ballPixel.y);
     // The ball of a distant lamp would only clutter a picture that nobody lights anew.
     if (handle.kind == scene::LampKind::directional && held && handle.ringPixels > 0.0)
@@ -75,7 +75,7 @@ void paintLamps(QPainter& painter, const std::vector<app::LampHandle>& handles,
                  held && grip->part == app::LampPart::ring, Qt::SolidLine);
   }
   for (const app::LampHandle& handle : handles)
-    paintHandle(painter, handle, grip && *grip == app::LampGrip{handle.lamp, app::LampPart::handle});
+    paintHandle(painter, handle, grip && grip->id == handle.id && grip->part == app::LampPart::handle);
 }
 
 }  // namespace isolux::ui

@@ -43,7 +43,7 @@ app::Motion motionBetween(const scene::Scene& from, scene::Scene to) {
   to.lamps = from.lamps;
   to.gi = from.gi;
   to.picture.exposure = from.picture.exposure;
-  to.isosurface.albedo = from.isosurface.albedo;
+  to.surfaces.front().albedo = from.surfaces.front().albedo;
   to.isosurface.albedoSource = from.isosurface.albedoSource;
   to.isosurface.albedoMap = from.isosurface.albedoMap;
   to.isosurface.albedoLow = from.isosurface.albedoLow;
@@ -119,8 +119,8 @@ void Viewport::takeRemedy() {
     return;
   }
   Edit edit{scene_, remedy_->text(), {}, false};
-  if (offered_ == Remedy::isovalue) edit.scene.isosurface.value.reset();
-  if (offered_ == Remedy::opacity) edit.scene.isosurface.opacity = 1.0;
+  if (offered_ == Remedy::isovalue) edit.scene.surfaces.front().value.reset();
+  if (offered_ == Remedy::opacity) edit.scene.surfaces.front().opacity = 1.0;
   if (offered_ == Remedy::pieces) edit.scene.pieces = {};
   if (offered_ == Remedy::cuts) {
     edit.scene.clip.planes.clear();

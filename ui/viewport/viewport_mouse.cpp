@@ -301,8 +301,7 @@ void Viewport::wheelEvent(QWheelEvent* event) {
   const double notches = event->angleDelta().y() / 120.0;
   event->accept();
   if (const auto grip = lampUnder(event->position())) {
-    sendLamp(*grip, app::lampMovedAway(app::lampOf(resolved_, grip->lamp), lampStage(), 0.03 * notches),
-             true);
+    sendLamp(*grip, app::lampMovedAway(*app::lampOf(resolved_, grip->id), lampStage(), 0.03 * notches), true);
     return;
   }
   if (const auto grip = cutUnder(event->position())) {
@@ -378,10 +377,10 @@ void Viewport::hover(const std::optional<app::LampGrip>& grip) {
     showNoGrip();
   } else if (grip->part == app::LampPart::ring) {
     setCursor(Qt::SizeAllCursor);
-    setToolTip(tr("Light %1: drag its outline to resize it").arg(grip->lamp));
+    setToolTip(tr("Light %1: drag its outline to resize it").arg(grip->number));
   } else {
     setCursor(Qt::OpenHandCursor);
-    setToolTip(tr("Light %1: drag to move it; Ctrl+drag or wheel changes its distance").arg(grip->lamp));
+    setToolTip(tr("Light %1: drag to move it; Ctrl+drag or wheel changes its distance").arg(grip->number));
   }
   showLamps();
 }
@@ -389,15 +388,16 @@ void Viewport::hover(const std::optional<app::LampGrip>& grip) {
 void Viewport::takeHold(QPointF position) {
   setCursor(grip_->part == app::LampPart::ring ? Qt::SizeAllCursor : Qt::ClosedHandCursor);
   for (const app::LampHandle& handle : lamps())
-    if (handle.lamp == grip_->lamp)  // the handle stays where it is under the pointer
+    if (handle.id == grip_->id)  // the handle stays where it is under the pointer
       gripOffset_ = QPointF(handle.pixel.x, handle.pixel.y) - position;
   showLamps();
 }
 
 void Viewport::dragLamp(QPointF position, bool inDepth) {
   if (!volume_ || position == last_) return;
-  const scene::Lamp& lamp = app::lampOf(resolved_, grip_->lamp);
-  if (!lamp.shown) return;  // switched off meanwhile
+  const scene::Lamp* const held = app::lampOf(resolved_, grip_->id);
+  if (held == nullptr || !held->shown) return;  // removed or switched off meanwhile
+  const scene::Lamp& lamp = *held;
   const glm::dvec2 pixel(position.x(), position.y());
   if (grip_->part == app::LampPart::ring) {
     sendLamp(*grip_, app::lampResizedTo(lamp, lampStage(), pixel), false);
@@ -415,15 +415,16 @@ void Viewport::dragLamp(QPointF position, bool inDepth) {
 
 void Viewport::sendLamp(const app::LampGrip& grip, const scene::Lamp& moved, bool endsAfterPause) {
   const bool ring = grip.part == app::LampPart::ring;
-  const QString name = QString(ring ? tr("Resize light %1") : tr("Move light %1")).arg(grip.lamp);
+  const QString name = QString(ring ? tr("Resize light %1") : tr("Move light %1")).arg(grip.number);
   Edit edit{scene_, name, name, endsAfterPause};
-  scene::Lamp& lamp = app::lampOf(edit.scene, grip.lamp);
+  scene::Lamp* const lamp = app::lampOf(edit.scene, grip.id);
+  if (lamp == nullptr) return;
   if (ring) {
-    lamp.radius = moved.radius;
+    lamp->radius = moved.radius;
   } else if (moved.kind == scene::LampKind::directional) {
-    lamp.direction = moved.direction;
+    lamp->direction = moved.direction;
   } else {
-    lamp.position = moved.position;
+    lamp->position = moved.position;
   }
   Q_EMIT edited(edit);
 }

@@ -31,6 +31,7 @@
 #include "ui/levels/full_resolution_view.h"
 #include "ui/levels/level_marks.h"
 #include "ui/panels/isovalue_panel.h"
+#include "ui/panels/labels_panel.h"
 #include "ui/panels/light_status.h"
 #include "ui/panels/marks_panel.h"
 #include "ui/panels/passes_panel.h"
@@ -76,6 +77,7 @@ constexpr PanelInfo panelTable[] = {
     {"Looks", QT_TRANSLATE_NOOP("QObject", "Looks"), makePanel<LooksPanel>},
     {"Marks", QT_TRANSLATE_NOOP("QObject", "Measure"), makePanel<MarksPanel>},
     {"Volume", QT_TRANSLATE_NOOP("QObject", "Volume"), makePanel<VolumePanel>},
+    {"Labels", QT_TRANSLATE_NOOP("QObject", "Labels"), makePanel<LabelsPanel>, false},
     {"Pieces", QT_TRANSLATE_NOOP("QObject", "Pieces"), makePanel<PiecesPanel>},
     {"Passes", QT_TRANSLATE_NOOP("QObject", "Timing"), makePanel<PassesPanel>},
     {"Accuracy", QT_TRANSLATE_NOOP("QObject", "Accuracy"), makePanel<AccuracyPanel>, false}};
@@ -204,7 +206,7 @@ void MainWindow::connectDocument() {
     const glm::ivec3 dims = volume->grid().dims();
     if (std::min({dims.x, dims.y, dims.z}) == 1 && !slices_->slicesShown())  // which has no surface
       slices_->arrange(ViewLayout::fourUp);
-    if (!document_->playing()) tellImport(volume->volume.warnings);
+    if (!showLabels(volume) && !document_->playing()) tellImport(volume->volume.warnings);
   });
   connect(document_, &Document::sceneChanged, this, &MainWindow::showScene);
   connect(document_, &Document::flowMoved, viewport_, &Viewport::setFlowTime);
@@ -453,6 +455,18 @@ void MainWindow::showState() {
   record_->setText(recording ? tr("Stop &recording") : tr("Start &recording…"));
   record_->setChecked(recording);
   recordingLabel_->setText(recording ? tr("● Recording") : "");
+}
+
+// Of a label map the list of labels takes the place of the histogram. Returns whether only other labels are
+// shown.
+bool MainWindow::showLabels(const VolumePointer& volume) {
+  const auto blocks = volume->labels ? volume->labels->blocks : nullptr;
+  if (blocks && blocks == labelBlocks_) return true;
+  isovalue_->setVisible(!blocks);
+  if (blocks) showPanel("Labels");
+  if (!blocks && labelBlocks_) panel<LabelsPanel>()->parentWidget()->hide();
+  labelBlocks_ = blocks;
+  return false;
 }
 
 void MainWindow::showPanel(const QString& name) {

@@ -142,6 +142,7 @@ class MainWindow : public QMainWindow {
     return action;
   }
   QAction* needsVolume(QAction* action);  // enabled while there is one
+  bool showLabels(const VolumePointer& volume);
   void makeFileMenu();
   void makeEditMenu();
   void makeViewMenu();
@@ -247,6 +248,7 @@ class MainWindow : public QMainWindow {
     QDockWidget* dock;
     Panel* panel;
   };
+  std::shared_ptr<const volume::LabelBlocks> labelBlocks_;  // of the volume; null: it is no label map
   std::vector<Docked> panels_;
   QMenu *presetsMenu_ = nullptr, *viewMenu_ = nullptr;
   QAction *open_, *openFolder_, *save_, *picture_, *record_, *undo_, *redo_, *reset_, *fit_, *projection_,

@@ -20,6 +20,18 @@
 
 namespace isolux::ui {
 
+namespace {
+
+// "liver (5)", "label 5", or "" where none is shown.
+QString labelText(const volume::ShownLabels& labels, const glm::dvec3& voxel) {
+  const std::optional<int> label = volume::labelAt(labels, voxel);
+  if (!label) return {};
+  const QString name = QString::fromStdString(volume::labelName(labels.table.get(), *label));
+  return name.isEmpty() ? QObject::tr("label %1").arg(*label) : QString("%1 (%2)").arg(name).arg(*label);
+}
+
+}  // namespace
+
 void MainWindow::showPointed(const std::optional<app::Pick>& pick) {
   const VolumePointer& loaded = document_->volume();
   pointedPiece_->point(loaded, document_->resolvedScene(), loaded ? pick : std::nullopt);
@@ -38,12 +50,13 @@ void MainWindow::showPointed(const std::optional<app::Pick>& pick) {
     return QString("%1 %2%3").arg(letter, !sides && mm < 0.0 ? "−" : "").arg(std::abs(mm), 0, 'f', 1);
   };
   const QString unit = QString::fromStdString(volume.unit);
-  pointedText_ = tr("%1   %2   %3 mm      voxel %4, %5, %6      value %7")
+  const QString label = loaded->labels ? labelText(*loaded->labels, pick->voxel) : QString();
+  pointedText_ = tr("%1   %2   %3 mm      voxel %4, %5, %6      %7")
                      .arg(place(0), place(1), place(2))
                      .arg(pick->voxel.x, 0, 'f', 1)
                      .arg(pick->voxel.y, 0, 'f', 1)
                      .arg(pick->voxel.z, 0, 'f', 1)
-                     .arg(valueText(pick->value, unit)) +
+                     .arg(label.isEmpty() ? tr("value %1").arg(valueText(pick->value, unit)) : label) +
                  shapeText(pick->worldMm);
   showPointedText();
 }
@@ -59,9 +72,9 @@ QString MainWindow::shapeText(glm::dvec3 worldMm) const {
   const VolumePointer& volume = document_->volume();
   scene::Scene scene = document_->resolvedScene();
   const scene::Derivatives& derivatives = scene.derivatives;
-  if (!scene.isosurface.value ||
+  if (!scene.surfaces.front().value ||
       !volume->derivativeChoices->find(
-          {*scene.isosurface.value, derivatives.field, document_->scene().derivatives.noise}) ||
+          {*scene.surfaces.front().value, derivatives.field, document_->scene().derivatives.noise}) ||
       !volume->derivativeChoices->completeIfChosen(scene))
     return {};
   const auto interpolating = scene::Field::cubic_interpolating;

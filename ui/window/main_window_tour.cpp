@@ -88,7 +88,7 @@ void MainWindow::startTour() {
        tr("Drag the bright line in the histogram. The surface consists of all points with this "
           "value: in a CT, low values show skin, high ones bone."),
        [this] { return placeIn(this, isovalue_); },
-       [now, before] { return now().isosurface.value != before->isosurface.value; }, remember},
+       [now, before] { return now().surfaces.front().value != before->surfaces.front().value; }, remember},
       {tr("Rotate the view"),
        tr("Drag with the left button to rotate, with the middle one to pan; the wheel zooms. "
           "Keys 1 to 6 show the six sides; R resets the view."),

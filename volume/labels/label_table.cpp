@@ -10,9 +10,9 @@ namespace isolux::volume {
 
 namespace {
 
-// HSV with a saturation of 0.65 and a value of 0.9, of sRGB.
+// HSV with a saturation of 0.48 and a value of 0.86, of sRGB: soft, as large surfaces are looked at.
 glm::dvec3 srgbOfHue(double turns) {
-  constexpr double saturation = 0.65, value = 0.9;
+  constexpr double saturation = 0.48, value = 0.86;
   const auto channel = [&](double shift) {
     const double k = std::fmod(6.0 * turns + shift, 6.0);
     return value * (1.0 - saturation * std::clamp(std::min(k, 4.0 - k), 0.0, 1.0));

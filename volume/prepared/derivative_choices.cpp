@@ -236,7 +236,7 @@ DerivativeChoice choiceWithoutVoxels(const DerivativeQuestion& question) {
 }
 
 DerivativeQuestion questionOf(const scene::Scene& scene) {
-  return {scene.isosurface.value.value(), scene.derivatives.field, scene.derivatives.noise};
+  return {scene.surfaces.front().value.value(), scene.derivatives.field, scene.derivatives.noise};
 }
 
 void fillIn(scene::Derivatives& derivatives, const DerivativeChoice& choice) {

@@ -1,6 +1,7 @@
 // Lists the labels of a prepared volume, and rejects volumes whose values are none.
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "base/progress.h"
@@ -12,6 +13,7 @@ namespace isolux::volume {
 // A mask of two values has labels; other values must look like labels (Volume::labels), or source.kind must
 // say so. Throws Error{input} with `file` if they do not, if a value is not a whole number, or if there is no
 // label but 0; Error: interrupted, memory.
-LabelBlocks labelBlocksOf(const PreparedVolume& prepared, const std::string& file, base::Progress& progress);
+std::shared_ptr<const LabelBlocks> labelBlocksOf(const PreparedVolume& prepared, const std::string& file,
+                                                 base::Progress& progress);
 
 }  // namespace isolux::volume

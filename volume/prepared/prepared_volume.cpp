@@ -136,8 +136,9 @@ bool hasStatedLabels(Volume& volume, base::Progress& progress) {
   return false;
 }
 
-// Labels are names: between them lies no isovalue, and they have no noise. What is shown first encloses all.
-void noteLabels(Volume& volume, base::Progress& progress) {
+// Labels are names: between them lies no isovalue, and they have no noise. `asValues`: isosurfaces of the
+// values are drawn, first the one that encloses all.
+void noteLabels(Volume& volume, bool asValues, base::Progress& progress) {
   const bool asked = volume.kind == scene::DataKind::labels;
   if (!asked && volume.kind != scene::DataKind::automatic) return volume.labelTable.reset();
   const bool stated = !asked && hasStatedLabels(volume, progress);
@@ -155,9 +156,30 @@ void noteLabels(Volume& volume, base::Progress& progress) {
                                     : "looks like a label map";
   volume.warnings.push_back(
       what + (whole ? " of " + std::to_string(map->labels) + (map->labels == 1 ? " label" : " labels") : "") +
-      ": values are names of regions, not quantities; the isosurface at " +
-      base::shortText(*volume.isovalue) + " encloses all of them" +
-      (map->isOutermost ? "" : " that lie above the background"));
+      ": values are names of regions, not quantities; " +
+      (asValues ? "the isosurface at " + base::shortText(*volume.isovalue) + " encloses all of them" +
+                      (map->isOutermost ? "" : " that lie above the background")
+                : "drawn is the smooth surface around those of source.labels"));
+}
+
+// "0.3 % of the voxels are drawn as in the file, too thin to smooth", or "".
+std::string thinText(const ShownLabels& labels) {
+  std::size_t voxels = 0;
+  for (const LabelExtent& label : labels.blocks->list())
+    if (std::ranges::binary_search(labels.mask.labels, label.label)) voxels += label.voxels;
+  const double share = 100.0 * static_cast<double>(labels.mask.thinVoxels()) / static_cast<double>(voxels);
+  if (!(share > 0.0)) return {};
+  return base::shortText(share, 2) +
+         " % of the shown labels' voxels are drawn as in the file, too thin to smooth";
+}
+
+// Puts the mask field of the labels that are shown in the place of the labels.
+void showMask(Volume& volume, const ShownLabels& labels) {
+  volume.grid = labels.mask.grid;
+  volume.isovalue = 0.0;
+  volume.noise = 0.0;
+  volume.unit.clear();
+  if (const std::string thin = thinText(labels); !thin.empty()) volume.warnings.push_back(thin);
 }
 
 // With what is made when it is first asked for.
@@ -281,7 +303,7 @@ std::shared_ptr<PreparedVolume> prepareFile(const std::shared_ptr<const ChunkedV
   if (!index.damaged().empty()) volume.warnings.push_back(damageText(index.damaged()));
   volume.grid = std::move(grid);
   addLabelFiles(volume, source.path);
-  noteLabels(volume, progress);
+  noteLabels(volume, true, progress);
   const std::shared_ptr<PreparedVolume> prepared = withBlocks(std::move(volume), index.blocks());
   setFacts(prepared, index.histogram(prepared->grid()), index.typicalStep(scaled), progress);
   prepared->readSeconds = readSeconds;
@@ -289,10 +311,9 @@ std::shared_ptr<PreparedVolume> prepareFile(const std::shared_ptr<const ChunkedV
   return prepared;
 }
 
-std::shared_ptr<PreparedVolume> prepare(Volume volume, base::Progress& progress) {
+std::shared_ptr<PreparedVolume> prepareGrid(Volume volume, base::Progress& progress) {
   const Clock::time_point start = Clock::now();
   progress.report(0.0, "building blocks");
-  noteLabels(volume, progress);
   auto blocks = std::make_shared<MinMaxBlocks>(*volume.grid, kBlockCells, progress);
   const std::shared_ptr<PreparedVolume> prepared = withBlocks(std::move(volume), std::move(blocks));
   progress.report(0.3, "building blocks");
@@ -306,6 +327,30 @@ std::shared_ptr<PreparedVolume> prepare(Volume volume, base::Progress& progress)
   prepared->prepareSeconds = base::secondsSince(start);
   progress.report(1.0, "ready");
   return prepared;
+}
+
+// Of a label map in whole: the surface of the labels that the source names.
+std::shared_ptr<PreparedVolume> prepareLabels(Volume asRead, std::shared_ptr<const ShownLabels> labels,
+                                              base::Progress& progress) {
+  Volume masked = asRead;
+  showMask(masked, *labels);
+  std::shared_ptr<PreparedVolume> prepared = prepareGrid(std::move(masked), progress);
+  prepared->facts.labelAlbedo = meanColor(*labels);
+  prepared->labels = std::move(labels);
+  prepared->asRead = std::move(asRead);
+  return prepared;
+}
+
+std::shared_ptr<PreparedVolume> prepare(Volume volume, const scene::Source& source,
+                                        base::Progress& progress) {
+  const bool asValues = source.labels == kLabelsAsValues;
+  noteLabels(volume, asValues, progress);
+  if (volume.labels == 0 || asValues) return prepareGrid(std::move(volume), progress);
+  progress.report(0.0, "finding labels");
+  auto blocks = std::make_shared<LabelBlocks>(volume.grid, volume.name, progress);
+  std::shared_ptr<const ShownLabels> labels =
+      showLabels(std::move(blocks), volume.labelTable, source.labels, source.smoothing, nullptr, progress);
+  return prepareLabels(std::move(volume), std::move(labels), progress);
 }
 
 // Whether the voxels stay in their file.
@@ -325,7 +370,15 @@ bool stays(const VolumeFile& file, const scene::Source& source, scene::VoxelPlac
 }  // namespace
 
 std::shared_ptr<const PreparedVolume> prepareVolume(Volume volume, base::Progress& progress) {
-  return prepare(std::move(volume), progress);
+  return prepare(std::move(volume), withLabelsAsValues({}), progress);
+}
+
+std::shared_ptr<const PreparedVolume> showOtherLabels(const PreparedVolume& shown,
+                                                      const scene::Source& source, base::Progress& progress) {
+  const ShownLabels& before = *shown.labels;
+  return prepareLabels(
+      *shown.asRead,
+      showLabels(before.blocks, before.table, source.labels, source.smoothing, &before, progress), progress);
 }
 
 std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, const scene::HostSettings& host,
@@ -347,7 +400,7 @@ std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, co
   if (source.csg != scene::Csg::none) read.volume.noise.reset();  // known of the first alone
   const double readSeconds = base::secondsSince(start);
   read.volume.kind = source.kind;
-  const std::shared_ptr<PreparedVolume> prepared = prepare(std::move(read.volume), progress);
+  const std::shared_ptr<PreparedVolume> prepared = prepare(std::move(read.volume), source, progress);
   prepared->readSeconds = readSeconds;
   prepared->facts.csgIsovalue = read.secondIsovalue;
   return prepared;

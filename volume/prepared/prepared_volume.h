@@ -3,11 +3,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "scene/rules/automatic.h"
 #include "scene/settings/host_settings.h"
 #include "volume/color/second_volume.h"
 #include "volume/derived/cubic_fields.h"
+#include "volume/labels/shown_labels.h"
 #include "volume/pieces/piece_sets.h"
 #include "volume/prepared/derivative_choices.h"
 #include "volume/prepared/still_hits.h"
@@ -24,6 +26,10 @@ struct VolumeFile;
 
 struct PreparedVolume {
   Volume volume;
+  // Of a label map whose labels are shown (Source::labels): the grid above is their mask field. `asRead` is
+  // the volume with the labels themselves.
+  std::shared_ptr<const ShownLabels> labels;
+  std::optional<Volume> asRead;
   std::shared_ptr<const MinMaxBlocks> blocks;
   // Sub-blocks of the trilinear field, for blocks of BoxBounds::kBlockCells; null if voxels stay in their
   // file.
@@ -53,6 +59,11 @@ std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, co
 // As the first, of a file that is open: readSource().
 std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, const VolumeFile& first,
                                                  base::Progress& progress);
+// Of voxels in memory; a label map keeps its values.
 std::shared_ptr<const PreparedVolume> prepareVolume(Volume volume, base::Progress& progress);
+// As loadVolume() of a source that differs in `labels` and `smoothing` alone, without reading the file.
+// Requires that `shown` has labels.
+std::shared_ptr<const PreparedVolume> showOtherLabels(const PreparedVolume& shown,
+                                                      const scene::Source& source, base::Progress& progress);
 
 }  // namespace isolux::volume

@@ -15,16 +15,16 @@
 
 namespace isolux::volume {
 
-struct ShownSurface {
+struct Surface {
   double isovalue;
   std::shared_ptr<const VoxelMask> hidden;  // null: nothing
 };
 // Those of opacity above 0. `resolved`: scene::resolve of this volume. Throws Error: interrupted; memory, of
 // pieces.
-inline std::vector<ShownSurface> shownSurfaces(const PreparedVolume& volume, const scene::Scene& resolved,
-                                               base::Progress& progress) {
-  std::vector<ShownSurface> surfaces;
-  for (const scene::ShownSurface& surface : scene::visibleSurfaces(resolved))
+inline std::vector<Surface> shownSurfaces(const PreparedVolume& volume, const scene::Scene& resolved,
+                                          base::Progress& progress) {
+  std::vector<Surface> surfaces;
+  for (const scene::Surface& surface : scene::visibleSurfaces(resolved))
     surfaces.push_back({*surface.value, volume.pieces->hidden(resolved.pieces, *surface.value,
                                                               resolved.isosurface.inside, progress)});
   return surfaces;
@@ -33,7 +33,7 @@ inline std::vector<ShownSurface> shownSurfaces(const PreparedVolume& volume, con
 // Calls each(first voxel of the edge, crossing in voxel coordinates) for the crossings on the edges of the
 // voxels of a block. A whole grid.
 template <class Each>
-void eachCrossing(const PreparedVolume& volume, const ShownSurface& surface, scene::Inside inside,
+void eachCrossing(const PreparedVolume& volume, const Surface& surface, scene::Inside inside,
                   std::size_t block, const Each& each) {
   const Grid& grid = volume.grid();
   const glm::ivec3 low = Extent3{volume.blocks->dims()}.at(block) * volume.blocks->blockCells();

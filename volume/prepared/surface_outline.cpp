@@ -104,7 +104,7 @@ class OutlineSearch {
     for (int axis = 0; axis < 3; ++axis) radius_ += half * glm::length(glm::dvec3(world_[axis]));
   }
 
-  void add(const ShownSurface& surface, bool withSamples, base::Progress& progress) {
+  void add(const Surface& surface, bool withSamples, base::Progress& progress) {
     std::vector<std::uint8_t> active;
     blocks_.activeBlocks(grid_.storedIsovalue(surface.isovalue), active);
     dropSpecks(blocks_, active);
@@ -130,7 +130,7 @@ class OutlineSearch {
   }
 
  private:
-  void addBlock(const ShownSurface& surface, std::size_t block, std::size_t every) {
+  void addBlock(const Surface& surface, std::size_t block, std::size_t every) {
     const glm::ivec3 low = Extent3{blocks_.dims()}.at(block) * blocks_.blockCells();
     Extremes& extremes = extremes_.local();
     const glm::dvec3 centre(world_ * glm::dvec4(glm::dvec3(low + low + blocks_.blockCells()) * 0.5, 1.0));
@@ -171,7 +171,7 @@ SurfaceOutline surfaceOutline(const PreparedVolume& volume, const scene::Scene& 
                               base::Progress& progress) {
   if (!volume.grid().isWhole()) return {};
   OutlineSearch search(volume, resolved);
-  for (const ShownSurface& surface : shownSurfaces(volume, resolved, progress))
+  for (const Surface& surface : shownSurfaces(volume, resolved, progress))
     search.add(surface, withSamples, progress);
   return search.result();
 }

@@ -27,7 +27,7 @@ bool foldCrossings(const PreparedVolume& volume, const scene::Scene& resolved, V
   const Value nothing = all;
   std::mutex mutex;
   bool any = false;
-  for (const ShownSurface& surface : shownSurfaces(volume, resolved, progress)) {
+  for (const Surface& surface : shownSurfaces(volume, resolved, progress)) {
     std::vector<std::uint8_t> active;
     blocks.activeBlocks(grid.storedIsovalue(surface.isovalue), active);
     parallelSteps(blocks.count(), progress, {}, [&](std::size_t index) {

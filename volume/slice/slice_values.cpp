@@ -63,6 +63,31 @@ bool cornerMissing(const Grid& grid, glm::dvec3 voxel) {
   return false;
 }
 
+// Of each pixel of the plane, valueAt(voxel) of its centre. `samples`: how many of them that reads.
+template <class ValueAt>
+SliceValues valuesOnPlane(const GridGeometry& geometry, const SlicePlane& plane, std::size_t samples,
+                          base::Progress& progress, const ValueAt& valueAt) {
+  const Extent2 extent{plane.size};
+  const std::size_t count = extent.count();
+  SliceValues slice;
+  slice.size = plane.size;
+  slice.held = base::machineMemory().reserve(count * sizeof(float), "the values of a slice",
+                                             "a smaller image needs less");
+  resizeStoppably(slice.values, count, progress);
+  const glm::dmat4 voxelFromWorld = geometry.voxelFromWorld();
+  const glm::dvec3 origin(voxelFromWorld * glm::dvec4(plane.originMm, 1.0));
+  const glm::dvec3 right = glm::dmat3(voxelFromWorld) * plane.rightMm;
+  const glm::dvec3 down = glm::dmat3(voxelFromWorld) * plane.downMm;
+  parallelPieces(count, std::max<std::size_t>(1, 8192 / samples), progress, {0.0, 1.0, "slicing"},
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t i = begin; i < end; ++i) {
+                     const glm::dvec2 at(extent.at(i));
+                     slice.values[i] = static_cast<float>(valueAt(origin + at.x * right + at.y * down));
+                   }
+                 });
+  return slice;
+}
+
 }  // namespace
 
 double SliceField::value(glm::dvec3 voxel) const {
@@ -75,29 +100,16 @@ double SliceField::value(glm::dvec3 voxel) const {
 
 SliceValues sliceValues(const SliceField& field, const SlicePlane& plane, const Slab& slab,
                         base::Progress& progress) {
-  const Extent2 extent{plane.size};
-  const std::size_t count = extent.count();
-  SliceValues slice;
-  slice.size = plane.size;
-  slice.held = base::machineMemory().reserve(count * sizeof(float), "the values of a slice",
-                                             "a smaller image needs less");
-  resizeStoppably(slice.values, count, progress);
-  const GridGeometry& geometry = field.grid.geometry();
-  const glm::dmat4 voxelFromWorld = geometry.voxelFromWorld();
-  const glm::dvec3 origin(voxelFromWorld * glm::dvec4(plane.originMm, 1.0));
-  const glm::dvec3 right = glm::dmat3(voxelFromWorld) * plane.rightMm;
-  const glm::dvec3 down = glm::dmat3(voxelFromWorld) * plane.downMm;
-  const SlabWay way = slabWay(geometry, plane, slab.mm);
-  const auto samples = static_cast<std::size_t>(way.steps) + 1;
-  parallelPieces(count, std::max<std::size_t>(1, 8192 / samples), progress, {0.0, 1.0, "slicing"},
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t i = begin; i < end; ++i) {
-                     const glm::dvec2 at(extent.at(i));
-                     const glm::dvec3 voxel = origin + at.x * right + at.y * down;
-                     slice.values[i] = static_cast<float>(slabValue(field, voxel, way, slab.mode));
-                   }
-                 });
-  return slice;
+  const SlabWay way = slabWay(field.grid.geometry(), plane, slab.mm);
+  return valuesOnPlane(field.grid.geometry(), plane, static_cast<std::size_t>(way.steps) + 1, progress,
+                       [&](const glm::dvec3& voxel) { return slabValue(field, voxel, way, slab.mode); });
+}
+
+SliceValues nearestValues(const Grid& grid, const SlicePlane& plane, base::Progress& progress) {
+  return valuesOnPlane(grid.geometry(), plane, 1, progress, [&](const glm::dvec3& voxel) {
+    if (!grid.geometry().holds(voxel, kBorderVoxels)) return kNan;
+    return grid.value(glm::clamp(glm::ivec3(glm::round(voxel)), glm::ivec3(0), grid.dims() - 1));
+  });
 }
 
 }  // namespace isolux::volume

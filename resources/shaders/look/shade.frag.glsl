@@ -2,7 +2,7 @@
 //
 // LOOK, SHADING, TEXTURE, and the LOOK_..., SHADING_... and TEXTURE_... they are compared with: from the names of the
 // settings' choices. MEASURE, MEASURE_SQUARE: colours stand for one number, or two. CURVATURE: kappas are bound; EDGE: offsets of
-// edges, which colours stand for. SECOND: values of a second volume. SHADOW,
+// edges, which colours stand for. SECOND: values of a second volume. LABELS: colours of labels. SHADOW,
 // OCCLUSION, FLOW, FOG, ACCESSIBILITY, LINES: overlays. FACING: opacity depends on the angle of view. docs/explanation/looks.md has the formulas and sources.
 #include "common.glsl"
 #if LOOK == LOOK_DEPTH && !defined(FACING)
@@ -12,6 +12,9 @@
 #include "background.glsl"
 #if defined(CURVATURE) || defined(EDGE) || defined(SECOND) || defined(CREVICES)
 #include "color_row.glsl"
+#endif
+#ifdef LABELS
+uniform sampler2D uLabel;  // the colour of the label at the surface point, and the label
 #endif
 #ifdef SECOND
 #include "second_volume.glsl"
@@ -81,6 +84,10 @@ float hollowness(vec4 kappa, float side) {
 
 vec3 baseColor(Point p, vec3 albedo, vec4 kappa, ivec2 pixel) {
   vec3 base = albedo;
+#ifdef LABELS
+  vec4 label = texelFetch(uLabel, pixel, 0);
+  if (label.x < 1e38) base = albedo = label.rgb;  // kNoValue: there is none
+#endif
 #ifdef EDGE
   base = edgeColor(pixel);
 #elif defined(MEASURE) || defined(MEASURE_SQUARE)

@@ -86,7 +86,7 @@ class LightBoundsGlTest : public test::RenderGlTest {
     pixels.erase(std::unique(pixels.begin(), pixels.end()), pixels.end());
     std::vector<glm::vec3> voxels;
     for (const std::size_t i : pixels) voxels.emplace_back(hits[i].voxel);
-    const auto isovalue = lit.volume->grid().storedIsovalue(still.isosurface.value.value());
+    const auto isovalue = lit.volume->grid().storedIsovalue(still.surfaces.front().value.value());
     const LightReference reference =
         lightReferenceAt(light, sky, isovalue, voxels, pixels,
                          {.firstSamples = replicate, .mostSamples = replicate}, progress_);

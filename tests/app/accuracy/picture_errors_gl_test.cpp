@@ -146,7 +146,7 @@ TEST_P(PictureErrorsGlTest, HoldOnScans) {
   const auto scan = [&](const char* file, double isovalue) {
     Scene scene;
     scene.source.path = (test::dataFolder() / "volumes" / file).string();
-    scene.isosurface.value = isovalue;
+    scene.surfaces.front().value = isovalue;
     base::Progress progress;
     expectKept(file, judge(volume::loadVolume(scene.source, progress), scene, {112, 112}));
   };
@@ -163,7 +163,7 @@ TEST_P(PictureErrorsGlTest, WhereRoundingDecidesThePixelSaysSo) {
       geometry, [](glm::dvec3 p) { return 0.5 - std::abs(p.x - 8.0) - 0.01 * std::abs(p.z - 8.0); }));
   const auto uncertainAt = [&](double isovalue) {
     Scene scene;
-    scene.isosurface.value = isovalue;
+    scene.surfaces.front().value = isovalue;
     scene.derivatives.field = scene::Field::trilinear;
     scene.camera.projection = scene::Projection::orthographic;
     scene.camera.eye = glm::dvec3(8.0, 7.5, -50.0);
@@ -190,7 +190,7 @@ TEST_P(PictureErrorsGlTest, BesideAGapThePixelSaysSo) {
           return gap && p == glm::dvec3(15.0, 15.0, 11.0) ? std::nan("") : p.z;
         }));
     Scene scene;
-    scene.isosurface.value = 10.25;
+    scene.surfaces.front().value = 10.25;
     scene.camera.projection = scene::Projection::orthographic;
     scene.camera.eye = glm::dvec3(14.0 - 1e-6, 15.5, -100.0);  // the middle column is that border
     scene.camera.target = glm::dvec3(14.0 - 1e-6, 15.5, 15.5);

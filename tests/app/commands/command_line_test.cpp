@@ -15,6 +15,7 @@
 #include "app/launcher/command_names.h"
 #include "base/destroy_in_background.h"
 #include "scene/settings/host_settings.h"
+#include "scene/settings/scene_list.h"
 #include "scene/settings/settings.h"
 #include "tests/app/commands/run_isolux.h"
 #include "tests/support/paths.h"
@@ -481,15 +482,16 @@ TEST(SettingsCommand, ListsEachSetting) {
   for (const scene::Setting& setting : scene::settings()) {
     EXPECT_THAT(text, HasSubstr(setting.path));
     const std::string group = setting.path.substr(0, setting.path.find('.'));
-    const bool listed =
-        !testing::Matches(testing::AnyOf("isosurface3", "isosurface4", "lamp2", "lamp3"))(group);
+    const bool listed = !testing::Matches(testing::AnyOf("isosurface3", "isosurface4"))(group);
     EXPECT_EQ(page.find("- `" + setting.path + "` (") != std::string::npos, listed) << setting.path;
   }
 }
 
 TEST(SettingsCommand, ListsAsJsonAndByWord) {
   const json all = json::parse(success({"settings", "--json"}).out);
-  ASSERT_EQ(all.size(), scene::settings().size() + scene::hostSettings().size());
+  std::size_t ofItems = 0;
+  for (const scene::SceneList& list : scene::sceneLists()) ofItems += list.fields.size();
+  ASSERT_EQ(all.size(), scene::settings().size() + ofItems + scene::hostSettings().size());
   std::size_t at = 0;
   const auto expectNext = [&](const auto& setting, const char* of) {
     const json& listed = all[at++];
@@ -500,6 +502,8 @@ TEST(SettingsCommand, ListsAsJsonAndByWord) {
     EXPECT_EQ(listed.contains("choices"), setting.type == scene::SettingType::choice);
   };
   for (const scene::Setting& setting : scene::settings()) expectNext(setting, "scene");
+  for (const scene::SceneList& list : scene::sceneLists())
+    for (const scene::SettingInfo& field : list.fields) EXPECT_EQ(all[at++]["path"], field.path);
   for (const scene::HostSetting& setting : scene::hostSettings()) expectNext(setting, "machine");
   const json some = json::parse(success({"settings", "camera.fov", "--json"}).out);
   ASSERT_GE(some.size(), 1u);
@@ -553,7 +557,7 @@ TEST(CommandLine, WithoutASubcommandTheWindowIsAskedFor) {
       request({"phantom:ball:8", "--isovalue", "-3", "--set", "look.mode=depth", "--isovalue", "5",
                "--camera", "1,2,3 0,0,0 0,0,1 40", "--record", "r.jsonl"});
   EXPECT_EQ(full.scene.source.path, "phantom:ball:8");
-  EXPECT_EQ(full.scene.isosurface.value, 5.0);
+  EXPECT_EQ(full.scene.surfaces.front().value, 5.0);
   EXPECT_EQ(full.recordFile, "r.jsonl");
   EXPECT_EQ(full.scene.look.mode, scene::LookMode::depth);
   EXPECT_EQ(full.scene.camera.eye, glm::dvec3(1, 2, 3));

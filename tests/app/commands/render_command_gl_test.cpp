@@ -42,7 +42,7 @@ TEST(RenderCommandGl, APictureCarriesTheSessionThatMakesItAgain) {
   succeed({"render", "a.png", "--size", "80x60", "--out", "b.png"}, folder);
   EXPECT_EQ(contentOf(folder / "a.png"), contentOf(folder / "b.png"));
   const scene::Scene scene = loadSession(folder / "a.png");
-  EXPECT_EQ(scene.isosurface.value, -0.5);
+  EXPECT_EQ(scene.surfaces.front().value, -0.5);
   EXPECT_TRUE(scene.camera.eye) << "the same view even if automatic choices change";
 
   saveSession(scene, folder / "s.isolux");
@@ -59,15 +59,15 @@ TEST(RenderCommandGl, APictureCarriesWhatWasChosenAndNoMore) {
   const fs::path folder = test::temporaryFolder();
   succeed({"render", "phantom:torus:24", "--size", "40x30", "--look", "kappa1", "--out", "a.png"}, folder);
   const scene::Scene scene = loadSession(folder / "a.png");
-  EXPECT_TRUE(scene.isosurface.value);
+  EXPECT_TRUE(scene.surfaces.front().value);
   EXPECT_TRUE(scene.camera.eye);
-  for (const scene::ExtraIsosurface& extra : scene.extraIsosurfaces) EXPECT_FALSE(extra.value);
+  EXPECT_EQ(scene.surfaces.size(), 1U) << "a surface that nobody made";
   EXPECT_FALSE(scene.derivatives.scale);
   EXPECT_FALSE(scene.derivatives.noise);
   succeed(
       {"render", "phantom:torus:24", "--size", "40x30", "--set", "isosurface2.shown=true", "--out", "b.png"},
       folder);
-  EXPECT_TRUE(loadSession(folder / "b.png").extraIsosurfaces[0].value) << "is shown";
+  EXPECT_TRUE(loadSession(folder / "b.png").surfaces.at(1).value) << "is shown";
 }
 
 TEST(RenderCommandGl, AovsAreNamedFloatChannelsWithNanWhereNothingIsHit) {

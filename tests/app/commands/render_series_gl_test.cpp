@@ -76,8 +76,8 @@ TEST(RenderSeriesGl, ASweepDrawsEachValueFromOneCamera) {
   EXPECT_EQ(result.exitCode, 0) << result.err;
   EXPECT_THAT(filesIn(folder), ElementsAre("b_-2.png", "b_0.png", "b_2.png"));
   const scene::Scene first = loadSession(folder / "b_-2.png"), last = loadSession(folder / "b_2.png");
-  EXPECT_EQ(first.isosurface.value, -2.0);
-  EXPECT_EQ(last.isosurface.value, 2.0);
+  EXPECT_EQ(first.surfaces.front().value, -2.0);
+  EXPECT_EQ(last.surfaces.front().value, 2.0);
   EXPECT_EQ(first.camera, last.camera);
   // The same as drawn alone from its session.
   EXPECT_EQ(renderIn(folder, {"b_0.png", "--out", "again.png"}).exitCode, 0);
@@ -129,7 +129,7 @@ TEST(RenderSeriesGl, AFilmOfTimeStepsHasThePictureOfEachStep) {
     const fs::path picture = folder / ("f_" + std::string(step) + ".png");
     const scene::Scene scene = loadSession(picture);
     EXPECT_EQ(scene.camera, first.camera);
-    EXPECT_EQ(scene.isosurface.value, first.isosurface.value) << "that of the first step";
+    EXPECT_EQ(scene.surfaces.front().value, first.surfaces.front().value) << "that of the first step";
     EXPECT_EQ(scene.source.path, first.source.path);
     EXPECT_EQ(renderIn(folder, {picture.string(), "--out", "alone.png"}).exitCode, 0);
     EXPECT_EQ(contentOf(folder / "alone.png"), contentOf(picture)) << step;
@@ -280,7 +280,7 @@ TEST(RenderSeriesGl, APresetIsRecordedAsOrdinarySettings) {
       renderIn(folder, {"phantom:head:32", "--preset", "ct_metal", "--shift", "-700", "--out", "p.png"});
   ASSERT_EQ(result.exitCode, 0) << result.err;
   const scene::Scene scene = loadSession(folder / "p.png");
-  EXPECT_TRUE(scene.extraIsosurfaces[0].shown);
+  EXPECT_TRUE(scene.surfaces.at(1).shown);
   EXPECT_EQ(renderIn(folder, {"p.png", "--out", "again.png"}).exitCode, 0);
   EXPECT_EQ(contentOf(folder / "again.png"), contentOf(folder / "p.png"));
 }

@@ -42,6 +42,12 @@ class EverySetting : public testing::Test {
         setting.set(scene, setting.get(values));
         check(setting, scene);
       }
+      for (const scene::Setting& setting : scene::itemSettings(values)) {
+        Scene scene;  // with the items and this setting
+        for (const scene::SceneList& list : scene::sceneLists()) list.arrange(scene, list.ids(values));
+        if (scene::positionOf(scene, setting.path)) setting.set(scene, setting.get(values));
+        check(setting, scene);
+      }
     }
   }
 };
@@ -58,8 +64,11 @@ TEST_F(EverySetting, ComesBackFromASession) {
 TEST_F(EverySetting, ComesBackFromTheCommandLine) {
   forEach([&](const scene::Setting& setting, const Scene& scene) {
     Scene back;
-    const std::string text = assignmentText(setting.path, setting.get(scene));
-    scene::applyAssignment(back, text);
+    std::string text;
+    for (const scene::SceneChange& change : scene::assignmentsOf(scene)) {
+      text = assignmentText(change.path, change.value);
+      scene::applyAssignment(back, text);
+    }
     EXPECT_TRUE(back == scene) << text << ": " << setting.get(back);
   });
 }

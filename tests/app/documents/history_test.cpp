@@ -16,7 +16,7 @@ Scene withFov(Scene scene, double fov) {
 }
 
 Scene withIsovalue(Scene scene, double value) {
-  scene.isosurface.value = value;
+  scene.surfaces.front().value = value;
   return scene;
 }
 
@@ -70,12 +70,12 @@ TEST(History, AGestureIsOneStep) {
     const scene::SceneDiff diff = history.edit(withIsovalue(history.scene(), i), "Drag", "isovalue");
     EXPECT_EQ(diff.changes.at(0).value, double(i)) << "each move is reported on its own, for recordings";
   }
-  EXPECT_EQ(history.scene().isosurface.value, 50.0);
+  EXPECT_EQ(history.scene().surfaces.front().value, 50.0);
   history.undo();
   EXPECT_TRUE(history.scene() == before);
   EXPECT_FALSE(history.canUndo());
   history.redo();
-  EXPECT_EQ(history.scene().isosurface.value, 50.0);
+  EXPECT_EQ(history.scene().surfaces.front().value, 50.0);
 }
 
 TEST(History, SealOtherKeyAndNoKeyEndAGesture) {

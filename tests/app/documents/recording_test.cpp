@@ -109,8 +109,10 @@ TEST(Recording, OfBeforeScalesKeepsItsDerivatives) {
   std::ofstream(file) << "{\"isolux_recording\": 5}\n";
   EXPECT_EQ(loadRecording(file).start.picture.curve, scene::ToneCurve::linear);
   std::ofstream(file) << "{\"isolux_recording\": 6}\n";
+  EXPECT_EQ(loadRecording(file).start.source.labels, "values");
+  std::ofstream(file) << "{\"isolux_recording\": 7}\n";
   EXPECT_TRUE(loadRecording(file).start == Scene{});
-  EXPECT_THAT(refusal("{\"isolux_recording\": 7}\n"), HasSubstr("versions 1 to 6"));
+  EXPECT_THAT(refusal("{\"isolux_recording\": 8}\n"), HasSubstr("versions 1 to 7"));
 }
 
 TEST(Recording, AnAnimatedFlowMovesOn) {
@@ -160,7 +162,7 @@ TEST(Recording, EveryStepIsOnDiskAtOnce) {
 
 TEST(Recording, AcceptsBlankLinesAndNoNameAndADefaultScene) {
   const fs::path file = test::temporaryFolder() / "r.jsonl";
-  std::ofstream(file) << "{\"isolux_recording\": 6}\n\n{\"time\": 0, \"set\": {}}\r\n   \n";
+  std::ofstream(file) << "{\"isolux_recording\": 7}\n\n{\"time\": 0, \"set\": {}}\r\n   \n";
   const Recording recording = loadRecording(file);
   EXPECT_TRUE(recording.start == Scene{});
   EXPECT_EQ(recording.steps.size(), 1u);
@@ -171,7 +173,7 @@ TEST(Recording, BadLinesAreNamed) {
   EXPECT_THAT(refusal(""), HasSubstr("line 1"));
   EXPECT_THAT(refusal("{}\n"), AllOf(HasSubstr("line 1"), HasSubstr("not a recording")));
   EXPECT_THAT(refusal("nonsense\n"), AllOf(HasSubstr("line 1"), HasSubstr("JSON")));
-  EXPECT_THAT(refusal("{\"isolux_recording\": 7}\n"), HasSubstr("versions 1 to 6"));
+  EXPECT_THAT(refusal("{\"isolux_recording\": 8}\n"), HasSubstr("versions 1 to 7"));
   EXPECT_THAT(refusal("{\"isolux_recording\": 1, \"scene\": {\"camera\": {\"fow\": 1}}}\n"),
               AllOf(HasSubstr("line 1"), HasSubstr("camera.fow")));
   EXPECT_THAT(refusal("{\"isolux_recording\": 1, \"extra\": 1}\n"), HasSubstr("extra"));

@@ -26,9 +26,16 @@ using scene::Scene;
 using testing::AllOf;
 using testing::HasSubstr;
 
+// A scene of before label maps had surfaces.
+Scene labelledAsBefore() {
+  Scene scene;
+  scene.source.labels = "values";
+  return scene;
+}
+
 // What a session of before looks had more than a key light leaves unsaid.
 Scene shadedAsBefore() {
-  Scene scene;
+  Scene scene = labelledAsBefore();
   scene.light.setup = scene::LightSetup::key;
   scene.light.direction = {-0.5, 0.7, 0.9};
   scene.look.ambientVariation = 0.0;
@@ -68,7 +75,7 @@ Scene litAsBefore() {
 Scene someScene() {
   Scene scene;
   scene.source.path = "phantom:torus:64";
-  scene.isosurface.value = 1.0 / 3.0;
+  scene.surfaces.front().value = 1.0 / 3.0;
   scene.camera.eye = glm::dvec3(0.1, -400, 1e-7);
   scene.look.mode = scene::LookMode::normal;
   return scene;
@@ -128,7 +135,7 @@ TEST(Session, RoundTripsThroughAFile) {
 
 TEST(Session, IsVersionedJson) {
   const json stored = json::parse(sessionText(someScene(), "/data"));
-  EXPECT_EQ(stored["isolux_session"], 9);
+  EXPECT_EQ(stored["isolux_session"], 10);
   EXPECT_TRUE(stored["program"].is_string());
   EXPECT_EQ(stored["scene"]["look"]["mode"], "normal");
 }
@@ -218,7 +225,7 @@ TEST(Session, UpgradesVersion1) {
           "settings": {"isosurface.value": 300, "camera.eye": [1, 2, 3], "source.path": "ct.nii", "look.mode": "depth"}})",
       "old.isolux", {"/data"});
   Scene expected = litAsBefore();
-  expected.isosurface.value = 300;
+  expected.surfaces.front().value = 300;
   expected.camera.eye = glm::dvec3(1, 2, 3);
   expected.source.path = "/data/ct.nii";
   expected.look.mode = scene::LookMode::depth;
@@ -258,8 +265,9 @@ TEST(Session, OfEveryVersionOpensAndIsKeptBySaving) {
 }
 
 TEST(Session, MissingKeysTakeDefaults) {
-  EXPECT_TRUE(parseSession(R"({"isolux_session": 9})", "", {"/"}) == Scene{});
-  EXPECT_TRUE(parseSession(R"({"isolux_session": 9, "scene": {}})", "", {"/"}) == Scene{});
+  EXPECT_TRUE(parseSession(R"({"isolux_session": 10})", "", {"/"}) == Scene{});
+  EXPECT_TRUE(parseSession(R"({"isolux_session": 10, "scene": {}})", "", {"/"}) == Scene{});
+  EXPECT_TRUE(parseSession(R"({"isolux_session": 9})", "", {"/"}) == labelledAsBefore());
   EXPECT_TRUE(parseSession(R"({"isolux_session": 7})", "", {"/"}) == shadedAsBefore());
   EXPECT_TRUE(parseSession(R"({"isolux_session": 6})", "", {"/"}) == firstSeenAsBefore());
   EXPECT_TRUE(parseSession(R"({"isolux_session": 5, "accuracy": {"pixels": 7}})", "", {"/"}) ==
@@ -294,8 +302,8 @@ TEST(Session, EqualKeysAreRefused) {
 }
 
 TEST(Session, FutureVersionsSaySo) {
-  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 10, "scene": {"new": 1}})"),
-              AllOf(HasSubstr("version 9"), HasSubstr("newer Isolux")));
+  EXPECT_THAT(sessionRefusal(R"({"isolux_session": 11, "scene": {"new": 1}})"),
+              AllOf(HasSubstr("version 10"), HasSubstr("newer Isolux")));
   EXPECT_THAT(sessionRefusal(R"({"isolux_session": 18446744073709551615})"), HasSubstr("newer Isolux"));
 }
 

@@ -17,6 +17,7 @@
 #include "gi/lattice/lattice_geometry.h"
 #include "gi/trace/exposure_meter.h"
 #include "scene/rules/automatic.h"
+#include "tests/support/lamps.h"
 #include "tests/support/light.h"
 #include "tests/support/memory_limit.h"
 #include "tests/support/own_waits.h"
@@ -46,7 +47,7 @@ class LightControllerTest : public ::testing::Test {
   // Points on the surface, all around, in voxel coordinates.
   std::vector<glm::vec3> surface() const {
     const volume::Grid& grid = volume->grid();
-    const double isovalue = *resolved().isosurface.value;
+    const double isovalue = *resolved().surfaces.front().value;
     std::vector<glm::vec3> points;
     const glm::ivec3 dims = grid.dims();
     for (int z = 0; z < dims.z; ++z)
@@ -153,7 +154,7 @@ TEST_F(LightControllerTest, ABallUnderAWhiteSkyIsLitByPi) {
 }
 
 TEST_F(LightControllerTest, WhatAChangeKeepsAndWhatItDrops) {
-  scene.lamps[0].shown = true;
+  test::lampAt(scene, 0).shown = true;
   scene.gi.texels = scene::GiTexels::own;
   light();
   const auto before = controller.light();
@@ -170,7 +171,7 @@ TEST_F(LightControllerTest, WhatAChangeKeepsAndWhatItDrops) {
   });
   EXPECT_EQ(now, before) << "turning the view plans nothing anew";
   now = change([](scene::Scene& s) {
-    s.isosurface.value = 0.5 * *s.isosurface.value + 0.01;
+    s.surfaces.front().value = 0.5 * *s.surfaces.front().value + 0.01;
     s.camera.fov = 20.0;
     s.look.fog = 0.5;
     s.light.environment.exposure = 2.0;
@@ -180,7 +181,7 @@ TEST_F(LightControllerTest, WhatAChangeKeepsAndWhatItDrops) {
   EXPECT_EQ(now->sky, before->sky);
   EXPECT_EQ(now->lamps, before->lamps);
   EXPECT_NEAR(now->skyScale.y, 4.0f * 0.4f, 1e-5f) << "the colour of the sky is laid on in the picture";
-  now = change([](scene::Scene& s) { s.lamps[0].color = glm::dvec3(1.0, 0.5, 0.2); });
+  now = change([](scene::Scene& s) { test::lampAt(s, 0).color = glm::dvec3(1.0, 0.5, 0.2); });
   EXPECT_EQ(now->sky, before->sky) << "a lamp drops the lamps' light only";
   EXPECT_NE(now->lamps, before->lamps);
   now = change([](scene::Scene& s) { s.look.mode = scene::LookMode::blinn_phong; });
@@ -188,7 +189,7 @@ TEST_F(LightControllerTest, WhatAChangeKeepsAndWhatItDrops) {
   EXPECT_EQ(controller.state().phase, Phase::off);
   now = change([](scene::Scene& s) { s.look.mode = scene::LookMode::gi; });
   EXPECT_EQ(now->sky, before->sky) << "light outlasts another look";
-  now = change([](scene::Scene& s) { s.isosurface.albedo = glm::dvec3(0.1); });
+  now = change([](scene::Scene& s) { s.surfaces.front().albedo = glm::dvec3(0.1); });
   EXPECT_NE(now->sky, before->sky) << "light is reflected";
 }
 
@@ -199,7 +200,7 @@ TEST_F(LightControllerTest, AnotherIsovalueLeavesItsLightToStandIn) {
   ASSERT_TRUE(before->sky->geometry().isovalue);
   EXPECT_EQ(before->skyBefore, nullptr);
   const auto show = [&](double isovalue) {
-    scene.isosurface.value = isovalue;
+    scene.surfaces.front().value = isovalue;
     controller.setScene(resolved(), volume);
     EXPECT_TRUE(controller.settle(120.0));
     return controller.light();
@@ -209,7 +210,7 @@ TEST_F(LightControllerTest, AnotherIsovalueLeavesItsLightToStandIn) {
   EXPECT_NE(next->sky, before->sky);
   EXPECT_EQ(next->skyBefore, before->sky);
   EXPECT_EQ(show(0.6)->skyBefore, before->sky) << "no light came between";
-  scene.isosurface.albedo = glm::dvec3(0.1);
+  scene.surfaces.front().albedo = glm::dvec3(0.1);
   EXPECT_EQ(show(0.9)->skyBefore, nullptr) << "another light";
 }
 
@@ -268,12 +269,12 @@ TEST_F(LightControllerTest, ExposureIsBySurfaceAndLightAndFrozenWhileTheViewTurn
 
 TEST_F(LightControllerTest, AWindowsExposureWaitsUntilADraggedIsovalueRests) {
   app::LightController window{app::LightController::Options{.background = true}};
-  scene.lamps[0].shown = true;  // nearer to a larger ball
+  test::lampAt(scene, 0).shown = true;  // nearer to a larger ball
   window.setScene(resolved(), volume);
   ASSERT_TRUE(window.settle(120.0));
   const float before = window.light()->automaticExposure;
   const auto begin = std::chrono::steady_clock::now();
-  scene.isosurface.value = -3.0;  // a larger ball
+  scene.surfaces.front().value = -3.0;  // a larger ball
   window.setScene(resolved(), volume);
   ASSERT_TRUE(window.settle(120.0));
   const float during = window.light()->automaticExposure;
@@ -379,7 +380,7 @@ TEST_F(LightControllerTest, LoadsWhileThePlannerCompresses) {
 // Nothing is traced or kept of inner sides before one is seen; from then on both are baked.
 TEST_F(LightControllerTest, InnerSidesAreBakedOnceTheyAreSeen) {
   scene.gi.texels = scene::GiTexels::shown;
-  scene.lamps[0].shown = true;
+  test::lampAt(scene, 0).shown = true;
   light();
   const auto without = controller.light();
   const gi::BakeCounters before = controller.state().counters;
@@ -401,7 +402,7 @@ TEST_F(LightControllerTest, InnerSidesAreBakedOnceTheyAreSeen) {
   scene.look.mode = scene::LookMode::gi;
   light();
   EXPECT_EQ(controller.light()->inner.sky, with->inner.sky);
-  scene.isosurface.value = *resolved().isosurface.value + 0.25;
+  scene.surfaces.front().value = *resolved().surfaces.front().value + 0.25;
   light();
   EXPECT_EQ(controller.light()->inner, gi::StoredSide());
 }
@@ -409,7 +410,7 @@ TEST_F(LightControllerTest, InnerSidesAreBakedOnceTheyAreSeen) {
 TEST_F(LightControllerTest, LightOfInnerSidesFollowsTheIsovalue) {
   scene.gi.texels = scene::GiTexels::shown;
   const auto show = [&](double isovalue) {
-    scene.isosurface.value = isovalue;
+    scene.surfaces.front().value = isovalue;
     controller.setScene(resolved(), volume);
     controller.setVisible({surface(), surface()});
     base::Progress progress;
@@ -448,7 +449,7 @@ TEST_F(LightControllerTest, TheInnerSideIsTheOuterSideOfTheOtherInside) {
 
 // Through a transparent surface its own far side is seen.
 TEST_F(LightControllerTest, InnerSidesThatAreSeenAreLit) {
-  scene.isosurface.opacity = 0.9;
+  scene.surfaces.front().opacity = 0.9;
   controller.setScene(resolved(), volume);
   controller.setVisible({surface(), surface()});
   base::Progress done;

@@ -13,6 +13,7 @@
 #include "app/marks/mark_kinds.h"
 #include "scene/rules/automatic.h"
 #include "tests/support/analytic_fields.h"
+#include "tests/support/surfaces.h"
 #include "tests/support/volumes.h"
 
 namespace isolux::test {
@@ -30,7 +31,7 @@ Mark markOf(MarkKind kind, std::vector<glm::dvec3> points) {
 struct Measuring {
   explicit Measuring(std::shared_ptr<const volume::PreparedVolume> prepared, double isovalue = 0.0)
       : volume(std::move(prepared)) {
-    scene.isosurface.value = isovalue;
+    scene.surfaces.front().value = isovalue;
     scene = scene::resolve(scene, volume->facts);
     evaluator.emplace(volume, scene);
   }
@@ -39,7 +40,7 @@ struct Measuring {
   }
   // The point of the surface in a direction from the origin.
   glm::dvec3 onSurface(glm::dvec3 world) const {
-    const volume::SurfaceOf surface{volume->grid(), *scene.isosurface.value};
+    const volume::SurfaceOf surface{volume->grid(), *scene.surfaces.front().value};
     const auto point = nearestPoint(surface, world);
     EXPECT_TRUE(point);
     return point ? point->world : world;
@@ -225,9 +226,9 @@ TEST(MarkEvaluator, AMarkStaysAndSaysThatItsSurfaceHasLeft) {
 TEST(MarkEvaluator, TakesTheSurfaceThatIsNearest) {
   const auto ball = phantom("ball", 64);
   scene::Scene scene;
-  scene.isosurface.value = 8.0;
-  scene.extraIsosurfaces[1].shown = true;
-  scene.extraIsosurfaces[1].value = 0.0;
+  scene.surfaces.front().value = 8.0;
+  test::surfaceAt(scene, 2).shown = true;
+  test::surfaceAt(scene, 2).value = 0.0;
   scene = scene::resolve(scene, ball->facts);
   app::MarkEvaluator evaluator(ball, scene);
   base::Progress progress;
@@ -246,9 +247,9 @@ TEST(MarkEvaluator, CameraAndLookChangeNothing) {
   scene::Scene other = measure.scene;
   other.camera.eye = glm::dvec3(1.0, 2.0, 300.0);
   other.look.mode = scene::LookMode::normal;
-  other.isosurface.albedo = {0.1, 0.2, 0.3};
+  other.surfaces.front().albedo = {0.1, 0.2, 0.3};
   EXPECT_TRUE(measure.evaluator->isFor(ball, other));
-  other.isosurface.value = 1.0;
+  other.surfaces.front().value = 1.0;
   EXPECT_FALSE(measure.evaluator->isFor(ball, other));
   EXPECT_FALSE(measure.evaluator->isFor(phantom("ball", 24), measure.scene));
 }

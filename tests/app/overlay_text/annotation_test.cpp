@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/rules/automatic.h"
+#include "tests/support/surfaces.h"
 #include "volume/prepared/prepared_volume.h"
 #include "volume/visible/hidden_pieces.h"
 
@@ -112,12 +113,12 @@ TEST_F(AnnotationTest, TheBarIsAsLongAsItSays) {
 
 TEST_F(AnnotationTest, IsovaluesAreThoseOfTheSurfacesThatAreShown) {
   scene_.picture.isovalue = true;
-  scene_.isosurface.value = -12.5;
+  scene_.surfaces.front().value = -12.5;
   ASSERT_EQ(annotationOf(scene_, *volume_, {320, 240}).values.size(), 1u);
   EXPECT_TRUE(annotationOf(scene_, *volume_, {320, 240}).values[0].text.starts_with("\u221212.5"));
-  scene_.extraIsosurfaces[1].shown = true;
-  scene_.extraIsosurfaces[1].value = 300.0;
-  scene_.extraIsosurfaces[1].albedo = glm::dvec3(1.0, 0.0, 0.0);
+  test::surfaceAt(scene_, 2).shown = true;
+  test::surfaceAt(scene_, 2).value = 300.0;
+  test::surfaceAt(scene_, 2).albedo = glm::dvec3(1.0, 0.0, 0.0);
   ASSERT_EQ(annotationOf(scene_, *volume_, {320, 240}).values.size(), 2u);
   const render::ColorImage image = drawn({640, 480});
   bool red = false;
@@ -127,14 +128,14 @@ TEST_F(AnnotationTest, IsovaluesAreThoseOfTheSurfacesThatAreShown) {
       red = red || (pixel[0] == 255 && pixel[1] == 0 && pixel[2] == 0);
     }
   EXPECT_TRUE(red) << "its colour stands before it";
-  scene_.isosurface.opacity = 0.0;
+  scene_.surfaces.front().opacity = 0.0;
   EXPECT_EQ(annotationOf(scene_, *volume_, {320, 240}).values.size(), 1u);
 }
 
 // Unasked: a picture that leaves out pieces or shows slices that nobody measured says so.
 TEST_F(AnnotationTest, CaveatsAreWrittenUnasked) {
   scene_.pieces.keep = 1;
-  scene_.isosurface.value = 300.0;
+  scene_.surfaces.front().value = 300.0;
   base::Progress progress;
   ASSERT_FALSE(volume::hiddenOf(scene_, *volume_->pieces, progress).empty());
   const Caveats caveats = caveatsOf(scene_, *volume_);

@@ -60,7 +60,7 @@ TEST(AppliedPreset, OfPresetsWithOtherIsovaluesOnlyIsThatWhichNeedsTheLeastShift
       {"high", "High", "", {}, {{"isosurface.value", 400.0}, {"look.mode", "tone"}}}};
   const auto shown = [&](double value, std::optional<std::size_t> last = {}) {
     scene::Scene scene = withPreset({}, presets[0], *head);
-    scene.isosurface.value = value;
+    scene.surfaces.front().value = value;
     const auto found = appliedPreset(scene, presets, *head, last);
     EXPECT_TRUE(found);
     return found ? std::pair(presets[found->index].name, found->shift) : std::pair(std::string(), 0.0);
@@ -77,7 +77,7 @@ TEST(Thumbnails, ShowPresetsThenLooksAndSayWhatDoesNotApply) {
   const auto ball = phantom("ball", 16);
   const auto presets = app::builtInPresets();
   scene::Scene scene;
-  scene.isosurface.name = "Mine";
+  scene.surfaces.front().name = "Mine";
   const auto all = app::thumbnailsOf(scene, presets, *ball);
   ASSERT_GT(all.size(), presets.size() + 5);
   for (std::size_t i = 0; i < presets.size(); ++i) {
@@ -88,7 +88,7 @@ TEST(Thumbnails, ShowPresetsThenLooksAndSayWhatDoesNotApply) {
   EXPECT_EQ(all.back().kind, app::Thumbnail::Kind::look);
   // What changes no picture does not enter: it is not drawn again.
   scene::Scene renamed = scene;
-  renamed.isosurface.name = "Other";
+  renamed.surfaces.front().name = "Other";
   EXPECT_EQ(app::drawnThumbnail(app::thumbnailsOf(renamed, presets, *ball).back(), *ball),
             app::drawnThumbnail(all.back(), *ball));
 }

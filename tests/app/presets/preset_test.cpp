@@ -10,6 +10,7 @@
 #include "app/presets/preset_value.h"
 #include "base/error.h"
 #include "scene/settings/settings.h"
+#include "tests/support/surfaces.h"
 #include "tests/support/test_data.h"
 
 namespace isolux::app {
@@ -133,20 +134,21 @@ TEST(Preset, SetsWhatItSaysResetsTheLookAndLeavesTheRest) {
   before.source.path = "/x.nii";
   before.pieces.hidden = {glm::dvec3(1, 1, 1)};
   before.look.fog = 0.5;
-  before.extraIsosurfaces[2].shown = true;
+  test::surfaceAt(before, 3).shown = true;
   before.gi.bounces = 5;
   const Preset preset = presetWith(R"({"isosurface.value": {"hu": 200}, "look.mode": "gi"})");
   const scene::Scene after = withPreset(before, preset, *volume, -20.0);
-  EXPECT_EQ(after.isosurface.value, 180.0);
+  EXPECT_EQ(after.surfaces.front().value, 180.0);
   EXPECT_EQ(after.look.mode, scene::LookMode::gi);
   EXPECT_EQ(after.look.fog, scene::Look{}.fog);
-  EXPECT_FALSE(after.extraIsosurfaces[2].shown);
+  EXPECT_EQ(after.surfaces.size(), 1U);
   EXPECT_EQ(after.camera, before.camera);
   EXPECT_EQ(after.source, before.source);
   EXPECT_EQ(after.pieces.hidden, before.pieces.hidden);
   EXPECT_EQ(after.gi, before.gi);
-  EXPECT_EQ(withPreset(scene::Scene{}, presetWith(R"({"look.fog": 0.5})"), *volume, 7.0).isosurface.value,
-            volume->facts.suggestedIsovalue + 7.0);
+  EXPECT_EQ(
+      withPreset(scene::Scene{}, presetWith(R"({"look.fog": 0.5})"), *volume, 7.0).surfaces.front().value,
+      volume->facts.suggestedIsovalue + 7.0);
   // From one preset to another is where one comes to from nowhere.
   const scene::Scene skin = withPreset({}, findPreset("ct_skin"), *volume);
   for (const Preset& other : builtInPresets())
@@ -171,12 +173,13 @@ TEST(Preset, FilesThatAreNoneAreRefusedWithThePlace) {
                    "}");
   };
   EXPECT_EQ(set("{}"), "accepted");
-  for (const char* bad : {R"({"no.such": 1})", R"({"look.fog": 7})", R"({"look.mode": "nonsense"})",
-                          R"({"look.fog": {"hu": 1}})", R"({"isosurface.value": {"hu": "x"}})",
-                          R"({"isosurface.value": {"quantile": 2}})", R"({"isosurface.value": {}})",
-                          R"({"isosurface.value": {"odd": 1}})", R"({"source.path": "x"})",
-                          R"({"camera.eye": [1, 2, 3]})", R"({"light.environment.file": "/x.hdr"})",
-                          R"({"lamp1.position": [1, 2, 3]})", R"({"memory.gpu_budget_mb": 512})", "[]", "3"})
+  for (const char* bad :
+       {R"({"no.such": 1})", R"({"look.fog": 7})", R"({"look.mode": "nonsense"})",
+        R"({"look.fog": {"hu": 1}})", R"({"isosurface.value": {"hu": "x"}})",
+        R"({"isosurface.value": {"quantile": 2}})", R"({"isosurface.value": {}})",
+        R"({"isosurface.value": {"odd": 1}})", R"({"source.path": "x"})", R"({"camera.eye": [1, 2, 3]})",
+        R"({"light.environment.file": "/x.hdr"})", R"({"lamp1.position": [1, 2, 3]})",
+        R"({"lamps.key": {"position": [1, 2, 3]}})", R"({"memory.gpu_budget_mb": 512})", "[]", "3"})
     EXPECT_EQ(set(bad).find("p.json: "), 0U) << bad << ": " << set(bad);
   EXPECT_NE(refused(R"({"isolux_preset": 1, "name": "P p", "title": "P", "meaning": "m.", "set": {}})"),
             "accepted");
@@ -193,7 +196,7 @@ class OwnPresets : public testing::Test {
 TEST_F(OwnPresets, AreKeptFoundAndGiveTheSameSceneAgain) {
   const auto volume = ramp("HU");
   scene::Scene scene;
-  scene.isosurface.value = 250.0;
+  scene.surfaces.front().value = 250.0;
   scene.look.mode = scene::LookMode::kappa1;
   scene.look.rangeHigh = 0.125;
   scene.camera.eye = glm::dvec3(1, 2, 3);

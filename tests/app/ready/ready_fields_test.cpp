@@ -19,7 +19,7 @@ std::shared_ptr<const volume::PreparedVolume> ball(int size) {
 
 scene::Scene interpolating() {
   scene::Scene scene;
-  scene.isosurface.value = 0.0;
+  scene.surfaces.front().value = 0.0;
   scene.hit.field = scene.derivatives.field = scene::Field::cubic_interpolating;
   return scene;
 }
@@ -45,7 +45,7 @@ TEST(FieldJob, MakesWhatASceneNeedsAndUntilThenOtherFieldsAreDrawn) {
 TEST(FieldJob, ScalesAreThoseThatAreThere) {
   const auto volume = ball(24);
   scene::Scene scene;
-  scene.isosurface.value = 0.0;
+  scene.surfaces.front().value = 0.0;
   scene.look.mode = scene::LookMode::kappa1;
   scene.derivatives = {.noise = 1.0, .scale = 3.0, .normalScale = 2.0};
   const auto scales = [&](const scene::Derivatives& last) {
@@ -80,7 +80,7 @@ TEST(FieldJob, ScalesAreThoseThatAreThere) {
 TEST(FieldJob, ChoosesWhatIsAutomatic) {
   const auto volume = ball(24);
   scene::Scene scene;
-  scene.isosurface.value = 0.0;
+  scene.surfaces.front().value = 0.0;
   EXPECT_FALSE(fieldsAreReady(scene, *volume));
   const auto task = fieldTask(volume, scene);
   ASSERT_TRUE(test::pollUntil([&] { return task->finished(); }));
@@ -92,7 +92,7 @@ TEST(FieldJob, ChoosesWhatIsAutomatic) {
   EXPECT_EQ(drawn.normalScale, choice->normalScaleMm);
   EXPECT_EQ(drawn.noise, choice->noise);
   scene::Scene other = scene;
-  other.isosurface.value = 1.0;
+  other.surfaces.front().value = 1.0;
   EXPECT_FALSE(fieldsAreReady(other, *volume));
   EXPECT_FALSE(needSameFields(scene, other));
 }

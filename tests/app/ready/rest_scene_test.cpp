@@ -45,7 +45,7 @@ TEST(RestScene, AnotherIsovalueIsAnotherSurface) {
   base::Progress progress;
   Loaded wires = loaded("phantom:wires:96");
   atRest(wires.scene, *wires.volume, progress);
-  wires.scene.isosurface.value = 510.0;
+  wires.scene.surfaces.front().value = 510.0;
   EXPECT_FALSE(restIsReady(wires.scene, *wires.volume));
 }
 
@@ -56,7 +56,7 @@ TEST(RestScene, ByNameNothingIsMeasured) {
   EXPECT_FALSE(restIsReady(torus.scene, *torus.volume));
   EXPECT_EQ(atRest(torus.scene, *torus.volume, progress).hit.field, Field::cubic_interpolating);
   EXPECT_TRUE(restIsReady(torus.scene, *torus.volume));
-  EXPECT_FALSE(torus.volume->stillHits->find(*torus.scene.isosurface.value));
+  EXPECT_FALSE(torus.volume->stillHits->find(*torus.scene.surfaces.front().value));
 }
 
 TEST(RestScene, WhereHitsMayNotChangeAllIsReady) {

@@ -178,7 +178,7 @@ TEST(SameBoundsGlTest, ASmallChangeIsAnotherPicture) {
   const auto context = OffscreenContext::create(ContextChoice::software);
   const PictureScene lit = scenesNamed({"light"}).front();
   scene::Scene changed = sceneOf(lit);
-  *changed.isosurface.value *= 1.001;
+  *changed.surfaces.front().value *= 1.001;
   const WayDistance distance = distanceOf(drawWay(*context, lit), drawWay(*context, lit, changed));
   EXPECT_FALSE(keeps(distance, kOtherOrder)) << distance;
   EXPECT_GT(distance.voxels, kOtherOrder.voxels);

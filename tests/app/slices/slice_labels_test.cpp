@@ -5,6 +5,7 @@
 
 #include "base/color.h"
 #include "scene/rules/automatic.h"
+#include "tests/support/surfaces.h"
 #include "volume/prepared/prepared_volume.h"
 
 namespace isolux::test {
@@ -93,8 +94,8 @@ TEST(SliceLabels, TheConventionIsSaidWhereLeftAndRightAreSeen) {
   scene.source.path = "phantom:head:24";
   const auto prepared = volume::loadVolume(scene.source, progress);
   scene = scene::resolve(scene, prepared->facts);
-  scene.extraIsosurfaces[0].shown = true;
-  scene.extraIsosurfaces[0].value = -300.0;
+  test::surfaceAt(scene, 1).shown = true;
+  test::surfaceAt(scene, 1).value = -300.0;
   const auto wordsOn = [&](volume::SliceDirection direction) {
     const volume::GridGeometry& geometry = prepared->grid().geometry();
     const volume::SliceFrame frame =

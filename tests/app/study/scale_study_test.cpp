@@ -33,7 +33,7 @@ Plane planeOf(int size) {
   plane.scene.source.path = "phantom:plane:" + std::to_string(size);
   base::Progress progress;
   plane.volume = volume::loadVolume(plane.scene.source, progress);
-  plane.scene.isosurface.value = 0.0;
+  plane.scene.surfaces.front().value = 0.0;
   return plane;
 }
 
@@ -81,7 +81,7 @@ TEST(ScaleStudy, AScanGetsNoiseLikeItsOwn) {
 TEST(ScaleStudy, OfAPhantomWhatSmoothingTakesCounts) {
   Plane torus;
   torus.scene.source.path = "phantom:torus:64";
-  torus.scene.isosurface.value = 0.0;
+  torus.scene.surfaces.front().value = 0.0;
   base::Progress progress;
   torus.volume = volume::loadVolume(torus.scene.source, progress);
   const double edge = 63.0, middle = 31.5;

@@ -12,6 +12,7 @@
 #include "scene/settings/settings.h"
 #include "tests/app/commands/run_isolux.h"
 #include "tests/support/poll.h"
+#include "tests/support/surfaces.h"
 #include "tests/support/test_data.h"
 
 namespace isolux::app {
@@ -141,9 +142,9 @@ TEST(QualitySettings, ATurnedSceneDiffersInThatSettingAlone) {
   const scene::VolumeFacts facts{.boundsMaxMm = glm::dvec3(9.0), .maximum = 5.0, .typicalStep = 8.0};
   scene::Scene scene;
   scene.hit.method = scene::HitMethod::sampled;
-  scene.extraIsosurfaces[0].shown = true;
+  test::surfaceAt(scene, 1).shown = true;
   const scene::Scene plain = turned(parseQualitySettings("rate")[0], "2", scene, facts);
-  EXPECT_FALSE(plain.extraIsosurfaces[0].shown);
+  EXPECT_EQ(plain.surfaces.size(), 1U);
   EXPECT_EQ(plain.hit.nearThreshold, 4.0);
 
   scene::Scene expected = plain;

@@ -17,7 +17,7 @@ TEST(SurfaceReference, CurvatureAndNormalsHaveTheScalesOfTheScene) {
   const auto volume = test::prepared(test::withNoise(test::phantomGrid("ball", 48), 0.4, glm::dvec3(0.0), 2));
   scene::Scene scene;
   scene.derivatives.noise = 0.0;  // all curvature counts
-  scene.isosurface.value = 0.0;
+  scene.surfaces.front().value = 0.0;
   scene = scene::resolve(scene, volume->facts);
   SurfaceReference reference(volume, scene, {24, 24});
   base::Progress progress;

@@ -17,7 +17,7 @@ TEST(StudyMarkdown, WordsOfAFileAreText) {
   auto named = std::make_shared<volume::PreparedVolume>(*test::phantom("ball", 8));
   named->volume.name = "a<img src=x onerror=f()>|[b](c)\n# d";
   subject.volume = named;
-  subject.scene.isosurface.value = 0.5;
+  subject.scene.surfaces.front().value = 0.5;
   const std::string text = studyMarkdown(subject, {}, {}, true);
   EXPECT_THAT(text, HasSubstr("\\<img src=x onerror=f()\\>\\|\\[b\\](c)"));
   EXPECT_THAT(text, Not(HasSubstr("\n# d")));

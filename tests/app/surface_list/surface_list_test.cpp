@@ -31,7 +31,7 @@ std::shared_ptr<const volume::PreparedVolume> SurfaceList::head_;
 // From bone: one gesture adds the skin around it, and both are seen.
 TEST_F(SurfaceList, WhatIsAddedOutsideIsSeenThrough) {
   scene::Scene scene;
-  scene.isosurface.value = 300.0;
+  scene.surfaces.front().value = 300.0;
   const auto added = app::withSurface(scene, *head_, {});
   ASSERT_TRUE(added);
   const auto list = listOf(*added, *head_);
@@ -46,7 +46,7 @@ TEST_F(SurfaceList, WhatIsAddedOutsideIsSeenThrough) {
 // From skin there is nothing outside: bone comes inside, and the skin in front of it is seen through.
 TEST_F(SurfaceList, WhatIsAddedInsideMakesTheFirstSeenThrough) {
   scene::Scene skin;
-  skin.isosurface.value = -300.0;
+  skin.surfaces.front().value = -300.0;
   const auto added = app::withSurface(skin, *head_, {});
   ASSERT_TRUE(added);
   const auto list = listOf(*added, *head_);
@@ -55,13 +55,13 @@ TEST_F(SurfaceList, WhatIsAddedInsideMakesTheFirstSeenThrough) {
   EXPECT_EQ(list[1].value, 300.0);
   EXPECT_EQ(list[1].facingOpacity, 1.0);
   // Alone again it is opaque, whether the other is hidden or removed.
-  EXPECT_EQ(app::withSurfaceShown(*added, *head_, 1, false).isosurface.facingOpacity, 1.0);
+  EXPECT_EQ(app::withSurfaceShown(*added, *head_, 1, false).surfaces.front().facingOpacity, 1.0);
   EXPECT_EQ(app::withoutSurface(*added, *head_, 1), skin);
 }
 
 TEST_F(SurfaceList, HiddenOnesStayInTheListAndTheFirstIsReplacedByTheNext) {
   scene::Scene scene;
-  scene.isosurface.value = -300.0;
+  scene.surfaces.front().value = -300.0;
   scene = app::withSurface(scene, *head_, 120.0).value();
   scene = app::withSurfaceShown(scene, *head_, 1, false);
   ASSERT_EQ(listOf(scene, *head_).size(), 2u);
@@ -79,19 +79,20 @@ TEST_F(SurfaceList, HiddenOnesStayInTheListAndTheFirstIsReplacedByTheNext) {
 // What somebody chose himself is not touched.
 TEST_F(SurfaceList, ChosenOpacitiesStay) {
   scene::Scene scene;
-  scene.isosurface.value = -300.0;
-  scene.isosurface.opacity = 0.4;
-  EXPECT_EQ(app::withSurface(scene, *head_, {})->isosurface.facingOpacity, 1.0);
-  scene.isosurface.opacity = 1.0;
-  scene.isosurface.facingOpacity = 0.5;
-  EXPECT_EQ(app::withSurface(scene, *head_, {})->isosurface.facingOpacity, 0.5);
+  scene.surfaces.front().value = -300.0;
+  scene.surfaces.front().opacity = 0.4;
+  EXPECT_EQ(app::withSurface(scene, *head_, {})->surfaces.front().facingOpacity, 1.0);
+  scene.surfaces.front().opacity = 1.0;
+  scene.surfaces.front().facingOpacity = 0.5;
+  EXPECT_EQ(app::withSurface(scene, *head_, {})->surfaces.front().facingOpacity, 0.5);
 }
 
 TEST_F(SurfaceList, FourIsTheMost) {
   scene::Scene scene;
-  for (int i = 1; i < app::kMostSurfaces; ++i) scene = app::withSurface(scene, *head_, 100.0 * i).value();
+  for (std::size_t i = 1; i < scene::kSurfaces; ++i)
+    scene = app::withSurface(scene, *head_, 100.0 * static_cast<double>(i)).value();
   EXPECT_FALSE(app::withSurface(scene, *head_, 900.0));
-  EXPECT_EQ(listOf(scene, *head_).size(), static_cast<std::size_t>(app::kMostSurfaces));
+  EXPECT_EQ(listOf(scene, *head_).size(), scene::kSurfaces);
 }
 
 }  // namespace isolux::test

@@ -15,7 +15,7 @@ using scene::MarkKind;
 
 std::shared_ptr<app::MarkEvaluator> evaluatorOf(const std::shared_ptr<const volume::PreparedVolume>& volume) {
   scene::Scene scene;
-  scene.isosurface.value = 0.0;
+  scene.surfaces.front().value = 0.0;
   return std::make_shared<app::MarkEvaluator>(volume, scene::resolve(scene, volume->facts));
 }
 

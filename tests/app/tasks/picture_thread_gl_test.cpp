@@ -18,6 +18,7 @@
 #include "tests/support/losing_context.h"
 #include "tests/support/own_waits.h"
 #include "tests/support/poll.h"
+#include "tests/support/surfaces.h"
 #include "tests/support/volumes.h"
 
 namespace isolux::test {
@@ -167,8 +168,8 @@ TEST_F(PictureThreadGlTest, DraftsAreNotDropped) {
 
 TEST_F(PictureThreadGlTest, APictureThatFailsSaysWhyAndTheNextComes) {
   app::PictureOrder bad = order(30.0);
-  bad.scene.extraIsosurfaces[0].shown = true;  // and nobody has said where it is
-  bad.scene.extraIsosurfaces[0].value.reset();
+  test::surfaceAt(bad.scene, 1).shown = true;  // and nobody has said where it is
+  test::surfaceAt(bad.scene, 1).value.reset();
   const std::uint64_t number = thread_.draw(bad);
   const app::PictureThread::Result failed = next();
   ASSERT_TRUE(std::holds_alternative<app::FailedPicture>(failed));

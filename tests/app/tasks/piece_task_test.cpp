@@ -12,7 +12,7 @@ namespace {
 
 scene::Scene sceneOfBalls() {
   scene::Scene scene;
-  scene.isosurface.value = 0.0;
+  scene.surfaces.front().value = 0.0;
   scene.derivatives.noise = 0.0;
   return scene;
 }

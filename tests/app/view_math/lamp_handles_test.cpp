@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/view_math/lamp_handles.h"
+#include "tests/support/lamps.h"
 
 namespace isolux::app {
 
@@ -19,11 +20,11 @@ scene::Scene sceneWithLamp(scene::LampKind kind, scene::Projection projection) {
   scene.camera.target = glm::dvec3(4.0, 2.0, -3.0);
   scene.camera.up = glm::dvec3(0.1, 0.2, 1.0);
   scene.camera.projection = projection;
-  scene.lamps[1].shown = true;
-  scene.lamps[1].kind = kind;
-  scene.lamps[1].position = glm::dvec3(20.0, -30.0, 25.0);
-  scene.lamps[1].direction = glm::dvec3(0.4, -2.0, 0.9);
-  scene.lamps[1].radius = 12.0;
+  test::lampAt(scene, 1).shown = true;
+  test::lampAt(scene, 1).kind = kind;
+  test::lampAt(scene, 1).position = glm::dvec3(20.0, -30.0, 25.0);
+  test::lampAt(scene, 1).direction = glm::dvec3(0.4, -2.0, 0.9);
+  test::lampAt(scene, 1).radius = 12.0;
   return scene;
 }
 
@@ -58,9 +59,9 @@ TEST(LampHandles, LieUnderTheLampAndOnlyUnderGlobalIllumination) {
     scene::Scene scene = sceneWithLamp(scene::LampKind::point, projection);
     const auto handles = lampHandles(scene, stageOf(scene));
     ASSERT_EQ(handles.size(), 1U);
-    EXPECT_EQ(handles[0].lamp, 2);
+    EXPECT_EQ(handles[0].number, 2);
     EXPECT_FALSE(handles[0].outside);
-    EXPECT_LT(distanceToRay(rayAt(scene, handles[0].pixel), scene.lamps[1].position.value()), 1e-9);
+    EXPECT_LT(distanceToRay(rayAt(scene, handles[0].pixel), test::lampAt(scene, 1).position.value()), 1e-9);
     scene.look.mode = scene::LookMode::lambert;
     EXPECT_TRUE(lampHandles(scene, stageOf(scene)).empty());
   }
@@ -69,22 +70,24 @@ TEST(LampHandles, LieUnderTheLampAndOnlyUnderGlobalIllumination) {
 TEST(LampHandles, DraggingBringsTheLampUnderThePointerInItsPlane) {
   for (const scene::Projection projection : projections) {
     scene::Scene scene = sceneWithLamp(scene::LampKind::point, projection);
-    const glm::dvec3 before = scene.lamps[1].position.value(), back = scene::frameOf(scene.camera).back;
+    const glm::dvec3 before = test::lampAt(scene, 1).position.value(),
+                     back = scene::frameOf(scene.camera).back;
     const glm::dvec2 pixel(123.0, 456.0);
-    scene.lamps[1] = lampMovedTo(scene.lamps[1], stageOf(scene), pixel);
-    EXPECT_LT(distanceToRay(rayAt(scene, pixel), scene.lamps[1].position.value()), 1e-9);
-    EXPECT_NEAR(glm::dot(scene.lamps[1].position.value() - before, back), 0.0, 1e-9);
+    test::lampAt(scene, 1) = lampMovedTo(test::lampAt(scene, 1), stageOf(scene), pixel);
+    EXPECT_LT(distanceToRay(rayAt(scene, pixel), test::lampAt(scene, 1).position.value()), 1e-9);
+    EXPECT_NEAR(glm::dot(test::lampAt(scene, 1).position.value() - before, back), 0.0, 1e-9);
   }
 }
 
 TEST(LampHandles, MovingInDepthKeepsTheHandle) {
   for (const scene::Projection projection : projections) {
     scene::Scene scene = sceneWithLamp(scene::LampKind::sphere, projection);
-    const glm::dvec3 before = scene.lamps[1].position.value(), back = scene::frameOf(scene.camera).back;
+    const glm::dvec3 before = test::lampAt(scene, 1).position.value(),
+                     back = scene::frameOf(scene.camera).back;
     const glm::dvec2 handle = lampHandles(scene, stageOf(scene))[0].pixel;
-    scene.lamps[1] = lampMovedAway(scene.lamps[1], stageOf(scene), 0.2);
+    test::lampAt(scene, 1) = lampMovedAway(test::lampAt(scene, 1), stageOf(scene), 0.2);
     EXPECT_LT(glm::distance(lampHandles(scene, stageOf(scene))[0].pixel, handle), 1e-9);
-    EXPECT_LT(glm::dot(scene.lamps[1].position.value() - before, back), -1.0);  // away
+    EXPECT_LT(glm::dot(test::lampAt(scene, 1).position.value() - before, back), -1.0);  // away
   }
 }
 
@@ -93,13 +96,13 @@ TEST(LampHandles, ADistantLampsHandleFollowsThePointerOverTheBall) {
     for (const glm::dvec2& pixel : {glm::dvec2(430.0, 280.0), glm::dvec2(300.0, 400.0)}) {
       for (const double side : {1.0, -1.0}) {
         scene::Scene scene = sceneWithLamp(scene::LampKind::directional, projection);
-        scene.lamps[1].direction = side * scene::frameOf(scene.camera).back;
+        test::lampAt(scene, 1).direction = side * scene::frameOf(scene.camera).back;
         const LampStage stage = stageOf(scene);
-        scene.lamps[1] = lampMovedTo(scene.lamps[1], stage, pixel);
+        test::lampAt(scene, 1) = lampMovedTo(test::lampAt(scene, 1), stage, pixel);
         const auto handle = lampHandles(scene, stage).at(0);
         EXPECT_LT(glm::distance(handle.pixel, pixel), 1e-6);
         EXPECT_EQ(handle.far, side < 0.0);
-        EXPECT_NEAR(glm::length(scene.lamps[1].direction), stage.reachMm, 1e-9 * stage.reachMm);
+        EXPECT_NEAR(glm::length(test::lampAt(scene, 1).direction), stage.reachMm, 1e-9 * stage.reachMm);
       }
     }
   }
@@ -108,23 +111,23 @@ TEST(LampHandles, ADistantLampsHandleFollowsThePointerOverTheBall) {
 TEST(LampHandles, BeyondTheRimADistantLampStaysOnIt) {
   scene::Scene scene = sceneWithLamp(scene::LampKind::directional, scene::Projection::orthographic);
   const LampStage stage = stageOf(scene);
-  scene.lamps[1] = lampMovedTo(scene.lamps[1], stage, {790.0, 300.0});
-  EXPECT_NEAR(glm::dot(scene.lamps[1].direction, stage.frame.back), 0.0, 1e-9);
-  EXPECT_GT(glm::dot(scene.lamps[1].direction, stage.frame.right), 0.9 * stage.reachMm);
+  test::lampAt(scene, 1) = lampMovedTo(test::lampAt(scene, 1), stage, {790.0, 300.0});
+  EXPECT_NEAR(glm::dot(test::lampAt(scene, 1).direction, stage.frame.back), 0.0, 1e-9);
+  EXPECT_GT(glm::dot(test::lampAt(scene, 1).direction, stage.frame.right), 0.9 * stage.reachMm);
 }
 
 TEST(LampHandles, TheOutlineIsThatOfTheSphereAndSetsItsRadius) {
   for (const scene::Projection projection : projections) {
     scene::Scene scene = sceneWithLamp(scene::LampKind::sphere, projection);
     const glm::dvec3 place(4.0, 2.0, -3.0);  // on the axis the outline is a circle
-    scene.lamps[1].position = place;
+    test::lampAt(scene, 1).position = place;
     const LampHandle handle = lampHandles(scene, stageOf(scene)).at(0);
     const scene::Ray tangent = rayAt(scene, handle.pixel + glm::dvec2(handle.ringPixels, 0.0));
     EXPECT_NEAR(distanceToRay(tangent, place), 12.0, 1e-9);
     const glm::dvec2 edge = handle.pixel + glm::dvec2(0.0, 90.0);
     EXPECT_EQ(lampAt({handle}, handle.pixel + glm::dvec2(handle.ringPixels, 0.0)),
-              (LampGrip{2, LampPart::ring}));
-    scene.lamps[1] = lampResizedTo(scene.lamps[1], stageOf(scene), edge);
+              (LampGrip{"light2", 2, LampPart::ring}));
+    test::lampAt(scene, 1) = lampResizedTo(test::lampAt(scene, 1), stageOf(scene), edge);
     EXPECT_NEAR(lampHandles(scene, stageOf(scene)).at(0).ringPixels, 90.0, 1e-9);
   }
 }
@@ -135,15 +138,15 @@ TEST(LampHandles, OneThatIsNotOnThePictureStandsAtItsEdgeAndSaysWhere) {
   const scene::CameraFrame& frame = stage.frame;
   for (const glm::dvec3& place : {stage.centreMm + 900.0 * frame.right, frame.eye + 50.0 * frame.back,
                                   frame.eye + 200.0 * frame.back - 90.0 * frame.up, frame.eye}) {
-    scene.lamps[1].position = place;
+    test::lampAt(scene, 1).position = place;
     const LampHandle handle = lampHandles(scene, stage).at(0);
     EXPECT_TRUE(handle.outside);
     EXPECT_TRUE(handle.pixel.x >= 0 && handle.pixel.y >= 0 && handle.pixel.x <= 800 && handle.pixel.y <= 600)
         << handle.pixel.x << ' ' << handle.pixel.y;
     EXPECT_NEAR(glm::length(handle.toward), 1.0, 1e-12);
-    EXPECT_EQ(lampAt({handle}, handle.pixel), (LampGrip{2, LampPart::handle}));
+    EXPECT_EQ(lampAt({handle}, handle.pixel), (LampGrip{"light2", 2, LampPart::handle}));
     // A drag brings it before the eye, under the pointer.
-    scene.lamps[1] = lampMovedTo(scene.lamps[1], stage, {200.0, 200.0});
+    test::lampAt(scene, 1) = lampMovedTo(test::lampAt(scene, 1), stage, {200.0, 200.0});
     EXPECT_LT(glm::distance(lampHandles(scene, stage).at(0).pixel, glm::dvec2(200.0)), 1e-6);
   }
 }

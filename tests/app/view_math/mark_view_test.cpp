@@ -37,7 +37,7 @@ TEST(MarkView, TheFarSideOfABallIsBehindIt) {
   const double r = 0.35 * 47.0;
   for (const auto projection : {scene::Projection::perspective, scene::Projection::orthographic}) {
     scene::Scene scene;
-    scene.isosurface.value = 0.0;
+    scene.surfaces.front().value = 0.0;
     scene.camera.projection = projection;
     scene = scene::resolve(scene, volume->facts);
     const glm::dvec3 toEye = scene::frameOf(scene.camera).back;

@@ -8,6 +8,7 @@
 
 #include "base/progress.h"
 #include "scene/rules/automatic.h"
+#include "tests/support/surfaces.h"
 #include "tests/support/volumes.h"
 
 namespace isolux::test {
@@ -29,7 +30,8 @@ TEST(SurfacePick, IsOnTheRayAndOnTheSurface) {
     ASSERT_TRUE(pick);
     const scene::Ray ray = scene::rayThrough(frame, ndc, aspect);
     EXPECT_LT(glm::length(glm::cross(pick->worldMm - ray.origin, glm::normalize(ray.direction))), 1e-9);
-    EXPECT_NEAR(pick->value, *scene.isosurface.value, 1e-9 * std::abs(*scene.isosurface.value) + 1e-9);
+    EXPECT_NEAR(pick->value, *scene.surfaces.front().value,
+                1e-9 * std::abs(*scene.surfaces.front().value) + 1e-9);
     const glm::dvec3 back(volume->grid().geometry().worldFromVoxel * glm::dvec4(pick->voxel, 1.0));
     EXPECT_LT(glm::distance(back, pick->worldMm), 1e-9);
   }
@@ -39,7 +41,7 @@ TEST(SurfacePick, IsOnTheRayAndOnTheSurface) {
 TEST(SurfacePick, OfABallIsItsRadiusAway) {
   const auto volume = phantom("ball", 65);
   scene::Scene scene;
-  scene.isosurface.value = 0.0;
+  scene.surfaces.front().value = 0.0;
   scene = resolved(*volume, scene);
   for (const glm::dvec2& ndc : {glm::dvec2(0.0), glm::dvec2(0.2, 0.1), glm::dvec2(-0.1, 0.25)}) {
     const auto pick = app::pickSurface(*volume, scene, ndc, 1.2);
@@ -53,16 +55,16 @@ TEST(SurfacePick, TakesTheNearestThatIsShown) {
   const auto volume = phantom("ball", 48);
   scene::Scene scene;
   scene = resolved(*volume, scene);
-  const double first = *scene.isosurface.value;
+  const double first = *scene.surfaces.front().value;
   const auto alone = app::pickSurface(*volume, scene, {0.0, 0.0}, 1.0);
-  scene.extraIsosurfaces[0].value = 0.9 * first + 0.1 * volume->grid().minimum();
-  scene.extraIsosurfaces[0].opacity = 0.5;
+  test::surfaceAt(scene, 1).value = 0.9 * first + 0.1 * volume->grid().minimum();
+  test::surfaceAt(scene, 1).opacity = 0.5;
   const auto hidden = app::pickSurface(*volume, scene, {0.0, 0.0}, 1.0);
   ASSERT_TRUE(alone && hidden);
   EXPECT_EQ(hidden->worldMm, alone->worldMm);
-  scene.extraIsosurfaces[0].shown = true;
+  test::surfaceAt(scene, 1).shown = true;
   const auto shown = app::pickSurface(*volume, scene, {0.0, 0.0}, 1.0);
-  scene.isosurface.opacity = 0.0;
+  scene.surfaces.front().opacity = 0.0;
   const auto other = app::pickSurface(*volume, scene, {0.0, 0.0}, 1.0);
   ASSERT_TRUE(shown && other);
   const glm::dvec3 eye = scene::frameOf(scene.camera).eye;

@@ -164,7 +164,7 @@ TEST_F(BakeFile, TexelsStandWhereTheyWereLitBesideAHiddenPiece) {
                     6.5 - glm::distance(p, glm::dvec3(34.3, 15.5, 15.5)));
   }));
   scene::Scene scene;
-  scene.isosurface.value = 0.0;
+  scene.surfaces.front().value = 0.0;
   scene.pieces.keep = 1;
   const std::vector<volume::HiddenOfSurface> hidden = volume::hiddenOf(scene, *balls->pieces, progress_);
   const volume::Grid& grid = balls->grid();

@@ -9,6 +9,7 @@
 #include "scene/opacity.h"
 #include "scene/rules/automatic.h"
 #include "tests/gi/light_fixture.h"
+#include "tests/support/lamps.h"
 
 namespace isolux::test {
 namespace {
@@ -21,7 +22,7 @@ class GroundShadowTest : public ::testing::Test {
  protected:
   GroundShadowTest() {
     scene_.look.mode = scene::LookMode::gi;
-    scene_.isosurface.value = 0.0;
+    scene_.surfaces.front().value = 0.0;
     scene_.gi.ground = true;
     scene_.light.environment.constant = glm::dvec3(0.7);
   }
@@ -83,7 +84,7 @@ TEST_F(GroundShadowTest, FadesToExactlyOneAtTheBorder) {
 // A surface that lets half of the light through casts half of the shadow.
 TEST_F(GroundShadowTest, OfATransparentSurfaceIsLighter) {
   const auto opaque = make();
-  scene_.isosurface.opacity = 0.5;
+  scene_.surfaces.front().opacity = 0.5;
   const auto half = make();
   for (const double d : {2.0, 9.0, 15.0}) {
     const glm::dvec2 place = placeAt(*opaque, d, 1.0);
@@ -95,9 +96,9 @@ TEST_F(GroundShadowTest, OfATransparentSurfaceIsLighter) {
 // The shadow of a point light: the ball's outline seen from the light, on the ground.
 TEST_F(GroundShadowTest, OfAPointLightHasAnEdge) {
   scene_.light.environment.constant = glm::dvec3(0.0);
-  scene_.lamps[0].shown = true;
-  scene_.lamps[0].kind = scene::LampKind::point;
-  scene_.lamps[0].position = glm::dvec3(0.0, 0.0, 6.0 * kRadius);
+  test::lampAt(scene_, 0).shown = true;
+  test::lampAt(scene_, 0).kind = scene::LampKind::point;
+  test::lampAt(scene_, 0).position = glm::dvec3(0.0, 0.0, 6.0 * kRadius);
   const auto ground = make();
   // The tangent from the light touches the ball at the angle asin(1/6) and meets the ground 7 radii below.
   const double edge = 7.0 * kRadius * std::tan(std::asin(1.0 / 6.0));
@@ -110,9 +111,9 @@ TEST_F(GroundShadowTest, OfAPointLightHasAnEdge) {
 // A light from the right casts the shadow to the left.
 TEST_F(GroundShadowTest, OfADistantLightFallsToTheOtherSide) {
   scene_.light.environment.constant = glm::dvec3(0.0);
-  scene_.lamps[0].shown = true;
-  scene_.lamps[0].kind = scene::LampKind::directional;
-  scene_.lamps[0].direction = glm::normalize(glm::dvec3(1.0, 0.0, 1.0));
+  test::lampAt(scene_, 0).shown = true;
+  test::lampAt(scene_, 0).kind = scene::LampKind::directional;
+  test::lampAt(scene_, 0).direction = glm::normalize(glm::dvec3(1.0, 0.0, 1.0));
   const auto ground = make();
   const double side = ground->rightMm.x > 0.0 ? -1.0 : 1.0;
   EXPECT_LT(ground->at(side * placeAt(*ground, kRadius, 0.0)),
@@ -122,16 +123,16 @@ TEST_F(GroundShadowTest, OfADistantLightFallsToTheOtherSide) {
 
 TEST_F(GroundShadowTest, IsKeptWhileNothingOfItChanges) {
   const auto ground = make();
-  scene_.isosurface.albedo = glm::dvec3(0.2);
+  scene_.surfaces.front().albedo = glm::dvec3(0.2);
   scene_.gi.samples = 7;
   EXPECT_EQ(make(ground), ground);
-  scene_.isosurface.value = 1.0;
+  scene_.surfaces.front().value = 1.0;
   const auto smaller = make(ground);
   EXPECT_NE(smaller->key, ground->key);
   EXPECT_NEAR(smaller->middleMm.z, 1.0 - kRadius, 1e-6);
-  scene_.isosurface.value = 0.0;
+  scene_.surfaces.front().value = 0.0;
   EXPECT_EQ(make(smaller)->light, ground->light);  // the same numbers again
-  scene_.isosurface.value = 100.0;
+  scene_.surfaces.front().value = 100.0;
   EXPECT_EQ(make(), nullptr);
   scene_.gi.ground = false;
   EXPECT_EQ(make(ground), nullptr);

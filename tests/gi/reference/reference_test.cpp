@@ -11,6 +11,8 @@
 #include "gi/sampling/lamp_sampling.h"
 #include "scene/rules/automatic.h"
 #include "tests/gi/light_fixture.h"
+#include "tests/support/lamps.h"
+#include "tests/support/surfaces.h"
 
 namespace isolux::gi {
 namespace {
@@ -23,7 +25,7 @@ class ReferencePicture : public ::testing::Test {
  protected:
   void use(std::shared_ptr<const volume::PreparedVolume> volume, double isovalue = 0.0) {
     volume_ = std::move(volume);
-    scene_.isosurface.value = isovalue;
+    scene_.surfaces.front().value = isovalue;
     if (!scene_.light.environment.constant) scene_.light.environment.constant = glm::dvec3(1.0);
     scene_ = scene::resolve(scene_, volume_->facts);
   }
@@ -49,7 +51,7 @@ class ReferencePicture : public ::testing::Test {
 TEST_F(ReferencePicture, ABallUnderAnEvenSkyIsEvenlyLit) {
   scene_.light.environment.constant = glm::dvec3(0.5, 1.0, 2.0);
   scene_.light.environment.exposure = 1.0;
-  scene_.isosurface.albedo = {0.8, 0.4, 0.2};
+  scene_.surfaces.front().albedo = {0.8, 0.4, 0.2};
   scene_.picture.exposure = -2.0;
   use(test::phantom("ball", 40));
   const ReferenceImage image = draw(5);
@@ -66,7 +68,7 @@ TEST_F(ReferencePicture, ABallUnderAnEvenSkyIsEvenlyLit) {
     for (int channel = 0; channel < 3; ++channel) {
       const double radiance = (*scene_.light.environment.constant)[channel] * 2.0;
       EXPECT_NEAR(image.irradiance[i][channel], pi * radiance, 1e-4);
-      EXPECT_NEAR(image.color[i][channel], scene_.isosurface.albedo[channel] * radiance / 4.0, 1e-4);
+      EXPECT_NEAR(image.color[i][channel], scene_.surfaces.front().albedo[channel] * radiance / 4.0, 1e-4);
     }
   }
   EXPECT_GT(hits, 50);
@@ -76,15 +78,15 @@ TEST_F(ReferencePicture, ABallUnderAnEvenSkyIsEvenlyLit) {
 // A lamp behind the viewer: what faces it has E = pi intensity cos of the ball's own normal.
 TEST_F(ReferencePicture, ALampLightsByTheCosine) {
   scene_.light.environment.constant = glm::dvec3(0.0);
-  scene_.lamps[0].shown = true;
-  scene_.lamps[0].kind = scene::LampKind::directional;
-  scene_.lamps[0].direction = {0.2, -1.0, 0.3};
-  scene_.lamps[0].intensity = 1.5;
+  test::lampAt(scene_, 0).shown = true;
+  test::lampAt(scene_, 0).kind = scene::LampKind::directional;
+  test::lampAt(scene_, 0).direction = {0.2, -1.0, 0.3};
+  test::lampAt(scene_, 0).intensity = 1.5;
   scene_.gi.bounces = 3;
   use(test::phantom("ball", 40));
   const ReferenceImage image = draw(4);
   const PrimaryHits hits(volume_, scene_, image.size, progress_);
-  const glm::dvec3 toward = glm::normalize(scene_.lamps[0].direction);
+  const glm::dvec3 toward = glm::normalize(test::lampAt(scene_, 0).direction);
   for (int y = 0; y < image.size.y; ++y) {
     for (int x = 0; x < image.size.x; ++x) {
       const auto hit = hits.at({x, y});
@@ -101,12 +103,12 @@ TEST_F(ReferencePicture, ALampLightsByTheCosine) {
 // On a noisy ball the cosine is that of normals at derivatives.normal_scale.
 TEST_F(ReferencePicture, NormalsAreAtTheScaleThatTheSceneNames) {
   scene_.light.environment.constant = glm::dvec3(0.0);
-  scene_.lamps[0].shown = true;
-  scene_.lamps[0].kind = scene::LampKind::directional;
-  scene_.lamps[0].direction = {0.2, -1.0, 0.3};
+  test::lampAt(scene_, 0).shown = true;
+  test::lampAt(scene_, 0).kind = scene::LampKind::directional;
+  test::lampAt(scene_, 0).direction = {0.2, -1.0, 0.3};
   scene_.gi.bounces = 0;
   use(test::prepared(test::withNoise(test::phantomGrid("ball", 40), 0.1, glm::dvec3(0.0), 4)));
-  const glm::dvec3 toward = glm::normalize(scene_.lamps[0].direction);
+  const glm::dvec3 toward = glm::normalize(test::lampAt(scene_, 0).direction);
   const auto squareError = [&](double normalScale) {
     scene_.derivatives.normalScale = normalScale;
     const ReferenceImage image = draw(1);
@@ -119,7 +121,7 @@ TEST_F(ReferencePicture, NormalsAreAtTheScaleThatTheSceneNames) {
         const double cosine = hit ? glm::dot(glm::normalize(hit->voxel - 19.5), toward) : 0.0;
         const auto i = static_cast<std::size_t>(y * image.size.x + x);
         if (cosine < 0.5 || image.irradiance[i].x == 0.0f) continue;  // beside the light, or behind a bump
-        sum += std::pow(image.irradiance[i].x / (pi * scene_.lamps[0].intensity) - cosine, 2);
+        sum += std::pow(image.irradiance[i].x / (pi * test::lampAt(scene_, 0).intensity) - cosine, 2);
         ++count;
       }
     EXPECT_GT(count, 30);
@@ -131,8 +133,8 @@ TEST_F(ReferencePicture, NormalsAreAtTheScaleThatTheSceneNames) {
 }
 
 TEST_F(ReferencePicture, ThreadsAndRoundsDoNotChangeIt) {
-  scene_.lamps[0].shown = true;
-  scene_.lamps[0].kind = scene::LampKind::sphere;
+  test::lampAt(scene_, 0).shown = true;
+  test::lampAt(scene_, 0).kind = scene::LampKind::sphere;
   scene_.gi.bounces = 2;
   use(test::phantom("gyroid", 32));
   const ReferenceImage one = draw(12, 1), three = draw(12, 3);
@@ -157,8 +159,8 @@ TEST_F(ReferencePicture, ThreadsAndRoundsDoNotChangeIt) {
 // Independent pictures differ by what their variances say: the sum of z^2 over pixels is that of chi^2.
 TEST_F(ReferencePicture, VariancesAreThoseOfThePicture) {
   scene_.gi.sequence = scene::DirectionSequence::random;
-  scene_.lamps[0].shown = true;
-  scene_.lamps[0].kind = scene::LampKind::sphere;
+  test::lampAt(scene_, 0).shown = true;
+  test::lampAt(scene_, 0).kind = scene::LampKind::sphere;
   environment_ = environmentOf(16, 8, [](glm::dvec3 d) { return d.z > 0.3 ? 2.0 : 0.5; });
   scene_.light.environment.file = "probe.hdr";
   use(test::phantom("gyroid", 32));
@@ -215,12 +217,12 @@ TEST_F(ReferencePicture, TheInnerSideOfAClosedBallIsDark) {
 // A lamp within it lights it all the same: E = pi intensity, less what the distance takes.
 TEST_F(ReferencePicture, ALampInsideLightsTheInnerSide) {
   scene_.light.environment.constant = glm::dvec3(0.0);
-  scene_.lamps[0].shown = true;
-  scene_.lamps[0].kind = scene::LampKind::point;
+  test::lampAt(scene_, 0).shown = true;
+  test::lampAt(scene_, 0).kind = scene::LampKind::point;
   use(test::phantom("ball", 40));
   scene_.camera.eye = volume_->facts.boundsMinMm * 0.5 + volume_->facts.boundsMaxMm * 0.5;
   scene_.gi.bounces = 0;
-  scene_.lamps[0].position = scene_.camera.eye;
+  test::lampAt(scene_, 0).position = scene_.camera.eye;
   scene_.camera.target = *scene_.camera.eye + glm::dvec3(0.0, 1.0, 0.0);
   const LampLight lamp = lampsOf(scene_, volume_->grid().geometry()).front();
   const PrimaryHits hits(volume_, scene_, {24, 20}, progress_);
@@ -242,7 +244,7 @@ TEST_F(ReferencePicture, BothSidesOfACutBallHaveTheirClosedForms) {
     for (const int bounces : {0, 1, 3}) {
       scene_ = {};
       scene_.isosurface.inside = inside;
-      scene_.isosurface.albedo = glm::dvec3(0.6);
+      scene_.surfaces.front().albedo = glm::dvec3(0.6);
       scene_.look.innerTint = {1.0, 0.5, 0.25};
       scene_.gi.bounces = bounces;
       scene_.picture.exposure = 0.0;
@@ -280,7 +282,7 @@ TEST_F(ReferencePicture, ABallThatAPlaneCutsOpenHasTheSameClosedForms) {
   constexpr std::uint32_t samples = 1600;
   for (const int bounces : {0, 2}) {
     scene_ = {};
-    scene_.isosurface.albedo = glm::dvec3(0.6);
+    scene_.surfaces.front().albedo = glm::dvec3(0.6);
     scene_.gi.bounces = bounces;
     scene_.camera.eye = ball.middle + glm::dvec3(3.0, -2.0, 60.0);
     scene_.camera.target = ball.middle;
@@ -318,9 +320,9 @@ TEST_F(ReferencePicture, TheNearestSurfaceHasItsOwnColour) {
       scene_ = {};
       scene_.hit.field = field;
       scene_.camera.projection = projection;
-      scene_.isosurface.albedo = glm::dvec3(0.25);
-      scene_.extraIsosurfaces[0] = {.shown = true,
-                                    .name = {},
+      scene_.surfaces.front().albedo = glm::dvec3(0.25);
+      test::surfaceAt(scene_, 1) = {.id = "second",
+                                    .shown = true,
                                     .value = -4.0,
                                     .albedo = glm::dvec3(0.75),
                                     .opacity = 1.0};  // outside the first
@@ -339,8 +341,8 @@ TEST_F(ReferencePicture, TheNearestSurfaceHasItsOwnColour) {
 }
 
 TEST_F(ReferencePicture, TransparentSurfacesAreRefused) {
-  scene_.extraIsosurfaces[0] = {
-      .shown = true, .name = {}, .value = -4.0, .albedo = glm::dvec3(0.75), .opacity = 0.5};
+  test::surfaceAt(scene_, 1) = {
+      .id = "second", .shown = true, .value = -4.0, .albedo = glm::dvec3(0.75), .opacity = 0.5};
   use(test::phantom("ball", 16));
   try {
     (void)make();

@@ -20,7 +20,7 @@ LitTexels litCutBall(const test::CutBall& ball, int bounces, bool cut, std::uint
     return glm::length(p - ball.middle) - ball.radius;
   }));
   scene::Scene scene;
-  scene.isosurface.value = 0.0;
+  scene.surfaces.front().value = 0.0;
   if (cut) scene.clip.planes = {{{0.0, 0.0, ball.dims.z - 1.0}, {0.0, 0.0, 1.0}}};
   base::Progress progress;
   LightScene light = test::lightSceneOf(volume, scene::Inside::above, glm::dvec3(0.6));

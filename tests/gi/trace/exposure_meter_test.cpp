@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/rules/automatic.h"
+#include "tests/support/lamps.h"
 #include "tests/support/volumes.h"
 
 namespace isolux::gi {
@@ -33,7 +34,7 @@ TEST_F(ExposureMeter, AConvexSurfaceUnderAnEvenSkyReceivesItsRadiance) {
   scene_.light.environment.constant = glm::dvec3(2.0, 2.0, 2.0);
   scene_.light.environment.exposure = 1.0;
   for (const double albedo : {0.25, 0.75}) {
-    scene_.isosurface.albedo = glm::dvec3(albedo);
+    scene_.surfaces.front().albedo = glm::dvec3(albedo);
     const auto seen = measured();
     ASSERT_TRUE(seen);
     EXPECT_NEAR(seen->median, 0.6 * 2.0 * 2.0, 5e-3);
@@ -48,7 +49,7 @@ TEST_F(ExposureMeter, TwiceTheAlbedoIsTwiceAsBrightInEveryLight) {
                                           scene::BuiltInLight::overcast, scene::BuiltInLight::sunset}) {
     scene_.light.environment.builtIn = light;
     const auto shown = [&](double albedo) {
-      scene_.isosurface.albedo = glm::dvec3(albedo);
+      scene_.surfaces.front().albedo = glm::dvec3(albedo);
       const auto seen = measured();
       return seen ? albedo / 0.6 * seen->median * std::exp2(exposureOf(*seen)) : 0.0;
     };
@@ -58,9 +59,9 @@ TEST_F(ExposureMeter, TwiceTheAlbedoIsTwiceAsBrightInEveryLight) {
 
 TEST_F(ExposureMeter, FromBehindTheLightTheViewIsMetered) {
   scene_.light.environment.constant = glm::dvec3(0.0);
-  scene_.lamps[0].shown = true;
-  scene_.lamps[0].kind = scene::LampKind::directional;
-  scene_.lamps[0].direction = glm::dvec3(0.0, -1.0, 0.3);  // from the front, a little above
+  test::lampAt(scene_, 0).shown = true;
+  test::lampAt(scene_, 0).kind = scene::LampKind::directional;
+  test::lampAt(scene_, 0).direction = glm::dvec3(0.0, -1.0, 0.3);  // from the front, a little above
   const auto front = measured();
   scene_.camera.eye = glm::dvec3(0.0, 30.0, 100.0);  // from above and behind
   scene_.camera.target = glm::dvec3(0.0);
@@ -76,11 +77,11 @@ TEST_F(ExposureMeter, FromBehindTheLightTheViewIsMetered) {
 
 TEST_F(ExposureMeter, ALampCountsAsItLights) {
   scene_.light.environment.constant = glm::dvec3(0.0);
-  scene_.isosurface.albedo = glm::dvec3(0.5);
+  scene_.surfaces.front().albedo = glm::dvec3(0.5);
   scene_.gi.bounces = 0;
-  scene_.lamps[0].shown = true;
-  scene_.lamps[0].kind = scene::LampKind::directional;
-  scene_.lamps[0].direction = glm::dvec3(0.0, -1.0, 0.0);  // from the front
+  test::lampAt(scene_, 0).shown = true;
+  test::lampAt(scene_, 0).kind = scene::LampKind::directional;
+  test::lampAt(scene_, 0).direction = glm::dvec3(0.0, -1.0, 0.0);  // from the front
   const auto seen = measured();
   ASSERT_TRUE(seen);
   EXPECT_NEAR(seen->highlight, 0.6, 0.02);  // faces the lamp: 1, times the reflectance
@@ -94,7 +95,7 @@ TEST_F(ExposureMeter, WhatThePictureIsMadeOfDoesNotEnter) {
   other.gi.interpolation = scene::GiInterpolation::nearest;
   other.light.environment.moves = true;
   EXPECT_EQ(meteredScene(other), meteredScene(resolved()));
-  other.isosurface.albedo.x *= 0.5;
+  other.surfaces.front().albedo.x *= 0.5;
   EXPECT_NE(meteredScene(other), meteredScene(resolved()));
 }
 
@@ -106,7 +107,7 @@ TEST_F(ExposureMeter, IsTheSameEveryTime) {
 }
 
 TEST_F(ExposureMeter, NothingIsSeenWhereThereIsNoSurface) {
-  scene_.isosurface.value = 1e6;
+  scene_.surfaces.front().value = 1e6;
   EXPECT_FALSE(measured());
 }
 

@@ -52,7 +52,7 @@ Lit lit(const std::shared_ptr<const LightScene>& light, std::optional<float> iso
 
 scene::Scene sceneOf(const std::vector<test::PieceBall>& balls) {
   scene::Scene scene;
-  scene.isosurface.value = 0.0;
+  scene.surfaces.front().value = 0.0;
   for (const test::PieceBall& ball : balls)
     if (!ball.shown) scene.pieces.hidden.push_back(ball.middle);
   return scene;

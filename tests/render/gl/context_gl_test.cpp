@@ -152,11 +152,11 @@ TEST_F(RendererGlTest, CachedPassesGiveTheSamePixelsAsFreshOnes) {
     renderer_->invalidate();
     EXPECT_EQ(draw(scene), cached);
   };
-  scene.isosurface.albedo = {0.2, 0.4, 0.9};
+  scene.surfaces.front().albedo = {0.2, 0.4, 0.9};
   check();
   scene.look.mode = scene::LookMode::depth;
   check();
-  scene.isosurface.value = -300.0;
+  scene.surfaces.front().value = -300.0;
   check();
   scene.look.mode = scene::LookMode::lambert;
   check();
@@ -203,8 +203,8 @@ TEST_F(RendererGlTest, EverySettingOfThePictureChangesIt) {
     edit(scene);
     return draw(scene) != before;
   };
-  EXPECT_TRUE(changes([](scene::Scene& s) { s.isosurface.value = 0.0; }));
-  EXPECT_TRUE(changes([](scene::Scene& s) { s.isosurface.albedo = {0.1, 0.2, 0.3}; }));
+  EXPECT_TRUE(changes([](scene::Scene& s) { s.surfaces.front().value = 0.0; }));
+  EXPECT_TRUE(changes([](scene::Scene& s) { s.surfaces.front().albedo = {0.1, 0.2, 0.3}; }));
   EXPECT_TRUE(changes([](scene::Scene& s) {
     s.hit.method = scene::HitMethod::sampled;
     s.hit.rate = 0.3;

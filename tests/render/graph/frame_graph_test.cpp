@@ -6,6 +6,7 @@
 
 #include "render/passes/pass_declarations.h"
 #include "scene/settings/settings.h"
+#include "tests/support/surfaces.h"
 
 namespace isolux::render {
 namespace {
@@ -60,7 +61,7 @@ TEST_F(FrameGraphTest, TheProcessorNeedsNoSegments) {
   EXPECT_THAT(ran(scene, {}, 1, all), ElementsAre("gradient", "shade", "resolve"));
   // What lies behind depends on who casts and on who derives, which need not be the same.
   scene::Scene transparent;
-  transparent.isosurface.opacity = 0.5;
+  transparent.surfaces.front().opacity = 0.5;
   EXPECT_THAT(ran(transparent, {}, 1, {true, false}), ElementsAre("gradient", "shade", "layers", "resolve"));
 }
 
@@ -140,16 +141,16 @@ TEST_F(FrameGraphTest, InvalidateRunsEverything) {
 TEST_F(FrameGraphTest, EachChangeRunsExactlyThePassesBehindIt) {
   FrameRequest request;
   scene::Scene scene;
-  scene.isosurface.value = 1.0;
+  scene.surfaces.front().value = 1.0;
   scene.camera.eye = glm::dvec3(0.0, -400.0, 0.0);
   EXPECT_THAT(ran(scene, request),
               ElementsAre("blocks", "segments", "cast", "gradient", "shade", "background", "resolve"));
   EXPECT_THAT(ran(scene, request), ElementsAre());  // a still picture costs nothing
-  scene.isosurface.albedo.x = 0.5;
+  scene.surfaces.front().albedo.x = 0.5;
   EXPECT_THAT(ran(scene, request), ElementsAre("shade", "resolve"));
   scene.camera.eye->x = 10.0;  // orbiting does not rebuild blocks
   EXPECT_THAT(ran(scene, request), ElementsAre("segments", "cast", "gradient", "shade", "resolve"));
-  scene.isosurface.value = 2.0;
+  scene.surfaces.front().value = 2.0;
   EXPECT_THAT(ran(scene, request), ElementsAre("blocks", "segments", "cast", "gradient", "shade", "resolve"));
   scene.derivatives.field = scene::Field::trilinear;
   EXPECT_THAT(ran(scene, request), ElementsAre("gradient", "shade", "resolve"));
@@ -213,16 +214,16 @@ TEST_F(FrameGraphTest, EachLookAndImageRunsExactlyItsPasses) {
 TEST_F(FrameGraphTest, OnlyTransparentSurfacesHaveLayersBehindThem) {
   scene::Scene scene;
   FrameRequest picture;
-  scene.isosurface.opacity = 0.5;
+  scene.surfaces.front().opacity = 0.5;
   EXPECT_THAT(ran(scene, picture), ElementsAre("blocks", "segments", "cast", "gradient", "shade", "layers",
                                                "background", "resolve"));
   scene.isosurface.layers = 3;
   EXPECT_THAT(ran(scene, picture), ElementsAre("layers", "resolve"));
-  scene.isosurface.opacity = 1.0;
+  scene.surfaces.front().opacity = 1.0;
   EXPECT_THAT(ran(scene, picture), ElementsAre("shade", "resolve"));
-  scene.extraIsosurfaces[0].opacity = 0.25;  // not shown
+  test::surfaceAt(scene, 1).opacity = 0.25;  // not shown
   EXPECT_THAT(ran(scene, picture), ElementsAre());
-  scene.extraIsosurfaces[0].shown = true;
+  test::surfaceAt(scene, 1).shown = true;
   EXPECT_THAT(ran(scene, picture),
               ElementsAre("blocks", "segments", "cast", "gradient", "shade", "layers", "resolve"));
 }
@@ -417,7 +418,7 @@ const std::vector<ChangeRow> kChanges = {
 TEST_F(FrameGraphTest, EachChangeOfALook) {
   for (const ChangeRow& row : kChanges) {
     scene::Scene scene;
-    scene.isosurface.value = 1.0;
+    scene.surfaces.front().value = 1.0;
     scene.camera.eye = glm::dvec3(0.0, -400.0, 0.0);
     std::string named;
     for (const std::string& setting : row.look) {
@@ -434,7 +435,7 @@ TEST_F(FrameGraphTest, EachChangeOfALook) {
 // What of the light changes costs only the passes behind it, and only where a look reads it.
 TEST_F(FrameGraphTest, LightCostsThePassesBehindIt) {
   scene::Scene scene;
-  scene.isosurface.value = 1.0;
+  scene.surfaces.front().value = 1.0;
   scene.look.mode = scene::LookMode::gi;
   FrameRequest request;
   LightState light;
@@ -476,11 +477,11 @@ TEST_F(FrameGraphTest, LightCostsThePassesBehindIt) {
   EXPECT_THAT(ranUnder(), ElementsAre());
   ++light.version;
   EXPECT_THAT(ranUnder(), ElementsAre("irradiance", "shade", "resolve"));
-  scene.isosurface.opacity = 0.5;  // its inner side has what light comes through
+  scene.surfaces.front().opacity = 0.5;  // its inner side has what light comes through
   EXPECT_THAT(ranUnder(), ElementsAre("irradiance", "shade", "layers", "resolve"));
   ++light.skyRevision;
   EXPECT_THAT(ranUnder(), ElementsAre("light", "irradiance", "shade", "layers", "resolve"));
-  scene.isosurface.opacity = 0.25;
+  scene.surfaces.front().opacity = 0.25;
   EXPECT_THAT(ranUnder(), ElementsAre("irradiance", "shade", "layers", "resolve"));
   scene.look.mode = scene::LookMode::lambert;
   light.stored = false;

@@ -146,7 +146,7 @@ TEST_F(GlossGlTest, ReflectedPointsAreLit) {
   controller.setVisible(renderer_->hitVoxels());
   ASSERT_TRUE(controller.finish(progress));
   EXPECT_EQ(controller.state().counters.texelsLit, lit);
-  scene_.isosurface.specular = 0.0;
+  scene_.surfaces.front().specular = 0.0;
   app::LightController matt{{}};
   app::lightPicture(matt, *renderer_, scene_, request, volume_, progress);
   EXPECT_LT(matt.state().counters.texelsLit, lit);

@@ -35,7 +35,7 @@ class GroundGlTest : public RenderGlTest {
   render::ColorImage draw(const std::vector<std::string>& settings) {
     scene::Scene scene;
     scene.look.mode = scene::LookMode::gi;
-    scene.isosurface.value = 0.0;
+    scene.surfaces.front().value = 0.0;
     scene.look.backgroundTop = scene.look.backgroundBottom = glm::dvec3(0.5);
     std::vector<std::string> all = {"camera.eye=10,-90,40", "camera.target=0,0,-6", "camera.up=0,0,1",
                                     "gi.ground=true"};

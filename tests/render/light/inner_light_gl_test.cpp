@@ -25,7 +25,7 @@ class InnerLightGlTest : public RenderGlTest {
   void use(const Settings& settings) {
     scene::Scene scene;
     scene.look.mode = scene::LookMode::gi;
-    scene.isosurface.value = ball_.isovalue;
+    scene.surfaces.front().value = ball_.isovalue;
     scene.light.environment.constant = glm::dvec3(1.0);
     scene.picture.exposure = 0.0;
     // Into the opening from above: the wall within, the rim, and the outer side around it.
@@ -159,10 +159,10 @@ TEST_F(InnerLightGlTest, LightOfTheIsovalueBeforeStandsInOnBothSides) {
 // comes through.
 TEST_F(InnerLightGlTest, TransparentSurfacesShowTheirShadowInPart) {
   use(kExactLookups);
-  scene_.isosurface.albedo = glm::dvec3(0.6);
+  scene_.surfaces.front().albedo = glm::dvec3(0.6);
   scene_.clip = {};
   for (const double opacity : {0.1, 0.5, 0.75, 1.0}) {
-    scene_.isosurface.opacity = opacity;
+    scene_.surfaces.front().opacity = opacity;
     const double mean = scene::meanOpacity(opacity, 1.0),
                  shown = opacity < 1.0 ? std::max(2.0 * mean - 1.0, 0.0) : 1.0;
     draw(lightOf(latticeOf(2.0f), latticeOf(3.0f)));

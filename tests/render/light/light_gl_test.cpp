@@ -36,7 +36,7 @@ class LightGlTest : public RenderGlTest {
             std::size_t uploadBytes = 0) {
     scene::Scene scene;
     scene.look.mode = scene::LookMode::gi;
-    scene.isosurface.value = 0.0;
+    scene.surfaces.front().value = 0.0;
     scene_ = scene::resolve(assigned(settings, scene), volume->facts);
     renderer_->setVolume(volume);
     renderer_->setLight(std::move(light));
@@ -483,7 +483,7 @@ TEST_F(LightGlTest, LightOfAVolumeGoesWithItUnderAnyLook) {
   const auto drawLambert = [this](const std::shared_ptr<const volume::PreparedVolume>& volume) {
     scene::Scene scene;
     scene.look.mode = scene::LookMode::lambert;
-    scene.isosurface.value = 0.0;
+    scene.surfaces.front().value = 0.0;
     renderer_->setVolume(volume);
     renderer_->setLight(nullptr);
     render::FrameRequest request;

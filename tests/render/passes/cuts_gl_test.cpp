@@ -9,6 +9,7 @@
 #include "base/color.h"
 #include "render/passes/cut_faces_pass.h"
 #include "tests/render/gl_fixture.h"
+#include "tests/support/surfaces.h"
 #include "volume/field/reconstruct.h"
 
 namespace isolux::test {
@@ -36,7 +37,7 @@ std::shared_ptr<const volume::PreparedVolume> ball() {
 
 scene::Scene view(glm::dvec3 toward) {
   scene::Scene scene;
-  scene.isosurface.value = 100.0 - kRadius;
+  scene.surfaces.front().value = 100.0 - kRadius;
   scene.camera.target = middle();
   scene.camera.up = {0.0, 1.0, 0.0};
   scene.camera.eye = middle() + toward;
@@ -329,11 +330,11 @@ TEST_P(CutsGlTest, OnlyWhatIsAskedForRuns) {
   EXPECT_FALSE(ran("cut faces"));
   scene.slice.level = 90.0;
   scene.clip.cap = scene::ClipCap::whole;
-  scene.isosurface.clipped = false;
+  scene.surfaces.front().clipped = false;
   colors(scene);
   for (const render::PassReport& pass : report_.passes)
     EXPECT_NE(pass.state, render::PassState::ran) << pass.name;
-  scene.isosurface.clipped = true;
+  scene.surfaces.front().clipped = true;
   scene.clip.planes = {kPlane};
   colors(scene);
   EXPECT_TRUE(ran("cut faces"));
@@ -358,7 +359,7 @@ TEST_P(CutsGlTest, OnlyWhatIsAskedForRuns) {
 // A whole face is there where no surface is at all.
 TEST_P(CutsGlTest, WholeFacesNeedNoSurface) {
   scene::Scene scene = view({5, 9, 50});
-  scene.isosurface.value = 1000.0;
+  scene.surfaces.front().value = 1000.0;
   scene.clip.planes = {kPlane};
   scene.clip.cap = scene::ClipCap::whole;
   scene.look.backgroundTop = scene.look.backgroundBottom = {1.0, 0.0, 0.0};
@@ -374,15 +375,19 @@ TEST_P(CutsGlTest, WholeFacesNeedNoSurface) {
 TEST_P(CutsGlTest, TransparentSurfacesLieBeforeTheFace) {
   scene::Scene scene = view({0, 0, 50});
   scene.clip.planes = {{middle(), {0, 0, 1}}};
-  scene.isosurface.albedo = {0.0, 0.0, 0.0};
-  scene.extraIsosurfaces[0] = {
-      .shown = true, .name = {}, .value = 85.0, .albedo = glm::dvec3(0.0), .opacity = 0.5, .clipped = false};
+  scene.surfaces.front().albedo = {0.0, 0.0, 0.0};
+  test::surfaceAt(scene, 1) = {.id = "second",
+                               .shown = true,
+                               .value = 85.0,
+                               .albedo = glm::dvec3(0.0),
+                               .opacity = 0.5,
+                               .clipped = false};
   scene.slice.level = 0.0;
   scene.slice.width = 1.0;  // the face is white
   const std::size_t pixel = static_cast<std::size_t>(4 * (kSize.y / 2 * kSize.x + kSize.x / 2));
   const auto value = [&] { return base::decodeSrgb(colors(scene).rgba[pixel] / 255.0); };
   EXPECT_NEAR(value(), 0.5, 0.01);
-  scene.extraIsosurfaces[0].clipped = true;
+  test::surfaceAt(scene, 1).clipped = true;
   EXPECT_NEAR(value(), 1.0, 0.01);
 }
 
@@ -392,7 +397,7 @@ TEST_P(CutsGlTest, WhatIsCutAwayThrowsNoShadow) {
     return std::max(8.0 - p.z, 7.0 - glm::distance(p, glm::dvec3(19.5, 19.5, 26.0)));
   }));
   scene::Scene scene;
-  scene.isosurface.value = 0.0;
+  scene.surfaces.front().value = 0.0;
   scene.camera.eye = {19.5, -40.0, 60.0};
   scene.camera.target = {19.5, 19.5, 8.0};
   scene.camera.up = {0, 0, 1};

@@ -133,7 +133,7 @@ TEST_P(DerivativesGlTest, ALargeConstantInTheValuesCostsNoDerivatives) {
         if (fetch == scene::Fetch::fast && values == &withBackground)
           continue;  // the texture unit's own sums
         scene::Scene scene;
-        scene.isosurface.value = 1e6;
+        scene.surfaces.front().value = 1e6;
         scene.derivatives.field = field;
         scene.derivatives.fetch = fetch;
         const CurvatureImages seen = curvatureImages(volume, scene);
@@ -173,7 +173,7 @@ TEST_P(DerivativesGlTest, TorusCurvatureWithin2Percent) {
     const auto torus = phantom("torus", geometry);
     const auto reference = analyticField("torus", geometry);
     scene::Scene scene;
-    scene.isosurface.value = 0.0;
+    scene.surfaces.front().value = 0.0;
     scene.hit.field = scene.derivatives.field = scene::Field::cubic_interpolating;
     const CurvatureImages seen = curvatureImages(torus, scene);
     double sum1 = 0.0, sum2 = 0.0, size1 = 0.0, size2 = 0.0;
@@ -200,7 +200,7 @@ TEST_P(DerivativesGlTest, TorusCurvatureWithin2Percent) {
 TEST_P(DerivativesGlTest, UmbilicsFlatsAndVanishingGradientsHaveNoConfidence) {
   for (const char* name : {"ball", "plane"}) {
     scene::Scene scene;
-    scene.isosurface.value = 0.0;
+    scene.surfaces.front().value = 0.0;
     scene.derivatives.field = scene::Field::cubic_interpolating;
     const auto volume = phantom(name, 64);
     const CurvatureImages seen = curvatureImages(volume, scene);
@@ -226,7 +226,7 @@ TEST_P(DerivativesGlTest, UmbilicsFlatsAndVanishingGradientsHaveNoConfidence) {
 TEST_P(DerivativesGlTest, TheBorderHasNoConfidence) {
   const auto volume = phantom("gyroid", 32);
   scene::Scene scene;
-  scene.isosurface.value = 0.3;
+  scene.surfaces.front().value = 0.3;
   const CurvatureImages seen = curvatureImages(volume, scene);
   int border = 0, trusted = 0, besideLow = 0, besideHigh = 0;
   for (std::size_t i = 0; i < seen.pixels(); ++i) {
@@ -294,7 +294,7 @@ TEST_P(DerivativesGlTest, CurvatureIsOfTheSurfaceAlone) {
     const auto plainGeometry = volume::GridGeometry::make(dims, {1.0, 1.2, 0.8});
     const auto plain = prepared(randomField(plainGeometry, seed, 0.0, false));
     scene::Scene scene;
-    scene.isosurface.value = 0.1 * seed;
+    scene.surfaces.front().value = 0.1 * seed;
     scene.camera.eye = glm::dvec3(70.0, -60.0, 45.0);
     scene.camera.target = glm::dvec3(14.0, 15.0, 11.0);
     scene.camera.up = glm::dvec3(0.0, 0.0, 1.0);
@@ -309,7 +309,7 @@ TEST_P(DerivativesGlTest, CurvatureIsOfTheSurfaceAlone) {
       geometry.worldFromVoxel = glm::dmat4(moved.world) * geometry.worldFromVoxel;
       const auto volume = prepared(randomField(geometry, seed, moved.offset, moved.mirrored));
       scene::Scene other = scene;
-      *other.isosurface.value += moved.offset;
+      *other.surfaces.front().value += moved.offset;
       other.camera.eye = moved.world * *scene.camera.eye;
       other.camera.target = moved.world * *scene.camera.target;
       other.camera.up = moved.world * *scene.camera.up;
@@ -352,7 +352,8 @@ TEST_P(DerivativesGlTest, HitsLieOnTheSurfaceWithinTheirStatedError) {
     const auto volume =
         prepared(randomField(geometry, 100 + static_cast<unsigned>(trial), 5.0 * uniform(random), false));
     scene::Scene scene;
-    scene.isosurface.value = 0.5 * (volume->grid().minimum() + volume->grid().maximum()) + uniform(random);
+    scene.surfaces.front().value =
+        0.5 * (volume->grid().minimum() + volume->grid().maximum()) + uniform(random);
     const glm::dvec3 middle = 0.5 * (volume->facts.boundsMinMm + volume->facts.boundsMaxMm);
     scene.camera.target = middle;
     scene.camera.eye = middle + 40.0 * glm::dvec3(uniform(random), uniform(random), uniform(random));
@@ -372,7 +373,7 @@ TEST_P(DerivativesGlTest, HitsLieOnTheSurfaceWithinTheirStatedError) {
               field == scene::Field::trilinear ? volume::sampleTrilinear(volume->grid(), p).value
               : field == scene::Field::cubic   ? volume::sampleCubic(volume->grid(), p).value
                                                : volume::sampleCubic(coefficients, volume->grid(), p).value;
-          const double error = std::abs(value - *scene.isosurface.value);
+          const double error = std::abs(value - *scene.surfaces.front().value);
           EXPECT_NEAR(error, seen.error.values[i],
                       2e-5 * (volume->grid().maximum() - volume->grid().minimum()));
           EXPECT_LT(error, method == scene::HitMethod::exact ? 2e-3 : 0.5);

@@ -70,7 +70,7 @@ TEST_P(EdgeGlTest, AgreeWithDoublePrecision) {
         for (const double scale : {0.0, 1.2}) {
           if (field == scene::Field::trilinear && scale > 0.0) continue;
           scene::Scene scene;
-          scene.isosurface.value = 70.0;
+          scene.surfaces.front().value = 70.0;
           scene.derivatives = {field, scene::Fetch::exact, 4.0, scale, 0.0};
           scene.edge.search = 4.0;
           const Apart apart = against(volume, scene);

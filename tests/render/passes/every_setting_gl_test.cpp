@@ -14,6 +14,7 @@
 #include "scene/settings/settings.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/render/light/light_support.h"
+#include "tests/scene/random_scene.h"
 
 namespace isolux::test {
 
@@ -26,9 +27,11 @@ using Hashes = std::map<std::string, std::uint64_t>;
 const std::map<std::string, const char*> kValues = {
     {"look.ridge_length", "150"},  // mm: more than some lines of a head have
 
-    {"isosurface.value", "0.3"},        {"isosurface2.value", "0.6"},    {"isosurface3.value", "-0.6"},
-    {"edge.contrast", "1e6"},           {"hit.near_threshold", "0"},     {"look.colormap", "inferno"},
-    {"clip.planes", "0,0,2 0.1,0.2,1"}, {"clip.box", "-6,-7,-8; 7,6,5"}, {"clip.removed", "0,-1,1; 90,90,90"},
+    {"surfaces.main.value", "0.3"},       {"surfaces.surface2.value", "0.6"},
+    {"surfaces.surface3.value", "-0.6"},  {"edge.contrast", "1e6"},
+    {"hit.near_threshold", "0"},          {"look.colormap", "inferno"},
+    {"clip.planes", "0,0,2 0.1,0.2,1"},   {"clip.box", "-6,-7,-8; 7,6,5"},
+    {"clip.removed", "0,-1,1; 90,90,90"},
 };
 
 // Another valid value of the setting, far enough from that of the scene to be seen.
@@ -71,6 +74,8 @@ json changedValue(const scene::Setting& s, const scene::Scene& scene) {
       return json::array({{{"kind", "point"}, {"name", "a"}, {"points", {{1.0, -2.5, 3.0}}}}});
     case scene::SettingType::positions:
       return json::array({{1.0, -2.5, 3.0}, {4.0, 5.0, 6.0}});
+    case scene::SettingType::item:
+    case scene::SettingType::ids:
     case scene::SettingType::text:
       break;
   }
@@ -177,7 +182,7 @@ class EverySettingGlTest : public RenderGlTest, public ::testing::WithParamInter
     together_ = scene;
     const Hashes images = drawnFresh(scene).images;
     ASSERT_EQ(draw(*renderer_, scene).images, images);
-    for (const scene::Setting& setting : scene::settings()) {
+    for (const scene::Setting& setting : everySetting(scene)) {
       SCOPED_TRACE(setting.path);
       if (isOfRidges(setting.path) != ofRidges) continue;
       change(setting, scene, images);

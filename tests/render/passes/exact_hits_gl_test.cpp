@@ -128,7 +128,8 @@ TEST_P(ExactHitsGlTest, NoPixelIsMissedIn20Views) {
       compare(
           volume, scene,
           [&, &of = *volume](const volume::Ray& ray) {
-            return volume::CubicHit{volume::firstHit(of.grid(), *of.blocks, *scene_.isosurface.value, ray)};
+            return volume::CubicHit{
+                volume::firstHit(of.grid(), *of.blocks, *scene_.surfaces.front().value, ray)};
           },
           counts);
     }
@@ -155,7 +156,7 @@ TEST_P(ExactHitsGlTest, NoPixelOfACubicFieldIsMissed) {
             volume, scene,
             [&](const volume::Ray& ray) {
               return volume::firstHitOfField(grid, field, interpolating ? &coefficients : nullptr, blocks,
-                                             *scene_.isosurface.value, ray);
+                                             *scene_.surfaces.front().value, ray);
             },
             counts);
       }
@@ -178,7 +179,7 @@ TEST_P(ExactHitsGlTest, AFillHoldsNoSurface) {
   };
   const auto plain = ball(0.0);
   scene::Scene scene = assigned({"hit.field=trilinear"});
-  scene.isosurface.value = 0.0;
+  scene.surfaces.front().value = 0.0;
   for (const double fill :
        {-1e4, -1e6, -1e9, -1e20, -1e30, static_cast<double>(std::numeric_limits<float>::lowest())}) {
     const auto filled = ball(fill);

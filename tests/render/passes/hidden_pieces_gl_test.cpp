@@ -19,7 +19,7 @@ class HiddenPiecesGlTest : public ExecutorsGlTest {
   }
   static scene::Scene view(int k) {
     scene::Scene scene;
-    scene.isosurface.value = 0.0;
+    scene.surfaces.front().value = 0.0;
     const double azimuth = 2.4 * k, height = -0.8 + 0.4 * k;
     scene.camera.target = glm::dvec3(23.5);
     scene.camera.up = {0.0, 0.0, 1.0};

@@ -3,6 +3,7 @@
 
 #include "base/color.h"
 #include "tests/render/gl_fixture.h"
+#include "tests/support/surfaces.h"
 #include "volume/hit/exact_hit.h"
 
 namespace isolux::test {
@@ -36,27 +37,27 @@ TEST_P(LayersGlTest, EveryCrossingCountsOnceAndInOrder) {
   const auto ball = phantom("ball", 64);
   const double middle = 0.5 * (ball->facts.suggestedIsovalue + ball->grid().maximum());
   scene::Scene scene;
-  scene.isosurface.albedo = {1.0, 0.0, 0.0};
-  scene.isosurface.opacity = 0.25;
-  scene.extraIsosurfaces[0].value = middle;
-  scene.extraIsosurfaces[0].albedo = {0.0, 1.0, 0.0};
+  scene.surfaces.front().albedo = {1.0, 0.0, 0.0};
+  scene.surfaces.front().opacity = 0.25;
+  test::surfaceAt(scene, 1).value = middle;
+  test::surfaceAt(scene, 1).albedo = {0.0, 1.0, 0.0};
   for (const auto method : {scene::HitMethod::exact, scene::HitMethod::sampled})
     for (const auto field : {scene::Field::trilinear, scene::Field::cubic}) {
       scene.hit.method = method;
       scene.hit.field = field;
       SCOPED_TRACE(static_cast<int>(method) * 10 + static_cast<int>(field));
-      scene.extraIsosurfaces[0].shown = false;
+      test::surfaceAt(scene, 1).shown = false;
       glm::dvec3 seen = colorAt(ball, scene, {48, 48});
       EXPECT_NEAR(seen.x, 0.25 + 0.75 * 0.25, 0.01);  // in and out of the outer surface
       EXPECT_NEAR(seen.y, 0.0, 0.01);
 
-      scene.extraIsosurfaces[0].shown = true;
-      scene.extraIsosurfaces[0].opacity = 0.5;
+      test::surfaceAt(scene, 1).shown = true;
+      test::surfaceAt(scene, 1).opacity = 0.5;
       seen = colorAt(ball, scene, {48, 48});  // outer, inner, inner, outer
       EXPECT_NEAR(seen.x, 0.25 + 0.75 * 0.25 * 0.25, 0.01);
       EXPECT_NEAR(seen.y, 0.75 * (0.5 + 0.5 * 0.5), 0.01);
 
-      scene.extraIsosurfaces[0].opacity = 1.0;
+      test::surfaceAt(scene, 1).opacity = 1.0;
       seen = colorAt(ball, scene, {48, 48});  // what is opaque ends the ray
       EXPECT_NEAR(seen.x, 0.25, 0.01);
       EXPECT_NEAR(seen.y, 0.75, 0.01);
@@ -76,10 +77,10 @@ TEST_P(LayersGlTest, OpacityFollowsTheAngle) {
   const auto ball = prepared(
       volume::Grid(volume::GridGeometry::make(glm::ivec3(size), glm::dvec3(1.0)), std::move(values)));
   scene::Scene scene;
-  scene.isosurface.value = 0.0;
-  scene.isosurface.albedo = glm::dvec3(1.0);
-  scene.isosurface.opacity = 0.8;
-  scene.isosurface.facingOpacity = 0.25;
+  scene.surfaces.front().value = 0.0;
+  scene.surfaces.front().albedo = glm::dvec3(1.0);
+  scene.surfaces.front().opacity = 0.8;
+  scene.surfaces.front().facingOpacity = 0.25;
   scene.isosurface.layers = 1;
   scene.camera.projection = scene::Projection::orthographic;
   scene.camera.target = glm::dvec3(middle);
@@ -103,8 +104,8 @@ TEST_P(LayersGlTest, OpacityFollowsTheAngle) {
 TEST_P(LayersGlTest, TheNumberOfLayersIsRespected) {
   const auto ball = phantom("ball", 64);
   scene::Scene scene;
-  scene.isosurface.albedo = {1.0, 1.0, 1.0};
-  scene.isosurface.opacity = 0.25;
+  scene.surfaces.front().albedo = {1.0, 1.0, 1.0};
+  scene.surfaces.front().opacity = 0.25;
   scene.isosurface.layers = 1;
   EXPECT_NEAR(colorAt(ball, scene, {48, 48}).x, 0.25, 0.01);
 }
@@ -114,8 +115,8 @@ TEST_P(LayersGlTest, TheNumberOfLayersIsRespected) {
 TEST_P(LayersGlTest, CountsTheCrossingsOfNoise) {
   const auto noise = phantom("noise", 32);
   scene::Scene scene;
-  scene.isosurface.albedo = {1.0, 1.0, 1.0};
-  scene.isosurface.opacity = 0.04;
+  scene.surfaces.front().albedo = {1.0, 1.0, 1.0};
+  scene.surfaces.front().opacity = 0.04;
   scene.isosurface.layers = 64;
   int compared = 0, wrong = 0;
   colorAt(noise, scene, {0, 0});
@@ -130,8 +131,8 @@ TEST_P(LayersGlTest, CountsTheCrossingsOfNoise) {
       int crossings = 0;
       double t = 0.0;
       while (crossings < 64) {
-        const auto hit =
-            volume::firstHit(noise->grid(), *noise->blocks, *scene_.isosurface.value, {origin, direction, t});
+        const auto hit = volume::firstHit(noise->grid(), *noise->blocks, *scene_.surfaces.front().value,
+                                          {origin, direction, t});
         if (!hit) break;
         ++crossings;
         t = hit->t + 1e-6;

@@ -25,7 +25,7 @@ class LooksGlTest : public RenderGlTest {
   void draw(const std::shared_ptr<const volume::PreparedVolume>& volume, const Settings& settings,
             double mmPerPixel = 0.5, glm::ivec2 size = {128, 128}) {
     scene::Scene scene = pinned({});
-    scene.isosurface.value = 0.0;
+    scene.surfaces.front().value = 0.0;
     scene.camera.projection = scene::Projection::orthographic;
     const glm::dvec3 centre = 0.5 * (volume->facts.boundsMinMm + volume->facts.boundsMaxMm);
     scene.camera.target = centre;

@@ -26,7 +26,7 @@ class OcclusionGlTest : public RenderGlTest {
   scene::Scene sceneOf(const std::shared_ptr<const volume::PreparedVolume>& volume,
                        const std::vector<std::string>& settings = {}) {
     scene::Scene scene;
-    scene.isosurface.value = 0.0;
+    scene.surfaces.front().value = 0.0;
     scene.camera.projection = scene::Projection::orthographic;
     const glm::dvec3 centre = 0.5 * (volume->facts.boundsMinMm + volume->facts.boundsMaxMm);
     scene.camera.target = centre;

@@ -23,7 +23,7 @@ class PieceGlTest : public ExecutorsGlTest {
  protected:
   static scene::Scene view(int k, glm::dvec3 target = glm::dvec3(23.5), double distance = 90.0) {
     scene::Scene scene;
-    scene.isosurface.value = 0.0;
+    scene.surfaces.front().value = 0.0;
     const double azimuth = 2.4 * k, height = -0.8 + 0.4 * k;
     scene.camera.target = target;
     scene.camera.up = {0.0, 0.0, 1.0};
@@ -124,7 +124,7 @@ TEST_P(PieceGlTest, IdsAreThoseOfTheIsosurfaceThatIsHit) {
 TEST_P(PieceGlTest, IdsOfTheHeadAreThoseOfAFlood) {
   const auto volume = phantom("head", 64);
   scene::Scene scene;
-  scene.isosurface.value = 1400.0;
+  scene.surfaces.front().value = 1400.0;
   const auto [voxel, ids] = piecesSeen(volume, scene);
   const volume::Grid& grid = volume->grid();
   const FloodedPieces flood = floodedPieces(grid, 1400.0, scene::Inside::above).joined;

@@ -11,6 +11,8 @@
 
 #include "render/passes/pass_declarations.h"
 #include "scene/settings/settings.h"
+#include "tests/scene/random_scene.h"
+#include "tests/support/surfaces.h"
 
 namespace isolux::test {
 
@@ -47,6 +49,8 @@ json otherValue(const scene::Setting& s, const scene::Scene& scene) {
       return json::array({{{"kind", "point"}, {"name", "a"}, {"points", {{1.0, -2.5, 3.0}}}}});
     case scene::SettingType::positions:
       return json::array({{1.0, -2.5, 3.0}, {4.0, 5.0, 6.0}});
+    case scene::SettingType::item:
+    case scene::SettingType::ids:
     case scene::SettingType::text:
       break;
   }
@@ -79,7 +83,7 @@ std::vector<scene::Scene> scenes() {
     for (int variant = 0; variant < 4; ++variant) {
       scene::Scene scene;
       mode.set(scene, name);
-      scene.isosurface.value = 1.0;
+      scene.surfaces.front().value = 1.0;
       scene.flow.time = 0.3;
       if (variant == 1) {
         scene.look.ridges = scene.look.fog = scene.flow.strength = 0.5;
@@ -89,8 +93,8 @@ std::vector<scene::Scene> scenes() {
         scene.hit.method = scene::HitMethod::sampled;
       } else if (variant == 2) {
         scene.look.shading = scene::Shading::unlit;
-        scene.extraIsosurfaces[1].shown = true;
-        scene.extraIsosurfaces[1].opacity = 1.0;
+        test::surfaceAt(scene, 2).shown = true;
+        test::surfaceAt(scene, 2).opacity = 1.0;
         scene.derivatives.field = scene::Field::trilinear;
       } else if (variant == 3) {
         scene.look.shading = scene::Shading::tone;
@@ -107,7 +111,7 @@ std::vector<scene::Scene> scenes() {
 TEST(RelevanceOfPasses, WhatDoesNothingChangesNoPass) {
   for (const scene::Scene& scene : scenes()) {
     const std::string before = declared(scene);
-    for (const scene::Setting& setting : scene::settings()) {
+    for (const scene::Setting& setting : everySetting(scene)) {
       const std::string_view why = scene::whyInactive(setting.path, scene);
       if (why.empty()) continue;
       scene::Scene changed = scene;
@@ -121,13 +125,15 @@ TEST(RelevanceOfPasses, WhatDoesNothingChangesNoPass) {
 TEST(RelevanceOfPasses, WhatActsOnALookChangesAPass) {
   for (const scene::Scene& scene : scenes()) {
     const std::string before = declared(scene);
-    for (const scene::Setting& setting : scene::settings()) {
+    for (const scene::Setting& setting : everySetting(scene)) {
       const std::string group = setting.path.substr(0, setting.path.find('.'));
-      if (group != "look" && group != "flow" && group != "light" && group != "isosurface") continue;
-      if (setting.path == "flow.animate") continue;     // the window's: it moves flow.time
-      if (setting.path == "isosurface.name") continue;  // what lists say
+      if (group != "look" && group != "flow" && group != "light" && group != "isosurface" &&
+          group != "surfaces")
+        continue;
+      if (setting.path == "flow.animate") continue;   // the window's: it moves flow.time
+      if (setting.path.ends_with(".name")) continue;  // what lists say
       // These reach the renderer as another gi::PictureLight (render::LightState).
-      if (setting.path.starts_with("light.environment.") || setting.path == "isosurface.specular") continue;
+      if (setting.path.starts_with("light.environment.") || setting.path.ends_with(".specular")) continue;
       // Local light is the same on either side; light that is stored is not, nor what the histogram shows.
       const bool seesSides = scene::needsCurvature(scene) || scene.look.mode == scene::LookMode::normal;
       if (setting.path == "isosurface.inside" && !seesSides) continue;

@@ -109,7 +109,7 @@ TEST_P(ScaledDerivativesGlTest, AgreeAtBorders) {
       return static_cast<float>(100.0 * (p.x + 0.7 * p.y - 0.9 * p.z + p.x * p.x - p.y * p.z));
     }));
     scene::Scene scene;
-    scene.isosurface.value = 1.0;
+    scene.surfaces.front().value = 1.0;
     scene.derivatives.scale = 1.2;
     scene.derivatives.normalScale = 0.5;
     const Worst worst = against(volume, scene);
@@ -128,7 +128,7 @@ TEST_P(ScaledDerivativesGlTest, ConfidencesCountTheNoiseWithinAndAtBorders) {
   const auto volume = phantom("gyroid", 32);
   const volume::Grid& grid = volume->grid();
   scene::Scene scene;
-  scene.isosurface.value = 0.3;
+  scene.surfaces.front().value = 0.3;
   scene.derivatives.scale = 1.0;
   scene.derivatives.normalScale = 0.0;
   scene.derivatives.noise = 0.1;
@@ -166,7 +166,7 @@ TEST_P(ScaledDerivativesGlTest, ALargeConstantInTheValuesCostsNothing) {
     shifted.push_back(1e6f + 100.0f * v);
   const auto volume = prepared(volume::Grid(reference->grid().geometry(), shifted));
   scene::Scene scene;
-  scene.isosurface.value = 1e6;
+  scene.surfaces.front().value = 1e6;
   scene.derivatives.scale = 1.0 * reference->grid().geometry().spacingMm().x;
   scene.derivatives.normalScale = 0.7 * reference->grid().geometry().spacingMm().x;
   const Worst worst = against(volume, scene);

@@ -9,6 +9,7 @@
 #include "render/gl/gl.h"
 #include "render/passes/pass_declarations.h"
 #include "tests/render/gl_fixture.h"
+#include "tests/support/surfaces.h"
 #include "tests/support/volumes.h"
 #include "volume/hit/exact_hit.h"
 
@@ -170,7 +171,7 @@ TEST_F(BricksGlTest, FieldsAtScalesAreTheSame) {
 TEST_F(BricksGlTest, OnlyFieldsAtScalesNeedWiderBricks) {
   const auto volume = noise(glm::ivec3(100), 3);
   scene::Scene scene;
-  scene.isosurface.value = 0.9;
+  scene.surfaces.front().value = 0.9;
   scene.derivatives.scale = scene.derivatives.normalScale = 0.0;
   const std::size_t slots = draw(volume, scene, MemoryLayout::bricks, 2).report.bricks.slots;
   EXPECT_EQ(slots, (std::size_t{2} << 20) / (35 * 35 * 35 * sizeof(float)));
@@ -239,7 +240,7 @@ TEST_F(BricksGlTest, HardCases) {
     for (const Field hit : {Field::trilinear, Field::cubic_interpolating})
       for (const glm::dvec3& direction : {glm::dvec3(0.3, -1.0, 0.4), glm::dvec3(0.0, 1.0, 0.0)}) {
         scene::Scene scene = lookingFrom(test.volume, direction);
-        scene.isosurface.value = 0.0;
+        scene.surfaces.front().value = 0.0;
         scene.hit.field = hit;
         scene.derivatives.field = hit;
         scene.derivatives.fetch = scene::Fetch::exact;
@@ -264,9 +265,9 @@ TEST_F(BricksGlTest, EyeInsideAndTransparentSurfacesAreTheSame) {
               "eye inside");
   scene::Scene layered;
   layered.derivatives.fetch = scene::Fetch::exact;
-  layered.isosurface.opacity = 0.4;
-  layered.extraIsosurfaces[0].shown = true;
-  layered.extraIsosurfaces[0].value = 0.3;
+  layered.surfaces.front().opacity = 0.4;
+  test::surfaceAt(layered, 1).shown = true;
+  test::surfaceAt(layered, 1).value = 0.3;
   expectEqual(draw(volume, layered, MemoryLayout::whole), draw(volume, layered, MemoryLayout::bricks),
               "layers");
 }
@@ -290,7 +291,7 @@ TEST_F(BricksGlTest, EdgesAreThoseOfTheProcessor) {
   const auto volume = phantom("head", 96);
   scene::Scene scene;
   scene.look.mode = scene::LookMode::edge_offset;
-  scene.isosurface.value = -300.0;
+  scene.surfaces.front().value = -300.0;
   scene.derivatives.scale = 3.0;
   const Drawn whole = draw(volume, scene, MemoryLayout::whole, 2048, {96, 72}, scene::Executor::cpu);
   const Drawn bricks = draw(volume, scene, MemoryLayout::bricks, 6);
@@ -433,7 +434,7 @@ TEST_F(StreamingGlTest, WhatWaitsIsHatchedWhateverTheMethod) {
   for (const char* method : {"hit.method=exact", "hit.method=sampled"}) {
     const auto volume = phantom("ball", 100);  // none of whose bricks is there
     scene::Scene scene = assigned({method, "look.mode=lambert"}, lookingFrom(volume, {1.0, 0.4, 0.3}));
-    scene.isosurface.albedo = {1.0, 0.1, 0.05};
+    scene.surfaces.front().albedo = {1.0, 0.1, 0.05};
     scene.look.backgroundTop = scene.look.backgroundBottom = {0.1, 0.2, 0.9};
     const double missing = frame(volume, scene, 64, 2 * 35 * 35 * 35 * 4).bricks.missing;
     EXPECT_GT(missing, 0.05) << method;

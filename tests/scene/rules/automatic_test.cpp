@@ -8,6 +8,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "scene/camera.h"
+#include "tests/support/surfaces.h"
 
 namespace isolux::scene {
 namespace {
@@ -45,10 +46,10 @@ TEST(Automatic, AFurtherSurfaceLiesOutsideTheFirstWhereTheHistogramSuggestsOne) 
                           {"a quarter of the way in, below", nothing, {}, Inside::below, 37.5}}) {
     SCOPED_TRACE(one.what);
     Scene scene;
-    scene.isosurface.value = one.first;
+    scene.surfaces.front().value = one.first;
     scene.isosurface.inside = one.inside;
-    scene.extraIsosurfaces[0].shown = true;
-    EXPECT_EQ(resolve(scene, one.facts).extraIsosurfaces[0].value, one.second);
+    test::surfaceAt(scene, 1).shown = true;
+    EXPECT_EQ(resolve(scene, one.facts).surfaces.at(1).value, one.second);
   }
 }
 
@@ -56,14 +57,14 @@ TEST(Automatic, AFurtherSurfaceLiesOutsideTheFirstWhereTheHistogramSuggestsOne) 
 TEST(Automatic, FurtherSurfacesShareNoSuggestion) {
   const VolumeFacts facts = factsOf({20.0, 60.0, 130.0}, 130.0, 0.0, 255.0);
   Scene scene;
-  scene.extraIsosurfaces[1].shown = scene.extraIsosurfaces[2].shown = true;
+  test::surfaceAt(scene, 2).shown = test::surfaceAt(scene, 3).shown = true;
   Scene resolved = resolve(scene, facts);
-  EXPECT_EQ(resolved.extraIsosurfaces[1].value, 60.0);
-  EXPECT_EQ(resolved.extraIsosurfaces[2].value, 20.0);
-  scene.extraIsosurfaces[2].value = 61.0;  // given: takes 60 away
+  EXPECT_EQ(resolved.surfaces.at(2).value, 60.0);
+  EXPECT_EQ(resolved.surfaces.at(3).value, 20.0);
+  test::surfaceAt(scene, 3).value = 61.0;  // given: takes 60 away
   resolved = resolve(scene, facts);
-  EXPECT_EQ(resolved.extraIsosurfaces[1].value, 20.0);
-  EXPECT_EQ(resolved.extraIsosurfaces[2].value, 61.0);
+  EXPECT_EQ(resolved.surfaces.at(2).value, 20.0);
+  EXPECT_EQ(resolved.surfaces.at(3).value, 61.0);
 }
 
 // A ball's outline beside the middle of the box.
@@ -107,8 +108,8 @@ TEST(Automatic, OfSessionsOfBeforeIsAsItWas) {
   before.camera.frames = Frames::volume;
   before.isosurface.suggestion = Suggestion::contrast;
   const Scene resolved = resolve(before, facts);
-  EXPECT_EQ(resolved.isosurface.value, 120.0);
-  EXPECT_EQ(resolve(Scene{}, facts).isosurface.value, 50.0);
+  EXPECT_EQ(resolved.surfaces.front().value, 120.0);
+  EXPECT_EQ(resolve(Scene{}, facts).surfaces.front().value, 50.0);
   EXPECT_EQ(*resolved.camera.target, glm::dvec3(50.0)) << "the middle of the box";
   facts.outlineMm.clear();
   Camera front = resolve(Scene{}, facts).camera;

@@ -1,4 +1,5 @@
 #include "scene/rules/ghosts.h"
+#include "tests/support/surfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +8,8 @@ namespace {
 
 Scene withGhost() {
   Scene scene;
-  scene.isosurface.value = 100.0;
-  scene.isosurface.ghost = 2.0;
+  scene.surfaces.front().value = 100.0;
+  scene.surfaces.front().ghost = 2.0;
   scene.isosurface.ghostOpacity = 0.2;
   scene.derivatives.noise = 5.0;
   return scene;
@@ -18,21 +19,21 @@ TEST(Ghosts, LieOnBothSidesOfTheIsovalue) {
   Scene scene = withGhost();
   EXPECT_EQ(ghostsWithoutRoom(scene), 0);
   addGhosts(scene);
-  EXPECT_TRUE(scene.extraIsosurfaces[0].shown && scene.extraIsosurfaces[1].shown);
-  EXPECT_FALSE(scene.extraIsosurfaces[2].shown);
-  EXPECT_EQ(scene.extraIsosurfaces[0].value, 110.0);
-  EXPECT_EQ(scene.extraIsosurfaces[1].value, 90.0);
-  EXPECT_EQ(scene.extraIsosurfaces[1].opacity, 0.2);
+  EXPECT_TRUE(scene.surfaces.at(1).shown && scene.surfaces.at(2).shown);
+  EXPECT_EQ(scene.surfaces.size(), 3U);
+  EXPECT_EQ(scene.surfaces.at(1).value, 110.0);
+  EXPECT_EQ(scene.surfaces.at(2).value, 90.0);
+  EXPECT_EQ(scene.surfaces.at(2).opacity, 0.2);
 }
 
 TEST(Ghosts, LeaveIsosurfacesThatAreShown) {
   Scene scene = withGhost();
-  scene.extraIsosurfaces[0].shown = scene.extraIsosurfaces[2].shown = true;
-  scene.extraIsosurfaces[0].value = 7.0;
+  test::surfaceAt(scene, 1).shown = test::surfaceAt(scene, 3).shown = true;
+  test::surfaceAt(scene, 1).value = 7.0;
   EXPECT_EQ(ghostsWithoutRoom(scene), 1);
   addGhosts(scene);
-  EXPECT_EQ(scene.extraIsosurfaces[0].value, 7.0);
-  EXPECT_EQ(scene.extraIsosurfaces[1].value, 110.0);
+  EXPECT_EQ(scene.surfaces.at(1).value, 7.0);
+  EXPECT_EQ(scene.surfaces.at(2).value, 110.0);
 }
 
 TEST(Ghosts, ThereAreNoneWithoutNoise) {

@@ -5,6 +5,8 @@
 
 #include "scene/albedo.h"
 #include "scene/color_maps.h"
+#include "tests/support/lamps.h"
+#include "tests/support/surfaces.h"
 
 namespace isolux::scene {
 namespace {
@@ -59,7 +61,7 @@ TEST(GiChoice, TexelsOfAViewAreLitOnTheOneIsosurfaceShown) {
     scene.gi.texels = GiTexels::shown;
     EXPECT_TRUE(giChoiceOf(scene).onShown);
   }
-  scene.extraIsosurfaces[1].shown = true;
+  test::surfaceAt(scene, 2).shown = true;
   EXPECT_FALSE(giChoiceOf(scene).onShown) << "whichever is nearest would light the others";
   scene = underProbe();
   scene.gi.texels = GiTexels::own;
@@ -101,10 +103,10 @@ TEST(GiChoice, AConstantSkyWithoutShadowsIsBakedForItsReflectionsOnly) {
   scene.gi.bounces = 0;
   EXPECT_FALSE(giChoiceOf(scene).wanted);
   EXPECT_TRUE(giChoiceOf(scene).traced) << "gloss and exposure trace rays";
-  scene.lamps[1].shown = true;
+  test::lampAt(scene, 1).shown = true;
   EXPECT_TRUE(giChoiceOf(scene).wanted);
   EXPECT_EQ(giChoiceOf(scene).sky, GiMode::off);
-  scene.lamps[1].shown = false;
+  test::lampAt(scene, 1).shown = false;
   scene.gi.mode = GiMode::off;
   EXPECT_FALSE(giChoiceOf(scene).traced);
 
@@ -122,9 +124,9 @@ TEST(GiChoice, GreyNeedsOneChannel) {
   Scene scene = underProbe();
   scene.light.environment.moves = true;
   EXPECT_EQ(giChoiceOf(scene).channels, 3);
-  scene.isosurface.albedo = glm::dvec3(0.7);
+  scene.surfaces.front().albedo = glm::dvec3(0.7);
   EXPECT_EQ(giChoiceOf(scene).channels, 1);
-  scene.extraIsosurfaces[0].shown = true;
+  test::surfaceAt(scene, 1).shown = true;
   EXPECT_EQ(giChoiceOf(scene).channels, 3) << "the second surface is blue";
   scene.isosurface.albedoSource = AlbedoSource::map;
   scene.isosurface.albedoMap = ColorMap::gray;
@@ -133,9 +135,9 @@ TEST(GiChoice, GreyNeedsOneChannel) {
 
 TEST(GiChoice, LampsAndForcedModes) {
   Scene scene = underProbe();
-  scene.lamps[1].shown = true;
+  test::lampAt(scene, 1).shown = true;
   EXPECT_TRUE(giChoiceOf(scene).lamps);
-  scene.lamps[1].intensity = 0.0;
+  test::lampAt(scene, 1).intensity = 0.0;
   EXPECT_FALSE(giChoiceOf(scene).lamps) << "a lamp without light";
   scene.gi.bounces = 4;
   EXPECT_EQ(giChoiceOf(scene).bounces, 4);
@@ -150,14 +152,14 @@ TEST(GiChoice, LampsAndForcedModes) {
 
 TEST(AlbedoOfIsovalue, NearestIsosurfaceOrMap) {
   Scene scene;
-  scene.isosurface.value = 10.0;
-  scene.isosurface.albedo = glm::dvec3(0.25);
+  scene.surfaces.front().value = 10.0;
+  scene.surfaces.front().albedo = glm::dvec3(0.25);
   EXPECT_TRUE(AlbedoOfIsovalue(scene).isConstant());
   EXPECT_EQ(AlbedoOfIsovalue(scene).at(-1e30), glm::vec3(0.25f));
 
-  scene.extraIsosurfaces[1].shown = true;
-  scene.extraIsosurfaces[1].value = 4.0;
-  scene.extraIsosurfaces[1].albedo = glm::dvec3(0.5);
+  test::surfaceAt(scene, 2).shown = true;
+  test::surfaceAt(scene, 2).value = 4.0;
+  test::surfaceAt(scene, 2).albedo = glm::dvec3(0.5);
   const AlbedoOfIsovalue two(scene);
   EXPECT_FALSE(two.isConstant());
   EXPECT_EQ(two.at(6.9), glm::vec3(0.5f));

@@ -9,6 +9,7 @@
 
 #include "scene/rules/automatic.h"
 #include "scene/settings/settings.h"
+#include "tests/support/surfaces.h"
 
 namespace isolux::test {
 
@@ -92,14 +93,14 @@ TEST(Needs, TrilinearExactHitsMayBeRefinedAtRest) {
 TEST(Needs, ASurfaceOfOpacity0IsNotThereNorTransparent) {
   scene::Scene scene;
   EXPECT_FALSE(scene::isTransparent(scene));
-  scene.isosurface.opacity = 0.0;
+  scene.surfaces.front().opacity = 0.0;
   EXPECT_FALSE(scene::isTransparent(scene));
-  scene.extraIsosurfaces[1].opacity = 0.5;
+  test::surfaceAt(scene, 2).opacity = 0.5;
   EXPECT_FALSE(scene::isTransparent(scene));  // not shown
-  scene.extraIsosurfaces[1].shown = true;
+  test::surfaceAt(scene, 2).shown = true;
   EXPECT_TRUE(scene::isTransparent(scene));
-  scene.extraIsosurfaces[1].opacity = 0.0;
-  scene.isosurface.opacity = 0.99;
+  test::surfaceAt(scene, 2).opacity = 0.0;
+  scene.surfaces.front().opacity = 0.99;
   EXPECT_TRUE(scene::isTransparent(scene));
 }
 

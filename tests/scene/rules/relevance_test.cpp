@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/settings/settings.h"
+#include "tests/support/lamps.h"
+#include "tests/support/surfaces.h"
 
 namespace isolux::test {
 
@@ -112,7 +114,7 @@ TEST(Relevance, EdgesAndASecondVolumeWhereTheyAreShown) {
   EXPECT_TRUE(acts("edge.search", scene));
   EXPECT_TRUE(acts("derivatives.noise", scene));
   EXPECT_FALSE(acts("isosurface.ghost_opacity", scene));
-  scene.isosurface.ghost = 1.0;
+  scene.surfaces.front().ghost = 1.0;
   EXPECT_TRUE(acts("isosurface.ghost_opacity", scene));
   EXPECT_TRUE(acts("isosurface.layers", scene));
 }
@@ -146,12 +148,15 @@ TEST(Relevance, ShadowsOfLightSourcesAreOfBakedLight) {
   EXPECT_FALSE(acts("light.environment.shadows", scene));
   scene.look.mode = scene::LookMode::gi;
   EXPECT_TRUE(acts("light.environment.shadows", scene));
-  EXPECT_EQ(scene::whyInactive("lamp1.shadows", scene), "that light source is off");
-  scene.lamps[0].shown = true;
+  EXPECT_EQ(scene::whyInactive("lamps.light1.shadows", scene), "there is no such item");
+  lampAt(scene, 0).shown = false;
+  for (const char* path : {"lamps.light1.shadows", "lamps.1.shadows", "lamp1.shadows"})
+    EXPECT_EQ(scene::whyInactive(path, scene), "that light source is off") << path;
+  test::lampAt(scene, 0).shown = true;
   EXPECT_TRUE(acts("lamp1.shadows", scene));
   scene.light.environment.shadows = false;
   scene.light.environment.constant = glm::dvec3(1.0);
-  scene.lamps[0].shown = false;
+  test::lampAt(scene, 0).shown = false;
   scene.gi.bounces = 0;
   EXPECT_TRUE(acts("light.environment.shadows", scene)) << "to switch them on again";
   EXPECT_TRUE(acts("gi.sequence", scene)) << "of reflections and of the metered light";
@@ -168,7 +173,7 @@ TEST(Relevance, StrengthsBringTheirDetails) {
     EXPECT_FALSE(acts(path, scene)) << path;
   scene.look.ridges = scene.look.suggestiveContours = scene.look.fog = scene.flow.strength = 0.1;
   scene.look.texture = scene::SolidTexture::marble;
-  scene.isosurface.opacity = 0.5;
+  scene.surfaces.front().opacity = 0.5;
   for (const char* path : {"look.ridge_threshold", "look.ridge_width", "look.ridge_width_unit",
                            "look.ridge_length", "look.contour_width", "look.fog_color", "flow.length",
                            "look.texture_scale", "derivatives.noise", "isosurface.layers"})
@@ -188,7 +193,7 @@ TEST(Relevance, HitsIsosurfacesAndSources) {
   EXPECT_FALSE(acts("source.csg_path", scene));
   EXPECT_FALSE(acts("source.mesh_voxels", scene));
   scene.hit.method = scene::HitMethod::sampled;
-  scene.extraIsosurfaces[1].shown = true;
+  test::surfaceAt(scene, 2).shown = true;
   scene.source.csg = scene::Csg::blend;
   EXPECT_TRUE(acts("source.csg_weight", scene));
   scene.source.csg = scene::Csg::unite;
@@ -203,12 +208,12 @@ TEST(Relevance, HitsIsosurfacesAndSources) {
 TEST(Relevance, PiecesNeedASurface) {
   scene::Scene scene;
   EXPECT_TRUE(acts("pieces.keep", scene));
-  scene.isosurface.opacity = 0.0;
+  scene.surfaces.front().opacity = 0.0;
   for (const char* path : {"pieces.keep", "pieces.smallest", "pieces.hidden", "pieces.only", "pieces.within"})
     EXPECT_FALSE(acts(path, scene)) << path;
-  scene.extraIsosurfaces[0].shown = true;
+  test::surfaceAt(scene, 1).shown = true;
   EXPECT_TRUE(acts("pieces.keep", scene));
-  scene.extraIsosurfaces[0].opacity = 0.0;
+  test::surfaceAt(scene, 1).opacity = 0.0;
   EXPECT_FALSE(acts("pieces.keep", scene));
   // Which side is inside says whose pieces are chosen, whatever the look.
   scene = {};

@@ -33,7 +33,10 @@ std::string errorOf(Body body) {
 TEST(SceneJson, DefaultsRoundTrip) {
   const json stored = toJson(Scene{});
   EXPECT_TRUE(fromJson(stored) == Scene{});
-  EXPECT_EQ(stored["isosurface"]["value"], "auto");
+  EXPECT_EQ(stored["surfaces"].size(), 1U);
+  EXPECT_EQ(stored["surfaces"][0]["id"], "main");
+  EXPECT_EQ(stored["surfaces"][0]["value"], "auto");
+  EXPECT_EQ(stored["lamps"], json::array());
   EXPECT_EQ(stored["look"]["mode"], "blinn_phong");
   EXPECT_EQ(stored["source"]["time_step"], 0);
 }
@@ -50,11 +53,11 @@ TEST(SceneJson, NumbersRoundTripToTheLastBit) {
   for (const double value : {0.1, 1.0 / 3.0, 1e-20, 5e-324, 2.2250738585072014e-308, 123456789.123456789,
                              -0.0, std::nextafter(1.0, 2.0), 300.0, 1e38}) {
     Scene scene;
-    scene.isosurface.value = value;
+    scene.surfaces.front().value = value;
     const Scene back = fromJson(json::parse(toJson(scene).dump()));
-    ASSERT_TRUE(back.isosurface.value);
-    EXPECT_EQ(std::signbit(*back.isosurface.value), std::signbit(value));
-    EXPECT_EQ(*back.isosurface.value, value);
+    ASSERT_TRUE(back.surfaces.front().value);
+    EXPECT_EQ(std::signbit(*back.surfaces.front().value), std::signbit(value));
+    EXPECT_EQ(*back.surfaces.front().value, value);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "scene/settings/settings.h"
 #include "scene/settings/assignment.h"
+#include "scene/settings/scene_list.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,33 +68,34 @@ json otherValue(const Setting& s) {
       return json::array({{0.5, -0.5, 0.25, 0.5, 1.0}});
     case SettingType::color_points:
       return json::array({{0.0, 0.25, 0.5, 1.0}, {1.0, 1.0, 0.5, 0.25}});
+    case SettingType::item:
+    case SettingType::ids:
+      break;  // not in settings(): scene_list_test.cpp
   }
   return {};
 }
 
 TEST(Settings, SurfacesAreMattUnlessAsked) {
   const Scene scene;
-  EXPECT_EQ(scene.isosurface.specular, 0.0);
-  for (const ExtraIsosurface& extra : scene.extraIsosurfaces) {
-    EXPECT_EQ(extra.specular, 0.0);
-    EXPECT_EQ(extra.roughness, scene.isosurface.roughness);
-    EXPECT_EQ(extra.opacity, 0.5);
-    EXPECT_NE(extra.albedo, ExtraIsosurface().albedo);
+  EXPECT_EQ(scene.surfaces.front().specular, 0.0);
+  for (std::size_t place = 1; place < kSurfaces; ++place) {
+    EXPECT_EQ(newSurface(place).specular, 0.0);
+    EXPECT_EQ(newSurface(place).roughness, scene.surfaces.front().roughness);
+    EXPECT_NE(newSurface(place).albedo, Surface().albedo);
   }
 }
 
 TEST(Settings, CoversEveryMemberOfScene) {
   // A new member of a struct does not compile here until it is counted; then the list must grow with it.
   const Scene scene;
-  const auto& [source, isosurface, extraIsosurfaces, pieces, clip, slice, marks, hit, derivatives, edge,
-               colorVolume, look, flow, light, lamps, gi, camera, picture] = scene;
+  const auto& [source, surfaces, isosurface, pieces, clip, slice, marks, hit, derivatives, edge, colorVolume,
+               look, flow, light, lamps, gi, camera, picture] = scene;
   [[maybe_unused]] const auto& [path, raw, series, component, timeStep, kindOfData, volumeLevel, aroundDamage,
-                                meshVoxels, csg, csgPath, csgValue, csgWeight] = source;
-  [[maybe_unused]] const auto& [name, value, suggestion, inside, albedo, specularity, roughness, albedoSource,
-                                albedoMap, albedoLow, albedoHigh, opacity, facing, layers, clipped, ghost,
+                                meshVoxels, labels, smoothing, csg, csgPath, csgValue, csgWeight] = source;
+  [[maybe_unused]] const auto& [suggestion, inside, albedoSource, albedoMap, albedoLow, albedoHigh, layers,
                                 ghostOpacity] = isosurface;
-  [[maybe_unused]] const auto& [shown, name2, value2, albedo2, specular2, roughness2, opacity2, facing2,
-                                clipped2] = extraIsosurfaces[0];
+  [[maybe_unused]] const auto& [id, name, shown, value, albedo, specularity, roughness, opacity, facing,
+                                clipped, ghost] = surfaces.front();
   [[maybe_unused]] const auto& [method, hitField, rate, nearFactor, nearThreshold, refinements] = hit;
   [[maybe_unused]] const auto& [field, fetch, noise, scale, normalScale] = derivatives;
   [[maybe_unused]] const auto& [keep, smallest, hidden, only, within, depth] = pieces;
@@ -115,16 +117,18 @@ TEST(Settings, CoversEveryMemberOfScene) {
                                 environment] = light;
   [[maybe_unused]] const auto& [file, constant, builtIn, azimuth, elevation, rotation, exposure, moves,
                                 visible, skyShadows] = environment;
-  [[maybe_unused]] const auto& [lampShown, kind, position, toward, radius, angle, lampColor, lampIntensity,
-                                lampShadows] = lamps[0];
+  [[maybe_unused]] const auto& [lampId, lampName, lampShown, kind, position, toward, radius, angle, lampColor,
+                                lampIntensity, lampShadows] = scene::Lamp{};
   [[maybe_unused]] const auto& [giMode, extent, band, texels, samples, sequence, bounces, rouletteDepth,
                                 environmentShare, latticeScale, interpolation, precision, shOrder, shWindow,
                                 components, componentBits, ground] = gi;
   [[maybe_unused]] const auto& [eye, target, up, frames, fov, projection] = camera;
   [[maybe_unused]] const auto& [supersampling, restHits, pictureExposure, metering, curve, letters, scaleBar,
                                 isovalue, caveats, transparent, pixelRatio] = picture;
-  EXPECT_EQ(settings().size(),
-            13u + 17 + 3 * 9 + 6 + 5 + 10 + 1 + 6 + 5 + 2 + 13 + 39 + 7 + 8 + 10 + 3 * 9 + 17 + 6 + 11);
+  EXPECT_EQ(settings().size(), 15u + 8 + 6 + 5 + 10 + 1 + 6 + 5 + 2 + 13 + 39 + 7 + 8 + 10 + 17 + 6 + 11);
+  ASSERT_EQ(sceneLists().size(), 2u);
+  EXPECT_EQ(sceneLists()[0].fields.size(), 10u);  // all of a surface but its id
+  EXPECT_EQ(sceneLists()[1].fields.size(), 10u);  // all of a lamp but its id
 }
 
 TEST(Settings, PatternsCoverPathsGroupsAndItemsOfLists) {
@@ -133,10 +137,11 @@ TEST(Settings, PatternsCoverPathsGroupsAndItemsOfLists) {
   EXPECT_TRUE(covers("light.", "light.environment.file"));
   EXPECT_FALSE(covers("light.", "lights.file"));
   EXPECT_FALSE(covers("light.", "light."));
-  EXPECT_TRUE(covers("lamp#.kind", "lamp2.kind"));
-  EXPECT_FALSE(covers("lamp#.kind", "lamps.kind"));
-  EXPECT_TRUE(covers("isosurface#.", "isosurface4.opacity"));
-  EXPECT_FALSE(covers("isosurface#.", "isosurface.opacity"));
+  EXPECT_TRUE(covers("lamps.#.kind", "lamps.key.kind"));
+  EXPECT_FALSE(covers("lamps.#.kind", "lamps.kind"));
+  EXPECT_FALSE(covers("lamps.#.kind", "lamps..kind"));
+  EXPECT_FALSE(covers("lamps.#.kind", "lamps.key.kinds"));
+  EXPECT_TRUE(covers("surfaces.", "surfaces.main.opacity"));
   EXPECT_FALSE(covers("isosurface.", "isosurface4.opacity"));
 }
 
@@ -294,21 +299,11 @@ TEST(Settings, AutomaticOnlyWhereAllowed) {
     }
   }
   EXPECT_EQ(automatic, (std::set<std::string>{"source.csg_value",
-                                              "isosurface.value",
-                                              "isosurface2.value",
                                               "isosurface.albedo_low",
                                               "isosurface.albedo_high",
-                                              "lamp1.position",
-                                              "lamp1.radius",
-                                              "lamp2.position",
-                                              "lamp2.radius",
-                                              "lamp3.position",
-                                              "lamp3.radius",
                                               "gi.band",
                                               "gi.environment_share",
                                               "picture.exposure",
-                                              "isosurface3.value",
-                                              "isosurface4.value",
                                               "hit.near_threshold",
                                               "edge.search",
                                               "color.low",
@@ -367,7 +362,7 @@ TEST(Settings, AnEmptyListOfPointsIsRefusedAndOneIsTheLeast) {
 }
 
 TEST(Settings, PositionsAreTypedAsTheyAreRead) {
-  const Setting& hidden = setting("pieces.hidden");
+  const Setting hidden = setting("pieces.hidden");
   Scene scene;
   hidden.set(scene, valueOf(hidden, "pieces.hidden= 1,2.5,-3e-7 ; 4,5,6;"));
   EXPECT_EQ(scene.pieces.hidden, (std::vector{glm::dvec3(1.0, 2.5, -3e-7), glm::dvec3(4.0, 5.0, 6.0)}));
@@ -401,14 +396,14 @@ TEST(Assignment, ReadsEachType) {
   applyAssignment(scene, "camera.eye= 0, -4e2 ,+1.5");
   applyAssignment(scene, "source.path=a=b, c.nii");
   applyAssignment(scene, " camera.fov = 45 ");
-  EXPECT_EQ(scene.isosurface.value, -300.5);
+  EXPECT_EQ(scene.surfaces.front().value, -300.5);
   EXPECT_EQ(scene.hit.refinements, 7);
   EXPECT_EQ(scene.look.mode, LookMode::normal);
   EXPECT_EQ(scene.camera.eye, glm::dvec3(0, -400, 1.5));
   EXPECT_EQ(scene.source.path, "a=b, c.nii");
   EXPECT_EQ(scene.camera.fov, 45.0);
   applyAssignment(scene, "isosurface.value=auto");
-  EXPECT_FALSE(scene.isosurface.value);
+  EXPECT_FALSE(scene.surfaces.front().value);
   applyAssignment(scene, "source.series=auto");
   EXPECT_EQ(scene.source.series, "auto") << "auto is an ordinary text for a text";
 }

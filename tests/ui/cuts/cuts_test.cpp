@@ -217,7 +217,7 @@ TEST_F(CutsTest, TheMenuAddsPlanesThatShowTheirFace) {
   menuAction("Cut faces", "Whole slice")->trigger();
   EXPECT_EQ(clip().cap, scene::ClipCap::whole);
   menuAction("Cut surfaces", "Isosurface 1")->trigger();
-  EXPECT_FALSE(window_->document()->scene().isosurface.clipped);
+  EXPECT_FALSE(window_->document()->scene().surfaces.front().clipped);
   menuAction({}, "Remove all cuts")->trigger();
   EXPECT_TRUE(clip().planes.empty());
   EXPECT_EQ(clip().cap, scene::ClipCap::whole);  // how cuts look is no cut

@@ -1,4 +1,5 @@
 // Meshes from the window: the file that `isolux mesh` writes, stopped without a trace.
+#include "tests/support/surfaces.h"
 #include "tests/support/ui/window_fixture.h"
 
 #include <algorithm>
@@ -43,7 +44,7 @@ ui::MeshDialog* openedMeshDialog(ui::MainWindow& window) {
 TEST_F(WindowTest, AMeshFromTheWindowIsThatOfTheCommand) {
   ASSERT_TRUE(load(*window_, "phantom:ball:24"));
   ui::Edit edit{window_->document()->scene(), "Isovalue", {}, false};
-  edit.scene.isosurface.value = 1.5;
+  edit.scene.surfaces.front().value = 1.5;
   window_->document()->edit(edit);
   for (const QString ending : {"stl", "ply", "obj", "vtp"}) {
     const QString file = newFile("mesh." + ending);
@@ -68,9 +69,9 @@ TEST_F(WindowTest, AMeshFromTheWindowIsThatOfTheCommand) {
 TEST_F(WindowTest, TheMeshIsThatOfTheChosenSurfaceAndItsSizeIsKnownBefore) {
   ASSERT_TRUE(load(*window_, "phantom:ball:24"));
   ui::Edit edit{window_->document()->scene(), "Isovalue", {}, false};
-  edit.scene.isosurface.value = 1.5;
-  edit.scene.extraIsosurfaces[1].shown = true;
-  edit.scene.extraIsosurfaces[1].value = 3.5;
+  edit.scene.surfaces.front().value = 1.5;
+  test::surfaceAt(edit.scene, 2).shown = true;
+  test::surfaceAt(edit.scene, 2).value = 3.5;
   window_->document()->edit(edit);
   ui::MeshDialog* dialog = openedMeshDialog(*window_);
   ASSERT_NE(dialog, nullptr);
@@ -102,7 +103,7 @@ TEST_F(WindowTest, AStoppedMeshLeavesNoFileAndNoSurfaceIsToldInWords) {
   delete dialog;
 
   ui::Edit edit{window_->document()->scene(), "Isovalue", {}, false};
-  edit.scene.isosurface.value = 1e6;
+  edit.scene.surfaces.front().value = 1e6;
   window_->document()->edit(edit);
   dialog = openedMeshDialog(*window_);
   dialog->exportTo(newFile("none.stl"));

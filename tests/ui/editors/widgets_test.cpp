@@ -63,8 +63,8 @@ class SettingsPanelTest : public testing::Test {
 TEST_F(SettingsPanelTest, EverySettingHasOneRowButThoseOfOtherPanels) {
   std::multiset<std::string> rows;
   for (const ui::PanelGroup& group : ui::panelGroups()) {
-    EXPECT_FALSE(group.settings.empty()) << group.title.toStdString();
-    for (const scene::Setting* setting : group.settings) rows.insert(setting->path);
+    EXPECT_FALSE(group.settings.empty() && group.list == nullptr) << group.title.toStdString();
+    for (const scene::Setting& setting : group.settings) rows.insert(setting.path);
   }
   for (const scene::Setting& setting : scene::settings()) {
     const bool elsewhere = setting.path.starts_with("source.") || setting.path == "marks.list" ||
@@ -77,14 +77,14 @@ TEST_F(SettingsPanelTest, EverySettingHasOneRowButThoseOfOtherPanels) {
 TEST_F(SettingsPanelTest, RowsThatDoNothingAreHiddenUntilTheyActAndASearchSaysWhy) {
   EXPECT_FALSE(panel_.shows("look.curvature_points"));
   EXPECT_FALSE(panel_.shows("hit.rate"));
-  EXPECT_FALSE(panel_.shows("isosurface2.value"));
+  EXPECT_FALSE(panel_.shows("light.environment.azimuth"));
   EXPECT_TRUE(panel_.shows("look.shininess"));
   auto* mode = panel_.editor("look.mode")->findChild<QComboBox*>();
   mode->setCurrentIndex(mode->findData("curvature_2d"));
   EXPECT_TRUE(panel_.shows("look.curvature_points"));
   EXPECT_FALSE(panel_.shows("look.shininess"));
-  panel_.editor("isosurface2.shown")->findChild<QCheckBox*>()->click();
-  EXPECT_TRUE(panel_.shows("isosurface2.value"));
+  EXPECT_TRUE(panel_.shows("surfaces.main.value"));
+  EXPECT_TRUE(panel_.shows("isosurface.value")) << "by its path of before lists";
 
   panel_.searchLine()->setText("samples per  RATE");
   EXPECT_TRUE(panel_.shows("hit.rate"));
@@ -196,15 +196,15 @@ TEST_F(SettingsPanelTest, ANumberFollowsItsSliderAndStaysInItsRange) {
 
 TEST_F(SettingsPanelTest, AnAutomaticSettingCanBeFixedAndFreed) {
   scene::Scene resolved = scene_;
-  resolved.isosurface.value = 42.0;
+  resolved.surfaces.front().value = 42.0;
   panel_.setScene(scene_, resolved);
   auto* automatic = panel_.editor("isosurface.value")->findChild<QCheckBox*>();
   EXPECT_TRUE(automatic->isChecked());
   EXPECT_EQ(panel_.editor("isosurface.value")->findChild<ui::NumberSpinBox*>()->value(), 42.0);
   automatic->click();
-  EXPECT_EQ(scene_.isosurface.value, 42.0);
+  EXPECT_EQ(scene_.surfaces.front().value, 42.0);
   automatic->click();
-  EXPECT_FALSE(scene_.isosurface.value.has_value());
+  EXPECT_FALSE(scene_.surfaces.front().value.has_value());
 }
 
 TEST_F(SettingsPanelTest, AValueThatIsRefusedIsReportedAndShownAsItWas) {

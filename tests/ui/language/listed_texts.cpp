@@ -70,6 +70,12 @@ void addSettings(Collector& all) {
     addSetting(all, setting);
     all.add(ui::texts::words, ui::labelOf(setting).text);
   }
+  for (const scene::SceneList& list : scene::sceneLists()) {
+    for (const scene::SettingInfo& field : list.fields) {
+      addSetting(all, field);
+      all.add(ui::texts::words, ui::labelOf(field).text);
+    }
+  }
   for (const scene::HostSetting& setting : scene::hostSettings()) addSetting(all, setting);
   for (const std::string_view reason : scene::inactiveReasons()) all.add(ui::texts::reasons, reason);
   for (const ui::PanelGroup& group : ui::panelGroups()) all.add("QObject", group.title);

@@ -40,7 +40,7 @@ class FullResolutionViewTest : public WindowTest {
     ASSERT_TRUE(waitUntil(
         [&] { return !window_->document()->loading() && window_->document()->shownLevel() == level; }));
     edit([](scene::Scene& scene) {
-      scene.isosurface.value = 100.0;
+      scene.surfaces.front().value = 100.0;
       scene.picture.restHits = scene::StillField::same;
       scene.derivatives.scale = scene.derivatives.normalScale = scene.derivatives.noise = 0.0;
       scene.camera.eye = glm::dvec3(150.0, 40.0, 60.0);

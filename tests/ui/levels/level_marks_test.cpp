@@ -40,7 +40,7 @@ class LevelMarksTest : public WindowTest {
     }
     ui::Edit edit{window_->document()->scene(), "level", {}, false};
     edit.scene.source.level = level;
-    edit.scene.isosurface.value = 100.0;
+    edit.scene.surfaces.front().value = 100.0;
     edit.scene.camera.eye = glm::dvec3(150.0, 40.0, 60.0);  // needles before the block
     edit.scene.camera.target = glm::dvec3(31.5);
     window_->document()->edit(edit);
@@ -98,7 +98,7 @@ TEST_F(LevelMarksTest, EachPictureHasItsOwn) {
   ASSERT_TRUE(awaitMarks());
   EXPECT_NE(window_->coarseLabel()->text(), before) << "from farther away it is a smaller share";
 
-  edit.scene.isosurface.value = 250.0;  // of nothing
+  edit.scene.surfaces.front().value = 250.0;  // of nothing
   window_->document()->edit(edit);
   fullPicture(*window_);
   EXPECT_TRUE(waitUntil([&] { return window_->coarseLabel()->text().contains("hides nothing"); }));

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <fstream>
 
+#include <QAbstractButton>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDropEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMimeData>
 #include <QTest>
@@ -86,13 +88,12 @@ class LightPanelTest : public WindowTest {
 }  // namespace
 
 TEST_F(LightPanelTest, RowsAppearWithTheLookAndEditTheirSettings) {
-  for (const char* path : {"light.environment.constant", "lamp1.shown", "gi.mode", "picture.exposure"})
+  for (const char* path : {"light.environment.constant", "gi.mode", "picture.exposure"})
     EXPECT_FALSE(panel()->shows(path)) << path;
   set("look.mode", "gi");
-  for (const char* path : {"light.environment.constant", "light.environment.file", "lamp1.shown", "gi.mode",
-                           "gi.samples", "gi.bounces", "gi.extent", "picture.exposure"})
+  for (const char* path : {"light.environment.constant", "light.environment.file", "gi.mode", "gi.samples",
+                           "gi.bounces", "gi.extent", "picture.exposure"})
     EXPECT_TRUE(panel()->shows(path)) << path;
-  EXPECT_FALSE(panel()->shows("lamp1.position"));
   EXPECT_TRUE(panel()->shows("light.environment.rotation"));
   set("light.environment.constant", {1.0, 1.0, 1.0});
   EXPECT_FALSE(panel()->shows("light.environment.rotation"));  // of a sky of one colour
@@ -101,9 +102,44 @@ TEST_F(LightPanelTest, RowsAppearWithTheLookAndEditTheirSettings) {
   EXPECT_EQ(document()->scene().gi.mode, scene::GiMode::transfer);
   EXPECT_TRUE(panel()->shows("gi.sh_order"));
   EXPECT_EQ(document()->history().undoName(), "Change mode");
-  set("lamp1.shown", true);
-  EXPECT_TRUE(panel()->shows("lamp1.position"));
-  EXPECT_FALSE(panel()->shows("lamp2.position"));
+}
+
+TEST_F(LightPanelTest, LightsAreAddedNamedAndRemoved) {
+  set("look.mode", "gi");
+  const auto button = [&](const char* text) {
+    QCoreApplication::processEvents();  // new rows are shown
+    for (QAbstractButton* one : panel()->findChildren<QAbstractButton*>())
+      if (one->isVisibleTo(panel()) && (one->text() == text || one->accessibleName() == text)) return one;
+    return static_cast<QAbstractButton*>(nullptr);
+  };
+  for (int light = 1; light <= 3; ++light) {
+    ASSERT_TRUE(button("Add light")->isEnabled()) << light;
+    button("Add light")->click();
+  }
+  EXPECT_FALSE(button("Add light")->isEnabled()) << "there are three";
+  ASSERT_EQ(document()->scene().lamps.size(), 3U);
+  EXPECT_TRUE(panel()->shows("lamps.light2.position"));
+  EXPECT_FALSE(panel()->shows("lamps.light2.direction")) << "of a distant light";
+  set("lamps.light2.kind", "directional");
+  EXPECT_TRUE(panel()->shows("lamps.light2.direction"));
+  set("lamps.light2.shown", false);
+  EXPECT_FALSE(panel()->shows("lamps.light2.direction"));
+  set("lamps.light1.name", "Window");
+  const auto labels = [&] {
+    QStringList texts;
+    for (const QLabel* label : panel()->findChildren<QLabel*>()) texts += label->text();
+    return texts;
+  };
+  EXPECT_TRUE(labels().contains("Window"));
+  EXPECT_TRUE(labels().contains("Light 2"));
+  button("Remove light")->click();  // the first
+  EXPECT_EQ(document()->history().undoName(), "Remove light");
+  ASSERT_EQ(document()->scene().lamps.size(), 2U);
+  EXPECT_EQ(document()->scene().lamps[0].id, "light2");
+  EXPECT_EQ(panel()->editor("lamps.light1.kind"), nullptr);
+  document()->undo();
+  EXPECT_EQ(document()->scene().lamps.at(0).name, "Window");
+  EXPECT_TRUE(panel()->shows("lamps.light1.kind"));
 }
 
 TEST_F(LightPanelTest, AFileIsEnteredAndShownAndAMissingOneIsOneLine) {
@@ -289,7 +325,7 @@ TEST_F(LightPanelTest, WhatCannotBeTurnedSaysWhy) {
 
 TEST_F(LightPanelTest, ALampIsDraggedInItsPlaneAndAlongTheDepth) {
   set("look.mode", "gi");
-  set("lamp1.shown", true);
+  set("lamps.light1.kind", "point");
   ASSERT_EQ(lamps().size(), 1U);
   const auto pixelOf = [&] {
     return QPoint(static_cast<int>(std::lround(placeOf(lamps()[0]).x)),
@@ -301,16 +337,16 @@ TEST_F(LightPanelTest, ALampIsDraggedInItsPlaneAndAlongTheDepth) {
   EXPECT_EQ(pixelOf(), wanted);
   EXPECT_EQ(document()->history().undoName(), "Move light 1");
   EXPECT_EQ(steps(), before + 1);
-  ASSERT_TRUE(document()->scene().lamps[0].position.has_value());
-  const glm::dvec3 placed = *document()->scene().lamps[0].position;
+  ASSERT_TRUE(document()->scene().lamps.at(0).position.has_value());
+  const glm::dvec3 placed = *document()->scene().lamps.at(0).position;
   const glm::dvec3 back = scene::frameOf(document()->resolvedScene().camera).back;
   drag(viewport(), wanted, wanted - QPoint(0, 50), Qt::LeftButton, Qt::ControlModifier);
   EXPECT_EQ(pixelOf(), wanted);  // only its depth
-  EXPECT_LT(glm::dot(*document()->scene().lamps[0].position - placed, back), -1.0);
-  const glm::dvec3 far = *document()->scene().lamps[0].position;
+  EXPECT_LT(glm::dot(*document()->scene().lamps.at(0).position - placed, back), -1.0);
+  const glm::dvec3 far = *document()->scene().lamps.at(0).position;
   const scene::Camera camera = document()->scene().camera;
   wheel(viewport(), wanted, -2);
-  EXPECT_GT(glm::dot(*document()->scene().lamps[0].position - far, back), 1.0);
+  EXPECT_GT(glm::dot(*document()->scene().lamps.at(0).position - far, back), 1.0);
   EXPECT_EQ(document()->scene().camera, camera);  // the wheel does not zoom here
 }
 
@@ -322,7 +358,7 @@ TEST_F(LightPanelTest, ADistantLampAndASpheresOutlineAreDragged) {
   const QPoint wanted = centre() + QPoint(-40, -30);
   drag(viewport(), QPoint(int(std::lround(handle().pixel.x)), int(std::lround(handle().pixel.y))), wanted);
   EXPECT_LT(glm::distance(handle().pixel, glm::dvec2(wanted.x(), wanted.y())), 1.5);
-  EXPECT_FALSE(document()->scene().lamps[1].position.has_value());  // not touched
+  EXPECT_FALSE(document()->scene().lamps.at(1).position.has_value());  // not touched
 
   set("lamp2.kind", "sphere");
   set("lamp2.position", {0.0, 0.0, 0.0});
@@ -336,10 +372,10 @@ TEST_F(LightPanelTest, ADistantLampAndASpheresOutlineAreDragged) {
 }
 
 TEST_F(LightPanelTest, WithoutALampOrTheLookALeftDragRotates) {
-  set("lamp1.shown", true);  // under a local look lamps do nothing and have no handles
+  set("lamps.light1.kind", "point");  // under a local look lamps do nothing and have no handles
   EXPECT_TRUE(lamps().empty());
   set("look.mode", "gi");
-  set("lamp1.shown", false);
+  set("lamps.light1.shown", false);
   EXPECT_TRUE(lamps().empty());
   drag(viewport(), centre(), centre() + QPoint(30, 0));
   EXPECT_EQ(document()->history().undoName(), "Rotate");

@@ -1,5 +1,6 @@
 // The list of isosurfaces, and their handles on the histogram, by the widgets themselves.
 #include "ui/panels/surface_list.h"
+#include "tests/support/surfaces.h"
 
 #include <QAction>
 #include <QApplication>
@@ -48,16 +49,16 @@ TEST_F(WindowTest, SkinOverBoneIsTwoGestures) {
   QTest::mouseClick(panel->findChild<ui::HistogramSlider*>(), Qt::LeftButton, Qt::NoModifier, place(300.0));
   QTest::mouseClick(panel->addButton(), Qt::LeftButton);
   const scene::Scene both = window_->document()->scene();
-  ASSERT_TRUE(both.extraIsosurfaces[0].shown);
-  EXPECT_EQ(both.extraIsosurfaces[0].value, -300.0);
+  ASSERT_TRUE(both.surfaces.at(1).shown);
+  EXPECT_EQ(both.surfaces.at(1).value, -300.0);
   EXPECT_EQ(window_->document()->history().undoName(), "Add isosurface");
 
   // Both are seen: the picture is neither that of the skin alone nor that of the bone alone.
   const auto picture = [&] { return fullPicture(*window_); };
   const QImage shown = picture();
   scene::Scene boneOnly = both, skinOnly = both;
-  boneOnly.extraIsosurfaces[0].shown = false;
-  skinOnly.isosurface.opacity = 0.0;
+  test::surfaceAt(boneOnly, 1).shown = false;
+  skinOnly.surfaces.front().opacity = 0.0;
   EXPECT_GT(differingPixels(shown, pictureWith(boneOnly, *window_, picture), 12), 0.02);
   EXPECT_GT(differingPixels(shown, pictureWith(skinOnly, *window_, picture), 12), 0.02);
 
@@ -79,21 +80,21 @@ TEST_F(WindowTest, EveryIsosurfaceHasAHandleAndARow) {
   EXPECT_TRUE(panel->findChild<ui::SurfaceList*>()->isVisible() &&
               !panel->findChild<ui::NumberSpinBox*>()->isVisible());
   const double pixel = slider->plot().shownRange() / slider->width();
-  EXPECT_NEAR(*scene().extraIsosurfaces[0].value, 600.0, pixel);
-  EXPECT_FALSE(scene().isosurface.value.has_value()) << "the first stays automatic";
+  EXPECT_NEAR(*scene().surfaces.at(1).value, 600.0, pixel);
+  EXPECT_FALSE(scene().surfaces.front().value.has_value()) << "the first stays automatic";
 
   // Its handle is dragged, and keys go on with it.
   drag(slider, slider->linePosition(1).toPoint(), at(900.0));
-  EXPECT_NEAR(*scene().extraIsosurfaces[0].value, 900.0, pixel);
+  EXPECT_NEAR(*scene().surfaces.at(1).value, 900.0, pixel);
   EXPECT_EQ(slider->active(), 1);
-  const double before = *scene().extraIsosurfaces[0].value;
+  const double before = *scene().surfaces.at(1).value;
   QTest::keyClick(slider, Qt::Key_Right);
-  EXPECT_GT(*scene().extraIsosurfaces[0].value, before);
-  EXPECT_FALSE(scene().isosurface.value.has_value());
+  EXPECT_GT(*scene().surfaces.at(1).value, before);
+  EXPECT_FALSE(scene().surfaces.front().value.has_value());
   drag(slider, slider->linePosition(0).toPoint(), at(-100.0));
   EXPECT_EQ(slider->active(), 0);
-  EXPECT_NEAR(*scene().isosurface.value, -100.0, pixel);
-  EXPECT_GT(*scene().extraIsosurfaces[0].value, before);
+  EXPECT_NEAR(*scene().surfaces.front().value, -100.0, pixel);
+  EXPECT_GT(*scene().surfaces.at(1).value, before);
 
   // By the menu of a right click: a third.
   QContextMenuEvent ask(QContextMenuEvent::Mouse, at(200.0), slider->mapToGlobal(at(200.0)));
@@ -103,7 +104,7 @@ TEST_F(WindowTest, EveryIsosurfaceHasAHandleAndARow) {
   EXPECT_TRUE(menu->actions().front()->text().startsWith("Add isosurface at 2"));
   menu->actions().front()->trigger();
   menu->close();
-  EXPECT_NEAR(*scene().extraIsosurfaces[1].value, 200.0, pixel);
+  EXPECT_NEAR(*scene().surfaces.at(2).value, 200.0, pixel);
   EXPECT_EQ(panel->findChild<ui::SurfaceList*>()->rows().size(), 3u);
 }
 
@@ -119,31 +120,31 @@ TEST_F(WindowTest, RowsOfTheListEditTheirIsosurface) {
   row(1).name->selectAll();
   QTest::keyClicks(row(1).name, "Skull");
   QTest::keyClick(row(1).name, Qt::Key_Return);
-  EXPECT_EQ(scene().extraIsosurfaces[0].name, "Skull");
+  EXPECT_EQ(scene().surfaces.at(1).name, "Skull");
   EXPECT_EQ(window_->document()->history().undoName(), "Rename isosurface");
 
   row(1).value->setFocus();
   row(1).value->selectAll();
   QTest::keyClicks(row(1).value, "412.5");
   QTest::keyClick(row(1).value, Qt::Key_Return);
-  EXPECT_EQ(scene().extraIsosurfaces[0].value, 412.5);
+  EXPECT_EQ(scene().surfaces.at(1).value, 412.5);
 
   row(1).opacity->setFocus();
   QTest::keyClick(row(1).opacity, Qt::Key_Left);
-  EXPECT_NEAR(scene().extraIsosurfaces[0].opacity, 0.99, 1e-12);
-  EXPECT_LT(scene().extraIsosurfaces[0].facingOpacity, 1.0) << "it was added outside";
+  EXPECT_NEAR(scene().surfaces.at(1).opacity, 0.99, 1e-12);
+  EXPECT_LT(scene().surfaces.at(1).facingOpacity, 1.0) << "it was added outside";
   QTest::mouseClick(row(1).seeThrough, Qt::LeftButton);
-  EXPECT_EQ(scene().extraIsosurfaces[0].facingOpacity, 1.0);
+  EXPECT_EQ(scene().surfaces.at(1).facingOpacity, 1.0);
 
   row(1).shown->click();
-  EXPECT_FALSE(scene().extraIsosurfaces[0].shown);
+  EXPECT_FALSE(scene().surfaces.at(1).shown);
   ASSERT_EQ(panel->findChild<ui::SurfaceList*>()->rows().size(), 2u) << "what is hidden stays in the list";
   row(1).shown->click();
-  EXPECT_TRUE(scene().extraIsosurfaces[0].shown);
+  EXPECT_TRUE(scene().surfaces.at(1).shown);
 
   QTest::mouseClick(row(0).remove, Qt::LeftButton);
-  EXPECT_EQ(scene().isosurface.value, 412.5);
-  EXPECT_EQ(scene().isosurface.name, "Skull");
+  EXPECT_EQ(scene().surfaces.front().value, 412.5);
+  EXPECT_EQ(scene().surfaces.front().name, "Skull");
   EXPECT_FALSE(panel->findChild<ui::SurfaceList*>()->isVisible());
   EXPECT_TRUE(panel->findChild<ui::NumberSpinBox*>()->isVisible());
   window_->document()->undo();
@@ -163,7 +164,7 @@ TEST_F(WindowTest, ARightClickInASliceAddsTheIsosurfaceOfTheValueThere) {
   ASSERT_TRUE(add->text().startsWith("Add isosurface at this value")) << add->text().toStdString();
   add->trigger();
   menu->close();
-  const scene::ExtraIsosurface& added = window_->document()->scene().extraIsosurfaces[0];
+  const scene::Surface& added = window_->document()->scene().surfaces.at(1);
   EXPECT_TRUE(added.shown);
   EXPECT_GT(added.value.value(), window_->document()->volume()->facts.minimum);
 }

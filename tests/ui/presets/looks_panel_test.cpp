@@ -108,7 +108,7 @@ TEST_F(LooksPanelTest, PicturesAreDrawnAtRestAndKept) {
 
   // Another scene and back: those of before are still there.
   ui::Edit edit{window_->document()->scene(), "Change albedo", {}, false};
-  edit.scene.isosurface.albedo = {0.2, 0.5, 0.9};
+  edit.scene.surfaces.front().albedo = {0.2, 0.5, 0.9};
   window_->document()->edit(edit);
   fullPicture(*window_);
   ASSERT_TRUE(pictured());
@@ -152,17 +152,17 @@ TEST_F(LooksPanelTest, TheShiftMovesTheValuesOfThePresetThatIsShown) {
   QTest::mouseClick(panel_->presetList()->viewport(), Qt::LeftButton, Qt::NoModifier,
                     centreOfItem(itemNamed(panel_->presetList(), "CT skin over bone")));
   ASSERT_TRUE(waitUntil([this] { return panel_->findChild<QSlider*>()->isEnabled(); }));
-  EXPECT_EQ(window_->document()->scene().isosurface.value, -200.0);
+  EXPECT_EQ(window_->document()->scene().surfaces.front().value, -200.0);
   panel_->findChild<QSlider*>()->setFocus();
   QTest::keyClick(panel_->findChild<QSlider*>(), Qt::Key_Right);
   const double step = 500.0 / panel_->findChild<QSlider*>()->maximum();
-  EXPECT_EQ(window_->document()->scene().isosurface.value, -200.0 + step);
-  EXPECT_EQ(window_->document()->scene().extraIsosurfaces[0].value, 300.0 + step);
+  EXPECT_EQ(window_->document()->scene().surfaces.front().value, -200.0 + step);
+  EXPECT_EQ(window_->document()->scene().surfaces.at(1).value, 300.0 + step);
   EXPECT_EQ(window_->document()->history().undoName(), "Shift preset CT skin over bone");
   ASSERT_TRUE(waitUntil([this] { return panel_->findChild<QSlider*>()->value() == 1; }));
   // Something else was changed: it is no preset any more.
   ui::Edit edit{window_->document()->scene(), "Change albedo", {}, false};
-  edit.scene.isosurface.albedo = {0.2, 0.5, 0.9};
+  edit.scene.surfaces.front().albedo = {0.2, 0.5, 0.9};
   window_->document()->edit(edit);
   EXPECT_TRUE(waitUntil([this] { return !panel_->findChild<QSlider*>()->isEnabled(); }));
 }

@@ -87,7 +87,7 @@ TEST_F(SliceViewsTest, AVolumeOfOneSliceIsShownAsSlices) {
 TEST_F(SliceViewsTest, ShowTheSurfacesCurve) {
   ASSERT_TRUE(loadFourUp("phantom:ball:32"));
   ui::Edit edit{scene(), "Colour", {}, false};
-  edit.scene.isosurface.albedo = {1.0, 0.0, 0.0};
+  edit.scene.surfaces.front().albedo = {1.0, 0.0, 0.0};
   window_->document()->edit(edit);
   ASSERT_TRUE(complete());
   const double radius = 0.35 * 31.0;

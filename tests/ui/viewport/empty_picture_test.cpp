@@ -36,7 +36,7 @@ class EmptyPictureTest : public WindowTest {
 TEST_F(EmptyPictureTest, AnIsovalueOutsideTheValues) {
   EXPECT_FALSE(remedy()->isVisible());
   ui::Edit edit{window_->document()->scene(), "Isovalue", {}, false};
-  edit.scene.isosurface.value = 5000.0;
+  edit.scene.surfaces.front().value = 5000.0;
   window_->document()->edit(edit);
   fullPicture(*window_);
   EXPECT_TRUE(said().startsWith("No surface at 5000: the data range is -")) << said().toStdString();
@@ -58,7 +58,7 @@ TEST_F(EmptyPictureTest, ACameraThatLooksAway) {
 
 TEST_F(EmptyPictureTest, ASurfaceThatIsFullyTransparent) {
   ui::Edit edit{window_->document()->scene(), "Opacity", {}, false};
-  edit.scene.isosurface.opacity = 0.0;
+  edit.scene.surfaces.front().opacity = 0.0;
   window_->document()->edit(edit);
   fullPicture(*window_);
   EXPECT_EQ(said(), "The isosurface is fully transparent");

@@ -38,7 +38,7 @@ class MarksTest : public WindowTest {
     WindowTest::SetUp();
     ASSERT_TRUE(load(*window_, "phantom:ball:48"));
     edit([](scene::Scene& scene) {
-      scene.isosurface.value = 0.0;
+      scene.surfaces.front().value = 0.0;
       scene.camera.projection = scene::Projection::orthographic;
     });
     fullPicture(*window_);
@@ -237,7 +237,7 @@ TEST_F(MarksTest, AMarkSaysThatTheIsovalueHasLeftIt) {
   ASSERT_TRUE(measured());
   const double before = window_->marks()->reports()[0].quantities[0].value;
   const std::vector<scene::Mark> marked = marks();
-  edit([](scene::Scene& scene) { scene.isosurface.value = 4.0; });
+  edit([](scene::Scene& scene) { scene.surfaces.front().value = 4.0; });
   ASSERT_TRUE(measured());
   EXPECT_EQ(marks(), marked);
   EXPECT_EQ(window_->marks()->reports()[0].quantities[0].value, before);

@@ -71,7 +71,7 @@ TEST_F(NarrowWindowTest, ItFramesTheSurfaceThatIsExchangedInOneGo) {
   ui::Document& document = *window_->document();
   const auto show = [&](double isovalue, const QString& mergeKey) {
     ui::Edit edit{document.scene(), "Show", mergeKey, false};
-    edit.scene.isosurface.value = isovalue;
+    edit.scene.surfaces.front().value = isovalue;
     document.edit(edit);
     document.endGesture();
   };

@@ -64,7 +64,7 @@ class PiecesTest : public WindowTest {
   }
   void setIsovalue(double value) {
     ui::Edit edit{scene(), "Set isovalue", {}, false};
-    edit.scene.isosurface.value = value;
+    edit.scene.surfaces.front().value = value;
     window_->document()->edit(edit);
   }
   const scene::Scene& scene() { return window_->document()->scene(); }

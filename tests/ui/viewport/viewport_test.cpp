@@ -113,7 +113,7 @@ TEST_F(ViewportTest, ARestingPointerReadsTheNewPicture) {
 TEST_F(ViewportTest, PointerReadsTheSurfaceAtItsPosition) {
   const auto pick = pointAt(centre() + QPoint(20, 10));
   ASSERT_TRUE(pick.has_value());
-  const double isovalue = *window_->document()->resolvedScene().isosurface.value;
+  const double isovalue = *window_->document()->resolvedScene().surfaces.front().value;
   const auto& volume = window_->document()->volume();
   EXPECT_NEAR(pick->value, isovalue, 1e-3 * (volume->grid().maximum() - volume->grid().minimum()));
   const QPointF back = onScreen(pick->worldMm) - QPointF(centre() + QPoint(20, 10));

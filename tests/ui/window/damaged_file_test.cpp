@@ -102,7 +102,7 @@ TEST_F(DamagedFileTest, ATimeStepWithAHoleIsShownLikeTheOthers) {
   EXPECT_TRUE(document()->scene().source.aroundDamage);
   EXPECT_EQ(said(), "Parts missing");
   EXPECT_EQ(document()->resolvedScene().camera, before.camera);
-  EXPECT_EQ(document()->resolvedScene().isosurface.value, before.isosurface.value);
+  EXPECT_EQ(document()->resolvedScene().surfaces.front().value, before.surfaces.front().value);
   document()->undo();
   ASSERT_TRUE(waitUntil([&] { return !document()->loading() && document()->scene().source.timeStep == 1; }));
   EXPECT_EQ(said(), "");

@@ -184,7 +184,7 @@ TEST_F(FirstVisitTest, GoesThroughWhatTheWindowIsForAndComesBackToTheSamePicture
   fewPaths.scene.gi.samples = 8;  // all light is waited for, twice
   window_->document()->edit(fewPaths);
   step("preset", [&] { choosePreset("CT bone"); });
-  EXPECT_NEAR(window_->document()->resolvedScene().isosurface.value.value_or(0.0), 226.0, 150.0);
+  EXPECT_NEAR(window_->document()->resolvedScene().surfaces.front().value.value_or(0.0), 226.0, 150.0);
   step("turn", [&] { drag(viewport(), at(0.0, 0.0), at(-0.45, 0.2), Qt::LeftButton, {}, 40); });
 
   step(

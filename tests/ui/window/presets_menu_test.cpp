@@ -52,7 +52,7 @@ TEST_F(WindowTest, PresetsOfThisKindOfDataAreOfferedEachOneStepOfUndo) {
   QAction* const bone = entry(*window_, "CT bone");
   ASSERT_NE(bone, nullptr);
   bone->trigger();
-  EXPECT_EQ(window_->document()->scene().isosurface.value, 300.0);
+  EXPECT_EQ(window_->document()->scene().surfaces.front().value, 300.0);
   EXPECT_EQ(window_->document()->history().undoName(), "Preset CT bone");
   window_->document()->undo();
   EXPECT_EQ(window_->document()->scene(), before);
@@ -80,7 +80,7 @@ TEST_F(WindowTest, APresetOfOnesOwnIsSavedByTheMenuAndShownInIt) {
   const OtherConfig other;
   ASSERT_TRUE(load(*window_, "phantom:head:32"));
   scene::Scene scene = window_->document()->scene();
-  scene.isosurface.value = 512.0;
+  scene.surfaces.front().value = 512.0;
   scene.look.mode = scene::LookMode::tone;
   window_->document()->edit({scene, "Try", {}, false});
   // The dialog runs a loop of its own: answered from within it.
@@ -103,7 +103,7 @@ TEST_F(WindowTest, APresetOfOnesOwnIsSavedByTheMenuAndShownInIt) {
   ASSERT_NE(own, nullptr);
   EXPECT_TRUE(own->isEnabled());
   own->trigger();
-  EXPECT_EQ(window_->document()->scene().isosurface.value, 512.0);
+  EXPECT_EQ(window_->document()->scene().surfaces.front().value, 512.0);
   EXPECT_EQ(window_->document()->scene().look.mode, scene::LookMode::tone);
 }
 
@@ -130,7 +130,7 @@ TEST_F(WindowTest, WhatWaitsForTheVolumeIsShownWhenItIsThere) {
   };
   window_->open(request);
   ASSERT_TRUE(waitUntil([&] { return window_->document()->volume() != nullptr; }));
-  EXPECT_EQ(window_->document()->scene().isosurface.value, -200.0);
+  EXPECT_EQ(window_->document()->scene().surfaces.front().value, -200.0);
   EXPECT_EQ(window_->document()->scene().source.path, "phantom:head:32");
   EXPECT_FALSE(window_->document()->history().canUndo());
 }

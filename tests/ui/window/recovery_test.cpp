@@ -174,7 +174,7 @@ TEST_F(WindowTest, WhenTheDesktopsSessionEndsWithoutAQuestionTheWorkIsKept) {
   window_.reset();  // ended by the system: not closed by the user
   const app::LostAutosaves lost = app::takeLostAutosaves(folder);
   ASSERT_EQ(lost.found.size(), 1u);
-  EXPECT_EQ(lost.found[0].content.document.history.scene().isosurface.value, 0.25);
+  EXPECT_EQ(lost.found[0].content.document.history.scene().surfaces.front().value, 0.25);
 }
 
 TEST_F(WindowTest, AQuestionInTheBarOutlastsNotesAndErrors) {

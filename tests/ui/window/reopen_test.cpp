@@ -1,4 +1,5 @@
 // Opening what is on show already, in each of the ways there are: the picture stays as it is.
+#include "tests/support/surfaces.h"
 #include "tests/support/ui/window_fixture.h"
 
 #include <filesystem>
@@ -34,7 +35,7 @@ class ReopenTest : public WindowTest {
   // A view and a look of its own, so that a picture that starts anew is told from one that is kept.
   void change() {
     ui::Edit edit{window_->document()->scene(), "Change", {}, false};
-    edit.scene.isosurface.value = 500.0;
+    edit.scene.surfaces.front().value = 500.0;
     edit.scene.look.mode = scene::LookMode::tone;
     window_->document()->edit(edit);
   }
@@ -135,9 +136,9 @@ TEST_F(ReopenTest, AnotherVolumeIsShownWhole) {
   ui::Edit edit{window_->document()->scene(), "Change", {}, false};
   edit.scene.look.mode = scene::LookMode::tone;
   edit.scene.look.backgroundTop = edit.scene.look.backgroundBottom = glm::dvec3(1.0);
-  edit.scene.isosurface.name = "Skin";
-  edit.scene.extraIsosurfaces[0].shown = true;
-  edit.scene.extraIsosurfaces[0].value = 1e6;
+  edit.scene.surfaces.front().name = "Skin";
+  test::surfaceAt(edit.scene, 1).shown = true;
+  test::surfaceAt(edit.scene, 1).value = 1e6;
   edit.scene.clip.planes = {{glm::dvec3(0.0), glm::dvec3(0.0, 0.0, 1.0)}};
   edit.scene.clip.box = {glm::dvec3(-1.0), glm::dvec3(1.0)};
   edit.scene.clip.removed = {glm::dvec3(0.0), glm::dvec3(1.0)};

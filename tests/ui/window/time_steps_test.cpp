@@ -47,7 +47,7 @@ TEST_F(WindowTest, ASliderGoesThroughTimeStepsAndThePictureStaysComparable) {
   QSlider* const slider = panel->timeSlider();
   EXPECT_EQ(slider->maximum(), kSteps - 1);
   ui::Document* const document = window_->document();
-  ASSERT_FALSE(document->scene().isosurface.value) << "automatic at first";
+  ASSERT_FALSE(document->scene().surfaces.front().value) << "automatic at first";
   const scene::Scene before = document->resolvedScene();
   const auto shows = [&](int step) {
     return waitUntil([&] { return !document->loading() && document->scene().source.timeStep == step; });
@@ -58,7 +58,7 @@ TEST_F(WindowTest, ASliderGoesThroughTimeStepsAndThePictureStaysComparable) {
     EXPECT_EQ(document->volume()->grid().value(7, 7, 7), document->volume()->grid().maximum());
     EXPECT_EQ(panel->timeStepChoice()->value(), step);
     EXPECT_EQ(slider->value(), step);
-    EXPECT_EQ(document->resolvedScene().isosurface.value, before.isosurface.value);
+    EXPECT_EQ(document->resolvedScene().surfaces.front().value, before.surfaces.front().value);
     EXPECT_EQ(document->resolvedScene().camera, before.camera);
   }
   document->undo();
@@ -84,7 +84,7 @@ TEST_F(WindowTest, PlayingShowsStepsAndBlendsAndIsOneUndoStep) {
   EXPECT_FALSE(document->loading()) << "nothing that stands before the picture";
   ASSERT_TRUE(waitUntil([&] { return document->scene().source.timeStep == 1.5; }));
   EXPECT_EQ(panel->timeStepChoice()->value(), 1.5);
-  EXPECT_EQ(document->resolvedScene().isosurface.value, before.isosurface.value);
+  EXPECT_EQ(document->resolvedScene().surfaces.front().value, before.surfaces.front().value);
   EXPECT_EQ(document->resolvedScene().camera, before.camera);
   QTest::keyClick(window_->viewport(), Qt::Key_T);
   EXPECT_FALSE(document->playing());

@@ -1,4 +1,5 @@
 // What goes wrong: broken files, cancelled loading, pictures that fail, no display.
+#include "tests/support/surfaces.h"
 #include "tests/support/test_data.h"
 #include "tests/support/ui/window_fixture.h"
 
@@ -170,8 +171,8 @@ TEST_F(WindowTest, AMistakeOfOurOwnCostsOnePictureAndNotTheWork) {
       QObject::connect(viewport, &ui::Viewport::drawing, [&](bool begins) { drawing += begins ? 1 : -1; });
   const scene::Scene good = window_->document()->resolvedScene();
   scene::Scene bad = good;
-  bad.extraIsosurfaces[0].shown = true;  // and nobody has said where it is: std::bad_optional_access
-  bad.extraIsosurfaces[0].value.reset();
+  test::surfaceAt(bad, 1).shown = true;  // and nobody has said where it is: std::bad_optional_access
+  test::surfaceAt(bad, 1).value.reset();
   viewport->setScene(bad, bad);
   ASSERT_TRUE(waitUntil([&] { return viewport->problem().has_value(); }));
   EXPECT_TRUE(viewport->problem()->contains("internal error")) << viewport->problem()->toStdString();

@@ -58,7 +58,7 @@ TEST_F(WindowTest, DraggingTheLineMovesTheIsovalueAndTheSurface) {
   const auto& histogram = window_->document()->volume()->histogram;
   const double wanted = histogram.minimum + 0.75 * (histogram.maximum - histogram.minimum);
   dragIsovalue(*window_, wanted);
-  const auto value = window_->document()->scene().isosurface.value;
+  const auto value = window_->document()->scene().surfaces.front().value;
   ASSERT_TRUE(value.has_value());
   const double pixel = window_->panel<ui::HistogramSlider>()->plot().shownRange() / 300.0;
   EXPECT_NEAR(*value, wanted, pixel);
@@ -70,10 +70,10 @@ TEST_F(WindowTest, DraggingTheLineMovesTheIsovalueAndTheSurface) {
   EXPECT_EQ(window_->document()->history().undoName(), "Set isovalue");
   window_->document()->undo();
   EXPECT_FALSE(window_->document()->history().canUndo());
-  EXPECT_FALSE(window_->document()->scene().isosurface.value.has_value());
+  EXPECT_FALSE(window_->document()->scene().surfaces.front().value.has_value());
   EXPECT_EQ(differingPixels(before, fullPicture(*window_)), 0.0);
   window_->document()->redo();
-  EXPECT_EQ(window_->document()->scene().isosurface.value, value);
+  EXPECT_EQ(window_->document()->scene().surfaces.front().value, value);
 }
 
 TEST_F(WindowTest, ManyMovesOfTheLineInOneTurnAreOneEdit) {
@@ -104,9 +104,9 @@ TEST_F(WindowTest, WheelKeysAndDoubleClickOnTheHistogram) {
   EXPECT_GT(slider->isovalue(), start);
   QTest::keyClick(slider, Qt::Key_Left, Qt::ShiftModifier);
   EXPECT_NEAR(slider->isovalue(), start - 9.0 * step, 1.01 * step);
-  EXPECT_EQ(window_->document()->scene().isosurface.value, slider->isovalue());
+  EXPECT_EQ(window_->document()->scene().surfaces.front().value, slider->isovalue());
   QTest::mouseDClick(slider, Qt::LeftButton, Qt::NoModifier, centreOf(slider));
-  EXPECT_FALSE(window_->document()->scene().isosurface.value.has_value());
+  EXPECT_FALSE(window_->document()->scene().surfaces.front().value.has_value());
   EXPECT_DOUBLE_EQ(slider->isovalue(), start);
 
   wheel(slider, centreOf(slider), 4, Qt::ControlModifier);
@@ -125,7 +125,7 @@ TEST_F(WindowTest, TheSpinBoxSetsTheExactIsovalue) {
   box->selectAll();
   QTest::keyClicks(box, "-123,25");
   QTest::keyClick(box, Qt::Key_Return);
-  EXPECT_EQ(window_->document()->scene().isosurface.value, -123.25);
+  EXPECT_EQ(window_->document()->scene().surfaces.front().value, -123.25);
   EXPECT_EQ(window_->panel<ui::HistogramSlider>()->isovalue(), -123.25);
 }
 
@@ -139,14 +139,14 @@ TEST_F(WindowTest, UndoInTheIsovaluesFieldIsSeenAtOnce) {
   box->selectAll();
   QTest::keyClicks(box, "999");
   QTest::keyClick(box, Qt::Key_Return);
-  ASSERT_EQ(window_->document()->scene().isosurface.value, 999.0);
+  ASSERT_EQ(window_->document()->scene().surfaces.front().value, 999.0);
   QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier);
   EXPECT_TRUE(box->hasFocus());
-  EXPECT_FALSE(window_->document()->scene().isosurface.value.has_value());
+  EXPECT_FALSE(window_->document()->scene().surfaces.front().value.has_value());
   EXPECT_EQ(window_->panel<ui::HistogramSlider>()->isovalue(), before);
   EXPECT_EQ(box->text(), shown);
   QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-  EXPECT_EQ(window_->document()->scene().isosurface.value, 999.0);
+  EXPECT_EQ(window_->document()->scene().surfaces.front().value, 999.0);
 }
 
 TEST_F(WindowTest, SavedSessionShowsTheSamePictureInAFreshWindow) {
@@ -265,7 +265,7 @@ TEST_F(WindowTest, AMeshOpensAndIsCombinedWithASecondVolume) {
   };
   EXPECT_TRUE(panel->editor("source.mesh_voxels")->isVisibleTo(panel));
   EXPECT_FALSE(panel->editor("source.csg_path")->isVisibleTo(panel));
-  EXPECT_EQ(document->resolvedScene().isosurface.value, 0.0);
+  EXPECT_EQ(document->resolvedScene().surfaces.front().value, 0.0);
   send("source.mesh_voxels", 32);
   // The second edit comes while the first still loads; both must take effect.
   send("source.csg", "difference");

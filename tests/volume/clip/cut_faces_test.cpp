@@ -1,4 +1,5 @@
 #include "volume/clip/cut_faces.h"
+#include "tests/support/surfaces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +34,7 @@ struct BallScene {
                                [this](glm::dvec3 p) { return 100.0 - 10.0 * glm::distance(p, middleOf()); })),
         middle(middleOf()),
         fields(std::make_shared<Grid>(grid)) {
-    scene.isosurface.value = 50.0;  // radius 5 mm
+    scene.surfaces.front().value = 50.0;  // radius 5 mm
     scene.clip.planes = {{middle + glm::dvec3(0, 0, 1), {0.2, -0.3, 1.0}}};
   }
   glm::dvec3 middleOf() const {
@@ -158,20 +159,20 @@ TEST(CutFaces, TheFirstThatShowsAValueEndsTheRay) {
 TEST(CutFaces, FollowWhatIsInsideOpaqueAndCut) {
   BallScene ball;
   const Ray ray = ball.ray(ball.middle + glm::dvec3(0, 0, 30), ball.middle);
-  ball.scene.isosurface.opacity = 0.9;
+  ball.scene.surfaces.front().opacity = 0.9;
   EXPECT_FALSE(ball.faces().at(ray));
-  ball.scene.extraIsosurfaces[0] = {
-      .shown = true, .name = {}, .value = 70.0, .albedo = glm::dvec3(0.5), .opacity = 1.0};
+  test::surfaceAt(ball.scene, 1) = {
+      .id = "second", .shown = true, .value = 70.0, .albedo = glm::dvec3(0.5), .opacity = 1.0};
   EXPECT_TRUE(ball.faces().at(ray));
-  ball.scene.extraIsosurfaces[0].clipped = false;
+  test::surfaceAt(ball.scene, 1).clipped = false;
   EXPECT_FALSE(ball.faces().at(ray));
-  ball.scene.isosurface.opacity = 1.0;
+  ball.scene.surfaces.front().opacity = 1.0;
   EXPECT_TRUE(ball.faces().at(ray));
   ball.scene.isosurface.inside = scene::Inside::below;
   EXPECT_FALSE(ball.faces().at(ray));
   ball.scene.clip.cap = scene::ClipCap::whole;
   EXPECT_TRUE(ball.faces().at(ray));
-  ball.scene.isosurface.clipped = false;
+  ball.scene.surfaces.front().clipped = false;
   EXPECT_FALSE(ball.faces().at(ray));
 }
 

@@ -27,7 +27,7 @@ CurvatureDistribution distributionOf(volume::Grid grid, const volume::CurvatureP
   base::Progress progress;
   const auto volume = isolux::test::prepared(std::move(grid));
   scene::Scene scene;
-  scene.isosurface.value = 0.0;
+  scene.surfaces.front().value = 0.0;
   scene.derivatives.noise = noise;
   scene.derivatives.scale = scaleMm;
   const auto pieces = volume->pieces->at(0.0, scene::Inside::above, progress);

@@ -119,7 +119,7 @@ TEST(DerivativeChoices, MuchWithoutConfidenceRefusesZeroWhereAScaleHasLessError)
 TEST(DerivativeChoices, CompleteOnlyWhatIsEmpty) {
   const auto volume = test::prepared(test::phantomGrid("torus", 48, 0.5));
   scene::Scene scene;
-  scene.isosurface.value = 0.0;
+  scene.surfaces.front().value = 0.0;
   EXPECT_FALSE(volume->derivativeChoices->completeIfChosen(scene));
   EXPECT_FALSE(scene.derivatives.noise.has_value());
   base::Progress progress;
@@ -133,7 +133,7 @@ TEST(DerivativeChoices, CompleteOnlyWhatIsEmpty) {
   EXPECT_TRUE(scene == full);
 
   scene::Scene set;
-  set.isosurface.value = 0.0;
+  set.surfaces.front().value = 0.0;
   set.derivatives.noise = 0.0;
   set.derivatives.normalScale = 3.0;
   volume->derivativeChoices->complete(set, progress);

@@ -29,7 +29,7 @@ std::shared_ptr<const PreparedVolume> ballAndSpeck(bool withSpeck) {
 
 scene::Scene at(double isovalue, const PreparedVolume& volume) {
   scene::Scene scene;
-  scene.isosurface.value = isovalue;
+  scene.surfaces.front().value = isovalue;
   return scene::resolve(scene, volume.facts);
 }
 

@@ -1,4 +1,5 @@
 #include "volume/prepared/surface_reach.h"
+#include "tests/support/surfaces.h"
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
@@ -40,7 +41,7 @@ struct TwoBalls {
 
   scene::Scene scene() const {
     scene::Scene scene;
-    scene.isosurface.value = 0.0;
+    scene.surfaces.front().value = 0.0;
     return scene::resolve(scene, volume->facts);
   }
 };
@@ -75,7 +76,7 @@ TEST(SurfaceReach, WhatIsCutAwayDoesNotCount) {
   EXPECT_LE((*reach)[0], glm::dot(across, balls.large) + 1e-9);
   EXPECT_NEAR((*reach)[0], glm::dot(across, balls.large), 1.0);
   EXPECT_NEAR((*reach)[1], TwoBalls::largeRadius - glm::dot(across, balls.large), 0.15);
-  scene.isosurface.clipped = false;
+  scene.surfaces.front().clipped = false;
   EXPECT_NEAR((*surfaceReach(*balls.volume, scene, along, progress))[0],
               glm::dot(across, balls.small) + TwoBalls::smallRadius, 0.15);
 }
@@ -100,14 +101,14 @@ TEST(SurfaceReach, OnlyWhatIsShownCounts) {
   const TwoBalls balls;
   base::Progress progress;
   scene::Scene scene = balls.scene();
-  scene.isosurface.value = 1000.0;
+  scene.surfaces.front().value = 1000.0;
   EXPECT_FALSE(surfaceReach(*balls.volume, scene, directions, progress)) << "no surface";
   EXPECT_FALSE(surfaceBall(*balls.volume, scene, progress));
-  scene.isosurface.value = 0.0;
-  scene.isosurface.opacity = 0.0;
+  scene.surfaces.front().value = 0.0;
+  scene.surfaces.front().opacity = 0.0;
   EXPECT_FALSE(surfaceBall(*balls.volume, scene, progress));
-  scene.extraIsosurfaces[0].shown = true;
-  scene.extraIsosurfaces[0].value = 6.0;  // only the large ball has a surface there, of radius 8
+  test::surfaceAt(scene, 1).shown = true;
+  test::surfaceAt(scene, 1).value = 6.0;  // only the large ball has a surface there, of radius 8
   const auto ball = surfaceBall(*balls.volume, scene, progress);
   ASSERT_TRUE(ball);
   EXPECT_NEAR(ball->radiusMm, TwoBalls::largeRadius - 6.0, 0.2);

@@ -85,12 +85,12 @@ TEST(LabelFiles, LayersOfASegNrrdHaveTheirOwnNames) {
   EXPECT_EQ(labelName(first->volume.labelTable.get(), 2), "");
   expectColor(first->volume.labelTable.get(), 1, {0.5, 0.25, 1.0});
   EXPECT_TRUE(test::warns(first->volume, "2 layers of labels, layer 0 (left lung) is shown"));
-  EXPECT_EQ(first->facts.suggestedIsovalue, 0.5);
+  EXPECT_EQ(first->facts.suggestedIsovalue, 0.0);
   base::Progress progress;
   EXPECT_EQ(first->derivativeChoices->noise(progress).at(0.5), 0.0);
   const auto second = load(path, ofComponent(1));
   EXPECT_EQ(labelName(second->volume.labelTable.get(), 2), "heart");
-  EXPECT_EQ(second->grid().value(1, 0, 3), 2.0);
+  EXPECT_EQ(second->labels->grid().value(1, 0, 3), 2.0);
   expectError(path, "labels have no magnitude", readOptions(ofComponent(-1)), base::ErrorKind::usage);
 }
 
@@ -282,8 +282,8 @@ TEST(LabelFiles, LabelsAreNotBlended) {
   }
   const fs::path steps = folder / "t*.nii";
   const auto at = [&](double step) { return load(steps, ofStep(step)); };
-  EXPECT_EQ(at(0.25)->grid().value(1, 1, 1), 5.0);
-  EXPECT_EQ(at(0.75)->grid().value(0, 0, 0), 7.0);
+  EXPECT_EQ(at(0.25)->labels->grid().value(1, 1, 1), 5.0);
+  EXPECT_EQ(at(0.75)->labels->grid().value(0, 0, 0), 7.0);
   EXPECT_TRUE(test::warns(at(0.75)->volume, "labels are not blended"));
   EXPECT_FALSE(test::warns(at(1.0)->volume, "labels are not blended"));
 }

@@ -102,7 +102,7 @@ TEST(DicomSegmentations, FramesLieWhereTheySayAndGapsAreEmpty) {
   EXPECT_EQ(prepared->kind.reason, "it is a DICOM segmentation");
   EXPECT_EQ(prepared->volume.labels, 2);
   EXPECT_EQ(labelName(prepared->volume.labelTable.get(), 2), "organ 2");
-  EXPECT_EQ(prepared->facts.suggestedIsovalue, 0.5);
+  EXPECT_EQ(prepared->facts.suggestedIsovalue, 0.0);
 }
 
 TEST(DicomSegmentations, SegmentsThatOverlapLieInLayers) {

@@ -6,6 +6,7 @@
 
 #include "tests/support/first_entry.h"
 #include "tests/support/rays.h"
+#include "tests/support/surfaces.h"
 #include "tests/support/volumes.h"
 #include "volume/tracer/isosurface_tracer.h"
 
@@ -16,9 +17,13 @@ constexpr std::uint64_t kRays = 20000;
 
 scene::Scene cutScene(double size) {
   scene::Scene scene;
-  scene.isosurface.value = 0.1;
-  scene.extraIsosurfaces[0] = {
-      .shown = true, .name = {}, .value = -0.5, .albedo = glm::dvec3(0.5), .opacity = 1.0, .clipped = false};
+  scene.surfaces.front().value = 0.1;
+  test::surfaceAt(scene, 1) = {.id = "second",
+                               .shown = true,
+                               .value = -0.5,
+                               .albedo = glm::dvec3(0.5),
+                               .opacity = 1.0,
+                               .clipped = false};
   scene.clip.planes = {{glm::dvec3(0.5 * size), {0.3, -0.2, 1.0}}};
   scene.clip.box = {glm::dvec3(0.1 * size), glm::dvec3(0.9 * size, 0.8 * size, 0.9 * size)};
   return scene;
@@ -97,7 +102,7 @@ TEST(ClipTracer, WhatComesInThroughACutFaceDoesNotLeaveAtTheOtherSide) {
   const auto grid = std::make_shared<Grid>(test::gridOfVoxels(
       test::unitGeometry(glm::ivec3(32)), [&](glm::dvec3 p) { return 10.0 - glm::distance(p, middle); }));
   scene::Scene scene;
-  scene.isosurface.value = 0.0;
+  scene.surfaces.front().value = 0.0;
   scene.clip.removed = {middle, glm::dvec3(1e6)};
   base::Progress progress;
   for (const TracerTarget target : IsosurfaceTracer::availableTargets()) {
