@@ -59,7 +59,7 @@ struct Surface {
   bool operator==(const Surface&) const = default;
 };
 
-// What all isosurfaces have in common.
+// All isosurfaces have these in common.
 struct Isosurfaces {
   Suggestion suggestion = Suggestion::object;
   Inside inside = Inside::above;

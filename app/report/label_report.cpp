@@ -40,7 +40,7 @@ std::string hexColor(const ordered_json& linear) {
 
 ordered_json labelTableJson(const volume::PreparedVolume& prepared, base::Progress& progress) {
   if (prepared.kind.kind != scene::DataKind::labels) return nullptr;
-  const volume::Volume& v = prepared.asRead ? *prepared.asRead : prepared.volume;
+  const volume::Volume& v = prepared.volume;
   std::map<std::int64_t, ordered_json> voxels;  // null: not counted
   if (v.labelTable)
     for (const volume::Label& label : v.labelTable->labels) voxels[label.value] = nullptr;

@@ -19,7 +19,7 @@ namespace isolux::readers {
 
 struct DicomFile;
 
-// Whether objects of this class are read here.
+// Says whether objects of this class are read here.
 bool isSegmentationClass(std::string_view sopClass);
 
 // `file`: its header. Throws base::Error: input, memory, usage (no such component), interrupted.

@@ -31,7 +31,7 @@ struct VolumeFacts {
   // from toEye (unit) with `up` at its top. Empty: unknown, and the box is framed.
   std::vector<glm::dvec3> outlineMm{};
   glm::dvec3 toEye{0.0}, up{0.0};
-  // Of a label map whose labels are shown: the mean of their colours, linear RGB. Its one surface is at 0.
+  // A label map whose labels are shown has the mean of their colours, linear RGB; its one surface is at 0.
   std::optional<glm::dvec3> labelAlbedo = std::nullopt;
 };
 

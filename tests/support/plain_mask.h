@@ -19,8 +19,8 @@ struct PlainMask {
 // Requires smoothing 0 or in [1, 2]: there the parameter of the Gaussian is its deviation.
 PlainMask plainMask(const volume::Grid& labels, const std::set<int>& set, double smoothing);
 
-// What is wrong with a field whose isosurface 0 is to be the surface of the labels in the set; empty if
-// nothing is: every voxel has its side, and points of the surface, on three random lines through each cell,
+// Says what is wrong with a field whose isosurface 0 is to be the surface of the labels in the set (empty:
+// nothing): every voxel has its side, and points of the surface, on three random lines through each cell,
 // lie within half a voxel along each axis of a face between a voxel in the set and one that is not.
 std::string brokenPromise(const volume::Grid& labels, const std::set<int>& set, const volume::Grid& mask,
                           std::uint64_t seed);

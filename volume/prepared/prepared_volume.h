@@ -26,8 +26,8 @@ struct VolumeFile;
 
 struct PreparedVolume {
   Volume volume;
-  // Of a label map whose labels are shown (Source::labels): the grid above is their mask field. `asRead` is
-  // the volume with the labels themselves.
+  // A label map whose labels are shown (Source::labels) has their mask field as the grid above; `asRead`
+  // is the volume with the labels themselves.
   std::shared_ptr<const ShownLabels> labels;
   std::optional<Volume> asRead;
   std::shared_ptr<const MinMaxBlocks> blocks;
@@ -59,7 +59,7 @@ std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, co
 // As the first, of a file that is open: readSource().
 std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, const VolumeFile& first,
                                                  base::Progress& progress);
-// Of voxels in memory; a label map keeps its values.
+// Prepares voxels in memory; a label map keeps its values.
 std::shared_ptr<const PreparedVolume> prepareVolume(Volume volume, base::Progress& progress);
 // As loadVolume() of a source that differs in `labels` and `smoothing` alone, without reading the file.
 // Requires that `shown` has labels.
