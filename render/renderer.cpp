@@ -36,6 +36,10 @@ std::vector<FieldAt> fieldsReadBy(const scene::Scene& scene, const FrameRequest&
   return fields;
 }
 
+bool writesHits(const PassDeclaration& pass) {
+  return std::ranges::find(pass.writes, image::surface) != pass.writes.end();
+}
+
 bool passRan(const FrameReport& report, const std::string& name) {
   return std::any_of(report.passes.begin(), report.passes.end(), [&](const PassReport& pass) {
     return pass.name == name && pass.state == PassState::ran;
@@ -95,6 +99,7 @@ void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& req
   frame.bandRows = frame.bandRow = 0;
   frame.gradientInStrips = false;
   frame.surfaces = surfacesOf(scene);
+  frame.group = 0;
   base::Progress unwatched;
   frame.hidden.clear();
   if (volume) frame.hidden = volume::hiddenOf(scene, *volume->pieces, unwatched);
@@ -206,7 +211,7 @@ void Renderer::Parts::run(const PlannedPass& now, PassClock& clock) {
   throwIfStopped(frame.request);
   clock.end(now.index);
   graph.completed(declared[now.index]);
-  if (!now.remade && (pass.name == pass::cast || pass.name == pass::refine)) noteHits();
+  if (!now.remade && writesHits(declared[now.index])) noteHits();
 }
 
 void Renderer::Parts::runInBands(PassClock& clock) {

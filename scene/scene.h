@@ -339,7 +339,7 @@ struct Picture {
   bool operator==(const Picture&) const = default;
 };
 
-constexpr std::size_t kSurfaces = 4;
+constexpr std::size_t kSurfaces = 64;
 constexpr std::size_t kLamps = 3;
 constexpr std::size_t kClipPlanes = 6;
 constexpr std::size_t kRemovedBoxes = 8;

@@ -83,15 +83,15 @@ class PictureEvaluator {
     if (faces_)
       if (const auto face = faces_->at(ray)) ray.tMaximum = face->t;
     constexpr std::size_t mostStretches = volume::ClipRegion::kMostRemoved + 1;
-    std::array<volume::RaySurface, scene::kSurfaces * mostStretches> surfaces;
-    std::size_t count = 0;
+    std::vector<volume::RaySurface> surfaces;
+    surfaces.reserve(isovalues_.size() * mostStretches);
     volume::Ray whole = ray;
     whole.tMinimum = -std::numeric_limits<double>::infinity();
     whole.tMaximum = std::numeric_limits<double>::infinity();
     for (const double isovalue : isovalues_)
       for (const auto& [begin, end] : cut_.segmentsOf(isovalue, whole))
-        surfaces[count++] = {isovalue, volume::hiddenAt(hidden_, isovalue), begin, end};
-    return volume::encloseHit(source_, {surfaces.data(), count}, rays_, {at.x, drawn_.size.y - at.y}, ray,
+        surfaces.push_back({isovalue, volume::hiddenAt(hidden_, isovalue), begin, end});
+    return volume::encloseHit(source_, surfaces, rays_, {at.x, drawn_.size.y - at.y}, ray,
                               view_.rayStartMm, fieldErrorElsewhere);
   }
 

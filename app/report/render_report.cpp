@@ -14,7 +14,6 @@
 #include "app/version.h"
 #include "base/number_text.h"
 #include "base/words.h"
-#include "scene/rules/ghosts.h"
 #include "volume/bricks/brick_source.h"
 #include "volume/cast/surface_caster.h"
 #include "volume/labels/shown_labels.h"
@@ -136,9 +135,6 @@ std::vector<std::string> notesOf(const render::FrameReport& report) {
 }
 
 void noteOfPicture(const scene::Scene& scene, const render::FrameReport& report) {
-  if (const int missing = scene::ghostsWithoutRoom(scene))
-    printNote("surfaces: " + std::to_string(missing) +
-              " of the uncertainty surfaces is missing, because further isosurfaces are shown");
   const bool labels = scene.source.kind == scene::DataKind::labels;
   if (labels && scene.source.labels != volume::kLabelsAsValues && scene.surfaces.size() > 1)
     printNote("surfaces: a label map has one surface; further isosurfaces are not drawn");

@@ -147,6 +147,9 @@ class Program : public GlObject<&Gl::DeleteProgram> {
 
   bool uses(const char* name) { return location(name) >= 0; }
   void set(const char* name, float value) { gl().ProgramUniform1f(id(), location(name), value); }
+  void set(const char* name, const std::vector<float>& values) {
+    gl().ProgramUniform1fv(id(), location(name), static_cast<GLsizei>(values.size()), values.data());
+  }
   void set(const char* name, int value) { gl().ProgramUniform1i(id(), location(name), value); }
   void set(const char* name, glm::vec2 v) { gl().ProgramUniform2f(id(), location(name), v.x, v.y); }
   void set(const char* name, glm::ivec2 v) { gl().ProgramUniform2i(id(), location(name), v.x, v.y); }

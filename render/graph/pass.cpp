@@ -71,13 +71,13 @@ std::uint64_t Asked::hashOf(const scene::SceneList& list, std::size_t field) con
   return itemHashes_.emplace(&list.fields[field], hash).first->second;
 }
 
-Declaring& Declaring::reads(const char* image) {
+Declaring& Declaring::reads(std::string_view image) {
   const auto at = std::find(declared.reads.begin(), declared.reads.end(), image);
   if (at == declared.reads.end()) declared.reads.emplace_back(image);
   return *this;
 }
 
-Declaring& Declaring::writes(const char* image, int bytesPerRay) {
+Declaring& Declaring::writes(std::string_view image, int bytesPerRay) {
   declared.writes.emplace_back(image);
   declared.bytes.push_back(bytesPerRay);
   return *this;

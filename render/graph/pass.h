@@ -37,7 +37,8 @@ using PassList = std::vector<Pass>;
 
 // Names of passes used outside the pass's own file.
 namespace pass {
-inline constexpr const char *bricks = "bricks", *cast = "cast", *refine = "refine", *gradient = "gradient",
+inline constexpr const char *bricks = "bricks", *cast = "cast", *refine = "refine", *merge = "merge",
+                            *gradient = "gradient",
                             *hessian = "hessian", *irradiance = "irradiance", *layers = "layers",
                             *openness = "openness", *reflections = "reflections", *shadow = "shadow",
                             *shade = "shade", *resolve = "resolve";
@@ -138,9 +139,9 @@ class Declaring {
   const std::vector<PassDeclaration>& earlier;  // of the preceding passes in the list
   PassDeclaration declared;
 
-  Declaring& reads(const char* image);
+  Declaring& reads(std::string_view image);
   // `bytesPerRay`: of images at the size of the rays.
-  Declaring& writes(const char* image, int bytesPerRay = 0);
+  Declaring& writes(std::string_view image, int bytesPerRay = 0);
   // Gives the image that was declared last another name.
   Declaring& writesAs(const char* otherName) { return writes(otherName, PassDeclaration::kSameImage); }
   // Declares that the result depends on these settings (patterns of scene::covers()), but not on those in

@@ -46,23 +46,29 @@ void declareShadow(Declaring& d) {
   d.input("executor at the hits", d.asked.onProcessor.all);
 }
 
-void drawShadow(FrameState& frame) {
-  Target& target = frame.target(image::shadow, {GL_R8});
-  if (frame.clearIfEmpty(target, {kZero})) return;
-  int opaque = 0;
-  for (std::size_t i = 0; i < frame.surfaces.size(); ++i)
-    if (frame.surfaces[i].opaque()) opaque |= 1 << i;
-  if (frame.onProcessor.all) {
-    shadowOnProcessor(frame, target, opaque);
-    return;
-  }
+// Behind the first group, what others leave lit.
+void drawShadowOfGroup(FrameState& frame, Target& target) {
+  const Gl& gl = *frame.gl;
   Program& p = frame.program("shadow.frag.glsl", traceDefines(frame));
   setTrace(frame, p);
   frame.setPoint(p, 4);
   p.set("uVoxelFromWorld", glm::mat3(frame.volume->grid().geometry().voxelFromWorld()));
   p.set("uLight", glm::vec3(frame.towardLight()));
-  p.set("uOpaqueBits", opaque);
+  p.set("uOpaqueBits", frame.opaqueBits());
+  p.set("uGroup", static_cast<int>(frame.group));
+  if (frame.group == 0) return frame.drawHits(target, p);
+  gl.Enable(GL_BLEND);
+  gl.BlendFunc(GL_DST_COLOR, GL_ZERO);
   frame.drawHits(target, p);
+  gl.Disable(GL_BLEND);
+  gl.BlendFunc(GL_ONE, GL_ZERO);
+}
+
+void drawShadow(FrameState& frame) {
+  Target& target = frame.target(image::shadow, {GL_R8});
+  if (frame.clearIfEmpty(target, {kZero})) return;
+  if (frame.onProcessor.all) return shadowOnProcessor(frame, target);
+  frame.forGroups([&] { drawShadowOfGroup(frame, target); });
 }
 
 void declareOpenness(Declaring& d) {

@@ -29,6 +29,13 @@ int nextBand(int rows, double milliseconds) {
       static_cast<int>(std::min(wanted, static_cast<double>(kMostBandGrowth) * rows)) / kBandRows;
   return std::max(1, bands) * kBandRows;
 }
+
+template <class Holds>
+int bitsOf(std::span<const Surface> surfaces, const Holds& holds) {
+  int bits = 0;
+  for (int k = 0; const Surface& surface : surfaces) bits |= static_cast<int>(holds(surface)) << k++;
+  return bits;
+}
 }  // namespace
 
 std::vector<Surface> surfacesOf(const scene::Scene& scene) {
@@ -47,6 +54,18 @@ std::vector<double> valuesOf(const std::vector<Surface>& surfaces) {
   std::vector<double> values;
   for (const Surface& surface : surfaces) values.push_back(surface.value);
   return values;
+}
+
+std::size_t groupsOf(std::size_t surfaces) {
+  return std::max<std::size_t>(1, (surfaces + kGroupSurfaces - 1) / kGroupSurfaces);
+}
+
+std::size_t groupsOf(const scene::Scene& scene) {
+  return groupsOf(scene::visibleSurfaces(scene).size());
+}
+
+std::string ofGroup(const char* image, std::size_t group) {
+  return std::string(image) + " of group " + std::to_string(group + 1);
 }
 
 FrameState::FrameState(GlPtr pointer)
@@ -185,10 +204,22 @@ void FrameState::drawHits(Target& target, const Program& program, const volume::
   target.drawn = request.stop.stop_requested() ? drawn : of;
 }
 
+std::span<const Surface> FrameState::groupSurfaces() const {
+  const std::size_t first = kGroupSurfaces * group;
+  return std::span(surfaces).subspan(first, std::min(kGroupSurfaces, surfaces.size() - first));
+}
+
+std::string FrameState::surfaceDefines() const {
+  if (groups() == 1) return {};
+  return "#define ALL_SURFACES " + std::to_string(kGroupSurfaces * groups()) + "\n";
+}
+
 int FrameState::clippedBits() const {
-  int bits = 0;
-  for (std::size_t k = 0; k < surfaces.size(); ++k) bits |= static_cast<int>(surfaces[k].clipped) << k;
-  return bits;
+  return bitsOf(groupSurfaces(), [](const Surface& surface) { return surface.clipped; });
+}
+
+int FrameState::opaqueBits() const {
+  return bitsOf(groupSurfaces(), [](const Surface& surface) { return surface.opaque(); });
 }
 
 std::vector<volume::Rectangle> FrameState::surfacePixels() const {
@@ -262,9 +293,9 @@ double FrameState::flatCurvature() const {
 
 void FrameState::setIsovalues(Program& program, scene::Field field) const {
   const auto texel = [&](const Surface& surface) { return volume->texelOf(surface.value, field); };
-  const double first = texel(surfaces[0]);
-  program.set("uIsovalues", ofSurfaces(texel));
-  program.set("uIsovalueShifts", ofSurfaces([&](const Surface& own) { return texel(own) - first; }));
+  const double first = texel(groupSurfaces().front());
+  program.set("uIsovalues", ofGroupSurfaces(texel));
+  program.set("uIsovalueShifts", ofGroupSurfaces([&](const Surface& own) { return texel(own) - first; }));
 }
 
 FieldAt edgeFieldOf(const scene::Scene& scene) {

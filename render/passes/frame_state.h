@@ -2,10 +2,12 @@
 // between frames.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -44,10 +46,18 @@ struct Surface {
   double specular = 0.0, roughness = 1.0;  // gi/sampling/gloss_lobe.h
   bool opaque() const { return scene::isOpaque(*this); }
 };
-// Returns the first isosurface and the shown further ones, without those of opacity 0: none to four.
+// Returns the first isosurface and the shown further ones, without those of opacity 0.
 std::vector<Surface> surfacesOf(const scene::Scene& scene);
 
 std::vector<double> valuesOf(const std::vector<Surface>& surfaces);
+
+// One cast follows a group of up to so many isosurfaces, in their order.
+inline constexpr std::size_t kGroupSurfaces = 4;
+// Returns how many groups that many surfaces make: at least one.
+std::size_t groupsOf(std::size_t surfaces);
+std::size_t groupsOf(const scene::Scene& scene);
+// Returns the name of what the cast of a group draws, where there are several: the merge pass makes the image of it.
+std::string ofGroup(const char* image, std::size_t group);
 
 // Returns the field in which the object's edge is searched: the trilinear field has no second derivatives.
 FieldAt edgeFieldOf(const scene::Scene& scene);
@@ -102,6 +112,18 @@ struct FrameState {
   bool onlyWaiting = false, keepHits = false;
   std::optional<volume::Rectangle> raysOfRound;  // the only part drawn; nullopt: everything
 
+  // The group that is cast now, and the surfaces in it.
+  std::size_t group = 0;
+  std::size_t groups() const { return groupsOf(surfaces.size()); }
+  std::span<const Surface> groupSurfaces() const;
+  template <class Draw>
+  void forGroups(const Draw& draw) {
+    for (group = 0; group < groups(); ++group) draw();
+    group = 0;
+  }
+  // Returns the name under which the cast of the group draws an image.
+  std::string castName(const char* image) const { return groups() == 1 ? image : ofGroup(image, group); }
+
   // The crossing drawn now ("" the first, otherwise one behind: layers pass), and the one before it.
   std::string layer, layerBefore;
   bool anyBehind = false;                // the layer's cast found a crossing
@@ -120,7 +142,8 @@ struct FrameState {
   // elsewhere hit nothing. None: all. Set by the cast of a frame that keeps no images.
   std::optional<Tile> hitPart;
   bool cropsToHits() const {
-    return !request.keepImages && !request.beforeTiles && request.aovs.empty() && !cutFaceColors;
+    return !request.keepImages && !request.beforeTiles && request.aovs.empty() && !cutFaceColors &&
+           groups() == 1;
   }
   // Colours are shaded and resolved in bands of so many rows of rays; 0: at once.
   int bandRows = 0;
@@ -151,8 +174,9 @@ struct FrameState {
   const volume::PictureArea& area() const { return images.at(image::surface + layer).drawn; }
 
   bool seesCutFaces() const { return cutFaceColors && cutFaces && !cutFaces->area.empty(); }
-  // Returns one bit for each clipped surface.
+  // Return one bit for each surface of the group that is clipped, or opaque.
   int clippedBits() const;
+  int opaqueBits() const;
   // Returns the drawn area of the surface and of caps, in pixels of the image or tile.
   std::vector<volume::Rectangle> surfacePixels() const;
   std::optional<Tile> legend;  // its place in the whole image; kept with image::picture
@@ -200,15 +224,24 @@ struct FrameState {
   bool drawsAny(const std::function<void()>& draw);  // returns whether any sample passed
   // Returns how many passed; colours are unchanged.
   std::int64_t samplesOf(const std::function<void()>& draw);
-  // Returns a number of each surface, of(surface), and `others` behind the last.
+  // Returns a number of each surface of the group, of(surface), and 0 behind the last.
   template <class Of>
-  glm::vec4 ofSurfaces(const Of& of, float others = 0.0f) const {
-    glm::vec4 numbers(others);
-    for (std::size_t i = 0; i < surfaces.size(); ++i)
-      numbers[static_cast<int>(i)] = static_cast<float>(of(surfaces[i]));
+  glm::vec4 ofGroupSurfaces(const Of& of) const {
+    glm::vec4 numbers(0.0f);
+    for (int i = 0; const Surface& surface : groupSurfaces()) numbers[i++] = static_cast<float>(of(surface));
     return numbers;
   }
-  // Sets uIsovalues and uIsovalueShifts, as texels of the texture that `field` is made from.
+  // Sets an array of hit_info.glsl's length to of(surface) of each surface, and to `others` behind the last.
+  template <class Of>
+  void setOfSurfaces(Program& program, const char* name, const Of& of, float others = 0.0f) const {
+    std::vector<float> numbers(kGroupSurfaces * groups(), others);
+    std::ranges::transform(surfaces, numbers.begin(),
+                           [&](const Surface& surface) { return static_cast<float>(of(surface)); });
+    program.set(name, numbers);
+  }
+  // Returns the defines of hit_info.glsl: none where there is one group.
+  std::string surfaceDefines() const;
+  // Sets uIsovalues and uIsovalueShifts of the group, as texels of the texture that `field` is made from.
   void setIsovalues(Program& program, scene::Field field) const;
 
  private:

@@ -277,7 +277,8 @@ void GlossUniforms::declare(Declaring& d) {
 }
 
 void GlossUniforms::set(FrameState& frame, Program& p, int unit) {
-  glm::vec4 specular(0.0f), roughness(1.0f), layers(0.0f);
+  const std::size_t surfaces = kGroupSurfaces * frame.groups();
+  std::vector<float> specular(surfaces, 0.0f), roughness(surfaces, 1.0f), layers(surfaces, 0.0f);
   const gi::GlossLight* const gloss = frame.light ? frame.light->gloss.get() : nullptr;
   if (!gloss) return p.set("uReflectance", specular);
   if (of_ != gloss->environments) {
@@ -306,13 +307,12 @@ void GlossUniforms::set(FrameState& frame, Program& p, int unit) {
   p.set("uCellSize", static_cast<float>(cellOf(frame.request)));
   frame.lighting->setLocalLight(frame, p);
   for (std::size_t i = 0; i < frame.surfaces.size(); ++i) {
-    const auto at = static_cast<int>(i);
     const auto of = static_cast<float>(frame.surfaces[i].roughness);
     const auto found = std::ranges::find(of_, of, &gi::FilteredEnvironment::roughness);
     if (found == of_.end()) continue;  // matt
-    specular[at] = static_cast<float>(frame.surfaces[i].specular);
-    roughness[at] = of;
-    layers[at] = static_cast<float>(found - of_.begin());
+    specular[i] = static_cast<float>(frame.surfaces[i].specular);
+    roughness[i] = of;
+    layers[i] = static_cast<float>(found - of_.begin());
   }
   p.set("uReflectance", specular);
   p.set("uRoughness", roughness);

@@ -17,13 +17,21 @@ bool isExact(const FrameState& frame) {
   return frame.scene->hit.method == scene::HitMethod::exact;
 }
 
-// Of exact hits only the value error needs more than half floats.
+// Of exact hits only the value error and the number of a group need more than half floats.
 bool hasSmallInfos(const scene::Scene& scene, const FrameRequest& request) {
-  return scene.hit.method == scene::HitMethod::exact && !request.asksFor(Aov::value_error);
+  return scene.hit.method == scene::HitMethod::exact && !request.asksFor(Aov::value_error) &&
+         groupsOf(scene) == 1;
 }
+
+Target& surfaceTargetNamed(FrameState& frame, const std::string& name) {
+  const GLenum info = hasSmallInfos(*frame.scene, frame.request) ? GL_RG16F : GL_RG32F;
+  return frame.target(name, {GL_RGBA32F, info});
+}
+
 // Exact hits are the surface points themselves; sampled ones are brackets yet.
 Target& castTarget(FrameState& frame) {
-  return isExact(frame) ? surfaceTarget(frame) : frame.target(image::bracket, {GL_RGBA32F});
+  return isExact(frame) ? surfaceTargetNamed(frame, frame.castName(image::surface))
+                        : frame.target(frame.castName(image::bracket), {GL_RGBA32F});
 }
 
 void clearHits(const FrameState& frame, Target& target) {
@@ -93,12 +101,22 @@ std::size_t bytesOfBricks(const FrameState& frame) {
   return frame.volume && frame.volume->bricks() ? frame.volume->bricks()->bytes() : 0;
 }
 
+void writesOfGroups(Declaring& d, const char* image, int bytesPerRay) {
+  const std::size_t groups = groupsOf(d.asked.scene);
+  for (std::size_t group = 0; group < groups; ++group)
+    d.writes(groups == 1 ? image : ofGroup(image, group), bytesPerRay);
+}
+
+void readsOfGroups(Declaring& d, const char* image) {
+  const std::size_t groups = groupsOf(d.asked.scene);
+  for (std::size_t group = 0; group < groups; ++group) d.reads(groups == 1 ? image : ofGroup(image, group));
+}
+
 void declareCast(Declaring& d) {
   const bool exact = d.asked.scene.hit.method == scene::HitMethod::exact;
   d.reads(image::activeBlocks);
-  d.writes(exact ? image::surface : image::bracket, hasSmallInfos(d.asked.scene, d.asked.request) ? 20
-                                                    : exact                                       ? 24
-                                                                                                  : 16);
+  const int bytes = hasSmallInfos(d.asked.scene, d.asked.request) ? 20 : exact ? 24 : 16;
+  writesOfGroups(d, exact ? image::surface : image::bracket, bytes);
   d.volume().isovalues().cuts().pictureSize().settings({"camera.", "hit."}, {"hit.refinements"});
   d.input("cut faces are shown", scene::showsCutFaces(d.asked.scene));
   if (scene::showsCutFaces(d.asked.scene)) d.reads(image::cutFaces);
@@ -119,6 +137,7 @@ Program& castProgram(FrameState& frame, Rays rays) {
   // Else nobody reads how far the field at an exact hit is off, which takes a second look at its cell.
   if (rays != Rays::behind && frame.request.asksFor(Aov::value_error)) defines += "#define VALUE_ERROR\n";
   if (rays == Rays::again) defines += "#define AGAIN\n";
+  if (rays == Rays::behind && frame.groups() > 1) defines += "#define GROUPS\n";
   if (frame.cutFaceColors) defines += "#define CUT_FACES\n";
   Program& p = frame.program("cast.frag.glsl", defines);
   setTrace(frame, p);
@@ -140,20 +159,20 @@ void castBehind(FrameState& frame) {
   frame.begin(target);
   clearHits(frame, target);
   Program& p = castProgram(frame, Rays::behind);
-  const Target& surface = frame.images.at(image::surface + frame.layerBefore);
+  const Target& surface = frame.images.at(frame.castName(image::surface) + frame.layerBefore);
+  if (frame.groups() > 1) {
+    p.setTexture("uNearest", 8, frame.images.at(image::surface + frame.layerBefore).images[1]);
+    p.set("uGroup", static_cast<int>(frame.group));
+  }
   p.setTexture("uSurface", 4, surface.images[0]);
   p.setTexture("uInfo", 5, surface.images[1]);
   p.setTexture("uColor", 6, frame.images.at(image::color).images[0]);
-  frame.anyBehind = frame.drawsAny([&] { frame.drawStarts(p); });
+  const bool any = frame.drawsAny([&] { frame.drawStarts(p); });
+  frame.anyBehind = any || (frame.group > 0 && frame.anyBehind);
   target.drawn = surface.drawn;
 }
 
-void castRays(FrameState& frame) {
-  if (frame.onProcessor.casts) {
-    castOnProcessor(frame);
-    if (!frame.layer.empty()) frame.anyBehind = !frame.area().empty();
-    return;
-  }
+void castGroup(FrameState& frame) {
   if (!frame.layer.empty()) {
     castBehind(frame);
     return;
@@ -171,17 +190,25 @@ void castRays(FrameState& frame) {
   target.drawn = frame.starts->area();
 }
 
+void castRays(FrameState& frame) {
+  if (frame.onProcessor.casts)
+    castOnProcessor(frame);
+  else
+    frame.forGroups([&] { castGroup(frame); });
+}
+
 void declareRefine(Declaring& d) {
   if (d.asked.scene.hit.method == scene::HitMethod::exact) {
     d.writes("refined points").notNeeded("exact hits are solved in their cells");
     return;
   }
-  d.reads(image::bracket).writes(image::surface, 24);
+  readsOfGroups(d, image::bracket);
+  writesOfGroups(d, image::surface, 24);
   d.volume().isovalues().pictureSize().settings({"camera.", "hit.field", "hit.refinements"});
 }
 
-void refineHits(FrameState& frame) {
-  Target& target = surfaceTarget(frame);
+void refineGroup(FrameState& frame) {
+  Target& target = surfaceTargetNamed(frame, frame.castName(image::surface));
   // In bricks, what was refined in an earlier round of the frame stays.
   if (frame.empty() || (frame.bricks() && !frame.keepHits)) frame.clear(target, {kNoSurface, kZero});
   if (frame.empty()) return;
@@ -190,16 +217,51 @@ void refineHits(FrameState& frame) {
   frame.setView(p);
   frame.volume->bind(p, {field});
   frame.setIsovalues(p, field);
-  p.setTexture("uBrackets", 2, frame.image(image::bracket));
+  p.setTexture("uBrackets", 2, frame.image(frame.castName(image::bracket)));
   p.set("uRefinements", frame.scene->hit.refinements);
-  frame.drawHits(target, p, frame.images.at(image::bracket + frame.layer).drawn);
+  frame.drawHits(target, p, frame.images.at(frame.castName(image::bracket) + frame.layer).drawn);
+}
+
+void refineHits(FrameState& frame) {
+  frame.forGroups([&] { refineGroup(frame); });
+}
+
+void declareMerge(Declaring& d) {
+  if (groupsOf(d.asked.scene) == 1) {
+    d.writes("merged points").notNeeded("one cast follows up to four isosurfaces");
+    return;
+  }
+  readsOfGroups(d, image::surface);
+  d.writes(image::surface, 24);
+}
+
+void mergeGroups(FrameState& frame) {
+  if (frame.onProcessor.casts) return mergeOnProcessor(frame);
+  Target& target = surfaceTarget(frame);
+  frame.clear(target, {kNoSurface, kZero});
+  if (frame.empty()) return;
+  Program& p = frame.program("merge.frag.glsl");
+  volume::PictureArea drawn(frame.raySize());
+  frame.begin(target);
+  frame.forGroups([&] {
+    const Target& of = frame.images.at(frame.castName(image::surface) + frame.layer);
+    frame.gl->TextureBarrier();  // each pixel reads only what it wrote itself
+    p.setTexture("uNearest", 0, target.images[0]);
+    p.setTexture("uWaiting", 1, target.images[1]);
+    p.setTexture("uSurface", 2, of.images[0]);
+    p.setTexture("uInfo", 3, of.images[1]);
+    p.set("uGroup", static_cast<int>(frame.group));
+    frame.drawRectangles(p, of.drawn.rectangles());
+    drawn.add(of.drawn);
+  });
+  target.drawn = drawn;
 }
 
 void setHidden(FrameState& frame, Program& p) {
-  frame.volume->surface().bindHidden(p, 14);
+  frame.volume->surface().bindHidden(p, 14, kGroupSurfaces * frame.group);
   if (frame.scene->hit.field == scene::Field::trilinear) return;
   const auto texel = [&](const Surface& surface) { return frame.volume->texelOf(surface.value); };
-  p.set("uSampleIsovalues", frame.ofSurfaces(texel));
+  p.set("uSampleIsovalues", frame.ofGroupSurfaces(texel));
 }
 
 void setCut(const FrameState& frame, Program& p) {
@@ -235,12 +297,13 @@ PassList hitPasses() {
       {pass::cast, declareCast, castRays, {}, casts, Pass::Cpu::casts},
       // Refines a sampled hit to a surface point, by narrowing its bracket on the exact field of hit.field.
       {pass::refine, declareRefine, refineHits, {}, atHits},
+      // Takes the nearest crossing of each ray, where more surfaces are shown than one cast follows.
+      {pass::merge, declareMerge, mergeGroups, {}, atHits, Pass::Cpu::casts},
   };
 }
 
 Target& surfaceTarget(FrameState& frame) {
-  const GLenum info = hasSmallInfos(*frame.scene, frame.request) ? GL_RG16F : GL_RG32F;
-  return frame.target(image::surface, {GL_RGBA32F, info});
+  return surfaceTargetNamed(frame, image::surface);
 }
 
 bool anyHit(FrameState& frame) {
@@ -259,7 +322,7 @@ bool anyHit(FrameState& frame) {
 
 std::string traceDefines(const FrameState& frame) {
   const scene::Hit& hit = frame.scene->hit;
-  std::string defines = "#define SURFACES " + std::to_string(frame.surfaces.size()) + "\n";
+  std::string defines = "#define SURFACES " + std::to_string(frame.groupSurfaces().size()) + "\n";
   if (hit.method == scene::HitMethod::exact) defines += "#define EXACT\n";
   if (hit.field != scene::Field::trilinear) defines += "#define CUBIC\n";
   if (!frame.hidden.empty()) defines += "#define HIDDEN\n";

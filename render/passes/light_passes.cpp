@@ -63,7 +63,7 @@ std::size_t lampCount(const gi::PictureLight* light) {
 // Light behind transparent surfaces in units of that before them: of each surface, behind the others that
 // enclose it, and behind itself.
 struct LightThrough {
-  std::array<glm::vec3, 4> others, itself;
+  std::vector<glm::vec3> others, itself;
 };
 
 // False without a volume.
@@ -75,9 +75,8 @@ bool knowsIsovalues(const scene::Scene& scene) {
 LightThrough lightThroughOf(const scene::Scene& scene, const std::vector<Surface>& surfaces) {
   const bool cut = scene::hasCuts(scene.clip);
   const double inward = scene.isosurface.inside == scene::Inside::above ? 1.0 : -1.0;
-  LightThrough light;
-  light.others.fill(glm::vec3(1.0f));
-  light.itself.fill(glm::vec3(1.0f));
+  const std::vector<glm::vec3> all(kGroupSurfaces * groupsOf(surfaces.size()), glm::vec3(1.0f));
+  LightThrough light{all, all};
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const Surface& shell = surfaces[i];
     if (shell.opaque() || (cut && shell.clipped)) continue;
@@ -222,8 +221,8 @@ void FrameLight::setLattice(const FrameState& frame, Program& p) {
   p.set("uLampsUnit", atlas_.layout().lampsUnit);
   if (atlas_.holdsPartsOfOpenSky()) p.set("uPerMeanSky", atlas_.openSky().perMean());
   const auto isovalue = [&](const Surface& s) { return frame.volume->grid().storedIsovalue(s.value); };
-  p.set("uStoredIsovalues", frame.ofSurfaces(isovalue));
-  p.set("uShadowShown", frame.ofSurfaces([](const Surface& s) { return scene::shadowShown(s); }, 1.0f));
+  frame.setOfSurfaces(p, "uStoredIsovalues", isovalue);
+  frame.setOfSurfaces(p, "uShadowShown", [](const Surface& s) { return scene::shadowShown(s); }, 1.0f);
   const LightTexelLayout& layout = atlas_.layout();
   if (layout.sky != LightPacking::codes) return;
   const gi::TransferBasis::Lighting lighting = frame.light->basis->under(frame.light->environment);
@@ -318,7 +317,7 @@ void declareIrradiance(Declaring& d) {
   if (scene::isTransparent(d.asked.scene) && knowsIsovalues(d.asked.scene)) {
     const std::vector<Surface> surfaces = surfacesOf(d.asked.scene);
     const LightThrough light = lightThroughOf(d.asked.scene, surfaces);
-    for (const std::size_t i : {0, 1, 2, 3})
+    for (std::size_t i = 0; i < light.others.size(); ++i)
       for (const int c : {0, 1, 2}) through.add(light.others[i][c]).add(light.itself[i][c]);
     for (const Surface& surface : surfaces) shadows.add(scene::shadowShown(surface));
   }
@@ -333,7 +332,7 @@ void declareIrradiance(Declaring& d) {
 void drawIrradiance(FrameState& frame) {
   Target& target = frame.target(image::irradiance, {GL_RGBA32F});
   if (frame.clearIfEmpty(target, {kZero})) return;
-  Program& p = frame.program("irradiance.frag.glsl", frame.lighting->defines(frame));
+  Program& p = frame.program("irradiance.frag.glsl", frame.surfaceDefines() + frame.lighting->defines(frame));
   frame.setView(p);
   frame.setPoint(p, 0);
   frame.lighting->bind(frame, p);

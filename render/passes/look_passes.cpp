@@ -173,8 +173,8 @@ void findRanges(FrameState& frame) {
 void setSurfaces(FrameState& frame, Program& p) {
   for (std::size_t i = 0; i < frame.surfaces.size(); ++i)
     p.set(("uAlbedos[" + std::to_string(i) + "]").c_str(), glm::vec3(frame.surfaces[i].albedo));
-  p.set("uOpacities", frame.ofSurfaces([](const Surface& surface) { return surface.opacity; }, 1.0f));
-  p.set("uFacing", frame.ofSurfaces([](const Surface& surface) { return surface.facingOpacity; }, 1.0f));
+  frame.setOfSurfaces(p, "uOpacities", [](const Surface& surface) { return surface.opacity; }, 1.0f);
+  frame.setOfSurfaces(p, "uFacing", [](const Surface& surface) { return surface.facingOpacity; }, 1.0f);
 }
 
 void setLight(FrameState& frame, Program& p) {
@@ -299,7 +299,7 @@ Program& preparedShade(FrameState& frame) {
   const std::vector<const LookInput*> inputs = inputsOf(frame);
   const bool gloss = scene::showsGloss(*frame.scene);
   Program& p =
-      frame.program("shade.frag.glsl", definesOf(*frame.scene, frame.bricks() != nullptr, inputs) +
+      frame.program("shade.frag.glsl", frame.surfaceDefines() + definesOf(*frame.scene, frame.bricks() != nullptr, inputs) +
                                            (gloss ? frame.lighting->lampDefines(frame) : std::string()));
   frame.setView(p);
   frame.setPoint(p, surfaceUnit);

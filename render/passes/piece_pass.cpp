@@ -1,6 +1,7 @@
 #include <stop_token>
 
 #include "render/passes/passes.h"
+#include "volume/cast/hit_info.h"
 #include "volume/parallel/parallel_loops.h"
 #include "volume/pieces/pieces.h"
 
@@ -31,7 +32,7 @@ std::vector<float> idsOf(const FrameState& frame, const PiecesOfSurfaces& pieces
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       const float* const p = &points[4 * i];
       if (!(p[3] >= 0.0f)) continue;
-      const std::size_t surface = static_cast<std::size_t>(infos[2 * i + 1]) & 3u;  // cast.frag.glsl packs it
+      const auto surface = static_cast<std::size_t>(volume::HitInfo::of(infos[2 * i + 1]).surface());
       if (surface >= pieces.size()) continue;
       const std::uint32_t id = volume::pieceOfSurface(*pieces[surface], {p[0], p[1], p[2]});
       if (id != volume::Pieces::kNone) ids[i] = static_cast<float>(id);

@@ -10,6 +10,7 @@
 #include "render/passes/frame_state.h"
 #include "render/passes/passes.h"
 #include "scene/rules/needs.h"
+#include "volume/cast/hit_info.h"
 #include "volume/cast/surface_caster.h"
 #include "volume/cast/surface_derivatives.h"
 
@@ -42,13 +43,13 @@ void upload(const Texture& texture, const volume::PictureArea& changed, const st
   upload(texture, changed.rectangles(), texels);
 }
 
-HostImages& hostImages(FrameState& frame) {
-  const auto found = frame.host.find(frame.layer);
+HostImages& hostImages(FrameState& frame, const std::string& name) {
+  const auto found = frame.host.find(name);
   if (found != frame.host.end()) {
     if (found->second.crossings.area.size() == frame.raySize()) return found->second;
     frame.host.erase(found);  // before its successor is made: both need not fit
   }
-  return frame.host.emplace(frame.layer, HostImages(frame.raySize())).first->second;
+  return frame.host.emplace(name, HostImages(frame.raySize())).first->second;
 }
 
 // How much of each pixel is covered already, of those of the crossing before.
@@ -75,13 +76,13 @@ void derive(const GpuVolume& volume, const FieldAt& field, const volume::Crossin
 
 volume::SurfaceCaster casterOf(const FrameState& frame) {
   std::vector<double> isovalues;
-  for (const Surface& surface : frame.surfaces)
+  for (const Surface& surface : frame.groupSurfaces())
     isovalues.push_back(frame.volume->grid().storedOfValue(surface.value));
   const scene::Field field = frame.scene->hit.field;
   const GpuVolume& volume = *frame.volume;
   std::vector<const volume::VoxelMask*> hidden;
   if (!frame.hidden.empty())
-    for (const Surface& surface : frame.surfaces)
+    for (const Surface& surface : frame.groupSurfaces())
       hidden.push_back(volume::hiddenAt(frame.hidden, surface.value).voxels);
   volume::CastField of{volume.grid(), field, volume.coefficients(field), hidden,
                        frame.scene->isosurface.inside};
@@ -93,6 +94,38 @@ volume::SurfaceCaster casterOf(const FrameState& frame) {
   return {of, isovalues, volume.surface().blocks().dims(), volume.surface().masks()};
 }
 
+constexpr float kMostCovered = 0.996f;  // of a pixel: what lies behind adds less than a step of 8 bits
+
+bool isOfGroup(const glm::vec2& info, std::size_t group) {
+  return volume::HitInfo::of(info.y).group() == static_cast<int>(group);
+}
+
+std::uint8_t darker(std::uint8_t a, std::uint8_t b) {
+  return std::min(a, b);
+}
+
+// The crossings of a group are kept under its number, unless there is one group.
+std::string castName(const FrameState& frame, const std::string& layer) {
+  return frame.groups() == 1 ? layer : frame.castName("") + layer;
+}
+
+// The crossings of the group that were not the nearest of their rays are still to come.
+void keepCrossings(const FrameState& frame, const volume::CrossingImage& before,
+                   const std::vector<float>& covered, volume::CrossingImage& out) {
+  const std::vector<glm::vec2>& nearest = frame.host.at(frame.layerBefore).crossings.infos;
+  for (const volume::Rectangle& part : before.area.rectangles())
+    for (int y = part.low.y; y < part.low.y + part.size.y; ++y) {
+      const std::size_t row = volume::Extent2{before.area.size()}.index(0, y);
+      for (std::size_t i = row + part.low.x; i < row + part.low.x + part.size.x; ++i) {
+        if (before.points[i].w < 0.0f || covered[i] > kMostCovered || isOfGroup(nearest[i], frame.group))
+          continue;
+        out.points[i] = before.points[i];
+        out.infos[i] = before.infos[i];
+        out.area.add(y, static_cast<int>(i - row), static_cast<int>(i - row) + 1);
+      }
+    }
+}
+
 void cast(FrameState& frame, volume::CrossingImage& out) {
   const volume::PictureRays rays = frame.rays();
   const volume::SurfaceCaster caster = casterOf(frame);
@@ -100,9 +133,15 @@ void cast(FrameState& frame, volume::CrossingImage& out) {
     caster.castAll(rays, out, frame.request.stop);
     return;
   }
-  const volume::CrossingImage& before = frame.host.at(frame.layerBefore).crossings;
-  const std::vector<float> covered = alphaOf(frame.images.at(image::color).images[0], before.area);
-  caster.castBehind(rays, {before, covered}, out, frame.request.stop);
+  const volume::CrossingImage& before = frame.host.at(castName(frame, frame.layerBefore)).crossings;
+  std::vector<float> covered = alphaOf(frame.images.at(image::color).images[0], before.area);
+  if (frame.groups() == 1) return caster.castBehind(rays, {before, covered}, out, frame.request.stop);
+  const std::vector<glm::vec2>& nearest = frame.host.at(frame.layerBefore).crossings.infos;
+  std::vector<float> others = covered;
+  for (std::size_t i = 0; i < others.size(); ++i)
+    if (!isOfGroup(nearest[i], frame.group)) others[i] = 1.0f;
+  caster.castBehind(rays, {before, others}, out, frame.request.stop);
+  keepCrossings(frame, before, covered, out);
 }
 
 void findEdges(const FrameState& frame, const FieldAt& field, const volume::EdgeSearch<float>& search,
@@ -204,12 +243,39 @@ void uploadCrossings(FrameState& frame) {
 }  // namespace
 
 void castOnProcessor(FrameState& frame) {
-  volume::CrossingImage& crossings = hostImages(frame).crossings;
-  if (!frame.empty())
-    cast(frame, crossings);
-  else if (!crossings.area.empty())
-    crossings = volume::CrossingImage(frame.raySize());
+  bool any = false;
+  frame.forGroups([&] {
+    volume::CrossingImage& crossings = hostImages(frame, castName(frame, frame.layer)).crossings;
+    if (!frame.empty())
+      cast(frame, crossings);
+    else if (!crossings.area.empty())
+      crossings = volume::CrossingImage(frame.raySize());
+    any = any || !crossings.area.empty();
+  });
+  if (!frame.layer.empty()) frame.anyBehind = any;
+  if (frame.groups() > 1) return;  // to be merged
   if (frame.layer.empty() && frame.cropsToHits() && !frame.request.stop.stop_requested()) cropToHits(frame);
+  uploadCrossings(frame);
+}
+
+void mergeOnProcessor(FrameState& frame) {
+  volume::CrossingImage& nearest = hostImages(frame, frame.layer).crossings;
+  nearest = volume::CrossingImage(frame.raySize());
+  frame.forGroups([&] {
+    const volume::CrossingImage& of = frame.host.at(castName(frame, frame.layer)).crossings;
+    for (const volume::Rectangle& part : of.area.rectangles())
+      volume::parallelEach(part.size.y, [&](int row) {
+        const std::size_t first = volume::Extent2{nearest.area.size()}.index(part.low + glm::ivec2(0, row));
+        for (std::size_t i = first; i < first + static_cast<std::size_t>(part.size.x); ++i) {
+          const float t = of.points[i].w;
+          if (t < 0.0f || (nearest.points[i].w >= 0.0f && nearest.points[i].w <= t)) continue;
+          nearest.points[i] = of.points[i];
+          const volume::HitInfo known = volume::HitInfo::of(of.infos[i].y);
+          nearest.infos[i] = {of.infos[i].x, known.inGroupOf(static_cast<int>(frame.group)).packed()};
+        }
+      });
+    nearest.area.add(of.area);
+  });
   uploadCrossings(frame);
 }
 
@@ -306,19 +372,25 @@ void edgesAtReadPoints(FrameState& frame, Target& target, const FieldAt& field,
   target.drawn = frame.area();
 }
 
-void shadowOnProcessor(FrameState& frame, Target& target, int opaque) {
+void shadowOnProcessor(FrameState& frame, Target& target) {
   HostImages& images = frame.host.at(frame.layer);
   const glm::dmat4 voxelFromWorld = frame.volume->grid().geometry().voxelFromWorld();
-  const volume::ShadowRays shadow{.rays = frame.rays(),
+  volume::ShadowRays shadow{.rays = frame.rays(),
                                   .right = frame.view->rightWorld,
                                   .up = frame.view->upWorld,
                                   .forward = frame.view->forwardWorld,
                                   .outward = static_cast<float>(frame.outward()),
                                   .voxelFromWorld = glm::mat3(voxelFromWorld),
-                                  .light = frame.towardLight(),
-                                  .opaque = opaque};
+                                  .light = frame.towardLight()};
   const HostImages::Derivatives& gradients = frame.gradientShared ? images.hessian[0] : images.gradient;
-  casterOf(frame).castShadows(shadow, images.crossings, gradients.texels, images.shadow, frame.request.stop);
+  volume::ShadowImage ofGroup;
+  frame.forGroups([&] {
+    shadow.opaque = frame.opaqueBits();
+    shadow.group = static_cast<int>(frame.group);
+    volume::ShadowImage& out = frame.group == 0 ? images.shadow : ofGroup;
+    casterOf(frame).castShadows(shadow, images.crossings, gradients.texels, out, frame.request.stop);
+    if (frame.group > 0) std::ranges::transform(out.lit, images.shadow.lit, images.shadow.lit.begin(), darker);
+  });
   target.drawn.add(images.shadow.area);
   upload(target.images[0], target.drawn, images.shadow.lit);
   target.drawn = images.shadow.area;

@@ -51,9 +51,11 @@ struct HostImages {
   volume::PictureArea edgesArea;
 };
 
-// Finds the crossings of frame.layer, or those behind frame.layerBefore, and uploads them. Sets
+// Finds the crossings of frame.layer, or those behind frame.layerBefore, and uploads them unless they are to be merged. Sets
 // frame.hitPart if no later frame reads the images.
 void castOnProcessor(FrameState& frame);
+// Takes the nearest of the crossings that several groups of surfaces have, and uploads it.
+void mergeOnProcessor(FrameState& frame);
 // Computes gradients at the points of frame.layer and uploads them to `target`, if there is one. `hessian`:
 // Hessians, too, which stay in HostImages.
 void deriveOnProcessor(FrameState& frame, Target* target, const FieldAt& field, bool hessian);
@@ -73,7 +75,7 @@ void edgesOnProcessor(FrameState& frame, Target& target, const FieldAt& field,
 void edgesAtReadPoints(FrameState& frame, Target& target, const FieldAt& field,
                        const volume::EdgeSearch<float>& search);
 
-// Computes whether the key light reaches those points. `opaque`: a bit for each surface that blocks it.
-void shadowOnProcessor(FrameState& frame, Target& target, int opaque);
+// Computes whether the key light reaches those points.
+void shadowOnProcessor(FrameState& frame, Target& target);
 
 }  // namespace isolux::render

@@ -221,16 +221,15 @@ gi::VisiblePointSet hitsOfPart(const FrameState& frame, const HitPart& part, dou
   const Target& surface = frame.images.at(image::surface + frame.layer);
   const std::vector<float> points = readPart(frame, surface.images[0], part, GL_RGBA32F, 4);
   const std::vector<float> info = readPart(frame, surface.images[1], part, GL_RG32F, 2);
-  std::array<std::uint8_t, 4> baked{};
-  for (std::size_t i = 0; i < frame.surfaces.size(); ++i) baked[i] = scene::bakesLight(frame.surfaces[i]);
+  std::vector<std::uint8_t> baked;
+  for (const Surface& shown : frame.surfaces) baked.push_back(scene::bakesLight(shown));
   gi::VisiblePointSet hits;
   for (std::size_t i = 0; 4 * i < points.size(); ++i) {
     const float* const point = &points[4 * i];
     if (!(point[3] >= 0.0f)) continue;
-    const int known = static_cast<int>(info[2 * i + 1]);  // as surface.glsl reads it
-    if (baked[static_cast<std::size_t>(known & 3)] == 0) continue;
-    const bool risesBehind = (known >> 2 >> (known & 3) & 1) != 0;
-    (risesBehind == (outward < 0.0) ? hits.outer : hits.inner).emplace_back(point[0], point[1], point[2]);
+    const auto known = volume::HitInfo::of(info[2 * i + 1]);
+    if (baked[static_cast<std::size_t>(known.surface())] == 0) continue;
+    (known.risesBehind() == (outward < 0.0) ? hits.outer : hits.inner).emplace_back(point[0], point[1], point[2]);
   }
   return hits;
 }

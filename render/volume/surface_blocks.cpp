@@ -24,7 +24,7 @@ void SurfaceBlocks::activate(std::vector<float> storedIsovalues, Hidden hidden) 
   if (storedIsovalues == storedIsovalues_ && key == hiddenKey_ && !masks_.empty()) return;
   hidden_ = std::move(hidden);
   hiddenKey_ = key;
-  hiddenTexture_ = Texture();
+  hiddenTextures_.clear();
   active_.update(storedIsovalues);
   bricks_.reset();
   storedIsovalues_ = std::move(storedIsovalues);
@@ -111,14 +111,14 @@ void SurfaceBlocks::bindMasks(Program& program, const scene::Hit& hit, int unit)
 }
 
 // A texel holds 4x4x2 voxels, bit x + 4 y + 16 z, in a channel for each surface.
-void SurfaceBlocks::uploadHidden() {
+Texture SurfaceBlocks::hiddenTextureOf(std::span<const volume::PartlyShown> surfaces) const {
   const glm::ivec3 voxels = volume_->grid().dims(),
                    dims = (voxels + glm::ivec3(3, 3, 1)) / glm::ivec3(4, 4, 2);
-  const std::size_t channels = hidden_.surfaces.size() <= 2 ? hidden_.surfaces.size() : 4;
+  const std::size_t channels = surfaces.size() <= 2 ? surfaces.size() : 4;
   const volume::Extent3 extent{dims};
   std::vector<std::uint32_t> texels(extent.count() * channels);
-  for (std::size_t k = 0; k < hidden_.surfaces.size(); ++k) {
-    const volume::VoxelMask* const hidden = hidden_.surfaces[k].hidden;
+  for (std::size_t k = 0; k < surfaces.size(); ++k) {
+    const volume::VoxelMask* const hidden = surfaces[k].hidden;
     if (!hidden) continue;
     volume::parallelEach(dims.z, [&](int slice) {
       for (int z = 2 * slice; z < std::min(2 * slice + 2, voxels.z); ++z)
@@ -135,13 +135,22 @@ void SurfaceBlocks::uploadHidden() {
   }
   const GLenum formats[] = {GL_R32UI, GL_RG32UI, GL_RGBA32UI, GL_RGBA32UI};
   const GLenum layouts[] = {GL_RED_INTEGER, GL_RG_INTEGER, GL_RGBA_INTEGER, GL_RGBA_INTEGER};
-  hiddenTexture_ = Texture::make3D(gl_, formats[channels - 1], dims, false);
-  hiddenTexture_.write(layouts[channels - 1], GL_UNSIGNED_INT, texels.data(), glm::ivec3(0), dims);
+  Texture texture = Texture::make3D(gl_, formats[channels - 1], dims, false);
+  texture.write(layouts[channels - 1], GL_UNSIGNED_INT, texels.data(), glm::ivec3(0), dims);
+  return texture;
 }
 
-void SurfaceBlocks::bindHidden(Program& program, int unit) {
-  if (hiddenTexture_.size() == glm::ivec3(0)) uploadHidden();
-  program.setTexture("uHidden", unit, hiddenTexture_);
+std::size_t SurfaceBlocks::textureBytes() const {
+  std::size_t sum = texture_.bytes();
+  for (const auto& [first, texture] : hiddenTextures_) sum += texture.bytes();
+  return sum;
+}
+
+void SurfaceBlocks::bindHidden(Program& program, int unit, std::size_t first) {
+  const auto surfaces = std::span(hidden_.surfaces).subspan(first);
+  Texture& texture = hiddenTextures_[first];
+  if (!texture) texture = hiddenTextureOf(surfaces.first(std::min<std::size_t>(surfaces.size(), 4)));
+  program.setTexture("uHidden", unit, texture);
   const volume::InsideLevel level = hidden_.surfaces.front().level;
   const bool hidesStrays =
       std::any_of(hidden_.surfaces.begin(), hidden_.surfaces.end(), [](const auto& surface) {

@@ -2,6 +2,7 @@
 // result in main memory, and as the texture by which shaders skip empty space.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -52,16 +53,16 @@ class SurfaceBlocks {
   // Sets the masks that trace.glsl skips empty space by, on texture unit `unit`.
   void bindMasks(Program& program, const scene::Hit& hit, int unit);
 
-  // Sets the hidden components of the active surfaces, if any, on texture unit `unit`.
-  void bindHidden(Program& program, int unit);
+  // Sets the hidden components of up to four of the active surfaces, from the place `first` on, on texture unit `unit`.
+  void bindHidden(Program& program, int unit, std::size_t first);
 
-  std::size_t textureBytes() const { return texture_.bytes() + hiddenTexture_.bytes(); }
+  std::size_t textureBytes() const;
   std::size_t bytes() const { return masks_.size() * sizeof(std::uint64_t) + textureBytes(); }
 
  private:
   void updateMasks();
   PartBoxes::Blocks takeMasks(glm::ivec3 brick);
-  void uploadHidden();
+  Texture hiddenTextureOf(std::span<const volume::PartlyShown> surfaces) const;
   bool mayHaveCells(const scene::Hit& hit) const;
   void upload(bool cells);
 
@@ -77,7 +78,7 @@ class SurfaceBlocks {
   Texture texture_;                            // RG32UI
   Hidden hidden_;
   std::uint64_t hiddenKey_ = 0;
-  Texture hiddenTexture_;  // hidden.glsl; none until it is used
+  std::map<std::size_t, Texture> hiddenTextures_;  // hidden.glsl, by first surface, once they are used
   enum class Uploaded { nothing, boxes, cells };
   Uploaded uploaded_ = Uploaded::nothing;  // of these surfaces
 };

@@ -8,12 +8,9 @@
 
 namespace isolux::scene {
 
-// Adds the uncertainty surfaces of each surface that is shown, first the one above its isovalue, in the
-// places of surfaces that are not shown and at the end, as far as there is room (kSurfaces). If the noise is
-// 0, adds none. Requires that isovalues and derivatives.noise are known.
+// Adds the uncertainty surfaces of each surface that is shown at the end, first the one above its isovalue. If the
+// noise is 0, adds none. Requires that isovalues and derivatives.noise are known.
 void addGhosts(Scene& scene);
-// Returns how many uncertainty surfaces have no room.
-int ghostsWithoutRoom(const Scene& scene);
 
 // Returns the isovalues (data units) of all visible surfaces, including uncertainty surfaces; the first
 // surface's comes first.

@@ -13,6 +13,7 @@
 #include <glm/geometric.hpp>
 
 #include "volume/cast/cast_kernels.h"
+#include "volume/cast/hit_info.h"
 #include "volume/cast/kept_crossings-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -32,20 +33,18 @@ HWY_INLINE glm::vec3 safeNormalize(glm::vec3 v, glm::vec3 otherwise) {
 struct WayToLight {
   glm::vec3 origin, normal;  // voxels; voxels per mm
   float offset;
-  int inside;  // the sides at the origin
+  HitInfo before;  // the sides at the origin
 };
 
 // None where the surface faces away from the light.
 HWY_INLINE std::optional<WayToLight> wayFrom(const ShadowRays& shadow, glm::ivec2 pixel, glm::vec4 point,
-                                             int known, glm::vec3 gradient) {
+                                             HitInfo known, glm::vec3 gradient) {
   const glm::vec2 at = glm::vec2(pixel + shadow.rays.origin) + 0.5f;
   const glm::vec2 plane = (at / glm::vec2(shadow.rays.picture) * 2.0f - 1.0f) * shadow.rays.halfExtent;
   const glm::vec3 ray = shadow.rays.orthographic
                             ? shadow.forward
                             : glm::normalize(shadow.forward + plane.x * shadow.right + plane.y * shadow.up);
-  const int surface = known & 3;
-  const bool risesBehind = (known >> 2 >> surface & 1) != 0;
-  const float side = risesBehind == (shadow.outward < 0.0f) ? 1.0f : -1.0f;
+  const float side = known.risesBehind() == (shadow.outward < 0.0f) ? 1.0f : -1.0f;
   glm::vec3 normal = side * safeNormalize(shadow.outward * gradient, -ray);
   if (const float away = glm::dot(normal, ray); away > 0.0f)
     normal = safeNormalize(normal - away * ray, -ray);
@@ -56,28 +55,30 @@ HWY_INLINE std::optional<WayToLight> wayFrom(const ShadowRays& shadow, glm::ivec
   const float voxel = 1.0f / std::fmax(glm::length(out), 1e-30f);  // mm
   return WayToLight{glm::vec3(point) - toPoint * back / std::fmax(glm::length(toPoint), 1e-30f), out,
                     (0.02f + 0.4f * (1.0f - facing) * (1.0f - facing)) * voxel,
-                    (known >> 2 & 15) ^ 1 << surface};
+                    known.before()};
 }
 
 // Points whose ways are traced together.
 struct ShadowPacket {
   alignas(64) float origin[3][kLanes] = {}, normal[3][kLanes] = {}, offset[kLanes] = {};
-  alignas(64) std::int32_t inside[kLanes] = {};
+  alignas(64) std::int32_t inside[kLanes] = {}, known[kLanes] = {};
   std::size_t pixel[kLanes] = {};  // in the image
   std::size_t count = 0;
 
-  void add(const WayToLight& way, std::size_t at) {
+  // `group`: of the surfaces that are traced; of others the sides are not known.
+  void add(const WayToLight& way, int group, std::size_t at) {
     for (int axis = 0; axis < 3; ++axis) {
       origin[axis][count] = way.origin[axis];
       normal[axis][count] = way.normal[axis];
     }
     offset[count] = way.offset;
-    inside[count] = way.inside;
+    inside[count] = way.before.sides();
+    known[count] = way.before.group() == group ? -1 : 0;
     pixel[count++] = at;
   }
 };
 
-// Returns the lanes that meet an opaque surface from 0 to tEnd. t becomes that of the last crossing, and
+// Returns the lanes that meet an opaque surface from 0 to tEnd; `inside` counts in those that are continued. t becomes that of the last crossing, and
 // `inside` the state behind the transparent surfaces that were passed.
 template <class Cells>
 HWY_INLINE MF meets(const CastView& view, const CrossingFinder<Cells>& finder, int opaque,
@@ -87,12 +88,12 @@ HWY_INLINE MF meets(const CastView& view, const CrossingFinder<Cells>& finder, i
   MF met = noLane();
   rays.t = hn::Zero(f);
   for (int i = 0; i < most && !hn::AllFalse(f, rays.active); ++i) {
-    rays.continued = rays.active;
     const Crossings crossing = findKept(view, finder, rays);
     rays.t = hn::IfThenElse(crossing.found, crossing.t, rays.t);
     const MF stops = hn::And(crossing.found, isOneOf(view, opaque, crossing.surface));
     met = hn::Or(met, stops);
     rays.active = hn::AndNot(stops, crossing.found);
+    rays.continued = rays.active;
     rays.inside = hn::IfThenElse(hn::RebindMask(I(), rays.active), crossing.inside, rays.inside);
   }
   return hn::Or(met, rays.active);
@@ -115,7 +116,8 @@ HWY_INLINE void tracePacket(const CastView& view, const CrossingFinder<Cells>& f
   }
   VF offset = hn::Load(f, packet.offset);
   // Halfway to what the normal meets, so that no light leaks through a narrow gap.
-  RaySegments rays{rayLanes(view, origin, normal), hn::Zero(f), offset, active, active,
+  const MF known = hn::And(active, hn::RebindMask(f, hn::Ne(hn::Load(i, packet.known), hn::Zero(i))));
+  RaySegments rays{rayLanes(view, origin, normal), hn::Zero(f), offset, active, known,
                    hn::Load(i, packet.inside)};
   const MF narrow = meets(view, finder, shadow.opaque, rays);
   offset = hn::IfThenElse(narrow, hn::Mul(hn::Set(f, 0.5f), rays.t), offset);
@@ -123,6 +125,7 @@ HWY_INLINE void tracePacket(const CastView& view, const CrossingFinder<Cells>& f
   rays.ray = rayLanes(view, origin, toLight);
   rays.tEnd = hn::Set(f, kInfinity);
   rays.active = active;
+  rays.continued = known;
   const MF blocked = meets(view, finder, shadow.opaque, rays);
   alignas(64) std::int32_t dark[kLanes];
   hn::Store(hn::VecFromMask(i, hn::RebindMask(i, blocked)), i, dark);
@@ -143,9 +146,9 @@ void shadows(const CastView& view, const ShadowRays& shadow, const ShadowTarget&
             target.lit[at] = 0;
             const glm::vec4 point = target.points[at];
             if (point.w < 0.0f) continue;
-            const auto way = wayFrom(shadow, {x, y}, point, static_cast<int>(target.infos[at].y),
+            const auto way = wayFrom(shadow, {x, y}, point, HitInfo::of(target.infos[at].y),
                                      glm::vec3(target.gradients[at]));
-            if (way) packet.add(*way, at);
+            if (way) packet.add(*way, shadow.group, at);
             if (packet.count == kLanes) tracePacket(view, finder, shadow, packet, target.lit);
           }
     tracePacket(view, finder, shadow, packet, target.lit);

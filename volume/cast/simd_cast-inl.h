@@ -164,7 +164,7 @@ HWY_INLINE Before beforeAt(const CrossingsBefore& before, const CastTarget& targ
     const std::size_t i = static_cast<std::size_t>(at.y) * target.stride + static_cast<std::size_t>(at.x);
     if (before.covered[i] > mostCovered) continue;
     t[lane] = before.crossings.points[i].w;
-    inside[lane] = static_cast<std::int32_t>(before.crossings.infos[i].y) >> 2 & 15;
+    inside[lane] = HitInfo::of(before.crossings.infos[i].y).sides();
   }
   return {hn::Load(F(), t), hn::Load(I(), inside)};
 }

@@ -57,8 +57,7 @@ struct CastField {
 
 // A part of what is cast, pixels [begin, end), `begin` a multiple of 4, and the pixel (0, 0) of the images it
 // is written to, whose rows are `stride` pixels apart. points: voxel coordinates and t (mm; -1: no surface).
-// infos: |f - isovalue| in texels, and surface + 4 * (sides behind it, a bit each) + 64 where a touch before
-// it was not decided (cubic fields).
+// infos: |f - isovalue| in texels, and HitInfo.
 struct CastTarget {
   glm::ivec2 begin{0}, end{0};
   glm::vec4* points = nullptr;
@@ -89,6 +88,7 @@ struct ShadowRays {
   glm::mat3 voxelFromWorld{1.0f};                  // of directions
   glm::vec3 light{0.0f};                           // unit, world, toward the light
   int opaque = 0;                                  // a bit for each surface that stops light
+  int group = 0;  // that these surfaces are of (hit_info.h)
 };
 
 // Beyond `area` all are 0.

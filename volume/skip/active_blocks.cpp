@@ -27,10 +27,13 @@ ActiveBlocks::ActiveBlocks(std::shared_ptr<const MinMaxBlocks> blocks, std::size
 
 std::span<const std::uint32_t> ActiveBlocks::update(std::span<const float> storedIsovalues) {
   assert(storedIsovalues.size() <= kMaximumIsovalues);
-  std::array<float, kMaximumIsovalues> wanted{kNone, kNone, kNone, kNone};
+  isovalues_.resize(std::max(storedIsovalues.size(), isovalues_.size()), kNone);
+  std::vector<float> wanted(isovalues_.size(), kNone);
   for (std::size_t i = 0; i < storedIsovalues.size(); ++i)
     if (!std::isnan(storedIsovalues[i])) wanted[i] = storedIsovalues[i];
-  std::sort(wanted.begin(), wanted.end());  // the same isovalues in another order are no change
+  // The same isovalues in another order are no change.
+  std::sort(isovalues_.begin(), isovalues_.end());
+  std::sort(wanted.begin(), wanted.end());
 
   touched_.clear();
   changed_.clear();

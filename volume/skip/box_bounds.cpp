@@ -148,7 +148,7 @@ void BoxBounds::fill(const std::vector<T>& voxels, const Range& range, glm::ivec
 
 void BoxBounds::masks(std::span<const float> storedIsovalues, const std::vector<std::uint8_t>& flags,
                       std::vector<std::uint64_t>& result) const {
-  assert(flags.size() == bounds_.size() && storedIsovalues.size() <= 4);
+  assert(flags.size() == bounds_.size());
   struct Level {
     std::uint16_t floor, ceiling;
   };

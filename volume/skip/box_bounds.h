@@ -36,7 +36,7 @@ class BoxBounds {
 
   glm::ivec3 blockDims() const { return dims_; }
   // Of each block a mask: bit x + 4 y + 16 z is set where that box can hold a crossing of one of the
-  // isovalues (at most four); 0 for blocks whose flag is 0. `flags`: one byte per block, x fastest.
+  // isovalues; 0 for blocks whose flag is 0. `flags`: one byte per block, x fastest.
   // Multithreaded.
   void masks(std::span<const float> storedIsovalues, const std::vector<std::uint8_t>& flags,
              std::vector<std::uint64_t>& result) const;

@@ -1,10 +1,9 @@
-// The first crossing of each ray with the isosurfaces, and what is known of it, packed: surface + 4 * (sides behind it,
-// a bit each) + 64 where a root was not isolated.
+// The first crossing of each ray with the isosurfaces, and what is known of it, packed (volume/cast/hit_info.h).
 //
 // EXACT: every cell's first root (trace.glsl, trace_cubic.glsl), which is the surface point itself: voxel position and
 // t (mm; -1: none); with VALUE_ERROR also |f - isovalue| in texels of what is hit. Otherwise a bracket [t0, t1] in mm,
 // t0 > t1 where there is none, by samples at two rates, Hadwiger et al. 2005 sec. 3.2; refine.frag.glsl makes the point
-// of it. BEHIND: the next crossing behind the one in uSurface. CUBIC: of the B-spline of uField. Pixels that are not
+// of it. BEHIND: the next crossing behind the one in uSurface; GROUPS: the same, where that was not the nearest. CUBIC: of the B-spline of uField. Pixels that are not
 // drawn (TILES of fullscreen.vert.glsl) have no crossing.
 //
 // CLIP, REMOVED: surfaces are cut (clip.glsl). CUT_FACES: rays end at the faces that are shown.
@@ -13,6 +12,7 @@
 // known, 1 in the last channel of a bracket. AGAIN: only the rays that waited.
 #define CASTS_RAYS
 #include "common.glsl"
+#include "hit_info.glsl"
 #include "field.glsl"
 #include "start.glsl"
 #include "trace.glsl"
@@ -30,6 +30,10 @@ uniform sampler2D uBefore;  // what this pass wrote before: what is known, or th
 #endif
 #ifdef BEHIND
 uniform sampler2D uSurface, uInfo, uColor;
+#ifdef GROUPS
+uniform sampler2D uNearest;  // what is known of the nearest crossing of all groups
+uniform int uGroup;          // that is cast
+#endif
 #endif
 #ifndef EXACT
 uniform float uStep;           // voxels between samples: 1 / r0
@@ -194,9 +198,21 @@ bool castRay() {
 #ifdef BEHIND
   float tFront = texelFetch(uSurface, pixel, 0).w;
   if (tFront < 0.0 || texelFetch(uColor, pixel, 0).a > 0.996) return false;
+#ifdef GROUPS
+  if (groupOf(int(texelFetch(uNearest, pixel, 0).g)) != uGroup) {
+    vec2 info = texelFetch(uInfo, pixel, 0).rg;
+#ifdef EXACT
+    oSurface = texelFetch(uSurface, pixel, 0);
+    oInfo = info;
+#else
+    oBracket = vec4(tFront, tFront, info.g, 0.0);
+#endif
+    return true;
+  }
+#endif
 #ifdef EXACT
   carried = true;
-  inside = int(texelFetch(uInfo, pixel, 0).g) >> 2 & 15;
+  inside = sidesBehind(int(texelFetch(uInfo, pixel, 0).g));
   t = tFront + 1e-4 * voxel;
 #else
   t = tFront + 0.02 * voxel;
@@ -259,7 +275,7 @@ bool castRay() {
 bool waited() {
   vec4 before = texelFetch(uBefore, ivec2(gl_FragCoord.xy), 0);
 #ifdef EXACT
-  return (int(before.g) & 128) != 0;
+  return waits(int(before.g));
 #else
   return before.w != 0.0;
 #endif

@@ -3,6 +3,7 @@
 // Outputs: voxel position and t (mm; -1: no surface); |f - isovalue| in texels of what is hit, and the packed
 // knowledge of the bracket (cast.frag.glsl).
 #include "common.glsl"
+#include "hit_info.glsl"
 #include "field.glsl"
 #ifdef CUBIC
 #include "spline.glsl"
@@ -29,7 +30,7 @@ void main() {
   if (bracket.x > bracket.y) return;
   vec3 origin, direction;
   pixelRay(gl_FragCoord.xy, origin, direction);
-  float isovalue = uIsovalues[int(bracket.z) & 3];
+  float isovalue = uIsovalues[placeOf(int(bracket.z))];
 
   float a = bracket.x, b = bracket.y, t = a;
   float fa = fieldMinus(origin + a * direction, isovalue), f = fa;

@@ -2,8 +2,7 @@
 // the surface itself, and the light sources. Needs surface.glsl. LAMP_COUNT: as in local_light.glsl.
 #include "local_light.glsl"
 
-uniform vec4 uReflectance, uRoughness;  // of each surface
-uniform vec4 uFilteredLayer;
+uniform float uReflectance[ALL_SURFACES], uRoughness[ALL_SURFACES], uFilteredLayer[ALL_SURFACES];
 uniform sampler2D uFiltered;  // gi/gloss/filtered_environment.h, a square for each roughness, one above the other
 uniform mat3 uGlossFromWorld;  // to the environment
 uniform float uGlossScale;     // of the environment

@@ -8,10 +8,10 @@
 #include "local_light.glsl"
 #ifdef STORED
 #include "light_lattice.glsl"
-uniform vec4 uStoredIsovalues;  // stored units, of each surface
-uniform vec4 uShadowShown;
+uniform float uStoredIsovalues[ALL_SURFACES];  // stored units
+uniform float uShadowShown[ALL_SURFACES];
 #endif
-uniform vec3 uBehindOthers[4], uBehindItself[4];  // light, in units of that before them
+uniform vec3 uBehindOthers[ALL_SURFACES], uBehindItself[ALL_SURFACES];  // light, in units of that before them
 layout(location = 0) out vec4 oIrradiance;  // E of sky and lamps; how much of the lookup is baked
 
 void main() {
@@ -21,7 +21,7 @@ void main() {
   if (surface.w < 0.0) return;
   Point p = pointAt(pixel, surface);
   vec3 sky = localSky(p.normal), lamps = localLamps(p.position, p.normal);
-  int which = int(texelFetch(uInfo, pixel, 0).g) & 3;
+  int which = surfaceOf(int(texelFetch(uInfo, pixel, 0).g));
   bool inner = p.side < 0.0;
   if (inner) {
     sky *= uBehindItself[which];

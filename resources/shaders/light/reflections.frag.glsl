@@ -19,7 +19,7 @@ void main() {
   if (surface.w < 0.0) return;
   Point p = pointAt(pixel, surface);
   if (p.side < 0.0) return;
-  oPoint = vec4(surface.xyz, float(int(texelFetch(uInfo, pixel, 0).g) & 3));
+  oPoint = vec4(surface.xyz, float(surfaceOf(int(texelFetch(uInfo, pixel, 0).g))));
   oNormal = vec4(p.normal, p.depth);
   oRay = vec4(p.ray, 0.0);
 }

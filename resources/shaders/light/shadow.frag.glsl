@@ -20,6 +20,7 @@
 uniform mat3 uVoxelFromWorld;
 uniform vec3 uLight;     // unit, world, toward the light
 uniform int uOpaqueBits;  // surfaces that stop light
+uniform int uGroup;       // that they are of
 layout(location = 0) out float oLit;
 
 // The first opaque surface; `inside` becomes the sides at the end of the way where there is none.
@@ -52,12 +53,12 @@ void main() {
   // Back to where the viewer's ray came from: a hit on a face between cells is then in the cell before the surface, and
   // a sampled hit that lies behind the surface by its error is before it.
 #ifdef EXACT
-  bool carried = true;
-  int inside = int(info.g) >> 2 & 15;
-  inside ^= 1 << (int(info.g) & 3);  // before the crossing
+  bool known = groupOf(int(info.g)) == uGroup, carried = known;
+  int inside = sidesBehind(int(info.g)) ^ 1 << placeOf(int(info.g));  // before the crossing
   float back = 1e-3;  // voxels
 #else
-  bool carried = false;
+  const bool known = false;
+  bool carried = known;
   int inside = 0;
   float slope = length(trilinearGradient(clamp(origin, vec3(0.0), vec3(uDims - 1))));
   float back = 0.01 + 2.0 * min(info.r / max(slope, 1e-30), 0.5);

@@ -25,7 +25,7 @@ vec3 lighted(vec3 base, Point p, float lit) {
   const float pi = 3.14159265;
   vec3 diffuse = base * texelFetch(uIrradiance, ivec2(fragment()), 0).rgb * (uExposure / pi);
 #ifdef GLOSS
-  vec4 gloss = glossAt(p, int(texelFetch(uInfo, ivec2(fragment()), 0).g) & 3);
+  vec4 gloss = glossAt(p, surfaceOf(int(texelFetch(uInfo, ivec2(fragment()), 0).g)));
   return mix(diffuse, gloss.rgb * uExposure, gloss.a);
 #else
   return diffuse;

@@ -32,10 +32,10 @@ uniform sampler2D uLabel;  // the colour of the label at the surface point, and 
 #endif
 
 uniform vec2 uDepthRange;   // mm along the view direction: nearest and farthest corner of the volume
-uniform vec3 uAlbedos[4];   // of each surface
-uniform vec4 uOpacities;
+uniform vec3 uAlbedos[ALL_SURFACES];
+uniform float uOpacities[ALL_SURFACES];
 #ifdef FACING
-uniform vec4 uFacing;  // times opacity where the surface faces the viewer
+uniform float uFacing[ALL_SURFACES];  // times opacity where the surface faces the viewer
 #endif
 uniform float uTextureScale;  // mm
 #ifdef SHADOW
@@ -199,9 +199,9 @@ void main() {
   vec4 surface = texelFetch(uSurface, pixel, 0);
   oColor = vec4(0.0);
   int known = int(texelFetch(uInfo, pixel, 0).g);
-  if ((known & 128) != 0) oColor = waiting();
+  if (waits(known)) oColor = waiting();
   if (surface.w < 0.0) return;
-  int which = known & 3;
+  int which = surfaceOf(known);
   Point p = pointAt(pixel, surface);
   vec4 color = shaded(pixel, p, uAlbedos[which]);
   float opacity = mix(opacityOf(which, p), 1.0, color.w);

@@ -1,4 +1,5 @@
 // The surface point of a pixel as looks want it: world space, millimetres. Needs common.glsl.
+#include "hit_info.glsl"
 uniform sampler2D uSurface, uInfo;
 #ifndef NO_GRADIENT
 uniform sampler2D uGradient;
@@ -45,8 +46,7 @@ Point pointAt(ivec2 pixel, vec4 surface) {
   // Which side is seen is known from the values before and behind the hit. Near an outline the normal, smoother than
   // the surface hit, may already turn away from the viewer: then the surface is seen edge on.
   int info = int(texelFetch(uInfo, pixel, 0).g);
-  bool risesBehind = (info >> 2 >> (info & 3) & 1) != 0;
-  p.side = risesBehind == (uOutward < 0.0) ? 1.0 : -1.0;
+  p.side = risesBehind(info) == (uOutward < 0.0) ? 1.0 : -1.0;
   p.normal = p.side * p.outward;
   float away = dot(p.normal, p.ray);
   if (away > 0.0) p.normal = safeNormalize(p.normal - away * p.ray, -p.ray);

@@ -87,10 +87,10 @@ TEST_F(SurfaceList, ChosenOpacitiesStay) {
   EXPECT_EQ(app::withSurface(scene, *head_, {})->surfaces.front().facingOpacity, 0.5);
 }
 
-TEST_F(SurfaceList, FourIsTheMost) {
+TEST_F(SurfaceList, EndsWithTheMost) {
   scene::Scene scene;
   for (std::size_t i = 1; i < scene::kSurfaces; ++i)
-    scene = app::withSurface(scene, *head_, 100.0 * static_cast<double>(i)).value();
+    scene = app::withSurface(scene, *head_, 10.0 * static_cast<double>(i)).value();
   EXPECT_FALSE(app::withSurface(scene, *head_, 900.0));
   EXPECT_EQ(listOf(scene, *head_).size(), scene::kSurfaces);
 }
