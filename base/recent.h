@@ -31,6 +31,12 @@ class Recent {
  public:
   explicit Recent(std::size_t most = 1) : most_(most) {}
 
+  // Keeps at least so many from now on.
+  void keepAtLeast(std::size_t most) {
+    const std::lock_guard lock(mutex_);
+    most_ = std::max(most_, most);
+  }
+
   // Returns nullopt if the entry is not kept.
   std::optional<Value> find(const Key& key) {
     const std::lock_guard lock(mutex_);
@@ -78,7 +84,7 @@ class Recent {
     return entries_.back().second;
   }
   void leaveRoom() {
-    if (entries_.size() == most_) entries_.erase(entries_.begin());
+    if (entries_.size() >= most_) entries_.erase(entries_.begin());
   }
 
   std::size_t most_;

@@ -45,17 +45,13 @@ void blend(std::uint8_t* rgba, const Byte3& color, double opacity) {
     rgba[i] = static_cast<std::uint8_t>(std::lround(rgba[i] + opacity * (color[i] - double(rgba[i]))));
 }
 
-// Shown labels in their colours, hidden ones grey, 0 black.
+// As volume::faceColor().
 class LabelPaint {
  public:
   explicit LabelPaint(const volume::ShownLabels* labels) {
     if (!labels) return;
-    for (const volume::LabelExtent& label : labels->blocks->list()) {
-      const bool shown = std::ranges::binary_search(labels->mask.labels, label.label);
-      const glm::vec3 color = volume::labelColor(labels->table.get(), label.label);
-      colors_[label.label] = shown ? encodedColor(glm::dvec3(color)) : kHidden;
-    }
-    if (!std::ranges::binary_search(labels->mask.labels, 0)) colors_[0] = {0, 0, 0};
+    for (const volume::LabelExtent& label : labels->blocks->list()) paint(*labels, label.label);
+    paint(*labels, 0);
   }
   Byte3 at(double label) const {
     const auto found = colors_.find(label);
@@ -63,6 +59,9 @@ class LabelPaint {
   }
 
  private:
+  void paint(const volume::ShownLabels& labels, int label) {
+    colors_[label] = encodedColor(glm::dvec3(volume::faceColor(labels, label)));
+  }
   static constexpr Byte3 kHidden{70, 70, 70};
   std::unordered_map<double, Byte3> colors_;
 };

@@ -27,16 +27,23 @@ volume::Ray rayAt(const volume::PictureRays& rays, glm::ivec2 pixel) {
           forward / std::sqrt(1.0 + glm::dot(plane, plane))};
 }
 
+float shownValue(const FrameState& frame, const volume::Ray& ray, const volume::CutFace& face) {
+  if (!frame.labels) return static_cast<float>(face.value);
+  const glm::dvec3 voxel = ray.origin + face.t * ray.direction;
+  return frame.cutFaceColors->placeOf(volume::labelOfFace(*frame.labels, voxel, face.value));
+}
+
 // Fills row y; what of it holds faces goes to `area`.
-void findRow(const volume::CutFaces& faces, const volume::PictureRays& rays, int y, CutFaceImage& out,
-             volume::PictureArea& area) {
+void findRow(const FrameState& frame, const volume::CutFaces& faces, const volume::PictureRays& rays, int y,
+             CutFaceImage& out, volume::PictureArea& area) {
   const int width = area.size().x;
   int first = width, last = -1;
   for (int x = 0; x < width; ++x) {
     const std::size_t i = volume::Extent2{area.size()}.index(x, y);
-    const std::optional<volume::CutFace> face = faces.at(rayAt(rays, {x, y}));
+    const volume::Ray ray = rayAt(rays, {x, y});
+    const std::optional<volume::CutFace> face = faces.at(ray);
     out.ends[i] = face ? static_cast<float>(face->t) : std::numeric_limits<float>::infinity();
-    out.texels[i] = face ? glm::vec2(out.ends[i], static_cast<float>(face->value)) : glm::vec2(-1.0f, 0.0f);
+    out.texels[i] = face ? glm::vec2(out.ends[i], shownValue(frame, ray, *face)) : glm::vec2(-1.0f, 0.0f);
     if (!face) continue;
     first = std::min(first, x);
     last = x;
@@ -70,7 +77,7 @@ void findCutFaces(FrameState& frame) {
     tbb::combinable<volume::PictureArea> areas([&] { return volume::PictureArea(size); });
     volume::parallelRanges(size.y, 4, [&](const auto& rows) {
       for (int y = rows.begin(); y < rows.end() && !frame.request.stop.stop_requested(); ++y)
-        findRow(faces, rays, y, out, areas.local());
+        findRow(frame, faces, rays, y, out, areas.local());
     });
     areas.combine_each([&](const volume::PictureArea& area) { out.area.add(area); });
   }
@@ -91,6 +98,21 @@ CutFaceImage::CutFaceImage(glm::ivec2 size)
       ends(volume::Extent2{size}.count()),
       texels(ends.size()) {}
 
+// A row has two colours at least.
+CutFaceColors labelColors(const volume::ShownLabels& labels) {
+  CutFaceColors colors;
+  colors.labels = {0};
+  for (const volume::LabelExtent& label : labels.blocks->list()) colors.labels.push_back(label.label);
+  std::ranges::sort(colors.labels);
+  const auto repeated = std::ranges::unique(colors.labels);
+  colors.labels.erase(repeated.begin(), repeated.end());
+  for (const int label : colors.labels) colors.row.push_back(volume::faceColor(labels, label));
+  colors.row.push_back(colors.row.back());
+  const auto last = static_cast<double>(colors.row.size() - 1);
+  colors.window = {.level = 0.5 * last, .width = last};
+  return colors;
+}
+
 glm::vec3 CutFaceColors::at(float value) const {
   const auto last = static_cast<float>(row.size() - 1);
   const float x = static_cast<float>(window.greyOf(static_cast<double>(value))) * last;
@@ -98,7 +120,12 @@ glm::vec3 CutFaceColors::at(float value) const {
   return glm::mix(row[i], row[i + 1], x - static_cast<float>(i));
 }
 
+float CutFaceColors::placeOf(int label) const {
+  return static_cast<float>(std::ranges::lower_bound(labels, label) - labels.begin());
+}
+
 CutFaceColors cutFaceColors(const scene::Scene& scene, const volume::PreparedVolume& volume) {
+  if (volume.labels) return labelColors(*volume.labels);
   const scene::ColorMap map =
       scene.slice.map == scene::ColorMap::automatic ? scene::ColorMap::gray : scene.slice.map;
   return {volume::greyWindow(scene.slice, volume.histogram), scene::colorMapSamples(map, kCutColors)};
@@ -106,7 +133,7 @@ CutFaceColors cutFaceColors(const scene::Scene& scene, const volume::PreparedVol
 
 void setCutFaces(FrameState& frame, Program& program, int unit) {
   const CutFaceColors& colors = *frame.cutFaceColors;
-  frame.cutColors = Texture::make2D(frame.gl, GL_RGB32F, {kCutColors, 1});
+  frame.cutColors = Texture::make2D(frame.gl, GL_RGB32F, {static_cast<int>(colors.row.size()), 1});
   frame.cutColors.write(GL_RGB, GL_FLOAT, colors.row.data());
   program.setTexture("uCutFaces", unit, frame.images.at(image::cutFaces).images[0]);
   program.setTexture("uCutColors", unit + 1, frame.cutColors);

@@ -5,14 +5,17 @@
 
 namespace isolux::render {
 
-// Finds t (mm; -1: none) and the value (data units) of the cap that each ray meets (volume/clip/cut_faces.h).
+// Finds t (mm; -1: none) and the value (data units; of label maps the place of the label's colour) of the cap that each ray
+// meets (volume/clip/cut_faces.h).
 // Always runs on the CPU. Rays end at caps; `resolve` colours them behind everything in front.
 Pass cutFacesPass();
 
 // The colours of a scene's caps.
 struct CutFaceColors {
   volume::GreyWindow window;
-  std::vector<glm::vec3> row;  // low to high, linear
+  std::vector<glm::vec3> row;  // low to high, linear; of label maps one for each label
+  std::vector<int> labels{};   // of the row, ascending
+  float placeOf(int label) const;
   glm::vec3 at(float value) const;
 };
 CutFaceColors cutFaceColors(const scene::Scene& scene, const volume::PreparedVolume& volume);

@@ -142,6 +142,18 @@ std::optional<int> labelAt(const ShownLabels& labels, const glm::dvec3& voxel) {
   return std::max_element(sums.begin(), sums.begin() + static_cast<std::ptrdiff_t>(count), better)->first;
 }
 
+int labelOfFace(const ShownLabels& labels, const glm::dvec3& voxel, double value) {
+  if (value >= 0.0)
+    if (const std::optional<int> shown = labelAt(labels, voxel)) return *shown;
+  const glm::ivec3 nearest(glm::floor(voxel + 0.5));
+  return static_cast<int>(labels.grid().value(glm::clamp(nearest, glm::ivec3(0), labels.grid().dims() - 1)));
+}
+
+glm::vec3 faceColor(const ShownLabels& labels, int label) {
+  if (std::ranges::binary_search(labels.mask.labels, label)) return labelColor(labels.table.get(), label);
+  return glm::vec3(label == 0 ? 0.0f : 0.0612f);  // 70 of 255 on a screen
+}
+
 glm::dvec3 meanColor(const ShownLabels& labels) {
   glm::dvec3 sum(0.0);
   double weights = 0.0;

@@ -5,6 +5,11 @@
 
 namespace isolux::volume {
 
+void PieceSets::expect(std::size_t isosurfaces) const {
+  pieces_.keepAtLeast(2 * isosurfaces);
+  hidden_.keepAtLeast(2 * isosurfaces);
+}
+
 bool PieceSets::any() const {
   return !pieces_.empty();
 }
@@ -56,10 +61,12 @@ namespace {
 
 // find(isovalue, inside): the voxels that are hidden, or null.
 template <class Find>
-std::vector<HiddenOfSurface> hiddenBy(const scene::Scene& resolved, const Find& find) {
+std::vector<HiddenOfSurface> hiddenBy(const scene::Scene& resolved, const PieceSets& pieces, const Find& find) {
   std::vector<HiddenOfSurface> result;
   const scene::Inside inside = resolved.isosurface.inside;
-  for (const auto& surface : scene::shownSurfaces(resolved)) {
+  const std::vector<scene::Surface> surfaces = scene::shownSurfaces(resolved);
+  pieces.expect(surfaces.size());
+  for (const auto& surface : surfaces) {
     std::shared_ptr<const VoxelMask> voxels = find(*surface.value, inside);
     // A choice that hides no piece may still hide what a spline has beside all pieces.
     if (voxels && (voxels->any() || resolved.hit.field != scene::Field::trilinear))
@@ -72,13 +79,13 @@ std::vector<HiddenOfSurface> hiddenBy(const scene::Scene& resolved, const Find& 
 
 std::vector<HiddenOfSurface> hiddenOf(const scene::Scene& resolved, const PieceSets& pieces,
                                       base::Progress& progress) {
-  return hiddenBy(resolved, [&](double isovalue, scene::Inside inside) {
+  return hiddenBy(resolved, pieces, [&](double isovalue, scene::Inside inside) {
     return pieces.hidden(resolved.pieces, isovalue, inside, progress);
   });
 }
 
 std::vector<HiddenOfSurface> knownHidden(const scene::Scene& resolved, const PieceSets& pieces) {
-  return hiddenBy(resolved, [&](double isovalue, scene::Inside inside) {
+  return hiddenBy(resolved, pieces, [&](double isovalue, scene::Inside inside) {
     return pieces.findHidden(resolved.pieces, isovalue, inside).value_or(nullptr);
   });
 }

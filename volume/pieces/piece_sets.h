@@ -25,6 +25,8 @@ class PieceSets {
   PieceSets(std::shared_ptr<const Grid> grid, std::shared_ptr<const MinMaxBlocks> blocks)
       : grid_(std::move(grid)), blocks_(std::move(blocks)) {}
 
+  // Keeps what so many isosurfaces need, before and after a change.
+  void expect(std::size_t isosurfaces) const;
   bool any() const;  // somebody has asked for pieces before
   // Null where nobody has asked for them, or long ago.
   std::shared_ptr<const Pieces> find(double isovalue, scene::Inside inside) const;
@@ -47,7 +49,7 @@ class PieceSets {
                                                              scene::Inside inside) const;
 
  private:
-  static constexpr std::size_t kMostKept = 8;  // four isosurfaces, before and after a change
+  static constexpr std::size_t kMostKept = 8;  // unless more are expected
   std::shared_ptr<const Grid> grid_;
   std::shared_ptr<const MinMaxBlocks> blocks_;
   mutable base::Recent<std::pair<double, scene::Inside>, std::shared_ptr<const Pieces>> pieces_{kMostKept};

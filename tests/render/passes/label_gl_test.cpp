@@ -67,5 +67,33 @@ TEST_P(LabelGlTest, EachPointHasTheColourOfItsLabel) {
   EXPECT_GT(compared, 300);
 }
 
+// Cut open, labels show their colours, those that are not shown grey where the whole volume is capped.
+TEST_P(LabelGlTest, CapsHaveTheColoursOfLabels) {
+  const auto volume = loadedLabels(threeLabels(), "1,3");
+  for (const bool whole : {false, true}) {
+    scene::Scene scene = assigned({"look.mode=lambert", whole ? "clip.cap=whole" : "clip.cap=inside"});
+    const glm::dvec3 first(14.0, 18.0, 18.0), normal(0.0, -0.678, 0.735);  // a plane through all three balls
+    scene.clip.planes = {{first, normal}};
+    scene.camera.target = glm::dvec3(25.0, 22.0, 22.0);
+    scene.camera.eye = *scene.camera.target + 70.0 * normal;
+    scene.camera.up = {0.0, 0.735, 0.678};
+    const Drawn drawn = draw(volume, scene);
+    const auto pixelsOf = [&](const glm::vec3& color) {
+      std::size_t count = 0;
+      for (std::size_t i = 0; i < drawn.color.rgba.size(); i += 4) {
+        bool same = true;
+        for (std::size_t c = 0; c < 3; ++c)
+          same = same && std::abs(drawn.color.rgba[i + c] - base::screenByte(color[static_cast<int>(c)])) <= 1;
+        count += same;
+      }
+      return count;
+    };
+    for (const int label : {1, 3})
+      EXPECT_GT(pixelsOf(volume::labelColor(nullptr, label)), 30u) << label << ' ' << whole;
+    EXPECT_EQ(pixelsOf(volume::labelColor(nullptr, 2)), 0u) << whole;
+    EXPECT_EQ(pixelsOf(volume::faceColor(*volume->labels, 2)) > 30u, whole);
+  }
+}
+
 }  // namespace
 }  // namespace isolux::test

@@ -205,7 +205,7 @@ TEST(SceneList, FurtherSurfacesOfBeforeAreHalfTransparentAndOff) {
   EXPECT_FALSE(third.surfaces[1].shown);
   EXPECT_EQ(third.surfaces[2].opacity, 0.5);
   EXPECT_EQ(third.surfaces[2].albedo, glm::dvec3(0.30, 0.62, 0.35));
-  EXPECT_THAT(refusal({"isosurface5.shown=true"}), HasSubstr("at most 4"));
+  EXPECT_THAT(refusal({"isosurface65.shown=true"}), HasSubstr("at most 64"));
   EXPECT_THAT(refusal({"isosurface1.shown=true"}), HasSubstr("unknown setting"));
   EXPECT_THAT(refusal({"isosurface.valu=1"}), HasSubstr("isosurface"));
 }
