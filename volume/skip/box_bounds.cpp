@@ -46,6 +46,12 @@ class BlockScan {
 
   // Box (x, y, z); infinite in both directions where a voxel is missing.
   std::array<Range, kBoxesOfBlock> boxes() const {
+    if (isConstant()) {
+      const auto v = static_cast<float>(row(0, 0)[std::clamp(first_.x - apron_, 0, dims_.x - 1)]);
+      std::array<Range, kBoxesOfBlock> all;
+      all.fill({v, v});
+      return all;
+    }
     const int rows = BoxBounds::kBlockCells + 1 + 2 * apron_;
     std::array<Range, boxIndex(kBoxes * kMostRows * kMostRows)> alongX;
     for (int z = 0; z < rows; ++z)
@@ -67,12 +73,26 @@ class BlockScan {
   }
 
  private:
+  const T* row(int y, int z) const {
+    return voxels_.data() + Extent3{dims_}.index(0, std::clamp(first_.y - apron_ + y, 0, dims_.y - 1),
+                                                 std::clamp(first_.z - apron_ + z, 0, dims_.z - 1));
+  }
+  // False where a voxel is missing: NaN equals nothing.
+  bool isConstant() const {
+    const int rows = BoxBounds::kBlockCells + 1 + 2 * apron_;
+    const int begin = std::clamp(first_.x - apron_, 0, dims_.x - 1),
+              end = std::clamp(first_.x - apron_ + rows, begin + 1, dims_.x);
+    const T value = row(0, 0)[begin];
+    for (int z = 0; z < rows; ++z)
+      for (int y = 0; y < rows; ++y)
+        if (!std::all_of(row(y, z) + begin, row(y, z) + end, [value](T v) { return v == value; })) return false;
+    return true;
+  }
   void scanRow(int y, int z, Range* boxes) const {
-    const T* row = voxels_.data() + Extent3{dims_}.index(0, std::clamp(first_.y - apron_ + y, 0, dims_.y - 1),
-                                                         std::clamp(first_.z - apron_ + z, 0, dims_.z - 1));
+    const T* const of = row(y, z);
     for (int box = 0; box < kBoxes; ++box)
       for (int x = 2 * box; x < 2 * box + span_; ++x) {
-        const auto v = static_cast<float>(row[std::clamp(first_.x - apron_ + x, 0, dims_.x - 1)]);
+        const auto v = static_cast<float>(of[std::clamp(first_.x - apron_ + x, 0, dims_.x - 1)]);
         boxes[box].add(std::isnan(v) ? Range{-kInfinity, kInfinity} : Range{v, v});
       }
   }

@@ -225,25 +225,46 @@ std::vector<double> classBorders(const Histogram& histogram, double first) {
   return borders;
 }
 
+
+// The sum of what count(part of the voxels, counts) adds to `size` counts on each thread.
+template <class T, class Count>
+Counts countedOnThreads(std::span<const T> voxels, std::size_t size, base::Progress& progress, const Count& count) {
+  tbb::combinable<Counts> partial([&] { return Counts(size, 0); });
+  parallelPieces(voxels.size(), std::size_t{1} << 18, progress, {}, [&](std::size_t begin, std::size_t end) {
+    count(voxels.subspan(begin, end - begin), partial.local());
+  });
+  Counts sum(size, 0);
+  partial.combine_each([&](const Counts& counts) { std::ranges::transform(counts, sum, sum.begin(), std::plus()); });
+  return sum;
+}
+
+// Each value is counted first, in turns, since the same count cannot grow twice at once; then its bin is found.
+template <class T>
+Counts countWholeNumbers(std::span<const T> voxels, const HistogramBinning& bins, base::Progress& progress) {
+  constexpr std::size_t values = std::size_t{1} << (8 * sizeof(T)), turns = sizeof(T) == 1 ? 4 : 1;
+  const Counts found =
+      countedOnThreads(voxels, values * turns, progress, [](std::span<const T> part, Counts& counts) {
+        for (std::size_t i = 0; i < part.size(); ++i)
+          ++counts[i % turns * values + static_cast<std::make_unsigned_t<T>>(part[i])];
+      });
+  Counts counts(bins.count, 0);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (found[i] > 0)
+      counts[std::min(bins.binOf(static_cast<T>(static_cast<std::make_unsigned_t<T>>(i % values))), bins.count - 1)] +=
+          found[i];
+  return counts;
+}
 }  // namespace
 
 template <class T>
 Counts countVoxels(std::span<const T> voxels, const HistogramBinning& bins, base::Progress& progress) {
-  tbb::combinable<Counts> partial([&] { return Counts(bins.count, 0); });
-  parallelPieces(voxels.size(), std::size_t{1} << 18, progress, {}, [&](std::size_t begin, std::size_t end) {
-    Counts& counts = partial.local();
-    for (std::size_t i = begin; i != end; ++i) {
-      if constexpr (std::is_floating_point_v<T>) {
-        if (std::isnan(voxels[i])) continue;
-      }
-      ++counts[std::min(bins.binOf(voxels[i]), bins.count - 1)];
-    }
-  });
-  Counts sum(bins.count, 0);
-  partial.combine_each([&](const Counts& counts) {
-    for (std::size_t i = 0; i < bins.count; ++i) sum[i] += counts[i];
-  });
-  return sum;
+  if constexpr (std::is_integral_v<T>)
+    return countWholeNumbers(voxels, bins, progress);
+  else
+    return countedOnThreads(voxels, bins.count, progress, [&](std::span<const T> part, Counts& counts) {
+      for (const T value : part)
+        if (!std::isnan(value)) ++counts[std::min(bins.binOf(value), bins.count - 1)];
+    });
 }
 // For large volumes.
 template Counts countVoxels(std::span<const float>, const HistogramBinning&, base::Progress&);
