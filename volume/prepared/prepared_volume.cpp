@@ -317,7 +317,7 @@ std::shared_ptr<PreparedVolume> prepareGrid(Volume volume, base::Progress& progr
   auto blocks = std::make_shared<MinMaxBlocks>(*volume.grid, kBlockCells, progress);
   const std::shared_ptr<PreparedVolume> prepared = withBlocks(std::move(volume), std::move(blocks));
   progress.report(0.3, "building blocks");
-  prepared->boxes = std::make_shared<BoxBounds>(prepared->grid(), progress);
+  prepared->boxes = std::make_shared<BoxBounds>(prepared->grid(), *prepared->blocks, progress);
   progress.report(0.7, "counting values");
   const Grid& grid = prepared->grid();
   Histogram histogram = makeHistogram(grid, 512, progress);

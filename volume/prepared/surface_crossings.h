@@ -2,8 +2,11 @@
 // that cost a comparison each.
 #pragma once
 
+#include <array>
+#include <bit>
 #include <cmath>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -30,6 +33,45 @@ inline std::vector<Surface> shownSurfaces(const PreparedVolume& volume, const sc
   return surfaces;
 }
 
+// Which voxels of a block lie at or above a stored isovalue, and which are not missing: a bit for each of a row.
+class BlockSides {
+ public:
+  template <class T>
+  BlockSides(const std::vector<T>& voxels, const Grid& grid, glm::ivec3 low, glm::ivec3 high, double isovalue)
+      : size_(high - low + 1) {
+    for (int z = 0; z < size_.z; ++z)
+      for (int y = 0; y < size_.y; ++y) {
+        const T* const row = voxels.data() + grid.index(low + glm::ivec3(0, y, z));
+        unsigned above = 0, known = 0;
+        for (int x = 0; x < size_.x; ++x) {
+          above |= static_cast<unsigned>(static_cast<double>(row[x]) >= isovalue) << x;
+          if constexpr (std::is_floating_point_v<T>) known |= static_cast<unsigned>(!std::isnan(row[x])) << x;
+        }
+        if constexpr (std::is_integral_v<T>) known = (1u << size_.x) - 1;
+        rows_[at(y, z)] = {above, known};
+      }
+  }
+  // A bit for each voxel of the row whose edge along the axis crosses.
+  std::array<unsigned, 3> crossings(int y, int z) const {
+    const auto [above, known] = rows_[at(y, z)];
+    const auto with = [&](bool exists, int besideY, int besideZ) {
+      if (!exists) return 0u;
+      const Row& other = rows_[at(besideY, besideZ)];
+      return (above ^ other.above) & known & other.known;
+    };
+    return {(above ^ above >> 1) & known & known >> 1, with(y + 1 < size_.y, y + 1, z), with(z + 1 < size_.z, y, z + 1)};
+  }
+
+ private:
+  static constexpr int kMost = 9;  // voxels on an axis: blocks have 8 cells at most
+  struct Row {
+    unsigned above, known;
+  };
+  static std::size_t at(int y, int z) { return static_cast<std::size_t>(z * kMost + y); }
+  glm::ivec3 size_;
+  std::array<Row, std::size_t{kMost} * kMost> rows_;
+};
+
 // Calls each(first voxel of the edge, crossing in voxel coordinates) for the crossings on the edges of the
 // voxels of a block. A whole grid.
 template <class Each>
@@ -42,20 +84,26 @@ void eachCrossing(const PreparedVolume& volume, const Surface& surface, scene::I
   const bool insideIsPositive = (inside == scene::Inside::above) == (grid.slope() > 0.0);
   const auto look = [&](const auto& stored) {
     const auto at = [&](glm::ivec3 v) { return static_cast<double>(stored[grid.index(v)]) - isovalue; };
-    forEachIn(low, high + 1, [&](glm::ivec3 begin) {
+    const BlockSides sides(stored, grid, low, high, isovalue);
+    const auto onEdge = [&](glm::ivec3 begin, int axis) {
       const double f = at(begin);
-      for (int axis = 0; axis < 3; ++axis) {
-        glm::ivec3 end = begin;
-        if (++end[axis] > high[axis]) continue;
-        const double g = at(end);
-        if ((f >= 0.0) == (g >= 0.0) || std::isnan(f) || std::isnan(g)) continue;
-        const glm::ivec3 within = (f >= 0.0) == insideIsPositive ? begin : end;
-        if (surface.hidden && surface.hidden->at(within)) continue;
-        glm::dvec3 point(begin);
-        point[axis] += f / (f - g);
-        each(begin, point);
+      glm::ivec3 end = begin;
+      ++end[axis];
+      const glm::ivec3 within = (f >= 0.0) == insideIsPositive ? begin : end;
+      if (surface.hidden && surface.hidden->at(within)) return;
+      glm::dvec3 point(begin);
+      point[axis] += f / (f - at(end));
+      each(begin, point);
+    };
+    for (int z = low.z; z <= high.z; ++z)
+      for (int y = low.y; y <= high.y; ++y) {
+        const std::array<unsigned, 3> axes = sides.crossings(y - low.y, z - low.z);
+        for (unsigned left = axes[0] | axes[1] | axes[2]; left != 0; left &= left - 1) {
+          const int x = std::countr_zero(left);
+          for (const int axis : {0, 1, 2})
+            if ((axes[static_cast<std::size_t>(axis)] >> x & 1) != 0) onEdge({low.x + x, y, z}, axis);
+        }
       }
-    });
   };
   grid.visit(look);
 }

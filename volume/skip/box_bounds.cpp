@@ -46,12 +46,6 @@ class BlockScan {
 
   // Box (x, y, z); infinite in both directions where a voxel is missing.
   std::array<Range, kBoxesOfBlock> boxes() const {
-    if (isConstant()) {
-      const auto v = static_cast<float>(row(0, 0)[std::clamp(first_.x - apron_, 0, dims_.x - 1)]);
-      std::array<Range, kBoxesOfBlock> all;
-      all.fill({v, v});
-      return all;
-    }
     const int rows = BoxBounds::kBlockCells + 1 + 2 * apron_;
     std::array<Range, boxIndex(kBoxes * kMostRows * kMostRows)> alongX;
     for (int z = 0; z < rows; ++z)
@@ -73,26 +67,12 @@ class BlockScan {
   }
 
  private:
-  const T* row(int y, int z) const {
-    return voxels_.data() + Extent3{dims_}.index(0, std::clamp(first_.y - apron_ + y, 0, dims_.y - 1),
-                                                 std::clamp(first_.z - apron_ + z, 0, dims_.z - 1));
-  }
-  // False where a voxel is missing: NaN equals nothing.
-  bool isConstant() const {
-    const int rows = BoxBounds::kBlockCells + 1 + 2 * apron_;
-    const int begin = std::clamp(first_.x - apron_, 0, dims_.x - 1),
-              end = std::clamp(first_.x - apron_ + rows, begin + 1, dims_.x);
-    const T value = row(0, 0)[begin];
-    for (int z = 0; z < rows; ++z)
-      for (int y = 0; y < rows; ++y)
-        if (!std::all_of(row(y, z) + begin, row(y, z) + end, [value](T v) { return v == value; })) return false;
-    return true;
-  }
   void scanRow(int y, int z, Range* boxes) const {
-    const T* const of = row(y, z);
+    const T* row = voxels_.data() + Extent3{dims_}.index(0, std::clamp(first_.y - apron_ + y, 0, dims_.y - 1),
+                                                         std::clamp(first_.z - apron_ + z, 0, dims_.z - 1));
     for (int box = 0; box < kBoxes; ++box)
       for (int x = 2 * box; x < 2 * box + span_; ++x) {
-        const auto v = static_cast<float>(of[std::clamp(first_.x - apron_ + x, 0, dims_.x - 1)]);
+        const auto v = static_cast<float>(row[std::clamp(first_.x - apron_ + x, 0, dims_.x - 1)]);
         boxes[box].add(std::isnan(v) ? Range{-kInfinity, kInfinity} : Range{v, v});
       }
   }
@@ -116,6 +96,13 @@ BoxBounds::BoxBounds(glm::ivec3 voxels, const base::Progress& progress) {
 BoxBounds::BoxBounds(const Grid& grid, base::Progress& progress)
     : BoxBounds(ofPart(grid.voxels(), grid.dims(), grid, progress)) {}
 
+BoxBounds::BoxBounds(const Grid& grid, const MinMaxBlocks& blocks, base::Progress& progress)
+    : BoxBounds(grid.dims(), progress) {
+  assert(blocks.blockCells() == kBlockCells);
+  const MinMaxBlocks* const known = grid.missingCount() == 0 ? &blocks : nullptr;  // else of some voxels
+  grid.visit([&](const auto& voxels) { fill(voxels, rangeOf(grid), grid.dims(), 0, progress, known); });
+}
+
 BoxBounds BoxBounds::ofCubic(const Grid& grid, const Coefficients* coefficients, base::Progress& progress) {
   BoxBounds result(grid.dims(), progress);
   const Range range = coefficients ? Range{coefficients->least, coefficients->most} : rangeOf(grid);
@@ -134,7 +121,7 @@ BoxBounds BoxBounds::ofPart(const VoxelArray& voxels, glm::ivec3 dims, const Gri
 
 template <class T>
 void BoxBounds::fill(const std::vector<T>& voxels, const Range& range, glm::ivec3 voxelDims, int apron,
-                     base::Progress& progress) {
+                     base::Progress& progress, const MinMaxBlocks* known) {
   origin_ = static_cast<double>(range.low);
   const double extent = static_cast<double>(range.high) - origin_;
   if (!(extent > 0.0)) {  // constant or missing: nothing can be crossed
@@ -155,8 +142,14 @@ void BoxBounds::fill(const std::vector<T>& voxels, const Range& range, glm::ivec
   parallelSteps(blocks.rows(), progress, {}, [&](std::size_t row) {
     glm::ivec3 block = blocks.firstOfRow(row);
     for (; block.x < dims_.x; ++block.x) {
+      const std::size_t index = blocks.index(block);
+      if (known && known->minimum(index) == known->maximum(index)) {
+        std::ranges::fill(bounds_[index].low, quantised(known->minimum(index), false));
+        std::ranges::fill(bounds_[index].high, quantised(known->minimum(index), true));
+        continue;
+      }
       const auto boxes = BlockScan<T>(voxels, voxelDims, block * kBlockCells, apron).boxes();
-      Bounds& bounds = bounds_[blocks.index(block)];
+      Bounds& bounds = bounds_[index];
       for (int i = 0; i < kBoxesPerBlock; ++i) {
         const Range& box = boxes[static_cast<std::size_t>(i)];
         bounds.low[i] = quantised(box.low, false);

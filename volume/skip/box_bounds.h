@@ -15,6 +15,7 @@
 #include "base/progress.h"
 #include "volume/field/coefficients.h"
 #include "volume/grid.h"
+#include "volume/skip/min_max_blocks.h"
 
 namespace isolux::volume {
 
@@ -25,6 +26,8 @@ class BoxBounds {
   // Of the trilinear field. Multithreaded; 256 bytes for each block of 8x8x8 cells; throws
   // Error: memory, before anything is made; interrupted.
   BoxBounds(const Grid& grid, base::Progress& progress);
+  // The same, sooner: `blocks` are those of the grid, of kBlockCells cells.
+  BoxBounds(const Grid& grid, const MinMaxBlocks& blocks, base::Progress& progress);
   // Of the cubic B-spline with these coefficients (without their offset), or, where they are null, of that
   // whose coefficients are the samples.
   static BoxBounds ofCubic(const Grid& grid, const Coefficients* coefficients, base::Progress& progress);
@@ -49,7 +52,7 @@ class BoxBounds {
   BoxBounds(glm::ivec3 voxels, const base::Progress& progress);
   template <class T>
   void fill(const std::vector<T>& voxels, const volume::Bounds<float>& range, glm::ivec3 voxelDims, int apron,
-            base::Progress& progress);
+            base::Progress& progress, const MinMaxBlocks* known = nullptr);
 
   glm::ivec3 dims_;
   double origin_ = 0.0, scale_ = 1.0;  // quantised = (stored - origin) * scale

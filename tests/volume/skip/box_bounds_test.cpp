@@ -141,6 +141,26 @@ TEST(BoxBoundsTest, ConstantAndOutsideHaveNone) {
   EXPECT_EQ(masks[0], 0u);
 }
 
+// Blocks that are known to be constant are not looked at.
+TEST(BoxBoundsTest, OfKnownBlocksAreTheSame) {
+  std::mt19937 random(4);
+  for (const bool missing : {false, true}) {
+    std::vector<float> voxels(std::size_t{20} * 20 * 20, 3.0f);
+    for (std::size_t i = 0; i < voxels.size() / 2; ++i) voxels[i] = static_cast<float>(random() % 9);
+    if (missing) voxels.back() = std::numeric_limits<float>::quiet_NaN();
+    const Grid grid(GridGeometry::make(glm::ivec3(20), glm::dvec3(1.0)), voxels);
+    base::Progress progress;
+    const MinMaxBlocks blocks(grid, BoxBounds::kBlockCells, progress);
+    const std::vector<std::uint8_t> flags(blocks.count(), 1);
+    for (const float isovalue : {0.5f, 3.0f, 7.9f}) {
+      std::vector<std::uint64_t> seen, expected;
+      BoxBounds(grid, blocks, progress).masks(std::span(&isovalue, 1), flags, seen);
+      BoxBounds(grid, progress).masks(std::span(&isovalue, 1), flags, expected);
+      EXPECT_EQ(seen, expected) << isovalue << ' ' << missing;
+    }
+  }
+}
+
 // 65535 / 29 times 29 is more than 65535 in double precision.
 TEST(BoxBoundsTest, TheGreatestValueIsWithinTheBounds) {
   const GridGeometry geometry = GridGeometry::make({9, 9, 9}, glm::dvec3(1.0));
