@@ -7,8 +7,8 @@
 
 #include <unistd.h>
 
-#include <nlohmann/json.hpp>
 #include <pybind11/pybind11.h>
+#include <nlohmann/json.hpp>
 
 #include "app/documents/picture_scene.h"
 #include "app/files/files.h"

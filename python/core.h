@@ -75,8 +75,8 @@ class Core : public std::enable_shared_from_this<Core> {
   Baked bake(const app::SceneOptions& options, const std::string& file, bool overwrite, bool mixArithmetic,
              const pybind11::object& told);
   // Returns study.json.
-  std::string study(const app::SceneOptions& options, const std::string& qualities, glm::ivec2 size, int repeat,
-                    const pybind11::object& told);
+  std::string study(const app::SceneOptions& options, const std::string& qualities, glm::ivec2 size,
+                    int repeat, const pybind11::object& told);
   void forgetLight(const pybind11::object& told);
 
   const std::shared_ptr<const volume::PreparedVolume>& prepared() const { return prepared_; }

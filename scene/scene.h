@@ -34,6 +34,7 @@ struct Source {
   int meshVoxels = 128;            // of a mesh's distance field, along its longest axis
   std::string labels;              // of a label map, those whose surface is drawn: "2,4-7"; empty: all but 0
   double smoothing = 1.0;          // of that surface, voxels (volume/labels)
+  std::string labelNames;          // file of labels' names; empty: those of the file, or beside it
   Csg csg = Csg::none;             // volume/prepared/csg.h
   std::string csgPath;             // the second volume, as `path`
   std::optional<double> csgValue;  // the second volume's isovalue, its data units

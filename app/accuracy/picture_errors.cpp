@@ -91,8 +91,8 @@ class PictureEvaluator {
     for (const double isovalue : isovalues_)
       for (const auto& [begin, end] : cut_.segmentsOf(isovalue, whole))
         surfaces.push_back({isovalue, volume::hiddenAt(hidden_, isovalue), begin, end});
-    return volume::encloseHit(source_, surfaces, rays_, {at.x, drawn_.size.y - at.y}, ray,
-                              view_.rayStartMm, fieldErrorElsewhere);
+    return volume::encloseHit(source_, surfaces, rays_, {at.x, drawn_.size.y - at.y}, ray, view_.rayStartMm,
+                              fieldErrorElsewhere);
   }
 
   // Of a pixel that is hit.

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/command.h"
+#include "app/files/csv_field.h"
 #include "app/files/number_rows.h"
 #include "base/error.h"
 #include "base/number_text.h"
@@ -14,6 +15,8 @@
 #include "volume/clip/surface_cut.h"
 #include "volume/edge/surface_edges.h"
 #include "volume/hit/exact_hit.h"
+#include "volume/labels/label_table.h"
+#include "volume/labels/shown_labels.h"
 #include "volume/measure/point_probe.h"
 #include "volume/measure/surface_point.h"
 
@@ -32,16 +35,27 @@ struct ProbeOptions {
 struct Probes {
   const volume::PointProbe& points;
   const volume::EdgeFinder& edges;
+  const volume::ShownLabels* labels;  // null: the volume is no label map
 };
+
+// Of a label map. `isHit`: the label that the surface shows there, else that of the nearest voxel.
+void addLabel(ordered_json& json, const volume::ShownLabels& labels, const volume::ProbedPoint& point,
+              bool isHit) {
+  const int label = volume::labelOfFace(labels, point.voxel, isHit ? 0.0 : -1.0);
+  json["label"] = label;
+  json["label_name"] = volume::labelName(labels.table.get(), label);
+}
 
 // What is unknown is null.
 void addPoint(ordered_json& json, const Probes& probes, glm::dvec3 world,
-              const std::optional<volume::ProbedPoint>& point) {
+              const std::optional<volume::ProbedPoint>& point, bool isHit = false) {
   json["position_mm"] = world;
   for (const char* key : {"voxel", "value", "gradient", "normal", "kappa", "flowline_curvature", "confidence",
                           "scale_mm", "edge_offset_mm", "edge_strength"})
     json[key] = nullptr;
+  if (probes.labels) json["label"] = json["label_name"] = nullptr;
   if (!point) return;
+  if (probes.labels) addLabel(json, *probes.labels, *point, isHit);
   json["voxel"] = point->voxel;
   json["value"] = point->value;
   json["gradient"] = point->gradient;
@@ -72,7 +86,7 @@ ordered_json hitJson(const volume::PreparedVolume& prepared, const volume::Surfa
   if (!hit) return nullptr;
   const glm::dvec3 world = origin + direction * hit->t;
   ordered_json json;
-  addPoint(json, probes, world, probes.points.at(world));
+  addPoint(json, probes, world, probes.points.at(world), true);
   json["t_mm"] = hit->t;
   json["entering"] = hit->entering == (surface.inside == scene::Inside::above);
   const auto point = volume::surfacePoint(surface, world);
@@ -83,7 +97,7 @@ ordered_json hitJson(const volume::PreparedVolume& prepared, const volume::Surfa
   return json;
 }
 
-// Numbers of an object that is flat but for short arrays, in columns.
+// Numbers and names of an object that is flat but for short arrays, in columns.
 void addColumns(const ordered_json& json, std::string& names, std::string& values) {
   for (const auto& [key, value] : json.items()) {
     if (value.is_object()) {
@@ -100,6 +114,7 @@ void addColumns(const ordered_json& json, std::string& names, std::string& value
       values += (values.empty() ? "" : ",");
       if (one.is_number()) values += base::shortestText(one.get<double>());
       if (one.is_boolean()) values += one.get<bool>() ? "1" : "0";
+      if (one.is_string()) values += csvWords(one.get<std::string>());
     }
   }
 }
@@ -110,8 +125,9 @@ class Rows {
   explicit Rows(bool asJson) : asJson_(asJson) {}
   void add(ordered_json row) {
     if (asJson_) return objects_.push_back(std::move(row));
-    std::string names;
-    addColumns(row, names, lines_.emplace_back());
+    std::string names, values;
+    addColumns(row, names, values);
+    lines_.emplace_back(std::move(values), std::ranges::count(names, ','));
     if (names.size() > header_.size()) header_ = names;
   }
   const ordered_json& objects() const { return objects_; }
@@ -120,17 +136,15 @@ class Rows {
     if (lines_.empty()) return;
     const auto columns = std::ranges::count(header_, ',');
     std::cout << header_ << '\n';
-    for (const std::string& line : lines_) {
-      const auto missing = columns - std::ranges::count(line, ',');
-      std::cout << line << std::string(static_cast<std::size_t>(missing), ',') << '\n';
-    }
+    for (const auto& [line, separators] : lines_)
+      std::cout << line << std::string(static_cast<std::size_t>(columns - separators), ',') << '\n';
   }
 
  private:
   bool asJson_;
   ordered_json objects_ = ordered_json::array();
   std::string header_;
-  std::vector<std::string> lines_;
+  std::vector<std::pair<std::string, std::ptrdiff_t>> lines_;  // and how many separators each has
 };
 
 struct Probed {
@@ -143,7 +157,7 @@ Probed probed(const ProbeOptions& options, const scene::Scene& scene,
   const auto rays = options.rays.empty() ? std::vector<NumberRow>{} : readNumberRows(options.rays, 6);
   const volume::PointProbe probe(prepared, scene, progress);
   const volume::SurfaceEdges edges(prepared, scene, progress);
-  const Probes probes{probe, edges.finder()};
+  const Probes probes{probe, edges.finder(), prepared->labels.get()};
   Probed result{Rows(options.json), Rows(options.json)};
   std::size_t outside = 0, missed = 0, firstOutside = 0, firstMissed = 0;
   for (const NumberRow& row : points) {

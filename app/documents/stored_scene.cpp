@@ -21,7 +21,7 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::array<std::string_view, 4> pathSettings{"source.path", "source.csg_path",
+constexpr std::array<std::string_view, 5> pathSettings{"source.path", "source.csg_path", "source.label_names",
                                                        "light.environment.file", "color.volume"};
 
 bool namesFile(const std::string& path) {

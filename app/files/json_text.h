@@ -1,5 +1,5 @@
-// Converts values to the JSON that commands write. An empty optional and a number that is not finite are null, a vector is the
-// list of its components.
+// Converts values to the JSON that commands write. An empty optional and a number that is not finite are
+// null, a vector is the list of its components.
 #pragma once
 
 #include <optional>

@@ -39,6 +39,7 @@ void OutputGuard::reads(const scene::Scene& scene) {
   readsVolume(scene.source.path, "the volume");
   if (scene.source.csg != scene::Csg::none) readsVolume(scene.source.csgPath, "the second volume");
   readsVolume(scene.color.volume, "the volume that colours the surface");
+  reads(scene.source.labelNames, "the file of labels' names");
   reads(scene.light.environment.file, "the environment map");
 }
 

@@ -25,8 +25,8 @@ struct SliceContent {
   volume::SlicePlane plane;
   volume::SliceValues values;
   volume::GreyWindow window;
-  std::vector<SurfaceOnSlice> surfaces;             // that are shown, the first one first
-  std::optional<std::pair<double, double>> band{};  // data units: slice.noise_band
+  std::vector<SurfaceOnSlice> surfaces;                 // that are shown, the first one first
+  std::optional<std::pair<double, double>> band{};      // data units: slice.noise_band
   std::shared_ptr<const volume::ShownLabels> labels{};  // the values are labels, each of the nearest voxel
 };
 

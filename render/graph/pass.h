@@ -38,10 +38,9 @@ using PassList = std::vector<Pass>;
 // Names of passes used outside the pass's own file.
 namespace pass {
 inline constexpr const char *bricks = "bricks", *cast = "cast", *refine = "refine", *merge = "merge",
-                            *gradient = "gradient",
-                            *hessian = "hessian", *irradiance = "irradiance", *layers = "layers",
-                            *openness = "openness", *reflections = "reflections", *shadow = "shadow",
-                            *shade = "shade", *resolve = "resolve";
+                            *gradient = "gradient", *hessian = "hessian", *irradiance = "irradiance",
+                            *layers = "layers", *openness = "openness", *reflections = "reflections",
+                            *shadow = "shadow", *shade = "shade", *resolve = "resolve";
 }
 
 // Names of the images that passes write. Images that are drawn are stored under these names

@@ -5,9 +5,9 @@
 
 namespace isolux::render {
 
-// Finds t (mm; -1: none) and the value (data units; of label maps the place of the label's colour) of the cap that each ray
-// meets (volume/clip/cut_faces.h).
-// Always runs on the CPU. Rays end at caps; `resolve` colours them behind everything in front.
+// Finds t (mm; -1: none) and the value (data units; of label maps the place of the label's colour) of the cap
+// that each ray meets (volume/clip/cut_faces.h). Always runs on the CPU. Rays end at caps; `resolve` colours
+// them behind everything in front.
 Pass cutFacesPass();
 
 // The colours of a scene's caps.

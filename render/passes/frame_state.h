@@ -56,7 +56,8 @@ inline constexpr std::size_t kGroupSurfaces = 4;
 // Returns how many groups that many surfaces make: at least one.
 std::size_t groupsOf(std::size_t surfaces);
 std::size_t groupsOf(const scene::Scene& scene);
-// Returns the name of what the cast of a group draws, where there are several: the merge pass makes the image of it.
+// Returns the name of what the cast of a group draws, where there are several: the merge pass makes the image
+// of it.
 std::string ofGroup(const char* image, std::size_t group);
 
 // Returns the field in which the object's edge is searched: the trilinear field has no second derivatives.

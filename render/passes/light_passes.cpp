@@ -222,7 +222,8 @@ void FrameLight::setLattice(const FrameState& frame, Program& p) {
   if (atlas_.holdsPartsOfOpenSky()) p.set("uPerMeanSky", atlas_.openSky().perMean());
   const auto isovalue = [&](const Surface& s) { return frame.volume->grid().storedIsovalue(s.value); };
   frame.setOfSurfaces(p, "uStoredIsovalues", isovalue);
-  frame.setOfSurfaces(p, "uShadowShown", [](const Surface& s) { return scene::shadowShown(s); }, 1.0f);
+  frame.setOfSurfaces(
+      p, "uShadowShown", [](const Surface& s) { return scene::shadowShown(s); }, 1.0f);
   const LightTexelLayout& layout = atlas_.layout();
   if (layout.sky != LightPacking::codes) return;
   const gi::TransferBasis::Lighting lighting = frame.light->basis->under(frame.light->environment);

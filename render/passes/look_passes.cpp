@@ -173,8 +173,10 @@ void findRanges(FrameState& frame) {
 void setSurfaces(FrameState& frame, Program& p) {
   for (std::size_t i = 0; i < frame.surfaces.size(); ++i)
     p.set(("uAlbedos[" + std::to_string(i) + "]").c_str(), glm::vec3(frame.surfaces[i].albedo));
-  frame.setOfSurfaces(p, "uOpacities", [](const Surface& surface) { return surface.opacity; }, 1.0f);
-  frame.setOfSurfaces(p, "uFacing", [](const Surface& surface) { return surface.facingOpacity; }, 1.0f);
+  frame.setOfSurfaces(
+      p, "uOpacities", [](const Surface& surface) { return surface.opacity; }, 1.0f);
+  frame.setOfSurfaces(
+      p, "uFacing", [](const Surface& surface) { return surface.facingOpacity; }, 1.0f);
 }
 
 void setLight(FrameState& frame, Program& p) {
@@ -298,9 +300,9 @@ void declareShade(Declaring& d) {
 Program& preparedShade(FrameState& frame) {
   const std::vector<const LookInput*> inputs = inputsOf(frame);
   const bool gloss = scene::showsGloss(*frame.scene);
-  Program& p =
-      frame.program("shade.frag.glsl", frame.surfaceDefines() + definesOf(*frame.scene, frame.bricks() != nullptr, inputs) +
-                                           (gloss ? frame.lighting->lampDefines(frame) : std::string()));
+  Program& p = frame.program(
+      "shade.frag.glsl", frame.surfaceDefines() + definesOf(*frame.scene, frame.bricks() != nullptr, inputs) +
+                             (gloss ? frame.lighting->lampDefines(frame) : std::string()));
   frame.setView(p);
   frame.setPoint(p, surfaceUnit);
   int unit = firstInputUnit;

@@ -376,12 +376,12 @@ void shadowOnProcessor(FrameState& frame, Target& target) {
   HostImages& images = frame.host.at(frame.layer);
   const glm::dmat4 voxelFromWorld = frame.volume->grid().geometry().voxelFromWorld();
   volume::ShadowRays shadow{.rays = frame.rays(),
-                                  .right = frame.view->rightWorld,
-                                  .up = frame.view->upWorld,
-                                  .forward = frame.view->forwardWorld,
-                                  .outward = static_cast<float>(frame.outward()),
-                                  .voxelFromWorld = glm::mat3(voxelFromWorld),
-                                  .light = frame.towardLight()};
+                            .right = frame.view->rightWorld,
+                            .up = frame.view->upWorld,
+                            .forward = frame.view->forwardWorld,
+                            .outward = static_cast<float>(frame.outward()),
+                            .voxelFromWorld = glm::mat3(voxelFromWorld),
+                            .light = frame.towardLight()};
   const HostImages::Derivatives& gradients = frame.gradientShared ? images.hessian[0] : images.gradient;
   volume::ShadowImage ofGroup;
   frame.forGroups([&] {
@@ -389,7 +389,8 @@ void shadowOnProcessor(FrameState& frame, Target& target) {
     shadow.group = static_cast<int>(frame.group);
     volume::ShadowImage& out = frame.group == 0 ? images.shadow : ofGroup;
     casterOf(frame).castShadows(shadow, images.crossings, gradients.texels, out, frame.request.stop);
-    if (frame.group > 0) std::ranges::transform(out.lit, images.shadow.lit, images.shadow.lit.begin(), darker);
+    if (frame.group > 0)
+      std::ranges::transform(out.lit, images.shadow.lit, images.shadow.lit.begin(), darker);
   });
   target.drawn.add(images.shadow.area);
   upload(target.images[0], target.drawn, images.shadow.lit);

@@ -51,8 +51,8 @@ struct HostImages {
   volume::PictureArea edgesArea;
 };
 
-// Finds the crossings of frame.layer, or those behind frame.layerBefore, and uploads them unless they are to be merged. Sets
-// frame.hitPart if no later frame reads the images.
+// Finds the crossings of frame.layer, or those behind frame.layerBefore, and uploads them unless they are to
+// be merged. Sets frame.hitPart if no later frame reads the images.
 void castOnProcessor(FrameState& frame);
 // Takes the nearest of the crossings that several groups of surfaces have, and uploads it.
 void mergeOnProcessor(FrameState& frame);

@@ -229,7 +229,8 @@ gi::VisiblePointSet hitsOfPart(const FrameState& frame, const HitPart& part, dou
     if (!(point[3] >= 0.0f)) continue;
     const auto known = volume::HitInfo::of(info[2 * i + 1]);
     if (baked[static_cast<std::size_t>(known.surface())] == 0) continue;
-    (known.risesBehind() == (outward < 0.0) ? hits.outer : hits.inner).emplace_back(point[0], point[1], point[2]);
+    (known.risesBehind() == (outward < 0.0) ? hits.outer : hits.inner)
+        .emplace_back(point[0], point[1], point[2]);
   }
   return hits;
 }

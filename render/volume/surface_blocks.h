@@ -53,7 +53,8 @@ class SurfaceBlocks {
   // Sets the masks that trace.glsl skips empty space by, on texture unit `unit`.
   void bindMasks(Program& program, const scene::Hit& hit, int unit);
 
-  // Sets the hidden components of up to four of the active surfaces, from the place `first` on, on texture unit `unit`.
+  // Sets the hidden components of up to four of the active surfaces, from the place `first` on, on texture
+  // unit `unit`.
   void bindHidden(Program& program, int unit, std::size_t first);
 
   std::size_t textureBytes() const;

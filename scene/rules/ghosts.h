@@ -8,8 +8,8 @@
 
 namespace isolux::scene {
 
-// Adds the uncertainty surfaces of each surface that is shown at the end, first the one above its isovalue. If the
-// noise is 0, adds none. Requires that isovalues and derivatives.noise are known.
+// Adds the uncertainty surfaces of each surface that is shown at the end, first the one above its isovalue.
+// If the noise is 0, adds none. Requires that isovalues and derivatives.noise are known.
 void addGhosts(Scene& scene);
 
 // Returns the isovalues (data units) of all visible surfaces, including uncertainty surfaces; the first

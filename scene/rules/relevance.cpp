@@ -84,7 +84,7 @@ constexpr auto isCombined = [](const Scene& s) { return s.source.csg != Csg::non
 
 // All rules that cover a path must hold; the first that fails says why.
 constexpr Rule rules[] = {
-    {"source.labels source.smoothing",
+    {"source.labels source.smoothing source.label_names",
      [](const Scene& s) { return s.source.kind == DataKind::automatic || s.source.kind == DataKind::labels; },
      "the data are no labels"},
     {"source.mesh_voxels", isMesh, "the source is not a triangle mesh"},

@@ -101,9 +101,10 @@ SceneList makeLamps() {
 
 // The colours of surfaces by their position: the first, then these in turn.
 constexpr glm::dvec3 kFirstAlbedo{0.70, 0.62, 0.50};
-constexpr glm::dvec3 kAlbedos[] = {{0.25, 0.45, 0.75}, {0.30, 0.62, 0.35}, {0.75, 0.28, 0.22}, {0.80, 0.58, 0.16},
-                                   {0.45, 0.30, 0.68}, {0.20, 0.60, 0.62}, {0.78, 0.42, 0.60}, {0.50, 0.62, 0.20},
-                                   {0.52, 0.38, 0.28}, {0.42, 0.60, 0.82}, {0.82, 0.50, 0.36}};
+constexpr glm::dvec3 kAlbedos[] = {{0.25, 0.45, 0.75}, {0.30, 0.62, 0.35}, {0.75, 0.28, 0.22},
+                                   {0.80, 0.58, 0.16}, {0.45, 0.30, 0.68}, {0.20, 0.60, 0.62},
+                                   {0.78, 0.42, 0.60}, {0.50, 0.62, 0.20}, {0.52, 0.38, 0.28},
+                                   {0.42, 0.60, 0.82}, {0.82, 0.50, 0.36}};
 
 SceneList makeSurfaces() {
   SettingList<Surface> fields;

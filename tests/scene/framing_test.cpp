@@ -168,7 +168,11 @@ TEST(Framing, AFittedCameraIsFittedToNarrowPicturesToo) {
     const Camera fit = fitted(obliqueCamera(projection), low, high);
     for (const double across : {1.0, 1.7, 0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
       EXPECT_EQ(fittedTo(fit, low, high, [&] { return Rooms{wholePicture(across)}; }), fit) << across;
-    const Extent between = extentIn(fittedTo(fit, low, high, [&] { return Rooms{roomOf({2.0, 0.8})}; }), 1.0, corners);
+    const Extent between = extentIn(fittedTo(fit, low, high,
+                                             [&] {
+                                               return Rooms{roomOf({2.0, 0.8})};
+                                             }),
+                                    1.0, corners);
     EXPECT_LE(std::max(-between.low.y, between.high.y), 0.8 + 1e-9);
     for (const double aspect : {0.9, 0.5, 0.2}) {
       const Camera narrow = fittedTo(fit, low, high, [&] { return Rooms{wholePicture(aspect)}; });

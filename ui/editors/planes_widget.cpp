@@ -50,8 +50,8 @@ void PlanesWidget::addRow() {
     box->setSingleStep(i < 3 ? 1.0 : 0.05);
     box->setMinimumWidth(48);
     nameAndTip(box, (i < 3 ? tr("Plane %1, %2 of its point, mm") : tr("Plane %1, %2 of its normal"))
-                     .arg(number)
-                     .arg(QChar(axes[axis])));
+                        .arg(number)
+                        .arg(QChar(axes[axis])));
     grid->addWidget(box, static_cast<int>(i / 3), 1 + static_cast<int>(axis));
     grid->setColumnStretch(1 + static_cast<int>(axis), 1);
     connect(box, &NumberSpinBox::refused, this, &ValueWidget::refused);

@@ -18,9 +18,7 @@ struct CanvasPicture {
   std::shared_ptr<const render::HandedPicture> texture;
 
   explicit operator bool() const { return texture || !pixels.isNull(); }
-  QSize size() const {
-    return texture ? QSize(texture->size().x, texture->size().y) : pixels.size();
-  }
+  QSize size() const { return texture ? QSize(texture->size().x, texture->size().y) : pixels.size(); }
 };
 
 struct CanvasContent {

@@ -54,8 +54,7 @@ HWY_INLINE std::optional<WayToLight> wayFrom(const ShadowRays& shadow, glm::ivec
   const glm::vec3 toPoint = shadow.voxelFromWorld * ray, out = shadow.voxelFromWorld * normal;
   const float voxel = 1.0f / std::fmax(glm::length(out), 1e-30f);  // mm
   return WayToLight{glm::vec3(point) - toPoint * back / std::fmax(glm::length(toPoint), 1e-30f), out,
-                    (0.02f + 0.4f * (1.0f - facing) * (1.0f - facing)) * voxel,
-                    known.before()};
+                    (0.02f + 0.4f * (1.0f - facing) * (1.0f - facing)) * voxel, known.before()};
 }
 
 // Points whose ways are traced together.
@@ -78,8 +77,9 @@ struct ShadowPacket {
   }
 };
 
-// Returns the lanes that meet an opaque surface from 0 to tEnd; `inside` counts in those that are continued. t becomes that of the last crossing, and
-// `inside` the state behind the transparent surfaces that were passed.
+// Returns the lanes that meet an opaque surface from 0 to tEnd; `inside` counts in those that are continued.
+// t becomes that of the last crossing, and `inside` the state behind the transparent surfaces that were
+// passed.
 template <class Cells>
 HWY_INLINE MF meets(const CastView& view, const CrossingFinder<Cells>& finder, int opaque,
                     RaySegments& rays) {

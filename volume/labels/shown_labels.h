@@ -51,12 +51,12 @@ std::shared_ptr<const ShownLabels> showLabels(std::shared_ptr<const LabelBlocks>
 // there. `voxel`: in voxels, within the grid or up to half a voxel outside.
 std::optional<int> labelAt(const ShownLabels& labels, const glm::dvec3& voxel);
 
-// Returns the label at a point of a face that a cut lays open: labelAt() where the mask field, of which `value` is taken
-// there, is inside; elsewhere that of the nearest voxel.
+// Returns the label at a point of a face that a cut lays open: labelAt() where the mask field, of which
+// `value` is taken there, is inside; elsewhere that of the nearest voxel.
 int labelOfFace(const ShownLabels& labels, const glm::dvec3& voxel, double value);
 
-// Returns the colour of a label on slices and faces of cuts, linear RGB: its own if it is shown, else dark grey; black for
-// 0.
+// Returns the colour of a label on slices and faces of cuts, linear RGB: its own if it is shown, else dark
+// grey; black for 0.
 glm::vec3 faceColor(const ShownLabels& labels, int label);
 
 // Returns the mean colour of the shown labels, linear RGB, weighted by their voxels to the power of 2/3, as

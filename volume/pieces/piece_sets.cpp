@@ -61,7 +61,8 @@ namespace {
 
 // find(isovalue, inside): the voxels that are hidden, or null.
 template <class Find>
-std::vector<HiddenOfSurface> hiddenBy(const scene::Scene& resolved, const PieceSets& pieces, const Find& find) {
+std::vector<HiddenOfSurface> hiddenBy(const scene::Scene& resolved, const PieceSets& pieces,
+                                      const Find& find) {
   std::vector<HiddenOfSurface> result;
   const scene::Inside inside = resolved.isosurface.inside;
   const std::vector<scene::Surface> surfaces = scene::shownSurfaces(resolved);

@@ -136,9 +136,11 @@ bool hasStatedLabels(Volume& volume, base::Progress& progress) {
   return false;
 }
 
-// Labels are names: between them lies no isovalue, and they have no noise. `asValues`: isosurfaces of the
-// values are drawn, first the one that encloses all.
-void noteLabels(Volume& volume, bool asValues, base::Progress& progress) {
+// What pictures of a label map show.
+enum class LabelsDrawn { asMask, asValues, notSaid };
+
+// Labels are names: between them lies no isovalue, and they have no noise.
+void noteLabels(Volume& volume, LabelsDrawn drawn, base::Progress& progress) {
   const bool asked = volume.kind == scene::DataKind::labels;
   if (!asked && volume.kind != scene::DataKind::automatic) return volume.labelTable.reset();
   const bool stated = !asked && hasStatedLabels(volume, progress);
@@ -154,12 +156,14 @@ void noteLabels(Volume& volume, bool asValues, base::Progress& progress) {
   const std::string what = asked    ? "is taken for a label map"
                            : stated ? "is a label map (" + volume.labelTable->reason + ")"
                                     : "looks like a label map";
-  volume.warnings.push_back(
+  std::string note =
       what + (whole ? " of " + std::to_string(map->labels) + (map->labels == 1 ? " label" : " labels") : "") +
-      ": values are names of regions, not quantities; " +
-      (asValues ? "the isosurface at " + base::shortText(*volume.isovalue) + " encloses all of them" +
-                      (map->isOutermost ? "" : " that lie above the background")
-                : "drawn is the smooth surface around those of source.labels"));
+      ": values are names of regions, not quantities";
+  if (drawn == LabelsDrawn::asMask) note += "; drawn is the smooth surface around those of source.labels";
+  if (drawn == LabelsDrawn::asValues)
+    note += "; the isosurface at " + base::shortText(*volume.isovalue) + " encloses all of them" +
+            (map->isOutermost ? "" : " that lie above the background");
+  volume.warnings.push_back(std::move(note));
 }
 
 // "0.3 % of the voxels are drawn as in the file, too thin to smooth", or "".
@@ -303,7 +307,8 @@ std::shared_ptr<PreparedVolume> prepareFile(const std::shared_ptr<const ChunkedV
   if (!index.damaged().empty()) volume.warnings.push_back(damageText(index.damaged()));
   volume.grid = std::move(grid);
   addLabelFiles(volume, source.path);
-  noteLabels(volume, true, progress);
+  if (!source.labelNames.empty()) nameLabels(volume, source.labelNames);
+  noteLabels(volume, LabelsDrawn::asValues, progress);
   const std::shared_ptr<PreparedVolume> prepared = withBlocks(std::move(volume), index.blocks());
   setFacts(prepared, index.histogram(prepared->grid()), index.typicalStep(scaled), progress);
   prepared->readSeconds = readSeconds;
@@ -344,7 +349,8 @@ std::shared_ptr<PreparedVolume> prepareLabels(Volume asRead, std::shared_ptr<con
 std::shared_ptr<PreparedVolume> prepare(Volume volume, const scene::Source& source,
                                         base::Progress& progress) {
   const bool asValues = source.labels == kLabelsAsValues;
-  noteLabels(volume, asValues, progress);
+  if (!source.labelNames.empty()) nameLabels(volume, source.labelNames);
+  noteLabels(volume, asValues ? LabelsDrawn::notSaid : LabelsDrawn::asMask, progress);
   if (volume.labels == 0 || asValues) return prepareGrid(std::move(volume), progress);
   progress.report(0.0, "finding labels");
   auto blocks = std::make_shared<LabelBlocks>(volume.grid, volume.name, progress);

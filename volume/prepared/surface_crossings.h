@@ -33,7 +33,8 @@ inline std::vector<Surface> shownSurfaces(const PreparedVolume& volume, const sc
   return surfaces;
 }
 
-// Which voxels of a block lie at or above a stored isovalue, and which are not missing: a bit for each of a row.
+// Which voxels of a block lie at or above a stored isovalue, and which are not missing: a bit for each of a
+// row.
 class BlockSides {
  public:
   template <class T>
@@ -59,7 +60,8 @@ class BlockSides {
       const Row& other = rows_[at(besideY, besideZ)];
       return (above ^ other.above) & known & other.known;
     };
-    return {(above ^ above >> 1) & known & known >> 1, with(y + 1 < size_.y, y + 1, z), with(z + 1 < size_.z, y, z + 1)};
+    return {(above ^ above >> 1) & known & known >> 1, with(y + 1 < size_.y, y + 1, z),
+            with(z + 1 < size_.z, y, z + 1)};
   }
 
  private:

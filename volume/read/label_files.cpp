@@ -60,18 +60,32 @@ fs::path fileOfNames(const fs::path& path) {
   return {};
 }
 
+std::vector<Label> readLabels(const fs::path& file) {
+  const std::string name = file.filename().string();
+  const FileBytes bytes(file);
+  if (bytes.size() > kLongestNames) base::throwInput(name, "", "is too long for names of labels");
+  return labelNamesIn(bytes.head(kLongestNames), name);
+}
+
 // A .txt may be anything.
 std::vector<Label> labelsInFile(const fs::path& file, std::vector<std::string>& warnings) {
   const std::string name = file.filename().string();
   try {
-    const FileBytes bytes(file);
-    if (bytes.size() > kLongestNames) base::throwInput(name, "", "is too long for names of labels");
-    return labelNamesIn(bytes.head(kLongestNames), name);
+    return readLabels(file);
   } catch (const base::Error& error) {
     if (!name.ends_with(".txt"))
       warnings.push_back(std::string("names of labels are not read: ") + error.what());
     return {};
   }
+}
+
+// `why`: what makes values labels where the file's names fit.
+void takeNames(LabelTable& table, const fs::path& file, const char* why, const Grid& grid) {
+  table = labelsOfLayer(table, 0);
+  if (table.labels.empty()) return;
+  table.source = file.filename().string();
+  const bool fits = grid.minimum() >= 0.0 && grid.maximum() <= static_cast<double>(table.labels.back().value);
+  if (fits && table.reason.empty()) table.reason = table.source + why;
 }
 
 }  // namespace
@@ -90,14 +104,17 @@ void addLabelFiles(Volume& volume, const fs::path& path) {
   if (table.labels.empty())
     if (const fs::path file = fileOfNames(path); !file.empty()) {
       table.labels = labelsInFile(file, volume.warnings);
-      table = labelsOfLayer(table, 0);
-      const std::string name = file.filename().string();
-      const bool fits = !table.labels.empty() && volume.grid->minimum() >= 0.0 &&
-                        volume.grid->maximum() <= static_cast<double>(table.labels.back().value);
-      if (!table.labels.empty()) table.source = name;
-      if (fits && table.reason.empty()) table.reason = name + " beside it names labels";
+      takeNames(table, file, " beside it names labels", *volume.grid);
     }
   if (table.reason.empty() && table.labels.empty()) return;
+  volume.labelTable = std::make_shared<const LabelTable>(std::move(table));
+}
+
+void nameLabels(Volume& volume, const fs::path& file) {
+  LabelTable table = volume.labelTable ? *volume.labelTable : LabelTable{};
+  table.labels = readLabels(file);
+  if (table.labels.empty()) base::throwInput(file.string(), "source.label_names", "names no labels");
+  takeNames(table, file, " names labels", *volume.grid);
   volume.labelTable = std::make_shared<const LabelTable>(std::move(table));
 }
 

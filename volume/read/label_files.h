@@ -21,4 +21,8 @@ std::string labelsByName(const std::filesystem::path& path);
 // becomes a warning.
 void addLabelFiles(Volume& volume, const std::filesystem::path& path);
 
+// Takes names and colours from that file in place of those that are there. It states labels where the voxels
+// lie between 0 and the greatest label it names. Throws Error of kind input if it names none.
+void nameLabels(Volume& volume, const std::filesystem::path& file);
+
 }  // namespace isolux::volume

@@ -25,9 +25,9 @@ class ActiveBlocks {
   explicit ActiveBlocks(std::shared_ptr<const MinMaxBlocks> blocks,
                         std::size_t mostSorted = std::size_t{1} << 22);
 
-  // Makes active what MinMaxBlocks::active() says for any of the isovalues (at most kMaximumIsovalues, in any order; NaN
-  // is active nowhere). Returns the blocks whose flag changed, each once, in no particular order; the list is
-  // valid until the next call. A step past many blocks costs no more than a scan of all.
+  // Makes active what MinMaxBlocks::active() says for any of the isovalues (at most kMaximumIsovalues, in any
+  // order; NaN is active nowhere). Returns the blocks whose flag changed, each once, in no particular order;
+  // the list is valid until the next call. A step past many blocks costs no more than a scan of all.
   std::span<const std::uint32_t> update(std::span<const float> storedIsovalues);
 
   const MinMaxBlocks& blocks() const { return *blocks_; }
@@ -50,8 +50,8 @@ class ActiveBlocks {
   std::shared_ptr<const MinMaxBlocks> blocks_;
   bool isSorted_;
   std::vector<Bound> byMinimum_, byMaximum_;  // ascending; without blocks that are constant or missing
-  std::vector<float> isovalues_;           // ascending
-  std::vector<std::uint8_t> isovaluesIn_;  // of each block
+  std::vector<float> isovalues_;              // ascending
+  std::vector<std::uint8_t> isovaluesIn_;     // of each block
   std::vector<std::uint8_t> flags_;
   std::size_t activeCount_ = 0;
   std::vector<std::uint32_t> touched_, changed_;

@@ -44,7 +44,8 @@ struct SliceValues {
 SliceValues sliceValues(const SliceField& field, const SlicePlane& plane, const Slab& slab,
                         base::Progress& progress);
 
-// As sliceValues(), of the voxel nearest to each point of the plane: for labels, which have no values between.
+// As sliceValues(), of the voxel nearest to each point of the plane: for labels, which have no values
+// between.
 SliceValues nearestValues(const Grid& grid, const SlicePlane& plane, base::Progress& progress);
 
 }  // namespace isolux::volume

@@ -9,8 +9,8 @@
 
 #include "scene/choices.h"
 #include "scene/noise.h"
-#include "volume/volume.h"
 #include "volume/statistics/histogram.h"
+#include "volume/volume.h"
 
 namespace isolux::volume {
 

@@ -225,20 +225,22 @@ std::vector<double> classBorders(const Histogram& histogram, double first) {
   return borders;
 }
 
-
 // The sum of what count(part of the voxels, counts) adds to `size` counts on each thread.
 template <class T, class Count>
-Counts countedOnThreads(std::span<const T> voxels, std::size_t size, base::Progress& progress, const Count& count) {
+Counts countedOnThreads(std::span<const T> voxels, std::size_t size, base::Progress& progress,
+                        const Count& count) {
   tbb::combinable<Counts> partial([&] { return Counts(size, 0); });
   parallelPieces(voxels.size(), std::size_t{1} << 18, progress, {}, [&](std::size_t begin, std::size_t end) {
     count(voxels.subspan(begin, end - begin), partial.local());
   });
   Counts sum(size, 0);
-  partial.combine_each([&](const Counts& counts) { std::ranges::transform(counts, sum, sum.begin(), std::plus()); });
+  partial.combine_each(
+      [&](const Counts& counts) { std::ranges::transform(counts, sum, sum.begin(), std::plus()); });
   return sum;
 }
 
-// Each value is counted first, in turns, since the same count cannot grow twice at once; then its bin is found.
+// Each value is counted first, in turns, since the same count cannot grow twice at once; then its bin is
+// found.
 template <class T>
 Counts countWholeNumbers(std::span<const T> voxels, const HistogramBinning& bins, base::Progress& progress) {
   constexpr std::size_t values = std::size_t{1} << (8 * sizeof(T)), turns = sizeof(T) == 1 ? 4 : 1;
@@ -250,8 +252,8 @@ Counts countWholeNumbers(std::span<const T> voxels, const HistogramBinning& bins
   Counts counts(bins.count, 0);
   for (std::size_t i = 0; i < found.size(); ++i)
     if (found[i] > 0)
-      counts[std::min(bins.binOf(static_cast<T>(static_cast<std::make_unsigned_t<T>>(i % values))), bins.count - 1)] +=
-          found[i];
+      counts[std::min(bins.binOf(static_cast<T>(static_cast<std::make_unsigned_t<T>>(i % values))),
+                      bins.count - 1)] += found[i];
   return counts;
 }
 }  // namespace

@@ -83,7 +83,8 @@ TEST_P(LabelGlTest, CapsHaveTheColoursOfLabels) {
       for (std::size_t i = 0; i < drawn.color.rgba.size(); i += 4) {
         bool same = true;
         for (std::size_t c = 0; c < 3; ++c)
-          same = same && std::abs(drawn.color.rgba[i + c] - base::screenByte(color[static_cast<int>(c)])) <= 1;
+          same =
+              same && std::abs(drawn.color.rgba[i + c] - base::screenByte(color[static_cast<int>(c)])) <= 1;
         count += same;
       }
       return count;

@@ -15,7 +15,8 @@ namespace {
 
 constexpr int kVoxels = 40;
 
-// Waves of several lengths: isosurfaces of any value between -1 and 1 have many pieces, nested in one another.
+// Waves of several lengths: isosurfaces of any value between -1 and 1 have many pieces, nested in one
+// another.
 std::shared_ptr<const volume::PreparedVolume> nestedWaves(int voxels = kVoxels) {
   return prepared(gridOfVoxels(unitGeometry(glm::ivec3(voxels)), [voxels](glm::dvec3 p) {
     p *= static_cast<double>(kVoxels) / voxels;
@@ -67,7 +68,8 @@ class SortedCrossings {
     ray.direction = glm::dmat3(voxelFromWorld) * world.direction;
     std::vector<std::pair<double, const scene::Surface*>> crossings;
     for (const scene::Surface& surface : scene_.surfaces)
-      for (const auto& [begin, end] : cut_.segmentsOf(*surface.value, ray)) add(surface, ray, begin, end, crossings);
+      for (const auto& [begin, end] : cut_.segmentsOf(*surface.value, ray))
+        add(surface, ray, begin, end, crossings);
     std::ranges::stable_sort(crossings, {}, &std::pair<double, const scene::Surface*>::first);
     glm::dvec3 color(0.0);
     double through = 1.0;
@@ -83,9 +85,10 @@ class SortedCrossings {
            std::vector<std::pair<double, const scene::Surface*>>& crossings) const {
     ray.tMaximum = end;
     for (ray.tMinimum = begin; ray.tMinimum < end;) {
-      const auto found = volume::firstHitOfField(
-          volume_->grid(), scene_.hit.field, cubic_ ? cubic_->coefficients.get() : nullptr,
-          cubic_ ? cubic_->blocks : *volume_->blocks, *surface.value, ray, volume::hiddenAt(hidden_, *surface.value));
+      const auto found = volume::firstHitOfField(volume_->grid(), scene_.hit.field,
+                                                 cubic_ ? cubic_->coefficients.get() : nullptr,
+                                                 cubic_ ? cubic_->blocks : *volume_->blocks, *surface.value,
+                                                 ray, volume::hiddenAt(hidden_, *surface.value));
       if (!found.hit) return;
       crossings.emplace_back(found.hit->t, &surface);
       ray.tMinimum = found.hit->t + 1e-5;
@@ -101,8 +104,8 @@ class SortedCrossings {
 
 class MergeGlTest : public ExecutorsGlTest {
  protected:
-  render::ColorImage colors(const std::shared_ptr<const volume::PreparedVolume>& volume, const scene::Scene& scene,
-                            glm::ivec2 size) {
+  render::ColorImage colors(const std::shared_ptr<const volume::PreparedVolume>& volume,
+                            const scene::Scene& scene, glm::ivec2 size) {
     scene_ = scene::resolve(pinned(scene), volume->facts);
     renderer_->setVolume(volume);
     render::FrameRequest request;
@@ -112,8 +115,8 @@ class MergeGlTest : public ExecutorsGlTest {
   }
 
   // The share of rays whose colour is off by more than `most` (linear light, of 1).
-  double shareOff(const std::shared_ptr<const volume::PreparedVolume>& volume, const scene::Scene& scene, int size,
-                  double most) {
+  double shareOff(const std::shared_ptr<const volume::PreparedVolume>& volume, const scene::Scene& scene,
+                  int size, double most) {
     const render::ColorImage image = colors(volume, scene, glm::ivec2(size));
     const SortedCrossings reference(volume, scene_);
     std::size_t off = 0, seen = 0;
@@ -169,8 +172,8 @@ TEST_P(MergeGlTest, SoAreTheyOnASplineAndSampled) {
 // Surfaces of values that the volume does not have fill the groups: pictures are those of one group.
 TEST_P(MergeGlTest, GroupsThatNoRayMeetsChangeNothing) {
   const auto volume = nestedWaves();
-  for (const char* setting : {"look.mode=blinn_phong", "look.shadow=1", "look.mode=mean_curvature", "hit.field=cubic",
-                              "hit.method=sampled", "look.mode=gi"}) {
+  for (const char* setting : {"look.mode=blinn_phong", "look.shadow=1", "look.mode=mean_curvature",
+                              "hit.field=cubic", "hit.method=sampled", "look.mode=gi"}) {
     SCOPED_TRACE(setting);
     scene::Scene few = eightSurfaces(6);
     few.surfaces.erase(few.surfaces.begin() + 4, few.surfaces.end());
@@ -246,7 +249,8 @@ TEST_P(MergeInBricksGlTest, PicturesAreThoseOfAWholeTexture) {
       EXPECT_TRUE(report_.bricks.inUse);
       EXPECT_EQ(report_.bricks.evicted == 0, allFit);
       std::size_t different = 0;
-      for (std::size_t i = 0; i < whole.rgba.size(); ++i) different += std::abs(whole.rgba[i] - bricks.rgba[i]) > 1;
+      for (std::size_t i = 0; i < whole.rgba.size(); ++i)
+        different += std::abs(whole.rgba[i] - bricks.rgba[i]) > 1;
       EXPECT_EQ(different, 0u);
       renderer_->setHostSettings(host_);
     }

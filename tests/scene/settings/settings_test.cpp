@@ -91,7 +91,8 @@ TEST(Settings, CoversEveryMemberOfScene) {
   const auto& [source, surfaces, isosurface, pieces, clip, slice, marks, hit, derivatives, edge, colorVolume,
                look, flow, light, lamps, gi, camera, picture] = scene;
   [[maybe_unused]] const auto& [path, raw, series, component, timeStep, kindOfData, volumeLevel, aroundDamage,
-                                meshVoxels, labels, smoothing, csg, csgPath, csgValue, csgWeight] = source;
+                                meshVoxels, labels, smoothing, labelNames, csg, csgPath, csgValue,
+                                csgWeight] = source;
   [[maybe_unused]] const auto& [suggestion, inside, albedoSource, albedoMap, albedoLow, albedoHigh, layers,
                                 ghostOpacity] = isosurface;
   [[maybe_unused]] const auto& [id, name, shown, value, albedo, specularity, roughness, opacity, facing,

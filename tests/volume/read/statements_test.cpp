@@ -26,7 +26,8 @@ std::string textOfFile(const fs::path& file) {
 
 using TableRow = std::vector<std::string>;  // cells
 std::vector<std::vector<TableRow>> statementTables() {
-  const std::string page = textOfFile(fs::path(ISOLUX_SOURCE_DIR) / "tests" / "volume" / "read" / "statements.md");
+  const std::string page =
+      textOfFile(fs::path(ISOLUX_SOURCE_DIR) / "tests" / "volume" / "read" / "statements.md");
   const std::size_t begin = page.find("## What a file says about itself");
   if (begin == std::string::npos) return {};
   std::istringstream lines(page.substr(begin, page.find("\n## ", begin + 3) - begin));

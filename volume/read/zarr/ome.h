@@ -26,7 +26,7 @@ struct OmeImage {
   std::string version, name;
   ArrayAxes axes;
   std::size_t axisCount = 5;
-  std::vector<OmeLevel> levels;  // at least one
+  std::vector<OmeLevel> levels;              // at least one
   std::shared_ptr<const LabelTable> labels;  // null: they are not said to be
   std::vector<std::string> warnings;
 };
