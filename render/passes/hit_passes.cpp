@@ -107,11 +107,6 @@ void writesOfGroups(Declaring& d, const char* image, int bytesPerRay) {
     d.writes(groups == 1 ? image : ofGroup(image, group), bytesPerRay);
 }
 
-void readsOfGroups(Declaring& d, const char* image) {
-  const std::size_t groups = groupsOf(d.asked.scene);
-  for (std::size_t group = 0; group < groups; ++group) d.reads(groups == 1 ? image : ofGroup(image, group));
-}
-
 void declareCast(Declaring& d) {
   const bool exact = d.asked.scene.hit.method == scene::HitMethod::exact;
   d.reads(image::activeBlocks);
@@ -300,6 +295,11 @@ PassList hitPasses() {
       // Takes the nearest crossing of each ray, where more surfaces are shown than one cast follows.
       {pass::merge, declareMerge, mergeGroups, {}, atHits, Pass::Cpu::casts},
   };
+}
+
+void readsOfGroups(Declaring& d, const char* image) {
+  const std::size_t groups = groupsOf(d.asked.scene);
+  for (std::size_t group = 0; group < groups; ++group) d.reads(groups == 1 ? image : ofGroup(image, group));
 }
 
 Target& surfaceTarget(FrameState& frame) {

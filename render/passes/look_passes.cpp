@@ -366,6 +366,7 @@ void declareLayers(Declaring& d) {
     d.writes("layers").notNeeded("every surface is opaque");
     return;
   }
+  readsOfGroups(d, image::surface);  // each casts on behind its own
   d.reads(image::front).writes(image::color, 8).settings({"isosurface.layers"});
   // It draws the passes of a crossing again: it depends on what they do, and reads what they read of others.
   const std::vector<bool> used = usedPasses(d.earlier, {image::front});

@@ -24,6 +24,9 @@ Pass piecePass();
 // Computes automatic numbers from the curvature of the volume's whole surface; independent of the view.
 Pass rangesPass();
 
+// Declares that a pass reads an image of each group of surfaces.
+void readsOfGroups(Declaring& d, const char* image);
+
 Target& surfaceTarget(FrameState& frame);  // returns the images of image::surface, to draw into
 bool anyHit(FrameState& frame);            // returns whether there is any surface point
 

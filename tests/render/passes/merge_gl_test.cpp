@@ -105,11 +105,12 @@ class SortedCrossings {
 class MergeGlTest : public ExecutorsGlTest {
  protected:
   render::ColorImage colors(const std::shared_ptr<const volume::PreparedVolume>& volume,
-                            const scene::Scene& scene, glm::ivec2 size) {
+                            const scene::Scene& scene, glm::ivec2 size, bool keepImages = true) {
     scene_ = scene::resolve(pinned(scene), volume->facts);
     renderer_->setVolume(volume);
     render::FrameRequest request;
     request.size = size;
+    request.keepImages = keepImages;
     report_ = renderer_->render(scene_, request);
     return renderer_->readColor();
   }
@@ -203,6 +204,20 @@ TEST_P(MergeGlTest, GroupsThatNoRayMeetsChangeNothing) {
     }
     EXPECT_LE(moved, 5u);  // values are less that of the group's first, rounded: seen where rays graze
     EXPECT_LE(different, one.hit.values.size() / 100);  // where light grazes a surface, or two meet
+  }
+}
+
+// As tiles of large pictures are drawn.
+TEST_P(MergeGlTest, FramesThatKeepNoImagesAreTheSame) {
+  const auto volume = nestedWaves();
+  for (const char* method : {"hit.method=exact", "hit.method=sampled"}) {
+    scene::Scene scene = eightSurfaces(9);
+    scene::applyAssignment(scene, method);
+    const render::ColorImage kept = colors(volume, scene, {96, 80}),
+                             dropped = colors(volume, scene, {96, 80}, false);
+    EXPECT_EQ(kept.rgba, dropped.rgba) << method;
+    for (scene::Surface& surface : scene.surfaces) surface.opacity = 1.0;
+    EXPECT_EQ(colors(volume, scene, {96, 80}).rgba, colors(volume, scene, {96, 80}, false).rgba) << method;
   }
 }
 
