@@ -23,7 +23,7 @@ SettingsDict = TypedDict("SettingsDict", {
     "source.mesh_voxels": int,  # Resolution of the distance field made from a triangle mesh: voxels along the longest axis.
     "source.labels": str | os.PathLike[str],  # Labels of a label map whose surface is drawn: numbers, ranges and names, as "2,4-7,liver"; empty draws all but 0.
     "source.smoothing": float,  # Smoothing of the surface of labels: standard deviation of the Gaussian. Every voxel's centre keeps its label whatever it is; 0 shows the voxels' own steps.
-    "source.label_names": str | os.PathLike[str],  # File that names the labels, in place of what the volume states: .tsv, .ctbl, .label, .txt or .json. Values that it names are labels.
+    "source.label_names": str | os.PathLike[str],  # File that names the labels, instead of what the volume states: .tsv, .ctbl, .label, .txt, .json.
     "source.csg": Literal["none", "union", "intersection", "difference", "blend"],  # Boolean operation that combines a second volume with the first, as solids on one grid.
     "source.csg_path": str | os.PathLike[str],  # Second volume of the Boolean operation, given as in source.path. A phantom without SIZE uses the first volume's grid.
     "source.csg_value": float | Literal["auto"] | None,  # Isovalue of the second volume, in its own units; auto uses the suggested one.

@@ -5790,6 +5790,10 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>%1 daneben benennt Labels</translation>
     </message>
     <message>
+        <source>%1 names labels</source>
+        <translation>%1 benennt Labels</translation>
+    </message>
+    <message>
         <source>its file states it</source>
         <translation>die Datei gibt es an</translation>
     </message>
@@ -6615,6 +6619,10 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     <message>
         <source>Name of the light source, for lists.</source>
         <translation>Name der Lichtquelle, für Listen.</translation>
+    </message>
+    <message>
+        <source>File that names the labels, instead of what the volume states: .tsv, .ctbl, .label, .txt, .json.</source>
+        <translation>Datei, die die Labels benennt, statt dessen, was das Volumen angibt: .tsv, .ctbl, .label, .txt, .json.</translation>
     </message>
     <message>
         <source>Smoothing of the surface of labels: standard deviation of the Gaussian. Every voxel&apos;s centre keeps its label whatever it is; 0 shows the voxels&apos; own steps.</source>
@@ -8820,6 +8828,14 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     <message>
         <source>light shown</source>
         <translation>Lichtquelle: gezeigt</translation>
+    </message>
+    <message>
+        <source>Label names</source>
+        <translation>Namen der Labels</translation>
+    </message>
+    <message>
+        <source>label names</source>
+        <translation>Namen der Labels</translation>
     </message>
     <message>
         <source>measuring labels</source>

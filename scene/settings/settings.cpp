@@ -46,9 +46,7 @@ std::vector<Setting> makeSettings() {
       "Smoothing of the surface of labels: standard deviation of the Gaussian. Every voxel's centre keeps "
       "its label whatever it is; 0 shows the voxels' own steps.");
   list.add("source.label_names", ISOLUX_MEMBER(source.labelNames),
-           "File that names the labels, in place of what the volume states: .tsv, .ctbl, .label, .txt or "
-           ".json. Values that it "
-           "names are labels.");
+           "File that names the labels, instead of what the volume states: .tsv, .ctbl, .label, .txt, .json.");
   list.add("source.csg", ISOLUX_MEMBER(source.csg),
            "Boolean operation that combines a second volume with the first, as solids on one grid.");
   list.add("source.csg_path", ISOLUX_MEMBER(source.csgPath),

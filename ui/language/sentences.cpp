@@ -33,6 +33,7 @@ constexpr const char* sentences[] = {
     QT_TRANSLATE_NOOP("sentences", "its name ends in %1"),
     QT_TRANSLATE_NOOP("sentences", "its name is that of FreeSurfer's labels"),
     QT_TRANSLATE_NOOP("sentences", "%1 beside it names labels"),
+    QT_TRANSLATE_NOOP("sentences", "%1 names labels"),
     QT_TRANSLATE_NOOP("sentences", "its file states it"),
     QT_TRANSLATE_NOOP("sentences", "it was made from a mesh"),
     QT_TRANSLATE_NOOP("sentences", "its values are in mm"),

@@ -62,43 +62,45 @@ TEST(LabelsCommand, TextNamesAndCountsThem) {
 
 // Names of another file take the place of those of the header.
 TEST(LabelsCommand, NamesComeFromTheFileThatIsGiven) {
-  std::ofstream(temporaryFolder() / "other.tsv")
-      << "index\tname\tcolor\n1\tcortex\t#0000ff\n2\tfat\t#00ff00\n";
-  const std::string path = (temporaryFolder() / "other.tsv").string();
+  const std::filesystem::path folder = temporaryFolder();
+  std::ofstream(folder / "other.tsv") << "index\tname\tcolor\n1\tcortex\t#0000ff\n2\tfat\t#00ff00\n";
+  const std::string path = (folder / "other.tsv").string();
   const json table =
       json::parse(infoOf(labelFile(3), {"--json", "--set", "source.label_names=" + path}).out)["label_table"];
   EXPECT_EQ(table["list"][0]["name"], "cortex");
   EXPECT_EQ(table["list"][0]["color"], json({0.0, 0.0, 1.0}));
   EXPECT_EQ(table["names_from"], "other.tsv");
   const auto refusal = [&](const std::string& file) {
-    return callIsolux({"info", labelFile(3), "--set", "source.label_names=" + file}, temporaryFolder());
+    return callIsolux({"info", labelFile(3), "--set", "source.label_names=" + file}, folder);
   };
   EXPECT_EQ(refusal("absent.tsv").exitCode, 3);
-  std::ofstream(temporaryFolder() / "empty.txt") << "nothing\n";
+  std::ofstream(folder / "empty.txt") << "nothing\n";
   const RunResult none = refusal("empty.txt");
   EXPECT_EQ(none.exitCode, 3) << none.err;
 }
 
 // The label of the nearest voxel at points, that of the surface where rays hit it.
 TEST(LabelsCommand, ProbeNamesLabels) {
+  const std::filesystem::path folder = temporaryFolder();
   const std::string file = labelFile(3);
-  std::ofstream(temporaryFolder() / "points.csv") << "8,8,0\n8,8,2\n8,8,9\n";
-  std::ofstream(temporaryFolder() / "rays.csv") << "8,8,40,0,0,-1\n8,8,-20,0,0,1\n";
+  const std::string points = (folder / "points.csv").string(), rays = (folder / "rays.csv").string();
+  std::ofstream(points) << "8,8,0\n8,8,2\n8,8,9\n";
+  std::ofstream(rays) << "8,8,40,0,0,-1\n8,8,-20,0,0,1\n";
   const auto probe = [&](const std::vector<std::string>& arguments) {
     std::vector<std::string> all{"probe", file, "--set", "source.labels=1,3"};
     all.insert(all.end(), arguments.begin(), arguments.end());
-    const RunResult result = callIsolux(all, temporaryFolder());
+    const RunResult result = callIsolux(all, folder);
     EXPECT_EQ(result.exitCode, 0) << result.err;
     return result.out;
   };
-  const json seen = json::parse(probe({"--points", "points.csv", "--rays", "rays.csv", "--json"}));
+  const json seen = json::parse(probe({"--points", points, "--rays", rays, "--json"}));
   EXPECT_EQ(seen["points"][0]["label"], 1);
   EXPECT_EQ(seen["points"][0]["label_name"], "liver");
   EXPECT_EQ(seen["points"][1]["label"], 3);
   EXPECT_EQ(seen["points"][2]["label"], 0);
   EXPECT_EQ(seen["rays"][0]["hit"]["label"], 3);
   EXPECT_EQ(seen["rays"][1]["hit"]["label_name"], "liver");
-  EXPECT_THAT(probe({"--points", "points.csv"}), HasSubstr(",1,liver"));
+  EXPECT_THAT(probe({"--points", points}), HasSubstr(",1,liver"));
 }
 
 TEST(LabelsCommand, ASettingSaysThatTheyAreNone) {

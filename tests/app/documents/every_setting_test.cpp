@@ -26,6 +26,7 @@ Scene withPlaces(Scene scene) {
   scene.source.csgPath = (folder / "second.nii").string();
   scene.light.environment.file = (folder / "light.hdr").string();
   scene.color.volume = (folder / "colours.nii").string();
+  scene.source.labelNames = (folder / "names.tsv").string();
   return scene;
 }
 

@@ -126,7 +126,7 @@ TEST(Settings, CoversEveryMemberOfScene) {
   [[maybe_unused]] const auto& [eye, target, up, frames, fov, projection] = camera;
   [[maybe_unused]] const auto& [supersampling, restHits, pictureExposure, metering, curve, letters, scaleBar,
                                 isovalue, caveats, transparent, pixelRatio] = picture;
-  EXPECT_EQ(settings().size(), 15u + 8 + 6 + 5 + 10 + 1 + 6 + 5 + 2 + 13 + 39 + 7 + 8 + 10 + 17 + 6 + 11);
+  EXPECT_EQ(settings().size(), 16u + 8 + 6 + 5 + 10 + 1 + 6 + 5 + 2 + 13 + 39 + 7 + 8 + 10 + 17 + 6 + 11);
   ASSERT_EQ(sceneLists().size(), 2u);
   EXPECT_EQ(sceneLists()[0].fields.size(), 10u);  // all of a surface but its id
   EXPECT_EQ(sceneLists()[1].fields.size(), 10u);  // all of a lamp but its id
