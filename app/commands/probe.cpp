@@ -53,7 +53,8 @@ void addPoint(ordered_json& json, const Probes& probes, glm::dvec3 world,
   for (const char* key : {"voxel", "value", "gradient", "normal", "kappa", "flowline_curvature", "confidence",
                           "scale_mm", "edge_offset_mm", "edge_strength"})
     json[key] = nullptr;
-  if (probes.labels) json["label"] = json["label_name"] = nullptr;
+  if (probes.labels)
+    for (const char* key : {"label", "label_name"}) json[key] = nullptr;
   if (!point) return;
   if (probes.labels) addLabel(json, *probes.labels, *point, isHit);
   json["voxel"] = point->voxel;
