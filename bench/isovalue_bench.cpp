@@ -57,7 +57,7 @@ class Drag {
 // Of the isovalue at rest.
 void printMasks(const Subject& subject, const std::shared_ptr<const volume::MinMaxBlocks>& blocks) {
   base::Progress progress;
-  const volume::BoxBounds bounds(*subject.grid, progress);
+  const volume::BoxBounds bounds(*subject.grid, *blocks, progress);
   const auto isovalue = subject.grid->storedIsovalue(subject.isovalue);
   volume::ActiveBlocks active(blocks);
   active.update({&isovalue, 1});

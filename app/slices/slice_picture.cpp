@@ -55,14 +55,14 @@ class LabelPaint {
   }
   Byte3 at(double label) const {
     const auto found = colors_.find(label);
-    return found != colors_.end() ? found->second : kHidden;  // labels beyond 2^24 are rounded in slices
+    if (found != colors_.end()) return found->second;
+    return encodedColor(glm::dvec3(volume::kHiddenLabel));  // labels beyond 2^24 are rounded in slices
   }
 
  private:
   void paint(const volume::ShownLabels& labels, int label) {
     colors_[label] = encodedColor(glm::dvec3(volume::faceColor(labels, label)));
   }
-  static constexpr Byte3 kHidden{70, 70, 70};
   std::unordered_map<double, Byte3> colors_;
 };
 

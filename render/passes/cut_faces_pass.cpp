@@ -27,10 +27,22 @@ volume::Ray rayAt(const volume::PictureRays& rays, glm::ivec2 pixel) {
           forward / std::sqrt(1.0 + glm::dot(plane, plane))};
 }
 
+// 8 bits of the root of each channel, red first: floats hold 24 exactly.
+float packed(const glm::vec3& linear) {
+  const glm::vec3 bytes = glm::round(255.0f * glm::sqrt(glm::clamp(linear, 0.0f, 1.0f)));
+  return (bytes.x * 256.0f + bytes.y) * 256.0f + bytes.z;
+}
+
+glm::vec3 unpacked(float value) {
+  const int bytes = static_cast<int>(value);
+  const glm::vec3 roots = glm::vec3(bytes >> 16, bytes >> 8 & 255, bytes & 255) / 255.0f;
+  return roots * roots;
+}
+
 float shownValue(const FrameState& frame, const volume::Ray& ray, const volume::CutFace& face) {
   if (!frame.labels) return static_cast<float>(face.value);
   const glm::dvec3 voxel = ray.origin + face.t * ray.direction;
-  return frame.cutFaceColors->placeOf(volume::labelOfFace(*frame.labels, voxel, face.value));
+  return packed(volume::faceColor(*frame.labels, volume::labelOfFace(*frame.labels, voxel, face.value)));
 }
 
 // Fills row y; what of it holds faces goes to `area`.
@@ -98,45 +110,28 @@ CutFaceImage::CutFaceImage(glm::ivec2 size)
       ends(volume::Extent2{size}.count()),
       texels(ends.size()) {}
 
-// A row has two colours at least.
-CutFaceColors labelColors(const volume::ShownLabels& labels) {
-  CutFaceColors colors;
-  colors.labels = {0};
-  for (const volume::LabelExtent& label : labels.blocks->list()) colors.labels.push_back(label.label);
-  std::ranges::sort(colors.labels);
-  const auto repeated = std::ranges::unique(colors.labels);
-  colors.labels.erase(repeated.begin(), repeated.end());
-  for (const int label : colors.labels) colors.row.push_back(volume::faceColor(labels, label));
-  colors.row.push_back(colors.row.back());
-  const auto last = static_cast<double>(colors.row.size() - 1);
-  colors.window = {.level = 0.5 * last, .width = last};
-  return colors;
-}
-
 glm::vec3 CutFaceColors::at(float value) const {
+  if (ofLabels) return unpacked(value);
   const auto last = static_cast<float>(row.size() - 1);
   const float x = static_cast<float>(window.greyOf(static_cast<double>(value))) * last;
   const auto i = static_cast<std::size_t>(std::min(std::floor(x), last - 1.0f));
   return glm::mix(row[i], row[i + 1], x - static_cast<float>(i));
 }
 
-float CutFaceColors::placeOf(int label) const {
-  return static_cast<float>(std::ranges::lower_bound(labels, label) - labels.begin());
-}
-
 CutFaceColors cutFaceColors(const scene::Scene& scene, const volume::PreparedVolume& volume) {
-  if (volume.labels) return labelColors(*volume.labels);
   const scene::ColorMap map =
       scene.slice.map == scene::ColorMap::automatic ? scene::ColorMap::gray : scene.slice.map;
-  return {volume::greyWindow(scene.slice, volume.histogram), scene::colorMapSamples(map, kCutColors)};
+  return {volume::greyWindow(scene.slice, volume.histogram), scene::colorMapSamples(map, kCutColors),
+          volume.labels != nullptr};
 }
 
 void setCutFaces(FrameState& frame, Program& program, int unit) {
   const CutFaceColors& colors = *frame.cutFaceColors;
-  frame.cutColors = Texture::make2D(frame.gl, GL_RGB32F, {static_cast<int>(colors.row.size()), 1});
+  frame.cutColors = Texture::make2D(frame.gl, GL_RGB32F, {kCutColors, 1});
   frame.cutColors.write(GL_RGB, GL_FLOAT, colors.row.data());
   program.setTexture("uCutFaces", unit, frame.images.at(image::cutFaces).images[0]);
   program.setTexture("uCutColors", unit + 1, frame.cutColors);
+  program.set("uCutOfLabels", colors.ofLabels ? 1 : 0);
   program.set("uCutWindow", glm::vec2(colors.window.level, colors.window.width));
 }
 

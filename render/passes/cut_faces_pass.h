@@ -5,7 +5,7 @@
 
 namespace isolux::render {
 
-// Finds t (mm; -1: none) and the value (data units; of label maps the place of the label's colour) of the cap
+// Finds t (mm; -1: none) and the value (data units; of label maps the label's colour, packed) of the cap
 // that each ray meets (volume/clip/cut_faces.h). Always runs on the CPU. Rays end at caps; `resolve` colours
 // them behind everything in front.
 Pass cutFacesPass();
@@ -13,9 +13,8 @@ Pass cutFacesPass();
 // The colours of a scene's caps.
 struct CutFaceColors {
   volume::GreyWindow window;
-  std::vector<glm::vec3> row;  // low to high, linear; of label maps one for each label
-  std::vector<int> labels{};   // of the row, ascending
-  float placeOf(int label) const;
+  std::vector<glm::vec3> row;  // low to high, linear
+  bool ofLabels = false;       // values are colours themselves
   glm::vec3 at(float value) const;
 };
 CutFaceColors cutFaceColors(const scene::Scene& scene, const volume::PreparedVolume& volume);

@@ -64,8 +64,8 @@ std::size_t groupsOf(const scene::Scene& scene) {
   return groupsOf(scene::visibleSurfaces(scene).size());
 }
 
-std::string ofGroup(const char* image, std::size_t group) {
-  return std::string(image) + " of group " + std::to_string(group + 1);
+std::string ofGroup(const char* image, std::size_t group, std::size_t groups) {
+  return groups == 1 ? image : std::string(image) + " of group " + std::to_string(group + 1);
 }
 
 FrameState::FrameState(GlPtr pointer)

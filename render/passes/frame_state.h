@@ -24,6 +24,7 @@
 #include "scene/opacity.h"
 #include "scene/rules/needs.h"
 #include "scene/scene.h"
+#include "volume/cast/hit_info.h"
 #include "volume/clip/cut_faces.h"
 #include "volume/color/second_volume.h"
 #include "volume/edge/edge_walk.h"
@@ -52,13 +53,13 @@ std::vector<Surface> surfacesOf(const scene::Scene& scene);
 std::vector<double> valuesOf(const std::vector<Surface>& surfaces);
 
 // One cast follows a group of up to so many isosurfaces, in their order.
-inline constexpr std::size_t kGroupSurfaces = 4;
+inline constexpr std::size_t kGroupSurfaces = volume::HitInfo::kSurfaces;
 // Returns how many groups that many surfaces make: at least one.
 std::size_t groupsOf(std::size_t surfaces);
 std::size_t groupsOf(const scene::Scene& scene);
-// Returns the name of what the cast of a group draws, where there are several: the merge pass makes the image
-// of it.
-std::string ofGroup(const char* image, std::size_t group);
+// Returns the name of what the cast of a group draws: the image's own if there is one group, else the merge
+// pass makes the image of it.
+std::string ofGroup(const char* image, std::size_t group, std::size_t groups);
 
 // Returns the field in which the object's edge is searched: the trilinear field has no second derivatives.
 FieldAt edgeFieldOf(const scene::Scene& scene);
@@ -123,7 +124,7 @@ struct FrameState {
     group = 0;
   }
   // Returns the name under which the cast of the group draws an image.
-  std::string castName(const char* image) const { return groups() == 1 ? image : ofGroup(image, group); }
+  std::string castName(const char* image) const { return ofGroup(image, group, groups()); }
 
   // The crossing drawn now ("" the first, otherwise one behind: layers pass), and the one before it.
   std::string layer, layerBefore;

@@ -103,8 +103,7 @@ std::size_t bytesOfBricks(const FrameState& frame) {
 
 void writesOfGroups(Declaring& d, const char* image, int bytesPerRay) {
   const std::size_t groups = groupsOf(d.asked.scene);
-  for (std::size_t group = 0; group < groups; ++group)
-    d.writes(groups == 1 ? image : ofGroup(image, group), bytesPerRay);
+  for (std::size_t group = 0; group < groups; ++group) d.writes(ofGroup(image, group, groups), bytesPerRay);
 }
 
 void declareCast(Declaring& d) {
@@ -299,7 +298,7 @@ PassList hitPasses() {
 
 void readsOfGroups(Declaring& d, const char* image) {
   const std::size_t groups = groupsOf(d.asked.scene);
-  for (std::size_t group = 0; group < groups; ++group) d.reads(groups == 1 ? image : ofGroup(image, group));
+  for (std::size_t group = 0; group < groups; ++group) d.reads(ofGroup(image, group, groups));
 }
 
 Target& surfaceTarget(FrameState& frame) {

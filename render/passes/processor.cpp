@@ -94,8 +94,6 @@ volume::SurfaceCaster casterOf(const FrameState& frame) {
   return {of, isovalues, volume.surface().blocks().dims(), volume.surface().masks()};
 }
 
-constexpr float kMostCovered = 0.996f;  // of a pixel: what lies behind adds less than a step of 8 bits
-
 bool isOfGroup(const glm::vec2& info, std::size_t group) {
   return volume::HitInfo::of(info.y).group() == static_cast<int>(group);
 }
@@ -104,44 +102,41 @@ std::uint8_t darker(std::uint8_t a, std::uint8_t b) {
   return std::min(a, b);
 }
 
-// The crossings of a group are kept under its number, unless there is one group.
+// The name of the crossings of the group that is cast, in a layer.
 std::string castName(const FrameState& frame, const std::string& layer) {
-  return frame.groups() == 1 ? layer : frame.castName("") + layer;
+  return frame.castName("") + layer;
 }
 
 // The crossings of the group that were not the nearest of their rays are still to come.
-void keepCrossings(const FrameState& frame, const volume::CrossingImage& before,
-                   const std::vector<float>& covered, volume::CrossingImage& out) {
+void keepCrossings(const FrameState& frame, const volume::CrossingsBefore& before,
+                   volume::CrossingImage& out) {
   const std::vector<glm::vec2>& nearest = frame.host.at(frame.layerBefore).crossings.infos;
-  for (const volume::Rectangle& part : before.area.rectangles())
-    for (int y = part.low.y; y < part.low.y + part.size.y; ++y) {
-      const std::size_t row = volume::Extent2{before.area.size()}.index(0, y);
-      for (std::size_t i = row + part.low.x; i < row + part.low.x + part.size.x; ++i) {
-        if (before.points[i].w < 0.0f || covered[i] > kMostCovered || isOfGroup(nearest[i], frame.group))
-          continue;
-        out.points[i] = before.points[i];
-        out.infos[i] = before.infos[i];
-        out.area.add(y, static_cast<int>(i - row), static_cast<int>(i - row) + 1);
+  const volume::CrossingImage& own = before.crossings;
+  for (const volume::Rectangle& part : own.area.rectangles())
+    for (int y = part.low.y; y < part.low.y + part.size.y; ++y)
+      for (int x = part.low.x; x < part.low.x + part.size.x; ++x) {
+        const std::size_t i = volume::Extent2{own.area.size()}.index(x, y);
+        const bool ends = before.covered[i] > volume::CrossingsBefore::kMostCovered;
+        if (own.points[i].w < 0.0f || ends || isOfGroup(nearest[i], frame.group)) continue;
+        out.points[i] = own.points[i];
+        out.infos[i] = own.infos[i];
+        out.area.add(y, x, x + 1);
       }
-    }
 }
 
-void cast(FrameState& frame, volume::CrossingImage& out) {
+// `covered`: of each pixel, behind the first crossing.
+void cast(FrameState& frame, const std::vector<float>& covered, volume::CrossingImage& out) {
   const volume::PictureRays rays = frame.rays();
   const volume::SurfaceCaster caster = casterOf(frame);
-  if (frame.layer.empty()) {
-    caster.castAll(rays, out, frame.request.stop);
-    return;
-  }
-  const volume::CrossingImage& before = frame.host.at(castName(frame, frame.layerBefore)).crossings;
-  std::vector<float> covered = alphaOf(frame.images.at(image::color).images[0], before.area);
-  if (frame.groups() == 1) return caster.castBehind(rays, {before, covered}, out, frame.request.stop);
+  if (frame.layer.empty()) return caster.castAll(rays, out, frame.request.stop);
+  const volume::CrossingsBefore before{frame.host.at(castName(frame, frame.layerBefore)).crossings, covered};
+  if (frame.groups() == 1) return caster.castBehind(rays, before, out, frame.request.stop);
   const std::vector<glm::vec2>& nearest = frame.host.at(frame.layerBefore).crossings.infos;
   std::vector<float> others = covered;
   for (std::size_t i = 0; i < others.size(); ++i)
     if (!isOfGroup(nearest[i], frame.group)) others[i] = 1.0f;
-  caster.castBehind(rays, {before, others}, out, frame.request.stop);
-  keepCrossings(frame, before, covered, out);
+  caster.castBehind(rays, {before.crossings, others}, out, frame.request.stop);
+  keepCrossings(frame, before, out);
 }
 
 void findEdges(const FrameState& frame, const FieldAt& field, const volume::EdgeSearch<float>& search,
@@ -243,11 +238,15 @@ void uploadCrossings(FrameState& frame) {
 }  // namespace
 
 void castOnProcessor(FrameState& frame) {
+  std::vector<float> covered;
+  if (!frame.layer.empty())
+    covered =
+        alphaOf(frame.images.at(image::color).images[0], frame.host.at(frame.layerBefore).crossings.area);
   bool any = false;
   frame.forGroups([&] {
     volume::CrossingImage& crossings = hostImages(frame, castName(frame, frame.layer)).crossings;
     if (!frame.empty())
-      cast(frame, crossings);
+      cast(frame, covered, crossings);
     else if (!crossings.area.empty())
       crossings = volume::CrossingImage(frame.raySize());
     any = any || !crossings.area.empty();

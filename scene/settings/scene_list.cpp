@@ -99,8 +99,7 @@ SceneList makeLamps() {
   return list;
 }
 
-// The colours of surfaces by their position: the first, then these in turn.
-constexpr glm::dvec3 kFirstAlbedo{0.70, 0.62, 0.50};
+// The colours of surfaces behind the first, in turn.
 constexpr glm::dvec3 kAlbedos[] = {{0.25, 0.45, 0.75}, {0.30, 0.62, 0.35}, {0.75, 0.28, 0.22},
                                    {0.80, 0.58, 0.16}, {0.45, 0.30, 0.68}, {0.20, 0.60, 0.62},
                                    {0.78, 0.42, 0.60}, {0.50, 0.62, 0.20}, {0.52, 0.38, 0.28},
@@ -469,7 +468,8 @@ std::optional<std::size_t> positionOf(const Scene& scene, std::string_view path)
 }
 
 Surface newSurface(std::size_t position) {
-  return {.albedo = position == 0 ? kFirstAlbedo : kAlbedos[(position - 1) % std::size(kAlbedos)]};
+  if (position == 0) return {};
+  return {.albedo = kAlbedos[(position - 1) % std::size(kAlbedos)]};
 }
 
 std::string newId(const SceneList& list, const Scene& scene, std::string_view name) {

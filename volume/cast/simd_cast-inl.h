@@ -154,7 +154,6 @@ struct Before {
 };
 
 HWY_INLINE Before beforeAt(const CrossingsBefore& before, const CastTarget& target, glm::ivec2 pixel) {
-  constexpr float mostCovered = 0.996f;  // what lies behind adds less than a step of 8 bits
   alignas(64) float t[kLanes];
   alignas(64) std::int32_t inside[kLanes] = {};
   for (int lane = 0; lane < static_cast<int>(kLanes); ++lane) {
@@ -162,7 +161,7 @@ HWY_INLINE Before beforeAt(const CrossingsBefore& before, const CastTarget& targ
     t[lane] = -1.0f;
     if (at.x >= target.end.x || at.y >= target.end.y) continue;
     const std::size_t i = static_cast<std::size_t>(at.y) * target.stride + static_cast<std::size_t>(at.x);
-    if (before.covered[i] > mostCovered) continue;
+    if (before.covered[i] > CrossingsBefore::kMostCovered) continue;
     t[lane] = before.crossings.points[i].w;
     inside[lane] = HitInfo::of(before.crossings.infos[i].y).sides();
   }

@@ -73,8 +73,9 @@ struct CrossingImage {
   std::vector<glm::vec2> infos;
 };
 
-// The crossings that rays come from, and how much of the pixel is covered (nearly all: the ray ends).
+// The crossings that rays come from, and how much of the pixel is covered; above kMostCovered the ray ends.
 struct CrossingsBefore {
+  static constexpr float kMostCovered = 0.996f;  // what lies behind adds less than a step of 8 bits
   const CrossingImage& crossings;
   std::span<const float> covered;
 };

@@ -151,7 +151,7 @@ int labelOfFace(const ShownLabels& labels, const glm::dvec3& voxel, double value
 
 glm::vec3 faceColor(const ShownLabels& labels, int label) {
   if (std::ranges::binary_search(labels.mask.labels, label)) return labelColor(labels.table.get(), label);
-  return glm::vec3(label == 0 ? 0.0f : 0.0612f);  // 70 of 255 on a screen
+  return glm::vec3(label == 0 ? 0.0f : kHiddenLabel);
 }
 
 glm::dvec3 meanColor(const ShownLabels& labels) {

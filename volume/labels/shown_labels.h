@@ -55,8 +55,9 @@ std::optional<int> labelAt(const ShownLabels& labels, const glm::dvec3& voxel);
 // `value` is taken there, is inside; elsewhere that of the nearest voxel.
 int labelOfFace(const ShownLabels& labels, const glm::dvec3& voxel, double value);
 
-// Returns the colour of a label on slices and faces of cuts, linear RGB: its own if it is shown, else dark
-// grey; black for 0.
+// Returns the colour of a label on slices and faces of cuts, linear RGB: its own if it is shown, else
+// kHiddenLabel; black for 0.
+inline constexpr float kHiddenLabel = 0.0612f;  // grey: 70 of 255 on a screen
 glm::vec3 faceColor(const ShownLabels& labels, int label);
 
 // Returns the mean colour of the shown labels, linear RGB, weighted by their voxels to the power of 2/3, as

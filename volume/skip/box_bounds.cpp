@@ -93,9 +93,6 @@ BoxBounds::BoxBounds(glm::ivec3 voxels, const base::Progress& progress) {
   resizeStoppably(bounds_, blocks, progress);
 }
 
-BoxBounds::BoxBounds(const Grid& grid, base::Progress& progress)
-    : BoxBounds(ofPart(grid.voxels(), grid.dims(), grid, progress)) {}
-
 BoxBounds::BoxBounds(const Grid& grid, const MinMaxBlocks& blocks, base::Progress& progress)
     : BoxBounds(grid.dims(), progress) {
   assert(blocks.blockCells() == kBlockCells);

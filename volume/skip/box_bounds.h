@@ -23,10 +23,8 @@ class BoxBounds {
  public:
   static constexpr int kBlockCells = 8, kBoxCells = 2, kBoxesPerBlock = 64;
 
-  // Of the trilinear field. Multithreaded; 256 bytes for each block of 8x8x8 cells; throws
-  // Error: memory, before anything is made; interrupted.
-  BoxBounds(const Grid& grid, base::Progress& progress);
-  // The same, sooner: `blocks` are those of the grid, of kBlockCells cells.
+  // Of the trilinear field. `blocks`: those of the grid, of kBlockCells cells. Multithreaded; 256 bytes for
+  // each block; throws Error: memory, before anything is made; interrupted.
   BoxBounds(const Grid& grid, const MinMaxBlocks& blocks, base::Progress& progress);
   // Of the cubic B-spline with these coefficients (without their offset), or, where they are null, of that
   // whose coefficients are the samples.

@@ -17,7 +17,13 @@
 uniform sampler2D uCutFaces;   // t (-1: none) and value of the cut face behind all that is shaded
 uniform sampler2D uCutColors;  // black to white
 uniform vec2 uCutWindow;       // level and width
+uniform int uCutOfLabels;      // 1: values are colours, 8 bits of the root of each channel
 vec3 faceColor(float value) {
+  if (uCutOfLabels != 0) {
+    int bytes = int(value);
+    vec3 roots = vec3(bytes >> 16, bytes >> 8 & 255, bytes & 255) / 255.0;
+    return roots * roots;
+  }
   float grey = uCutWindow.y > 0.0 ? (value - uCutWindow.x) / uCutWindow.y + 0.5 : float(value >= uCutWindow.x);
   return fromRow(uCutColors, clamp(grey, 0.0, 1.0));
 }

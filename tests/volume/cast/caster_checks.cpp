@@ -42,7 +42,7 @@ Prepared::Prepared(Grid made, std::vector<double> values, scene::Field of,
     flags.resize(own.size());
     for (std::size_t i = 0; i < own.size(); ++i) flags[i] |= own[i];
   }
-  const BoxBounds ofVoxels(*grid_, progress_);
+  const BoxBounds ofVoxels(*grid_, MinMaxBlocks(*grid_, BoxBounds::kBlockCells, progress_), progress_);
   const BoxBounds& boxes = cubic_ ? cubic_->boxes : ofVoxels;
   if (hidden_.empty()) {
     boxes.masks(stored, flags, masks_);

@@ -14,6 +14,11 @@
 namespace isolux::volume {
 namespace {
 
+// With every block looked at.
+BoxBounds boundsOf(const Grid& grid, base::Progress& progress) {
+  return BoxBounds::ofPart(grid.voxels(), grid.dims(), grid, progress);
+}
+
 Grid randomGrid(glm::ivec3 dims, std::mt19937& random, bool gaps) {
   std::vector<float> voxels(GridGeometry::make(dims, glm::dvec3(1.0)).voxelCount());
   std::uniform_real_distribution<float> value(-1.0f, 1.0f);
@@ -50,7 +55,7 @@ TEST(BoxBoundsTest, NoBoxWithACrossingIsLeftOutAndFewOthersAreKept) {
         const MinMaxBlocks blocks =
             apron ? MinMaxBlocks::ofCubic(grid, nullptr, 8, progress) : MinMaxBlocks(grid, 8, progress);
         const BoxBounds boxes =
-            apron ? BoxBounds::ofCubic(grid, nullptr, progress) : BoxBounds(grid, progress);
+            apron ? BoxBounds::ofCubic(grid, nullptr, progress) : boundsOf(grid, progress);
         ASSERT_EQ(boxes.blockDims(), blocks.dims());
         for (const float isovalue : {0.0f, 0.05f, -0.2f, 0.4f}) {
           std::vector<std::uint8_t> flags;
@@ -86,7 +91,7 @@ TEST(BoxBoundsTest, SeveralIsovaluesAreTheUnion) {
   std::mt19937 random(8);
   const Grid grid = randomGrid({25, 25, 25}, random, false);
   base::Progress progress;
-  const BoxBounds boxes(grid, progress);
+  const BoxBounds boxes = boundsOf(grid, progress);
   const std::vector<std::uint8_t> flags(27, 1);
   std::vector<std::uint64_t> first, second, both;
   const float isovalues[] = {-0.1f, 0.15f};
@@ -103,7 +108,7 @@ TEST(BoxBoundsTest, RoundingIsOutward) {
   std::mt19937 random(10);
   const Grid grid = randomGrid({9, 9, 9}, random, false);
   base::Progress progress;
-  const BoxBounds boxes(grid, progress);
+  const BoxBounds boxes = boundsOf(grid, progress);
   const glm::ivec3 corners = grid.dims() - 1;
   for (int z = 0; z < corners.z; ++z)
     for (int y = 0; y < corners.y; ++y)
@@ -125,7 +130,7 @@ TEST(BoxBoundsTest, OfConstantVolumesNothingIsCountedInSteps) {
   std::vector<std::uint64_t> masks;
   const float isovalues[] = {4.0f};
   const test::InvalidOperations invalid;
-  BoxBounds(Grid(geometry, std::vector<float>(729, 4.0f)), progress).masks(isovalues, {1}, masks);
+  boundsOf(Grid(geometry, std::vector<float>(729, 4.0f)), progress).masks(isovalues, {1}, masks);
   EXPECT_FALSE(invalid.met());
 }
 
@@ -134,10 +139,10 @@ TEST(BoxBoundsTest, ConstantAndOutsideHaveNone) {
   std::vector<std::uint64_t> masks;
   const float isovalues[] = {4.0f};
   base::Progress progress;
-  BoxBounds(Grid(geometry, std::vector<float>(729, 4.0f)), progress).masks(isovalues, {1}, masks);
+  boundsOf(Grid(geometry, std::vector<float>(729, 4.0f)), progress).masks(isovalues, {1}, masks);
   EXPECT_EQ(masks[0], 0u);
   std::mt19937 random(9);
-  BoxBounds(randomGrid({9, 9, 9}, random, false), progress).masks(isovalues, {1}, masks);
+  boundsOf(randomGrid({9, 9, 9}, random, false), progress).masks(isovalues, {1}, masks);
   EXPECT_EQ(masks[0], 0u);
 }
 
@@ -155,7 +160,7 @@ TEST(BoxBoundsTest, OfKnownBlocksAreTheSame) {
     for (const float isovalue : {0.5f, 3.0f, 7.9f}) {
       std::vector<std::uint64_t> seen, expected;
       BoxBounds(grid, blocks, progress).masks(std::span(&isovalue, 1), flags, seen);
-      BoxBounds(grid, progress).masks(std::span(&isovalue, 1), flags, expected);
+      boundsOf(grid, progress).masks(std::span(&isovalue, 1), flags, expected);
       EXPECT_EQ(seen, expected) << isovalue << ' ' << missing;
     }
   }
@@ -170,7 +175,7 @@ TEST(BoxBoundsTest, TheGreatestValueIsWithinTheBounds) {
     voxels[0] = static_cast<std::uint8_t>(greatest);
     std::vector<std::uint64_t> masks;
     const auto isovalue = static_cast<float>(greatest);
-    BoxBounds(Grid(geometry, voxels), progress).masks(std::span(&isovalue, 1), {1}, masks);
+    boundsOf(Grid(geometry, voxels), progress).masks(std::span(&isovalue, 1), {1}, masks);
     EXPECT_EQ(masks[0], 1u) << greatest;
   }
 }

@@ -40,7 +40,7 @@ struct Bits {
 Bits bitsOf(const Grid& grid, const std::vector<float>& isovalues) {
   base::Progress progress;
   const auto blocks = std::make_shared<MinMaxBlocks>(grid, 8, progress);
-  const BoxBounds bounds(grid, progress);
+  const BoxBounds bounds(grid, *blocks, progress);
   ActiveBlocks active(blocks);
   active.update(isovalues);
   std::vector<std::uint64_t> boxes;
