@@ -3,6 +3,8 @@
 #include <utility>
 
 #include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QToolButton>
 
 #include "ui/editors/histogram_slider.h"
@@ -19,6 +21,7 @@ IsovaluePanel::IsovaluePanel(QWidget* parent)
       slider_(new HistogramSlider(this)),
       spinBox_(new NumberSpinBox(this)),
       surfaces_(new SurfaceList(this)),
+      scroll_(new QScrollArea(this)),
       title_(new QLabel(tr("Isovalue"), this)),
       add_(textButton(tr("Add surface"), {}, this)),
       suggest_(textButton(
@@ -39,7 +42,11 @@ IsovaluePanel::IsovaluePanel(QWidget* parent)
   }
 
   buttons_ = columnOf({suggest_, showAll_, add_}, 4);
-  auto* side = columnOf({title_, spinBox_, surfaces_, buttons_, Cell::room(0)}, 4);
+  scroll_->setWidget(surfaces_);
+  scroll_->setFocusPolicy(Qt::NoFocus);  // its rows have it
+  scroll_->setWidgetResizable(true);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* side = columnOf({title_, spinBox_, {scroll_, 1}, buttons_, Cell::room(0)}, 4);
   layOut(this, lineOf({{slider_, 1}, side}, 4), {2, 8, 12, 4});
   spinBox_->setFixedWidth(124);
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
@@ -108,7 +115,9 @@ void IsovaluePanel::showSurfaces(const scene::Scene& resolved) {
 void IsovaluePanel::arrange(bool several) {
   title_->setVisible(!several);
   spinBox_->setVisible(!several);
-  surfaces_->setVisible(several);
+  scroll_->setVisible(several);
+  scroll_->setMinimumWidth(surfaces_->minimumSizeHint().width() +
+                           scroll_->verticalScrollBar()->sizeHint().width());
   buttons_->setDirection(several ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
 }
 

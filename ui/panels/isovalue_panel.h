@@ -9,6 +9,7 @@
 
 class QBoxLayout;
 class QLabel;
+class QScrollArea;
 class QToolButton;
 
 namespace isolux::ui {
@@ -43,6 +44,7 @@ class IsovaluePanel : public QWidget {
   HistogramSlider* slider_;
   NumberSpinBox* spinBox_;
   SurfaceList* surfaces_;
+  QScrollArea* scroll_;  // of the list
   QLabel* title_;
   QToolButton *add_, *suggest_, *showAll_;
   QBoxLayout* buttons_;

@@ -69,6 +69,19 @@ TEST_F(WindowTest, SkinOverBoneIsTwoGestures) {
   EXPECT_FALSE(window_->document()->history().canUndo());
 }
 
+// More rows than have room are scrolled, not squeezed into one another.
+TEST_F(WindowTest, RowsOfManyIsosurfacesDoNotOverlap) {
+  ASSERT_TRUE(load(*window_, "phantom:head:32"));
+  scene::Scene scene = window_->document()->scene();
+  for (std::size_t i = 1; i < 10; ++i) test::surfaceAt(scene, i).value = 100.0 * static_cast<double>(i);
+  window_->document()->edit({scene, "Add isosurfaces"});
+  const auto* const list = window_->panel<ui::IsovaluePanel>()->findChild<ui::SurfaceList*>();
+  ASSERT_EQ(list->rows().size(), 10u);
+  QCoreApplication::processEvents();  // the layout follows
+  for (std::size_t i = 1; i < 10; ++i)
+    EXPECT_GE(list->rows()[i].value->geometry().top(), list->rows()[i - 1].value->geometry().bottom());
+}
+
 TEST_F(WindowTest, EveryIsosurfaceHasAHandleAndARow) {
   ASSERT_TRUE(load(*window_, "phantom:head:32"));
   ui::IsovaluePanel* const panel = window_->panel<ui::IsovaluePanel>();
