@@ -60,7 +60,8 @@ void Renderer::setHostSettings(const scene::HostSettings& machine) {
 void Renderer::setVolume(std::shared_ptr<const volume::PreparedVolume> volume) {
   if (volume == parts_->volume) return;
   parts_->volume = std::move(volume);
-  parts_->frame.volume.reset();
+  parts_->frame.volumes.clear();
+  parts_->frame.volume = nullptr;
 }
 
 void Renderer::setLight(std::shared_ptr<const gi::PictureLight> light) {
@@ -87,6 +88,53 @@ const scene::Scene& Renderer::Parts::completed(const scene::Scene& scene, const 
   return *completedScene;
 }
 
+void Renderer::Parts::takeVolumes(const scene::Scene& scene) {
+  frame.surfaces = surfacesOf(scene);
+  base::Progress unwatched;
+  std::vector<std::shared_ptr<const volume::PreparedVolume>> wanted;
+  if (volume) wanted = volume::labelFields(*volume, scene, unwatched);
+  labelFields = wanted.size();
+  if (labelFields > 0) {  // surfaces without a shown label have no field
+    std::vector<Surface> shown;
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      if (wanted[i]) shown.push_back(frame.surfaces[i]);
+    frame.surfaces = std::move(shown);
+    std::erase(wanted, nullptr);
+    labelFields = std::max<std::size_t>(wanted.size(), 1);
+  }
+  if (volume && wanted.empty()) wanted = {volume};
+  std::vector<std::unique_ptr<GpuVolume>> before = std::exchange(frame.volumes, {});
+  for (const auto& prepared : wanted) {
+    const auto kept = std::ranges::find_if(
+        before, [&](const auto& one) { return one && one->prepared() == prepared; });
+    if (kept != before.end()) {
+      frame.volumes.push_back(std::move(*kept));
+      continue;
+    }
+    frame.volumes.push_back(std::make_unique<GpuVolume>(frame.gl, prepared));
+    ++copiesMade;
+  }
+  for (const auto& one : frame.volumes)
+    one->setHidden(volume::hiddenOf(scene, *one->prepared()->pieces, unwatched));
+  frame.takeGroup(0);
+}
+
+void Renderer::Parts::requireFields(const scene::Scene& scene, const FrameRequest& request) {
+  const std::vector<FieldAt> fields = fieldsReadBy(scene, request);
+  scene::Memory left = memory;
+  if (frame.isOfLabels()) left.layout = scene::MemoryLayout::whole;  // bricks are those of one volume
+  for (const auto& one : frame.volumes) {
+    if (frame.onProcessor.all) {
+      one->requireFields(fields);
+      continue;
+    }
+    one->require(fields, left);
+    if (frame.isOfLabels()) left.gpuBudgetMb -= std::min(left.gpuBudgetMb, static_cast<int>(one->bytes() >> 20));
+    // Shaders at the hits find only bricks that rays of shaders have asked for.
+    if (one->bricks()) frame.onProcessor = {};
+  }
+}
+
 void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& request) {
   const int longest = std::max(request.size.x, request.size.y) * request.supersampling;
   if (!request.tile && longest > frame.gl->maxImage)
@@ -98,37 +146,26 @@ void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& req
   frame.hitPart.reset();
   frame.bandRows = frame.bandRow = 0;
   frame.gradientInStrips = false;
-  frame.surfaces = surfacesOf(scene);
-  frame.group = 0;
-  base::Progress unwatched;
-  frame.hidden.clear();
-  if (volume) frame.hidden = volume::hiddenOf(scene, *volume->pieces, unwatched);
+  takeVolumes(scene);
   frame.prepared = volume.get();
   frame.cut = volume ? volume::SurfaceCut(scene, volume->grid().geometry()) : volume::SurfaceCut();
   frame.cutFaceColors.reset();
   if (volume && scene::showsCutFaces(scene)) {
     frame.cutFaceColors = std::make_unique<CutFaceColors>(cutFaceColors(scene, *volume));
     for (const scene::Field field : {scene.hit.field, scene.slice.field})
-      if (field == scene::Field::cubic_interpolating) volume->cubicFields->make(field, unwatched);
-  }
-  if (volume && !frame.volume) {
-    frame.volume.emplace(frame.gl, volume);
-    ++copiesMade;
+      if (base::Progress unwatched; field == scene::Field::cubic_interpolating)
+        volume->cubicFields->make(field, unwatched);
   }
   // The processor reads voxels in memory, shaders bricks of those that stay in a file.
   const bool readable = volume && volume->grid().isWhole();
   frame.onProcessor = onProcessor(readable && hasMasks() && takesProcessor(executor, *frame.gl), scene);
-  if (frame.volume && frame.onProcessor.all) {
-    frame.volume->requireFields(fieldsReadBy(scene, request));
-  } else if (frame.volume) {
-    frame.volume->require(fieldsReadBy(scene, request), memory);
-    // Shaders at the hits find only bricks that rays of shaders have asked for.
-    if (frame.volume->bricks()) frame.onProcessor = {};
-  }
-  frame.crossed = frame.volume && frame.volume->mayCross(scene.hit.field, valuesOf(frame.surfaces));
+  requireFields(scene, request);
+  frame.crossed = false;
+  frame.forVolumes([&] {
+    frame.crossed = frame.crossed ||
+                    (frame.volume && frame.volume->mayCross(scene.hit.field, valuesOf(frame.volumeSurfaces())));
+  });
   frame.second = volume && readsSecond(scene, request) ? volume->secondVolumes->find(scene.color) : nullptr;
-  frame.labels = volume ? volume->labels : nullptr;
-  frame.pieces = volume ? volume->pieces : nullptr;
   frame.readsLight = (request.color && scene::usesGi(scene)) || request.asksFor(Aov::irradiance);
   frame.lighting->prepare(frame, budgetWithout(volumeBytes()));
   imageBudget = budgetOfImages();
@@ -227,9 +264,18 @@ void Renderer::Parts::runInBands(PassClock& clock) {
 
 VolumeState Renderer::Parts::volumeState() const {
   VolumeState state{volume ? volume->grid().hash() : 0, copiesMade};
+  if (labelFields > 0) {
+    base::Hasher hash;
+    hash.add(state.hash);
+    for (const auto& one : frame.volumes) hash.add(one->grid().hash());
+    state.hash = hash;
+  }
+  state.labelFields = labelFields;
   state.second = frame.second ? frame.second->grid().hash() : 0;
   state.crossed = frame.crossed;
-  state.hidden = volume::keyOf(frame.hidden);
+  base::Hasher hidden;
+  for (const auto& one : frame.volumes) hidden.add(volume::keyOf(one->hidden()));
+  if (frame.volume) state.hidden = frame.isOfLabels() ? hidden : volume::keyOf(frame.volume->hidden());
   return state;
 }
 
@@ -351,7 +397,7 @@ void Renderer::Parts::writeReport() {
   report.imageBytes = frame.images.peakBytes();
   report.gpuBytes = report.imageBytes + frame.lighting->bytes() + volumeBytes();
   if (!frame.volume) return;
-  report.blocksActive = frame.volume->activeBlocks();
+  for (const auto& one : frame.volumes) report.blocksActive += one->activeBlocks();
   if (frame.empty()) return;
   report.found = foundNumbers(scene, frame.statistics, frame.flatCurvature());
   if (frame.second && request.color) addSecondRange(frame, report.found);

@@ -23,7 +23,9 @@ bool shadesInBands(const FrameState& frame) {
 }  // namespace
 
 std::size_t Renderer::Parts::volumeBytes() const {
-  return frame.volume ? frame.volume->bytes() : 0;
+  std::size_t sum = 0;
+  for (const auto& one : frame.volumes) sum += one->bytes();
+  return sum;
 }
 
 std::size_t Renderer::Parts::budgetWithout(std::size_t taken) const {

@@ -67,6 +67,7 @@ struct Renderer::Parts {
   scene::Memory memory;
   scene::Executor executor = scene::Executor::automatic;
   std::uint64_t copiesMade = 0;                // VolumeState::made
+  std::size_t labelFields = 0;                 // VolumeState::labelFields
   std::uint64_t bricksAsked = 0;               // BrickState::asked
   BrickRounds::Unfinished unfinished;          // of the last frame that cast rays
   bool hit = false;                            // some ray of the last frame that cast rays hit a surface
@@ -81,6 +82,9 @@ struct Renderer::Parts {
   // With what is automatic about derivatives where the picture reads them and nobody has filled it in.
   const scene::Scene& completed(const scene::Scene& scene, const FrameRequest& request);
   void prepare(const scene::Scene& scene, const FrameRequest& request);
+  // Takes the surfaces of the scene, and their volumes.
+  void takeVolumes(const scene::Scene& scene);
+  void requireFields(const scene::Scene& scene, const FrameRequest& request);
   // Blocks of other sizes are those of benchmarks.
   bool hasMasks() const { return volume->blocks->blockCells() == volume::BoxBounds::kBlockCells; }
   VolumeState volumeState() const;

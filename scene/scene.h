@@ -22,6 +22,9 @@
 
 namespace isolux::scene {
 
+// The text of Source::labels that draws isosurfaces of a label map's values as of any volume.
+inline constexpr const char* kLabelsAsValues = "values";
+
 struct Source {
   std::string path = "phantom:head";  // file, folder, or "phantom:NAME[:SIZE]"
   std::string raw;        // how to read a raw file: "WxHxD TYPE [little|big] [spacing x,y,z] [header BYTES]"
@@ -57,6 +60,11 @@ struct Surface {
   // Uncertainty surfaces: the same surface at its isovalue plus and minus this many standard deviations σ of
   // the noise, transparent; 0: none.
   double ghost = 0.0;
+  // Of a label map: the labels that are the surface's, as Source::labels; empty: of the first such surface,
+  // all that no other one names.
+  std::string labels{};
+  std::optional<double> smoothing{};  // voxels; empty: Source::smoothing
+  bool labelColors = true;            // each label has its own colour instead of the albedo
   bool operator==(const Surface&) const = default;
 };
 

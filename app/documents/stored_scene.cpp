@@ -210,7 +210,7 @@ json sceneOfVersion(int written, json stored) {
     for (const char* group : {"isosurface2", "isosurface3", "isosurface4"})
       if (stored.contains(group) && isUntouched(group, stored[group])) stored.erase(group);
   if (written <= 9)  // before the surfaces of labels
-    addMissing(stored, {{"source", {{"labels", volume::kLabelsAsValues}}}});
+    addMissing(stored, {{"source", {{"labels", scene::kLabelsAsValues}}}});
   return stored;
 }
 

@@ -1,5 +1,6 @@
 #include "app/ready/ready_fields.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -25,6 +26,24 @@ bool sameSecondVolume(const scene::ColorVolume& a, const scene::ColorVolume& b) 
 // The look reads derivatives of which something is to be chosen.
 bool awaitsChoice(const scene::Scene& scene) {
   return scene::needsGradient(scene) && !isComplete(scene.derivatives);
+}
+
+// The fields of surfaces that show labels of their own, and what they need, are there.
+bool labelsAreReady(const scene::Scene& scene, const volume::PreparedVolume& volume) {
+  if (!volume.labelSurfaces) return true;
+  const auto fields = volume.labelSurfaces->find(scene, *volume.labels);
+  return fields && std::ranges::all_of(*fields, [&](const auto& field) {
+    return !field ||
+           (field->cubicFields->readyFor(scene) && volume::hiddenIsReady(scene, *field->pieces));
+  });
+}
+
+// Until they are, one surface shows all labels.
+void showTogether(scene::Scene& scene) {
+  scene.surfaces.resize(1);
+  scene.surfaces.front() = {.id = scene.surfaces.front().id,
+                            .value = 0.0,
+                            .albedo = scene.surfaces.front().albedo};
 }
 
 // Deferred images read curvature, whatever the look.
@@ -63,6 +82,11 @@ void completeFields(scene::Scene& resolved, const volume::PreparedVolume& volume
     volume.derivativeChoices->complete(resolved, progress);
   volume.cubicFields->makeFor(images ? withImages(resolved) : resolved, progress);
   volume::hiddenOf(resolved, *volume.pieces, progress);
+  for (const auto& field : volume::labelFields(volume, resolved, progress)) {
+    if (!field) continue;
+    field->cubicFields->makeFor(images ? withImages(resolved) : resolved, progress);
+    volume::hiddenOf(resolved, *field->pieces, progress);
+  }
   if (images || scene::showsSecondVolume(resolved)) volume.secondVolumes->make(resolved.color, progress);
 }
 
@@ -70,7 +94,7 @@ bool fieldsAreReady(const scene::Scene& resolved, const volume::PreparedVolume& 
   scene::Scene scene = resolved;
   if (awaitsChoice(scene) && !volume.derivativeChoices->completeIfChosen(scene)) return false;
   const bool colored = !scene::showsSecondVolume(scene) || volume.secondVolumes->find(scene.color);
-  return colored && volume.cubicFields->readyFor(scene) && restIsReady(scene, volume) &&
+  return colored && labelsAreReady(scene, volume) && volume.cubicFields->readyFor(scene) && restIsReady(scene, volume) &&
          volume::hiddenIsReady(scene, *volume.pieces);
 }
 
@@ -81,6 +105,7 @@ scene::Scene withReadyFields(scene::Scene resolved, const volume::PreparedVolume
   if (awaitsChoice(resolved) && !volume.derivativeChoices->completeIfChosen(resolved))
     now.noise = now.noise.value_or(last.noise.value_or(0.0));
   if (!volume::hiddenIsReady(resolved, *volume.pieces)) resolved.pieces = {};
+  if (!labelsAreReady(resolved, volume)) showTogether(resolved);
   if (resolved.hit.field != Field::trilinear && !fields.find(resolved.hit.field))
     resolved.hit.field = Field::trilinear;
   const scene::Derivatives wanted = now;
@@ -114,7 +139,11 @@ bool needSameFields(const scene::Scene& a, const scene::Scene& b) {
   const bool sameAtRest =
       a.picture.restHits == b.picture.restHits && scene::mayRefineHits(a) == scene::mayRefineHits(b);
   const bool measures = awaitsChoice(b) || scene::mayRefineHits(b);
-  return same && sameColor && sameAtRest && a.pieces == b.pieces &&
+  const auto sameLabels = [](const scene::Surface& x, const scene::Surface& y) {
+    return x.labels == y.labels && x.smoothing == y.smoothing && x.shown == y.shown;
+  };
+  return same && sameColor && sameAtRest && std::ranges::equal(a.surfaces, b.surfaces, sameLabels) &&
+         a.pieces == b.pieces &&
          (!measures || a.surfaces.front().value == b.surfaces.front().value);
 }
 

@@ -136,7 +136,7 @@ std::vector<std::string> notesOf(const render::FrameReport& report) {
 
 void noteOfPicture(const scene::Scene& scene, const render::FrameReport& report) {
   const bool labels = scene.source.kind == scene::DataKind::labels;
-  if (labels && scene.source.labels != volume::kLabelsAsValues && scene.surfaces.size() > 1)
+  if (labels && scene.source.labels != scene::kLabelsAsValues && scene.surfaces.size() > 1)
     printNote("surfaces: a label map has one surface; further isosurfaces are not drawn");
   for (const std::string& note : notesOf(report)) printNote(note);
 }

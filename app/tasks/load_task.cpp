@@ -46,7 +46,7 @@ LoadedVolume load(scene::Source source, LoadInstead instead, base::Progress& pro
 
 // Whether the source asks for other labels of a volume that is there.
 bool differsInLabels(scene::Source source, const std::optional<LoadedVolume>& shown) {
-  if (!shown || !shown->volume || !shown->volume->labels || source.labels == volume::kLabelsAsValues)
+  if (!shown || !shown->volume || !shown->volume->labels || source.labels == scene::kLabelsAsValues)
     return false;
   source.labels = shown->source.labels;
   source.smoothing = shown->source.smoothing;

@@ -10,6 +10,7 @@
 #include "scene/rules/relevance.h"
 #include "scene/settings/scene_list.h"
 #include "scene/shown_surfaces.h"
+#include "volume/cast/hit_info.h"
 
 namespace isolux::render {
 
@@ -45,6 +46,12 @@ Asked::Asked(const scene::Scene& ofScene, const FrameRequest& ofRequest, const V
   ofImages_->look.mode = scene::LookMode::edge_offset;
   ofImages_->look.accessibility = 1.0;  // curvature beside it
   ofImages_->look.shading = scene::Shading::gi;
+}
+
+std::size_t Asked::groups() const {
+  constexpr std::size_t most = volume::HitInfo::kSurfaces;
+  if (volume.labelFields > 0) return volume.labelFields;
+  return std::max<std::size_t>(1, (scene::visibleSurfaces(scene).size() + most - 1) / most);
 }
 
 bool Asked::acts(std::string_view path) const {

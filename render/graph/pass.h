@@ -70,6 +70,7 @@ struct VolumeState {
   std::uint64_t second = 0;  // hash of the volume that colours the surface; 0: none
   bool crossed = true;       // false: no cell contains a shown isovalue
   std::uint64_t hidden = 0;  // volume::keyOf() of hidden components; 0: all are shown
+  std::size_t labelFields = 0;  // surfaces of labels that have a field each; 0: all are of the volume
 };
 
 // The bricks of a volume, as far as passes depend on them.
@@ -109,6 +110,8 @@ class Asked {
   const LightState light;
   const OnProcessor onProcessor;
 
+  // Returns how many groups of surfaces are cast one after another: at least one.
+  std::size_t groups() const;
   // Returns whether the setting can change the requested image or AOVs.
   bool acts(std::string_view path) const;
   // Returns the hash of the setting's value; one and the same for all values of an inactive setting.

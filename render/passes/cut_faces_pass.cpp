@@ -40,9 +40,9 @@ glm::vec3 unpacked(float value) {
 }
 
 float shownValue(const FrameState& frame, const volume::Ray& ray, const volume::CutFace& face) {
-  if (!frame.labels) return static_cast<float>(face.value);
+  if (!frame.prepared->labels) return static_cast<float>(face.value);
   const glm::dvec3 voxel = ray.origin + face.t * ray.direction;
-  return packed(volume::faceColor(*frame.labels, volume::labelOfFace(*frame.labels, voxel, face.value)));
+  return packed(volume::faceColor(*frame.prepared->labels, volume::labelOfFace(*frame.prepared->labels, voxel, face.value)));
 }
 
 // Fills row y; what of it holds faces goes to `area`.
@@ -83,8 +83,9 @@ void findCutFaces(FrameState& frame) {
   std::fill(out.texels.begin(), out.texels.end(), glm::vec2(-1.0f, 0.0f));
   out.area = volume::PictureArea(size);
   if (frame.prepared) {
-    const volume::CutFaces faces(frame.prepared->grid(), *frame.prepared->cubicFields, *frame.scene,
-                                 frame.hidden);
+    base::Progress unwatched;
+    const auto hidden = volume::hiddenOf(*frame.scene, *frame.prepared->pieces, unwatched);
+    const volume::CutFaces faces(frame.prepared->grid(), *frame.prepared->cubicFields, *frame.scene, hidden);
     const volume::PictureRays rays = frame.rays();
     tbb::combinable<volume::PictureArea> areas([&] { return volume::PictureArea(size); });
     volume::parallelRanges(size.y, 4, [&](const auto& rows) {

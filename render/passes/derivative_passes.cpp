@@ -34,9 +34,9 @@ bool hessianIsRead(const Asked& asked) {
 void drawDerivatives(FrameState& frame, Target& target, double scaleMm, bool hessian) {
   const FieldAt field{frame.scene->derivatives.field, scaleMm};
   // In bricks, what was drawn in an earlier round of the frame stays.
-  if (frame.empty() || (frame.bricks() && !frame.keepHits)) frame.clear(target, {kZero});
+  if (frame.empty() || frame.isOfLabels() || (frame.bricks() && !frame.keepHits)) frame.clear(target, {kZero});
   if (frame.empty()) return;
-  std::string defines = hessian ? "#define HESSIAN\n" : "";
+  std::string defines = frame.volumeDefines() + (hessian ? "#define HESSIAN\n" : "");
   if (scaleMm > 0.0)
     defines += "#define SCALED\n";
   else if (field.field != scene::Field::trilinear)
@@ -44,12 +44,15 @@ void drawDerivatives(FrameState& frame, Target& target, double scaleMm, bool hes
   if (frame.scene->derivatives.fetch == scene::Fetch::fast) defines += "#define FAST\n";
   Program& p = frame.program("derivatives.frag.glsl", defines);
   frame.setView(p);
-  frame.volume->bind(p, field);
-  p.setTexture("uSurface", 2, frame.image(image::surface));
   const glm::dmat3 linear(frame.volume->grid().geometry().worldFromVoxel);
   p.set("uInverseTransposed", glm::mat3(glm::transpose(glm::inverse(linear))));
   p.set("uDataUnits", static_cast<float>(frame.volume->dataUnitsPerTexel()));
-  frame.drawHits(target, p);
+  frame.forVolumes([&] {
+    frame.volume->bind(p, field);
+    p.setTexture("uSurface", 2, frame.image(image::surface));
+    frame.setVolumeHits(p, 3);
+    frame.drawHits(target, p);
+  });
 }
 
 void declareGradient(Declaring& d) {
@@ -154,6 +157,7 @@ void drawEdge(FrameState& frame) {
   Target& target = frame.target(image::edge, {GL_RG32F});
   const float none[4] = {kNoEdge, 0.0f, 0.0f, 0.0f};
   if (frame.clearIfEmpty(target, {none})) return;
+  if (frame.isOfLabels()) frame.clear(target, {none});
   const FieldAt field = frame.edgeField();
   const volume::EdgeSearch<double> search = frame.edgeSearch();
   if (frame.onProcessor.all) {
@@ -165,12 +169,10 @@ void drawEdge(FrameState& frame) {
     return;
   }
   const volume::Grid& grid = frame.volume->grid();
-  std::string defines = field.scaleMm > 0.0 ? "#define SCALED\n" : "";
+  std::string defines = frame.volumeDefines() + (field.scaleMm > 0.0 ? "#define SCALED\n" : "");
   if (grid.missingCount() > 0) defines += "#define GAPS\n";
   Program& p = frame.program("edge.frag.glsl", defines);
   frame.setView(p);
-  frame.volume->bind(p, field);
-  p.setTexture("uSurface", 2, frame.image(image::surface));
   p.set("uLow", glm::vec3(search.low));
   p.set("uHigh", glm::vec3(search.high));
   p.set("uVoxelFromWorld", glm::mat3(search.voxelFromWorld));
@@ -181,7 +183,12 @@ void drawEdge(FrameState& frame) {
   p.set("uSearch", static_cast<float>(search.searchMm));
   p.set("uContrast", static_cast<float>(search.contrast));
   p.set("uLeastStep", static_cast<float>(search.leastStepMm));
-  frame.drawHits(target, p);
+  frame.forVolumes([&] {
+    frame.volume->bind(p, field);
+    p.setTexture("uSurface", 2, frame.image(image::surface));
+    frame.setVolumeHits(p, 3);
+    frame.drawHits(target, p);
+  });
 }
 
 }  // namespace

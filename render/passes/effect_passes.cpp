@@ -55,7 +55,7 @@ void drawShadowOfGroup(FrameState& frame, Target& target) {
   p.set("uVoxelFromWorld", glm::mat3(frame.volume->grid().geometry().voxelFromWorld()));
   p.set("uLight", glm::vec3(frame.towardLight()));
   p.set("uOpaqueBits", frame.opaqueBits());
-  p.set("uGroup", static_cast<int>(frame.group));
+  p.set("uFirst", static_cast<int>(frame.firstSurface()));
   if (frame.group == 0) return frame.drawHits(target, p);
   gl.Enable(GL_BLEND);
   gl.BlendFunc(GL_DST_COLOR, GL_ZERO);
@@ -68,7 +68,9 @@ void drawShadow(FrameState& frame) {
   Target& target = frame.target(image::shadow, {GL_R8});
   if (frame.clearIfEmpty(target, {kZero})) return;
   if (frame.onProcessor.all) return shadowOnProcessor(frame, target);
-  frame.forGroups([&] { drawShadowOfGroup(frame, target); });
+  frame.forGroups([&] {
+    if (frame.group == 0 || !frame.groupIsEmpty()) drawShadowOfGroup(frame, target);
+  });
 }
 
 void declareOpenness(Declaring& d) {

@@ -42,7 +42,8 @@ std::vector<Surface> surfacesOf(const scene::Scene& scene) {
   std::vector<Surface> surfaces;
   for (const auto& s : scene::visibleSurfaces(scene))
     surfaces.push_back(
-        {s.value.value(), s.albedo, s.opacity, s.facingOpacity, s.clipped, s.specular, s.roughness});
+        {s.value.value(), s.albedo, s.opacity, s.facingOpacity, s.clipped, s.specular, s.roughness,
+         s.labelColors});
   if (scene.isosurface.albedoSource == scene::AlbedoSource::map) {
     const scene::AlbedoOfIsovalue albedo(scene);
     for (Surface& surface : surfaces) surface.albedo = albedo.at(surface.value);
@@ -50,18 +51,14 @@ std::vector<Surface> surfacesOf(const scene::Scene& scene) {
   return surfaces;
 }
 
-std::vector<double> valuesOf(const std::vector<Surface>& surfaces) {
+std::vector<double> valuesOf(std::span<const Surface> surfaces) {
   std::vector<double> values;
   for (const Surface& surface : surfaces) values.push_back(surface.value);
   return values;
 }
 
-std::size_t groupsOf(std::size_t surfaces) {
-  return std::max<std::size_t>(1, (surfaces + kGroupSurfaces - 1) / kGroupSurfaces);
-}
-
-std::size_t groupsOf(const scene::Scene& scene) {
-  return groupsOf(scene::visibleSurfaces(scene).size());
+std::size_t placesOf(std::size_t surfaces) {
+  return kGroupSurfaces * std::max<std::size_t>(1, (surfaces + kGroupSurfaces - 1) / kGroupSurfaces);
 }
 
 std::string ofGroup(const char* image, std::size_t group, std::size_t groups) {
@@ -123,7 +120,7 @@ void FrameState::drawRectangles(const Program& program,
 
 void FrameState::drawStarts(const Program& program) const {
   gl->UseProgram(program.id());
-  drawParts(program, {{glm::ivec2(0), drawing_}}, [this] { starts->draw(); });
+  drawParts(program, {{glm::ivec2(0), drawing_}}, [this] { rayStarts().draw(); });
 }
 
 void FrameState::drawParts(const Program& program, const Parts& parts,
@@ -204,14 +201,30 @@ void FrameState::drawHits(Target& target, const Program& program, const volume::
   target.drawn = request.stop.stop_requested() ? drawn : of;
 }
 
+std::size_t FrameState::groups() const {
+  return isOfLabels() ? volumes.size() : placesOf(surfaces.size()) / kGroupSurfaces;
+}
+
+void FrameState::takeGroup(std::size_t which) {
+  group = which;
+  volume = volumes.empty() ? nullptr : volumes[isOfLabels() ? which : 0].get();
+}
+
 std::span<const Surface> FrameState::groupSurfaces() const {
-  const std::size_t first = kGroupSurfaces * group;
+  if (isOfLabels()) return std::span(surfaces).subspan(group, 1);
+  const std::size_t first = firstSurface();
   return std::span(surfaces).subspan(first, std::min(kGroupSurfaces, surfaces.size() - first));
+}
+
+void FrameState::setVolumeHits(Program& program, int unit) const {
+  if (!isOfLabels()) return;
+  program.setTexture("uGroupInfo", unit, image(image::surface, 1));
+  program.set("uGroupSurface", static_cast<int>(firstSurface()));
 }
 
 std::string FrameState::surfaceDefines() const {
   if (groups() == 1) return {};
-  return "#define ALL_SURFACES " + std::to_string(kGroupSurfaces * groups()) + "\n";
+  return "#define ALL_SURFACES " + std::to_string(placesOf(surfaces.size())) + "\n";
 }
 
 int FrameState::clippedBits() const {

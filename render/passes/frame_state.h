@@ -28,8 +28,6 @@
 #include "volume/clip/cut_faces.h"
 #include "volume/color/second_volume.h"
 #include "volume/edge/edge_walk.h"
-#include "volume/labels/shown_labels.h"
-#include "volume/pieces/piece_sets.h"
 #include "volume/statistics/curvature_statistics.h"
 #include "volume/statistics/grey_window.h"
 
@@ -45,18 +43,19 @@ struct Surface {
   double facingOpacity = 1.0;              // scene/opacity.h
   bool clipped = true;                     // by scene::Clip
   double specular = 0.0, roughness = 1.0;  // gi/sampling/gloss_lobe.h
+  bool labelColors = true;                 // instead of the albedo, of a surface of labels
   bool opaque() const { return scene::isOpaque(*this); }
 };
 // Returns the first isosurface and the shown further ones, without those of opacity 0.
 std::vector<Surface> surfacesOf(const scene::Scene& scene);
 
-std::vector<double> valuesOf(const std::vector<Surface>& surfaces);
+std::vector<double> valuesOf(std::span<const Surface> surfaces);
 
-// One cast follows a group of up to so many isosurfaces, in their order.
+// One cast follows a group of up to so many isosurfaces of one volume, in their order. Surfaces of labels that
+// have a field each are a group each.
 inline constexpr std::size_t kGroupSurfaces = volume::HitInfo::kSurfaces;
-// Returns how many groups that many surfaces make: at least one.
-std::size_t groupsOf(std::size_t surfaces);
-std::size_t groupsOf(const scene::Scene& scene);
+// Returns the length of arrays with a number for each of so many surfaces: a multiple of kGroupSurfaces.
+std::size_t placesOf(std::size_t surfaces);
 // Returns the name of what the cast of a group draws: the image's own if there is one group, else the merge
 // pass makes the image of it.
 std::string ofGroup(const char* image, std::size_t group, std::size_t groups);
@@ -86,16 +85,15 @@ struct FrameState {
   FrameRequest request;
   std::optional<ViewUniforms> view;
   std::vector<Surface> surfaces;
-  std::vector<volume::HiddenOfSurface> hidden;         // of the surfaces; empty if all components are shown
   volume::SurfaceCut cut;                              // of the surfaces
   std::optional<CutFaceImage> cutFaces;                // of the cut faces pass
   std::unique_ptr<CutFaceColors> cutFaceColors;        // null: no cap is shown
   Texture cutColors;                                   // of the caps
   const volume::PreparedVolume* prepared = nullptr;    // during render() only; null: nothing is loaded
-  std::optional<GpuVolume> volume;                     // none: nothing is loaded
+  // Whose the surfaces are: the volume, or of labels a field for each surface. Empty: nothing is loaded.
+  std::vector<std::unique_ptr<GpuVolume>> volumes;
+  GpuVolume* volume = nullptr;                         // of the group; null: nothing is loaded
   std::shared_ptr<const volume::SecondVolume> second;  // that colours the surface; null: none
-  std::shared_ptr<const volume::ShownLabels> labels;   // whose surface it is; null: no labels
-  std::shared_ptr<const volume::PieceSets> pieces;     // of the volume
   glm::dvec2 secondRange{0.0, 1.0};                    // of its values, if automatic; set by the ranges pass
   std::shared_ptr<const gi::PictureLight> light;       // null: the light is unknown
   bool readsLight = false;                 // a pass of this frame reads light of the surface points
@@ -106,7 +104,7 @@ struct FrameState {
   int occlusionCrossing = 0;                   // of the occlusion pass: 0 is the first crossing
   OnProcessor onProcessor;                     // instead of shaders
   std::map<std::string, HostImages> host;      // crossings found on the CPU, by layer
-  std::optional<RayStarts> starts;             // of the rays that shaders cast; set by the segments pass
+  std::vector<RayStarts> starts;               // of rays that shaders cast, of each volume; by segments
   std::vector<const Pass*> used;               // the passes that this frame needs, run or cached, in order
 
   // Rays in bricks (render/passes/brick_rounds.h). `onlyWaiting`: the cast is of the rays that waited for a
@@ -116,12 +114,40 @@ struct FrameState {
 
   // The group that is cast now, and the surfaces in it.
   std::size_t group = 0;
-  std::size_t groups() const { return groupsOf(surfaces.size()); }
+  std::size_t groups() const;
+  bool isOfLabels() const { return volumes.size() > 1; }  // each group has a volume of its own
+  // Solids of labels that touch have one skin between them.
+  bool joinsSolids() const { return isOfLabels() && scene::isTransparent(*scene); }
+  void takeGroup(std::size_t which);
+  // Returns the place of the group's first surface among all.
+  std::size_t firstSurface() const { return group * (isOfLabels() ? 1 : kGroupSurfaces); }
   std::span<const Surface> groupSurfaces() const;
+  // Returns the surfaces of the group's volume.
+  std::span<const Surface> volumeSurfaces() const { return isOfLabels() ? groupSurfaces() : surfaces; }
   template <class Draw>
   void forGroups(const Draw& draw) {
-    for (group = 0; group < groups(); ++group) draw();
-    group = 0;
+    for (std::size_t which = 0; which < groups(); ++which) {
+      takeGroup(which);
+      draw();
+    }
+    takeGroup(0);
+  }
+  // The same once for each volume.
+  template <class Draw>
+  void forVolumes(const Draw& draw) {
+    if (isOfLabels()) return forGroups(draw);
+    draw();
+  }
+  const GpuVolume& volumeOf(std::size_t surface) const { return *volumes[isOfLabels() ? surface : 0]; }
+  // Return the place of the group's first surface, and the starts of rays, in those of its volume.
+  std::size_t placeInVolume() const { return isOfLabels() ? 0 : firstSurface(); }
+  RayStarts& rayStarts() { return starts.at(isOfLabels() ? group : 0); }
+  const RayStarts& rayStarts() const { return starts.at(isOfLabels() ? group : 0); }
+  // Returns the define and sets the uniforms by which a shader leaves out the hits of other volumes.
+  std::string volumeDefines() const { return isOfLabels() ? "#define OF_GROUP\n" : ""; }
+  void setVolumeHits(Program& program, int unit) const;
+  bool isOfVolume(volume::HitInfo info) const {
+    return !isOfLabels() || info.surface() == static_cast<int>(firstSurface());
   }
   // Returns the name under which the cast of the group draws an image.
   std::string castName(const char* image) const { return ofGroup(image, group, groups()); }
@@ -159,8 +185,11 @@ struct FrameState {
   Bricks* bricks() { return volume && !onProcessor.all ? volume->bricks() : nullptr; }
   bool crossed = true;  // VolumeState::crossed
   bool empty() const {
-    return !volume || !crossed || volume->activeBlocks() == 0;
+    return !volume || !crossed || std::ranges::all_of(volumes, [](const auto& one) {
+      return one->activeBlocks() == 0;
+    });
   }  // no ray can hit anything
+  bool groupIsEmpty() const { return empty() || volume->activeBlocks() == 0; }  // of the group
   double outward() const {
     return scene->isosurface.inside == scene::Inside::above ? -1.0 : 1.0;
   }  // times gradient
@@ -236,7 +265,7 @@ struct FrameState {
   // Sets an array of hit_info.glsl's length to of(surface) of each surface, and to `others` behind the last.
   template <class Of>
   void setOfSurfaces(Program& program, const char* name, const Of& of, float others = 0.0f) const {
-    std::vector<float> numbers(kGroupSurfaces * groups(), others);
+    std::vector<float> numbers(placesOf(surfaces.size()), others);
     std::ranges::transform(surfaces, numbers.begin(),
                            [&](const Surface& surface) { return static_cast<float>(of(surface)); });
     program.set(name, numbers);

@@ -277,7 +277,7 @@ void GlossUniforms::declare(Declaring& d) {
 }
 
 void GlossUniforms::set(FrameState& frame, Program& p, int unit) {
-  const std::size_t surfaces = kGroupSurfaces * frame.groups();
+  const std::size_t surfaces = placesOf(frame.surfaces.size());
   std::vector<float> specular(surfaces, 0.0f), roughness(surfaces, 1.0f), layers(surfaces, 0.0f);
   const gi::GlossLight* const gloss = frame.light ? frame.light->gloss.get() : nullptr;
   if (!gloss) return p.set("uReflectance", specular);

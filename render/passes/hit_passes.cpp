@@ -18,13 +18,12 @@ bool isExact(const FrameState& frame) {
 }
 
 // Of exact hits only the value error and the number of a group need more than half floats.
-bool hasSmallInfos(const scene::Scene& scene, const FrameRequest& request) {
-  return scene.hit.method == scene::HitMethod::exact && !request.asksFor(Aov::value_error) &&
-         groupsOf(scene) == 1;
+bool hasSmallInfos(const scene::Scene& scene, const FrameRequest& request, std::size_t groups) {
+  return scene.hit.method == scene::HitMethod::exact && !request.asksFor(Aov::value_error) && groups == 1;
 }
 
 Target& surfaceTargetNamed(FrameState& frame, const std::string& name) {
-  const GLenum info = hasSmallInfos(*frame.scene, frame.request) ? GL_RG16F : GL_RG32F;
+  const GLenum info = hasSmallInfos(*frame.scene, frame.request, frame.groups()) ? GL_RG16F : GL_RG32F;
   return frame.target(name, {GL_RGBA32F, info});
 }
 
@@ -48,11 +47,13 @@ void declareBlocks(Declaring& d) {
 
 void findBlocks(FrameState& frame) {
   if (!frame.volume) return;
-  frame.volume->activate(frame.scene->hit.field, valuesOf(frame.surfaces), frame.hidden);
+  frame.forVolumes([&] { frame.volume->activate(frame.scene->hit.field, valuesOf(frame.volumeSurfaces())); });
 }
 
 std::size_t bytesOfBlocks(const FrameState& frame) {
-  return frame.volume ? frame.volume->blockBytes() : 0;
+  std::size_t bytes = 0;
+  for (const auto& volume : frame.volumes) bytes += volume->blockBytes();
+  return bytes;
 }
 
 void declareSegments(Declaring& d) {
@@ -64,23 +65,27 @@ void declareSegments(Declaring& d) {
   d.settings({"camera."}).pictureSize();
 }
 
-void findSegments(FrameState& frame) {
-  if (!frame.starts) frame.starts.emplace(frame.gl);
-  if (frame.empty()) {
-    frame.starts->clear(frame.raySize());
-    return;
-  }
+void findStarts(FrameState& frame, RayStarts& starts) {
+  if (frame.groupIsEmpty()) return starts.clear(frame.raySize());
   SurfaceBlocks& surface = frame.volume->surface();
   surface.prepareMasks(frame.scene->hit);
   const int shift = RayStarts::tileShift(frame.raySize());
   const volume::BlockMasks blocks{surface.blocks().dims(), surface.masks(), surface.blocks().blockCells()};
-  frame.starts->update(
+  starts.update(
       volume::startDepths(frame.rays(), frame.raySize(), frame.volume->grid().dims(), blocks, 1 << shift),
       shift, frame.raySize());
 }
 
+void findSegments(FrameState& frame) {
+  const std::size_t volumes = std::max<std::size_t>(1, frame.volumes.size());
+  while (frame.starts.size() < volumes) frame.starts.emplace_back(frame.gl);
+  frame.forVolumes([&] { findStarts(frame, frame.rayStarts()); });
+}
+
 std::size_t bytesOfSegments(const FrameState& frame) {
-  return frame.starts ? frame.starts->bytes() : 0;
+  std::size_t bytes = 0;
+  for (const RayStarts& starts : frame.starts) bytes += starts.bytes();
+  return bytes;
 }
 
 void declareBricks(Declaring& d) {
@@ -102,14 +107,14 @@ std::size_t bytesOfBricks(const FrameState& frame) {
 }
 
 void writesOfGroups(Declaring& d, const char* image, int bytesPerRay) {
-  const std::size_t groups = groupsOf(d.asked.scene);
+  const std::size_t groups = d.asked.groups();
   for (std::size_t group = 0; group < groups; ++group) d.writes(ofGroup(image, group, groups), bytesPerRay);
 }
 
 void declareCast(Declaring& d) {
   const bool exact = d.asked.scene.hit.method == scene::HitMethod::exact;
   d.reads(image::activeBlocks);
-  const int bytes = hasSmallInfos(d.asked.scene, d.asked.request) ? 20 : exact ? 24 : 16;
+  const int bytes = hasSmallInfos(d.asked.scene, d.asked.request, d.asked.groups()) ? 20 : exact ? 24 : 16;
   writesOfGroups(d, exact ? image::surface : image::bracket, bytes);
   d.volume().isovalues().cuts().pictureSize().settings({"camera.", "hit."}, {"hit.refinements"});
   d.input("cut faces are shown", scene::showsCutFaces(d.asked.scene));
@@ -135,7 +140,7 @@ Program& castProgram(FrameState& frame, Rays rays) {
   if (frame.cutFaceColors) defines += "#define CUT_FACES\n";
   Program& p = frame.program("cast.frag.glsl", defines);
   setTrace(frame, p);
-  frame.starts->bind(p, 2);
+  frame.rayStarts().bind(p, 2);
   if (frame.cutFaceColors) p.setTexture("uCutFaces", 7, frame.images.at(image::cutFaces).images[0]);
   if (!isExact(frame)) {
     p.set("uStep", static_cast<float>(1.0 / hit.rate));
@@ -152,17 +157,18 @@ void castBehind(FrameState& frame) {
   Target& target = castTarget(frame);
   frame.begin(target);
   clearHits(frame, target);
+  frame.anyBehind = frame.group > 0 && frame.anyBehind;
+  if (frame.groupIsEmpty()) return;
   Program& p = castProgram(frame, Rays::behind);
   const Target& surface = frame.images.at(frame.castName(image::surface) + frame.layerBefore);
   if (frame.groups() > 1) {
     p.setTexture("uNearest", 8, frame.images.at(image::surface + frame.layerBefore).images[1]);
-    p.set("uGroup", static_cast<int>(frame.group));
+    p.set("uFirst", static_cast<int>(frame.firstSurface()));
   }
   p.setTexture("uSurface", 4, surface.images[0]);
   p.setTexture("uInfo", 5, surface.images[1]);
   p.setTexture("uColor", 6, frame.images.at(image::color).images[0]);
-  const bool any = frame.drawsAny([&] { frame.drawStarts(p); });
-  frame.anyBehind = any || (frame.group > 0 && frame.anyBehind);
+  frame.anyBehind = frame.drawsAny([&] { frame.drawStarts(p); }) || frame.anyBehind;
   target.drawn = surface.drawn;
 }
 
@@ -172,8 +178,8 @@ void castGroup(FrameState& frame) {
     return;
   }
   Target& target = castTarget(frame);
-  if (!frame.onlyWaiting || frame.empty()) clearHits(frame, target);
-  if (frame.empty()) return;
+  if (!frame.onlyWaiting || frame.groupIsEmpty()) clearHits(frame, target);
+  if (frame.groupIsEmpty()) return;
   frame.begin(target);
   Program& p = castProgram(frame, frame.onlyWaiting ? Rays::again : Rays::all);
   if (frame.onlyWaiting) {  // each pixel reads only what it wrote itself
@@ -181,7 +187,7 @@ void castGroup(FrameState& frame) {
     p.setTexture("uBefore", 4, target.images.back());
   }
   frame.drawStarts(p);
-  target.drawn = frame.starts->area();
+  target.drawn = frame.rayStarts().area();
 }
 
 void castRays(FrameState& frame) {
@@ -204,8 +210,8 @@ void declareRefine(Declaring& d) {
 void refineGroup(FrameState& frame) {
   Target& target = surfaceTargetNamed(frame, frame.castName(image::surface));
   // In bricks, what was refined in an earlier round of the frame stays.
-  if (frame.empty() || (frame.bricks() && !frame.keepHits)) frame.clear(target, {kNoSurface, kZero});
-  if (frame.empty()) return;
+  if (frame.groupIsEmpty() || (frame.bricks() && !frame.keepHits)) frame.clear(target, {kNoSurface, kZero});
+  if (frame.groupIsEmpty()) return;
   const scene::Field field = frame.scene->hit.field;
   Program& p = frame.program("refine.frag.glsl", field == scene::Field::trilinear ? "" : "#define CUBIC\n");
   frame.setView(p);
@@ -221,12 +227,33 @@ void refineHits(FrameState& frame) {
 }
 
 void declareMerge(Declaring& d) {
-  if (groupsOf(d.asked.scene) == 1) {
+  if (d.asked.groups() == 1) {
     d.writes("merged points").notNeeded("one cast follows up to four isosurfaces");
     return;
   }
   readsOfGroups(d, image::surface);
   d.writes(image::surface, 24);
+}
+
+void setMerged(FrameState& frame, Program& p, const Target& target, const Target& of) {
+  frame.gl->TextureBarrier();  // each pixel reads only what it wrote itself
+  p.setTexture("uNearest", 0, target.images[0]);
+  p.setTexture("uWaiting", 1, target.images[1]);
+  p.setTexture("uSurface", 2, of.images[0]);
+  p.setTexture("uInfo", 3, of.images[1]);
+}
+
+// Marks where the ray leaves a solid of labels and enters another that touches it.
+void joinSolids(FrameState& frame, const Target& target) {
+  Program& p = frame.program("merge.frag.glsl", "#define JOIN\n");
+  frame.setView(p);
+  p.set("uOutward", static_cast<float>(frame.outward()));
+  const auto join = [&](const Target& of) {
+    setMerged(frame, p, target, of);
+    frame.drawRectangles(p, target.drawn.rectangles());
+  };
+  frame.forGroups([&] { join(frame.images.at(frame.castName(image::surface) + frame.layer)); });
+  if (!frame.layer.empty()) join(frame.images.at(image::surface + frame.layerBefore));
 }
 
 void mergeGroups(FrameState& frame) {
@@ -239,20 +266,17 @@ void mergeGroups(FrameState& frame) {
   frame.begin(target);
   frame.forGroups([&] {
     const Target& of = frame.images.at(frame.castName(image::surface) + frame.layer);
-    frame.gl->TextureBarrier();  // each pixel reads only what it wrote itself
-    p.setTexture("uNearest", 0, target.images[0]);
-    p.setTexture("uWaiting", 1, target.images[1]);
-    p.setTexture("uSurface", 2, of.images[0]);
-    p.setTexture("uInfo", 3, of.images[1]);
-    p.set("uGroup", static_cast<int>(frame.group));
+    setMerged(frame, p, target, of);
+    p.set("uFirst", static_cast<int>(frame.firstSurface()));
     frame.drawRectangles(p, of.drawn.rectangles());
     drawn.add(of.drawn);
   });
   target.drawn = drawn;
+  if (frame.joinsSolids()) joinSolids(frame, target);
 }
 
 void setHidden(FrameState& frame, Program& p) {
-  frame.volume->surface().bindHidden(p, 14, kGroupSurfaces * frame.group);
+  frame.volume->surface().bindHidden(p, 14, frame.placeInVolume());
   if (frame.scene->hit.field == scene::Field::trilinear) return;
   const auto texel = [&](const Surface& surface) { return frame.volume->texelOf(surface.value); };
   p.set("uSampleIsovalues", frame.ofGroupSurfaces(texel));
@@ -297,7 +321,7 @@ PassList hitPasses() {
 }
 
 void readsOfGroups(Declaring& d, const char* image) {
-  const std::size_t groups = groupsOf(d.asked.scene);
+  const std::size_t groups = d.asked.groups();
   for (std::size_t group = 0; group < groups; ++group) d.reads(ofGroup(image, group, groups));
 }
 
@@ -311,10 +335,13 @@ bool anyHit(FrameState& frame) {
   const Gl& gl = *frame.gl;
   frame.begin(frame.images.at(image::surface));  // nothing is written there
   Program& p = frame.program("any_hit.frag.glsl", "#define TILES\n");
-  frame.starts->bind(p, 2);
-  p.setTexture("uSurface", 0, frame.image(image::surface));
   gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  const bool any = frame.drawsAny([&] { frame.drawStarts(p); });
+  bool any = false;
+  frame.forVolumes([&] {
+    frame.rayStarts().bind(p, 2);
+    p.setTexture("uSurface", 0, frame.image(image::surface));
+    any = any || frame.drawsAny([&] { frame.drawStarts(p); });
+  });
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   return any;
 }
@@ -324,7 +351,7 @@ std::string traceDefines(const FrameState& frame) {
   std::string defines = "#define SURFACES " + std::to_string(frame.groupSurfaces().size()) + "\n";
   if (hit.method == scene::HitMethod::exact) defines += "#define EXACT\n";
   if (hit.field != scene::Field::trilinear) defines += "#define CUBIC\n";
-  if (!frame.hidden.empty()) defines += "#define HIDDEN\n";
+  if (!frame.volume->hidden().empty()) defines += "#define HIDDEN\n";
   const volume::ClipRegion& region = frame.cut.region();
   if (region.cuts()) defines += "#define CLIP " + std::to_string(region.faces().size()) + "\n";
   if (!region.removed().empty())
@@ -338,7 +365,7 @@ void setTrace(FrameState& frame, Program& p) {
   frame.volume->bind(p, {field});
   frame.setIsovalues(p, field);
   frame.volume->surface().bindMasks(p, frame.scene->hit, 3);
-  if (!frame.hidden.empty()) setHidden(frame, p);
+  if (!frame.volume->hidden().empty()) setHidden(frame, p);
   if (frame.cut.cuts()) setCut(frame, p);
   p.set("uGaps", frame.volume->grid().missingCount() > 0 ? 1 : 0);
 }

@@ -75,7 +75,7 @@ bool knowsIsovalues(const scene::Scene& scene) {
 LightThrough lightThroughOf(const scene::Scene& scene, const std::vector<Surface>& surfaces) {
   const bool cut = scene::hasCuts(scene.clip);
   const double inward = scene.isosurface.inside == scene::Inside::above ? 1.0 : -1.0;
-  const std::vector<glm::vec3> all(kGroupSurfaces * groupsOf(surfaces.size()), glm::vec3(1.0f));
+  const std::vector<glm::vec3> all(placesOf(surfaces.size()), glm::vec3(1.0f));
   LightThrough light{all, all};
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const Surface& shell = surfaces[i];
@@ -123,7 +123,7 @@ void FrameLight::prepare(FrameState& frame, std::size_t budgetBytes) {
   source.precision = frame.scene->gi.precision;
   source.isovalues = interpolation == scene::GiInterpolation::closest_isovalue;
   source.filtered = interpolation == scene::GiInterpolation::weighted;
-  if (frame.volume) source.grid = frame.volume->sharedGrid();
+  if (frame.prepared) source.grid = frame.prepared->volume.grid;
   if (!source.grid) source.isovalues = source.filtered = false;
   source.budgetBytes = budgetBytes;
   // A look that reads no stored light leaves what there is for the next that does; that of another volume

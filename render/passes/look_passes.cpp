@@ -158,14 +158,15 @@ void declareRanges(Declaring& d) {
 
 void findRanges(FrameState& frame) {
   std::vector<volume::CurvatureStatistics> all;
-  if (frame.volume)
-    for (const Surface& surface : frame.surfaces)
-      all.push_back(frame.volume->curvatureStatistics(frame.curvatureField(), surface.value, frame.outward(),
-                                                      volume::hiddenAt(frame.hidden, surface.value)));
-  if (frame.volume && scene::needsEdge(*frame.scene))
-    for (std::size_t i = 0; i < all.size(); ++i)
+  for (std::size_t i = 0; frame.volume && i < frame.surfaces.size(); ++i) {
+    const GpuVolume& volume = frame.volumeOf(i);
+    const double value = frame.surfaces[i].value;
+    all.push_back(volume.curvatureStatistics(frame.curvatureField(), value, frame.outward(),
+                                             volume::hiddenAt(volume.hidden(), value)));
+    if (scene::needsEdge(*frame.scene))
       all[i].measures[scene::LookMode::edge_offset] =
-          frame.volume->edgeOffsets(frame.edgeField(), frame.edgeSearch(), frame.surfaces[i].value);
+          volume.edgeOffsets(frame.edgeField(), frame.edgeSearch(), value);
+  }
   frame.statistics = outerBounds(all);
   if (frame.volume && readsSecondRange(*frame.scene)) frame.secondRange = automaticSecondRange(frame);
 }

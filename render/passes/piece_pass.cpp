@@ -17,8 +17,9 @@ PiecesOfSurfaces piecesOf(const FrameState& frame) {
   base::Progress progress;
   const std::stop_callback stop(frame.request.stop, [&progress] { progress.requestStop(); });
   PiecesOfSurfaces pieces;
-  for (const Surface& surface : frame.surfaces)
-    pieces.push_back(frame.pieces->at(surface.value, frame.scene->isosurface.inside, progress));
+  for (std::size_t i = 0; i < frame.surfaces.size(); ++i)
+    pieces.push_back(frame.volumeOf(i).prepared()->pieces->at(
+        frame.surfaces[i].value, frame.scene->isosurface.inside, progress));
   return pieces;
 }
 
@@ -49,7 +50,7 @@ void findPieces(FrameState& frame) {
   Target& target = frame.target(image::piece, {GL_R32F});
   const float none[4] = {kNoPiece, 0.0f, 0.0f, 0.0f};
   frame.clear(target, {none});
-  if (frame.empty() || !frame.pieces) return;
+  if (frame.empty()) return;
   const PiecesOfSurfaces pieces = piecesOf(frame);
   for (const volume::Rectangle& part : frame.area().rectangles())
     target.images[0].write(GL_RED, GL_FLOAT, idsOf(frame, pieces, part).data(), part);

@@ -1,10 +1,12 @@
 #include "render/passes/processor.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <type_traits>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "render/gl/constants.h"
 #include "render/passes/frame_state.h"
@@ -64,13 +66,13 @@ std::vector<float> alphaOf(const Texture& color, const volume::PictureArea& befo
   return alpha;
 }
 
-void derive(const GpuVolume& volume, const FieldAt& field, const volume::CrossingImage& crossings,
+void derive(const GpuVolume& volume, const FieldAt& field, const std::vector<glm::vec4>& points,
             const volume::PictureArea& area, const volume::DerivativeImages& out,
             const std::stop_token& stop) {
   const volume::ScaledField* const scaled = volume.scaled(field);
   const volume::DerivedField of{scaled ? nullptr : volume.coefficients(field.field), scaled,
                                 field.field == scene::Field::trilinear};
-  volume::surfaceDerivatives(volume.grid(), of, crossings.points, area, out, volume::TracerTarget::automatic,
+  volume::surfaceDerivatives(volume.grid(), of, points, area, out, volume::TracerTarget::automatic,
                              stop);
 }
 
@@ -81,9 +83,9 @@ volume::SurfaceCaster casterOf(const FrameState& frame) {
   const scene::Field field = frame.scene->hit.field;
   const GpuVolume& volume = *frame.volume;
   std::vector<const volume::VoxelMask*> hidden;
-  if (!frame.hidden.empty())
+  if (!volume.hidden().empty())
     for (const Surface& surface : frame.groupSurfaces())
-      hidden.push_back(volume::hiddenAt(frame.hidden, surface.value).voxels);
+      hidden.push_back(volume::hiddenAt(volume.hidden(), surface.value).voxels);
   volume::CastField of{volume.grid(), field, volume.coefficients(field), hidden,
                        frame.scene->isosurface.inside};
   if (frame.cut.cuts()) {
@@ -94,8 +96,9 @@ volume::SurfaceCaster casterOf(const FrameState& frame) {
   return {of, isovalues, volume.surface().blocks().dims(), volume.surface().masks()};
 }
 
-bool isOfGroup(const glm::vec2& info, std::size_t group) {
-  return volume::HitInfo::of(info.y).group() == static_cast<int>(group);
+bool isOfGroup(const FrameState& frame, const glm::vec2& info) {
+  const int place = volume::HitInfo::of(info.y).surface() - static_cast<int>(frame.firstSurface());
+  return place >= 0 && place < static_cast<int>(frame.groupSurfaces().size());
 }
 
 std::uint8_t darker(std::uint8_t a, std::uint8_t b) {
@@ -117,7 +120,7 @@ void keepCrossings(const FrameState& frame, const volume::CrossingsBefore& befor
       for (int x = part.low.x; x < part.low.x + part.size.x; ++x) {
         const std::size_t i = volume::Extent2{own.area.size()}.index(x, y);
         const bool ends = before.covered[i] > volume::CrossingsBefore::kMostCovered;
-        if (own.points[i].w < 0.0f || ends || isOfGroup(nearest[i], frame.group)) continue;
+        if (own.points[i].w < 0.0f || ends || isOfGroup(frame, nearest[i])) continue;
         out.points[i] = own.points[i];
         out.infos[i] = own.infos[i];
         out.area.add(y, x, x + 1);
@@ -134,7 +137,7 @@ void cast(FrameState& frame, const std::vector<float>& covered, volume::Crossing
   const std::vector<glm::vec2>& nearest = frame.host.at(frame.layerBefore).crossings.infos;
   std::vector<float> others = covered;
   for (std::size_t i = 0; i < others.size(); ++i)
-    if (!isOfGroup(nearest[i], frame.group)) others[i] = 1.0f;
+    if (!isOfGroup(frame, nearest[i])) others[i] = 1.0f;
   caster.castBehind(rays, {before.crossings, others}, out, frame.request.stop);
   keepCrossings(frame, before, out);
 }
@@ -245,7 +248,7 @@ void castOnProcessor(FrameState& frame) {
   bool any = false;
   frame.forGroups([&] {
     volume::CrossingImage& crossings = hostImages(frame, castName(frame, frame.layer)).crossings;
-    if (!frame.empty())
+    if (!frame.groupIsEmpty())
       cast(frame, covered, crossings);
     else if (!crossings.area.empty())
       crossings = volume::CrossingImage(frame.raySize());
@@ -257,26 +260,94 @@ void castOnProcessor(FrameState& frame) {
   uploadCrossings(frame);
 }
 
+namespace {
+
+// Calls each(index) for the pixels of an area, rows in parallel.
+template <class Each>
+void eachPixel(const volume::PictureArea& area, const Each& each) {
+  for (const volume::Rectangle& part : area.rectangles())
+    volume::parallelEach(part.size.y, [&](int row) {
+      const std::size_t first = volume::Extent2{area.size()}.index(part.low + glm::ivec2(0, row));
+      for (std::size_t i = first; i < first + static_cast<std::size_t>(part.size.x); ++i) each(i);
+    });
+}
+
+// Voxels per mm along the axis on which a ray covers most.
+float largestStep(const volume::PictureRays& rays, glm::ivec2 pixel) {
+  const glm::vec2 at = (glm::vec2(pixel + rays.origin) + 0.5f) / glm::vec2(rays.picture);
+  const glm::vec2 plane = (2.0f * at - 1.0f) * rays.halfExtent;
+  const glm::vec3 steps = rays.orthographic ? rays.forward
+                                            : (rays.forward + plane.x * rays.right + plane.y * rays.up) /
+                                                  std::sqrt(1.0f + glm::dot(plane, plane));
+  return std::max({std::abs(steps.x), std::abs(steps.y), std::abs(steps.z)});
+}
+
+// As merge.frag.glsl with JOIN.
+void joinSolids(FrameState& frame, volume::CrossingImage& nearest) {
+  const volume::PictureRays rays = frame.rays();
+  const bool outward = frame.outward() < 0.0;
+  const auto enters = [&](volume::HitInfo info) { return info.risesBehind() == outward; };
+  const volume::Extent2 extent{nearest.area.size()};
+  const auto join = [&](const volume::CrossingImage& other) {
+    eachPixel(nearest.area, [&](std::size_t i) {
+      const volume::HitInfo known = volume::HitInfo::of(nearest.infos[i].y);
+      const float t = nearest.points[i].w, of = other.points[i].w;
+      if (t < 0.0f || of < 0.0f || enters(known) || known.isJoined()) return;
+      if (!enters(volume::HitInfo::of(other.infos[i].y))) return;
+      if (std::abs(of - t) * largestStep(rays, extent.at(i)) <= 0.5f)
+        nearest.infos[i].y = known.joined().packed();
+    });
+  };
+  frame.forGroups([&] { join(frame.host.at(castName(frame, frame.layer)).crossings); });
+  if (!frame.layer.empty()) join(frame.host.at(frame.layerBefore).crossings);
+}
+
+}  // namespace
+
 void mergeOnProcessor(FrameState& frame) {
   volume::CrossingImage& nearest = hostImages(frame, frame.layer).crossings;
   nearest = volume::CrossingImage(frame.raySize());
   frame.forGroups([&] {
     const volume::CrossingImage& of = frame.host.at(castName(frame, frame.layer)).crossings;
-    for (const volume::Rectangle& part : of.area.rectangles())
-      volume::parallelEach(part.size.y, [&](int row) {
-        const std::size_t first = volume::Extent2{nearest.area.size()}.index(part.low + glm::ivec2(0, row));
-        for (std::size_t i = first; i < first + static_cast<std::size_t>(part.size.x); ++i) {
-          const float t = of.points[i].w;
-          if (t < 0.0f || (nearest.points[i].w >= 0.0f && nearest.points[i].w <= t)) continue;
-          nearest.points[i] = of.points[i];
-          const volume::HitInfo known = volume::HitInfo::of(of.infos[i].y);
-          nearest.infos[i] = {of.infos[i].x, known.inGroupOf(static_cast<int>(frame.group)).packed()};
-        }
-      });
+    eachPixel(of.area, [&](std::size_t i) {
+      const float t = of.points[i].w;
+      if (t < 0.0f || (nearest.points[i].w >= 0.0f && nearest.points[i].w <= t)) return;
+      nearest.points[i] = of.points[i];
+      const volume::HitInfo known = volume::HitInfo::of(of.infos[i].y);
+      nearest.infos[i] = {of.infos[i].x, known.amongAll(static_cast<int>(frame.firstSurface())).packed()};
+    });
     nearest.area.add(of.area);
   });
+  if (frame.joinsSolids()) joinSolids(frame, nearest);
   uploadCrossings(frame);
 }
+
+namespace {
+
+// Calls make(points), which fills images at the points, for those of each volume, and puts together what it
+// wrote.
+template <class Texel, class Make>
+void atHitsOfVolumes(FrameState& frame, const volume::CrossingImage& crossings,
+                     const std::vector<std::vector<Texel>*>& images, const Make& make) {
+  if (!frame.isOfLabels()) return make(crossings.points);
+  std::vector<std::vector<Texel>> all;
+  for (const std::vector<Texel>* image : images) all.push_back(*image);
+  frame.forVolumes([&] {
+    const auto isOther = [&](std::size_t i) {
+      return !frame.isOfVolume(volume::HitInfo::of(crossings.infos[i].y));
+    };
+    std::vector<glm::vec4> points = crossings.points;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (isOther(i)) points[i].w = -1.0f;
+    make(points);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (crossings.points[i].w < 0.0f || !isOther(i))
+        for (std::size_t k = 0; k < images.size(); ++k) all[k][i] = (*images[k])[i];
+  });
+  for (std::size_t k = 0; k < images.size(); ++k) images[k]->swap(all[k]);
+}
+
+}  // namespace
 
 void deriveOnProcessor(FrameState& frame, Target* target, const FieldAt& field, bool hessian) {
   HostImages& images = frame.host.at(frame.layer);
@@ -288,9 +359,14 @@ void deriveOnProcessor(FrameState& frame, Target* target, const FieldAt& field, 
     resize(image, images.crossings.points.size());
     if (image.area.size() == area.size()) changed.add(image.area);
   }
-  volume::DerivativeImages out{own[0].texels, {}, {}};
-  if (hessian) out = {own[0].texels, own[1].texels, own[2].texels};
-  if (!changed.empty()) derive(*frame.volume, field, images.crossings, changed, out, frame.request.stop);
+  std::vector<std::vector<glm::vec4>*> texels;
+  for (HostImages::Derivatives& image : own) texels.push_back(&image.texels);
+  if (!changed.empty())
+    atHitsOfVolumes(frame, images.crossings, texels, [&](const std::vector<glm::vec4>& points) {
+      volume::DerivativeImages out{own[0].texels, {}, {}};
+      if (hessian) out = {own[0].texels, own[1].texels, own[2].texels};
+      derive(*frame.volume, field, points, changed, out, frame.request.stop);
+    });
   const bool stopped = frame.request.stop.stop_requested();  // some of what was there may be left
   for (HostImages::Derivatives& image : own) image.area = stopped ? changed : area;
   if (!target) return;
@@ -348,7 +424,10 @@ void edgesOnProcessor(FrameState& frame, Target& target, const FieldAt& field,
   volume::PictureArea changed = area;
   images.edges.resize(images.crossings.points.size(), {kNoEdge, 0.0f});
   if (images.edgesArea.size() == area.size()) changed.add(images.edgesArea);
-  findEdges(frame, field, search, images.crossings.points, changed, images.edges);
+  atHitsOfVolumes<glm::vec2>(
+      frame, images.crossings, {&images.edges}, [&](const std::vector<glm::vec4>& points) {
+        findEdges(frame, field, search, points, changed, images.edges);
+      });
   const bool stopped = frame.request.stop.stop_requested();
   target.drawn.add(area);
   upload(target.images[0], target.drawn, images.edges);
@@ -384,8 +463,10 @@ void shadowOnProcessor(FrameState& frame, Target& target) {
   const HostImages::Derivatives& gradients = frame.gradientShared ? images.hessian[0] : images.gradient;
   volume::ShadowImage ofGroup;
   frame.forGroups([&] {
+    if (frame.group > 0 && frame.groupIsEmpty()) return;
     shadow.opaque = frame.opaqueBits();
-    shadow.group = static_cast<int>(frame.group);
+    shadow.first = static_cast<int>(frame.firstSurface());
+    shadow.surfaces = static_cast<int>(frame.groupSurfaces().size());
     volume::ShadowImage& out = frame.group == 0 ? images.shadow : ofGroup;
     casterOf(frame).castShadows(shadow, images.crossings, gradients.texels, out, frame.request.stop);
     if (frame.group > 0)

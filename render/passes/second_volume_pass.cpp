@@ -99,15 +99,17 @@ bool readsSecondRange(const scene::Scene& scene) {
 glm::dvec2 automaticSecondRange(const FrameState& frame) {
   if (!frame.second || frame.empty()) return {0.0, 1.0};
   const SecondAtPoints second(frame);
-  const volume::Grid& grid = frame.volume->grid();
   std::vector<double> values;
-  for (const Surface& surface : frame.surfaces)
-    for (const volume::VisiblePoint& point : frame.volume->visiblePoints(surface.value)) {
+  for (std::size_t i = 0; i < frame.surfaces.size(); ++i) {
+    const GpuVolume& volume = frame.volumeOf(i);
+    const volume::Grid& grid = volume.grid();
+    for (const volume::VisiblePoint& point : volume.visiblePoints(frame.surfaces[i].value)) {
       const glm::dvec3 gradient =
           volume::worldGradient(grid.geometry(), volume::sampleTrilinear(grid, point.voxel).gradient);
       if (const std::optional<SecondValue> value = second.at(point.voxel, gradient))
         values.push_back(value->value);
     }
+  }
   const std::optional<volume::Quantiles> range = volume::rangeOf(values);
   return range ? glm::dvec2(range->low, range->high) : glm::dvec2(0.0, 1.0);
 }

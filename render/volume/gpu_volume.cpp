@@ -227,8 +227,7 @@ SurfaceBlocks& GpuVolume::blocksOf(scene::Field field) {
   return *surfaces_.back();
 }
 
-void GpuVolume::activate(scene::Field field, const std::vector<double>& values,
-                         const std::vector<volume::HiddenOfSurface>& hidden) {
+void GpuVolume::activate(scene::Field field, const std::vector<double>& values) {
   SurfaceBlocks& surface = blocksOf(field);
   if (!hasCells()) return;
   std::vector<float> stored;
@@ -238,13 +237,13 @@ void GpuVolume::activate(scene::Field field, const std::vector<double>& values,
   for (const double value : values)
     stored.push_back(static_cast<float>(grid().storedOfValue(value) - offset));
   std::vector<volume::PartlyShown> shown;
-  if (!hidden.empty())
+  if (!hidden_.empty())
     for (std::size_t k = 0; k < values.size(); ++k) {
-      const volume::HiddenPieces own = volume::hiddenAt(hidden, values[k]);
+      const volume::HiddenPieces own = volume::hiddenAt(hidden_, values[k]);
       shown.push_back(
-          {stored[k], own.voxels, volume::InsideLevel::of(grid(), values[k], hidden.front().inside)});
+          {stored[k], own.voxels, volume::InsideLevel::of(grid(), values[k], hidden_.front().inside)});
     }
-  surface.activate(std::move(stored), {std::move(shown), hidden});
+  surface.activate(std::move(stored), {std::move(shown), hidden_});
 }
 
 glm::dvec3 GpuVolume::noiseBlur() const {
@@ -253,7 +252,7 @@ glm::dvec3 GpuVolume::noiseBlur() const {
 }
 
 volume::CurvatureStatistics GpuVolume::curvatureStatistics(const FieldAt& of, double value, double outward,
-                                                           const volume::HiddenPieces& hidden) {
+                                                           const volume::HiddenPieces& hidden) const {
   if (!hasCells()) return {};
   const volume::ScaledField* const atScale = scaled(of);
   return volume::curvatureStatistics(grid(), *volume_->blocks, value, outward,

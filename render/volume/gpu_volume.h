@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "render/gl/gl_objects.h"
@@ -37,7 +38,7 @@ class GpuVolume {
   GpuVolume(GlPtr gl, std::shared_ptr<const volume::PreparedVolume> volume);
 
   const volume::Grid& grid() const { return volume_->grid(); }
-  std::shared_ptr<const volume::Grid> sharedGrid() const { return volume_->volume.grid; }
+  const std::shared_ptr<const volume::PreparedVolume>& prepared() const { return volume_; }
   bool hasCells() const;  // an axis of one voxel has no cells and no surface
 
   // Creates the missing textures for these fields, one each or as bricks (memory.layout), and uploads whole
@@ -64,7 +65,7 @@ class GpuVolume {
   // Returns the curvature statistics of the surface of `value` (data units) with these derivatives; all 0
   // without a surface.
   volume::CurvatureStatistics curvatureStatistics(const FieldAt& of, double value, double outward,
-                                                  const volume::HiddenPieces& hidden);
+                                                  const volume::HiddenPieces& hidden) const;
 
   std::vector<volume::VisiblePoint> visiblePoints(double value) const;  // of that surface
   // Returns the offsets of edges from the surface of `value` over visible points, mm.
@@ -73,10 +74,12 @@ class GpuVolume {
 
   // Returns false if no cell of this field can contain a surface of one of `values` (data units).
   bool mayCross(scene::Field field, const std::vector<double>& values) const;
+  // The hidden components of its surfaces; empty if all are shown.
+  const std::vector<volume::HiddenOfSurface>& hidden() const { return hidden_; }
+  void setHidden(std::vector<volume::HiddenOfSurface> hidden) { hidden_ = std::move(hidden); }
   // Activates the blocks that the surfaces of `values` (data units) of this field can cross, and uploads the
   // masks of their sub-blocks. Takes time proportional to the change. The masks ignore hidden components.
-  void activate(scene::Field field, const std::vector<double>& values,
-                const std::vector<volume::HiddenOfSurface>& hidden);
+  void activate(scene::Field field, const std::vector<double>& values);
   std::size_t activeBlocks() const { return surfaces_.empty() ? 0 : surface().active().activeCount(); }
   // Returns the blocks of the active surfaces. Requires activate().
   SurfaceBlocks& surface() { return *surfaces_.back(); }
@@ -115,6 +118,7 @@ class GpuVolume {
 
   GlPtr gl_;
   std::shared_ptr<const volume::PreparedVolume> volume_;
+  std::vector<volume::HiddenOfSurface> hidden_;
   Channels channels_;                    // the samples are the first
   std::optional<scene::Memory> layout_;  // with which the textures of all channels were created
   std::unique_ptr<PartBoxes> parts_;     // null: sub-blocks of the whole volume are known

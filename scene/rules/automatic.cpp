@@ -110,8 +110,14 @@ Scene resolve(Scene scene, const VolumeFacts& facts) {
   }
   if (facts.labelAlbedo) {
     scene.source.kind = DataKind::labels;
-    scene.surfaces.front().albedo = *facts.labelAlbedo;
-    for (std::size_t i = 1; i < scene.surfaces.size(); ++i) scene.surfaces[i].shown = false;
+    bool restIsTaken = false;  // all labels that no surface names are the first's that names none
+    for (Surface& surface : scene.surfaces) {
+      if (surface.labelColors) surface.albedo = *facts.labelAlbedo;
+      surface.value = surface.value.value_or(0.0);
+      if (!surface.labels.empty()) continue;
+      if (restIsTaken) surface.shown = false;
+      restIsTaken = true;
+    }
     // The surface keeps the steps of slices that are far apart; its shading does not.
     const auto [least, largest] = std::minmax({facts.spacingMm.x, facts.spacingMm.y, facts.spacingMm.z});
     if (!scene.derivatives.normalScale && largest > 1.5 * least)

@@ -115,6 +115,14 @@ SceneList makeSurfaces() {
       "Isovalue of the surface. auto: the first follows isosurface.suggestion, others take the "
       "histogram's next suggestion outside the first, or inside if there is none. Assigning it to a new "
       "ID makes a surface.");
+  fields.add(group + "labels", ISOLUX_MEMBER(labels),
+             "Labels of a label map that this surface encloses, apart from the others: numbers, ranges and "
+             "names, as in source.labels. The first surface without any has all that no other one names. "
+             "Assigning it to a new ID makes a surface.");
+  fields.add(group + "smoothing", ISOLUX_MEMBER(smoothing), {0, 2}, "voxels",
+             "Smoothing of this surface of labels, as in source.smoothing; auto is that.");
+  fields.add(group + "label_colors", ISOLUX_MEMBER(labelColors),
+             "Gives each label on the surface its own colour; off, the surface has its albedo.");
   fields.add(group + "albedo", ISOLUX_MEMBER(albedo), unitRange, "linear RGB",
              "Diffuse reflectance of the surface.");
   fields.add(group + "specular", ISOLUX_MEMBER(specular), unitRange, "",
@@ -134,6 +142,7 @@ SceneList makeSurfaces() {
   SceneList list{.path = "surfaces",
                  .noun = "surface",
                  .maker = "value",
+                 .joiner = "labels",
                  .former = "isosurface",
                  .firstHadNoNumber = true,
                  .idStem = "surface",
@@ -244,12 +253,18 @@ void addItem(const SceneList& list, Scene& scene, const std::string& id, const s
   list.arrange(scene, ids);
 }
 
-// As a user does who names a setting of it: an only item that nobody has touched becomes that one.
-void makeItem(const SceneList& list, Scene& scene, const std::string& id, const std::string& path) {
-  if (isUntouched(list, scene))
+// As a user does who names that field of it: an only item that nobody has touched becomes that one, unless it
+// joins the others.
+void makeItem(const SceneList& list, Scene& scene, const std::string& id, std::string_view field,
+              const std::string& path) {
+  if (field == list.maker && isUntouched(list, scene))
     list.arrange(scene, {id});
   else
     addItem(list, scene, id, path);
+}
+
+bool makesItem(const SceneList& list, std::string_view field) {
+  return field == list.maker || (!list.joiner.empty() && field == list.joiner);
 }
 
 [[noreturn]] void refuseItem(const SceneList& list, const Scene& scene, std::string_view item,
@@ -287,8 +302,8 @@ Setting fieldSetting(const PathParts& parts, std::string_view path) {
     if (!there && former && value == list.formerValue(*asPosition(item), field)) return;
     if (!there && former)
       id = formerItem(list, changed, *asPosition(item), info.path);
-    else if (!there && isId(item) && nameOfField(list, list.fields[field]) == list.maker)
-      makeItem(list, changed, id, info.path);
+    else if (!there && isId(item) && makesItem(list, nameOfField(list, list.fields[field])))
+      makeItem(list, changed, id, nameOfField(list, list.fields[field]), info.path);
     else if (!there)
       refuseItem(list, scene, item, info.path);
     try {

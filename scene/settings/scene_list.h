@@ -21,6 +21,7 @@ struct SceneList {
   std::string path;                   // "lamps"
   std::string noun;                   // of an item, in messages: "light source"
   std::string maker;                  // the field that makes an item: "kind"
+  std::string joiner{};               // another; what it makes takes no untouched item's place; "": none
   std::string former;                 // group of the numbered settings of before: "lamp" of "lamp2.kind"
   bool firstHadNoNumber = false;      // of those: "isosurface.value", "isosurface2.value"
   std::string idStem;                 // of ids that newId() makes

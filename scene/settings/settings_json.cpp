@@ -92,6 +92,15 @@ void addItemChanges(const SceneList& list, const Scene& from, const Scene& to,
   if (order != after) changes.push_back({list.path + ".order", after});
 }
 
+// The field by which a user would make the item: the joiner where it says something.
+const std::string& makerOf(const SceneList& list, const Scene& scene, const std::string& id) {
+  const auto isJoiner = [&](const SettingInfo& field) { return nameOfField(list, field) == list.joiner; };
+  const auto joiner = std::ranges::find_if(list.fields, isJoiner);
+  if (joiner == list.fields.end()) return list.maker;
+  const auto field = static_cast<std::size_t>(joiner - list.fields.begin());
+  return list.get(scene, id, field) == list.get(scene, "", field) ? list.maker : list.joiner;
+}
+
 // Assigns the items of a list to `made` by their fields, as a user would, or all at once where that gives
 // others.
 void assignItemsOf(const SceneList& list, const Scene& scene, Scene& made,
@@ -112,8 +121,9 @@ void assignItemsOf(const SceneList& list, const Scene& scene, Scene& made,
   for (const std::string& id : ids) {
     const std::string item = list.path + '.' + id + '.';
     if (!isThere(id)) {
-      setting(item + list.maker).set(made, setting(item + list.maker).get(scene));
-      changes.push_back({item + list.maker, setting(item + list.maker).get(scene)});
+      const std::string maker = item + makerOf(list, scene, id);
+      setting(maker).set(made, setting(maker).get(scene));
+      changes.push_back({maker, setting(maker).get(scene)});
     }
     for (const SettingInfo& field : list.fields) assign(item + std::string(nameOfField(list, field)));
   }

@@ -64,15 +64,16 @@ struct ShadowPacket {
   std::size_t pixel[kLanes] = {};  // in the image
   std::size_t count = 0;
 
-  // `group`: of the surfaces that are traced; of others the sides are not known.
-  void add(const WayToLight& way, int group, std::size_t at) {
+  // Of other surfaces than those traced the sides are not known.
+  void add(const WayToLight& way, const ShadowRays& shadow, std::size_t at) {
+    const int place = way.before.surface() - shadow.first;
     for (int axis = 0; axis < 3; ++axis) {
       origin[axis][count] = way.origin[axis];
       normal[axis][count] = way.normal[axis];
     }
     offset[count] = way.offset;
-    inside[count] = way.before.sides();
-    known[count] = way.before.group() == group ? -1 : 0;
+    inside[count] = way.before.sides() >> (shadow.first & 3);
+    known[count] = place >= 0 && place < shadow.surfaces ? -1 : 0;
     pixel[count++] = at;
   }
 };
@@ -148,7 +149,7 @@ void shadows(const CastView& view, const ShadowRays& shadow, const ShadowTarget&
             if (point.w < 0.0f) continue;
             const auto way = wayFrom(shadow, {x, y}, point, HitInfo::of(target.infos[at].y),
                                      glm::vec3(target.gradients[at]));
-            if (way) packet.add(*way, shadow.group, at);
+            if (way) packet.add(*way, shadow, at);
             if (packet.count == kLanes) tracePacket(view, finder, shadow, packet, target.lit);
           }
     tracePacket(view, finder, shadow, packet, target.lit);

@@ -89,7 +89,8 @@ struct ShadowRays {
   glm::mat3 voxelFromWorld{1.0f};                  // of directions
   glm::vec3 light{0.0f};                           // unit, world, toward the light
   int opaque = 0;                                  // a bit for each surface that stops light
-  int group = 0;                                   // that these surfaces are of (hit_info.h)
+  int first = 0;                                   // of the surfaces that are traced, among all
+  int surfaces = 4;                                // that are traced
 };
 
 // Beyond `area` all are 0.

@@ -41,18 +41,15 @@ std::optional<LabelRange> rangeOf(std::string_view text) {
   return range;
 }
 
-[[noreturn]] void refuseLabels(const std::string& reason) {
-  base::throwUsage("", "source.labels", reason);
-}
-
 }  // namespace
 
 scene::Source withLabelsAsValues(scene::Source source) {
-  source.labels = kLabelsAsValues;
+  source.labels = scene::kLabelsAsValues;
   return source;
 }
 
-std::vector<int> labelsNamed(const std::string& text, const LabelBlocks& blocks, const LabelTable* table) {
+std::vector<int> labelsNamed(const std::string& text, const LabelBlocks& blocks, const LabelTable* table,
+                             const std::string& path) {
   std::vector<int> named;
   std::vector<std::string> names;
   for (const LabelExtent& label : blocks.list())
@@ -75,12 +72,14 @@ std::vector<int> labelsNamed(const std::string& text, const LabelBlocks& blocks,
       found = addWhere([&](std::size_t i) {
         return blocks.list()[i].label >= range->low && blocks.list()[i].label <= range->high;
       });
-    if (!found) refuseLabels("the volume has no label \"" + word + '"' + base::didYouMean(name, names, ""));
+    if (!found)
+      base::throwUsage("", path,
+                       "the volume has no label \"" + word + '"' + base::didYouMean(name, names, ""));
   }
   std::ranges::sort(named);
   const auto twice = std::ranges::unique(named);
   named.erase(twice.begin(), twice.end());
-  if (named.empty()) refuseLabels("names no label of the volume");
+  if (named.empty()) base::throwUsage("", path, "names no label of the volume");
   return named;
 }
 

@@ -26,15 +26,14 @@ struct ShownLabels {
   const Grid& grid() const { return blocks->grid(); }  // of the labels
 };
 
-// The text of source.labels that draws isosurfaces of a label map's values as of any volume.
-inline constexpr const char* kLabelsAsValues = "values";
-
 // Returns the source with that text: for reports of the file's own values.
 scene::Source withLabelsAsValues(scene::Source source);
 
 // Returns the labels that a text names, ascending: numbers, ranges and names, "2,4-7,liver", without regard
-// to case; "" all but 0. Throws Error of kind usage if it names none, or one that the volume does not have.
-std::vector<int> labelsNamed(const std::string& text, const LabelBlocks& blocks, const LabelTable* table);
+// to case; "" all but 0. Throws Error of kind usage with `path`, the setting of the text, if it names none, or
+// one that the volume does not have.
+std::vector<int> labelsNamed(const std::string& text, const LabelBlocks& blocks, const LabelTable* table,
+                             const std::string& path = "source.labels");
 
 // Returns such a text of labels that the volume has, ascending: "" of all but 0.
 std::string textOfLabels(const std::vector<int>& labels, const LabelBlocks& blocks);

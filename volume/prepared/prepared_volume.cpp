@@ -177,12 +177,17 @@ std::string thinText(const ShownLabels& labels) {
          " % of the shown labels' voxels are drawn as in the file, too thin to smooth";
 }
 
-// Puts the mask field of the labels that are shown in the place of the labels.
-void showMask(Volume& volume, const ShownLabels& labels) {
-  volume.grid = labels.mask.grid;
+// Puts the mask field of labels in the place of the labels.
+void putMask(Volume& volume, const MaskField& mask) {
+  volume.grid = mask.grid;
   volume.isovalue = 0.0;
   volume.noise = 0.0;
   volume.unit.clear();
+}
+
+// The same of the labels that are shown.
+void showMask(Volume& volume, const ShownLabels& labels) {
+  putMask(volume, labels.mask);
   if (const std::string thin = thinText(labels); !thin.empty()) volume.warnings.push_back(thin);
 }
 
@@ -334,13 +339,15 @@ std::shared_ptr<PreparedVolume> prepareGrid(Volume volume, base::Progress& progr
   return prepared;
 }
 
-// Of a label map in whole: the surface of the labels that the source names.
+// Of a label map in whole: the surface of the labels that the source names. `before`: of the same map, or null.
 std::shared_ptr<PreparedVolume> prepareLabels(Volume asRead, std::shared_ptr<const ShownLabels> labels,
-                                              base::Progress& progress) {
+                                              const PreparedVolume* before, base::Progress& progress) {
   Volume masked = asRead;
   showMask(masked, *labels);
   std::shared_ptr<PreparedVolume> prepared = prepareGrid(std::move(masked), progress);
   prepared->facts.labelAlbedo = meanColor(*labels);
+  prepared->labelSurfaces =
+      before ? before->labelSurfaces : std::make_shared<LabelSurfaces>(asRead, labels->blocks, labels->table);
   prepared->labels = std::move(labels);
   prepared->asRead = std::move(asRead);
   return prepared;
@@ -348,7 +355,7 @@ std::shared_ptr<PreparedVolume> prepareLabels(Volume asRead, std::shared_ptr<con
 
 std::shared_ptr<PreparedVolume> prepare(Volume volume, const scene::Source& source,
                                         base::Progress& progress) {
-  const bool asValues = source.labels == kLabelsAsValues;
+  const bool asValues = source.labels == scene::kLabelsAsValues;
   if (!source.labelNames.empty()) nameLabels(volume, source.labelNames);
   noteLabels(volume, asValues ? LabelsDrawn::notSaid : LabelsDrawn::asMask, progress);
   if (volume.labels == 0 || asValues) return prepareGrid(std::move(volume), progress);
@@ -356,7 +363,7 @@ std::shared_ptr<PreparedVolume> prepare(Volume volume, const scene::Source& sour
   auto blocks = std::make_shared<LabelBlocks>(volume.grid, volume.name, progress);
   std::shared_ptr<const ShownLabels> labels =
       showLabels(std::move(blocks), volume.labelTable, source.labels, source.smoothing, nullptr, progress);
-  return prepareLabels(std::move(volume), std::move(labels), progress);
+  return prepareLabels(std::move(volume), std::move(labels), nullptr, progress);
 }
 
 // Whether the voxels stay in their file.
@@ -375,6 +382,16 @@ bool stays(const VolumeFile& file, const scene::Source& source, scene::VoxelPlac
 
 }  // namespace
 
+std::shared_ptr<const PreparedVolume> prepareMask(Volume volume, std::shared_ptr<const ShownLabels> labels,
+                                                  base::Progress& progress) {
+  putMask(volume, labels->mask);
+  auto blocks = std::make_shared<MinMaxBlocks>(*volume.grid, kBlockCells, progress);
+  const std::shared_ptr<PreparedVolume> prepared = withBlocks(std::move(volume), std::move(blocks));
+  prepared->boxes = std::make_shared<BoxBounds>(prepared->grid(), *prepared->blocks, progress);
+  prepared->labels = std::move(labels);
+  return prepared;
+}
+
 std::shared_ptr<const PreparedVolume> prepareVolume(Volume volume, base::Progress& progress) {
   return prepare(std::move(volume), withLabelsAsValues({}), progress);
 }
@@ -384,7 +401,8 @@ std::shared_ptr<const PreparedVolume> showOtherLabels(const PreparedVolume& show
   const ShownLabels& before = *shown.labels;
   return prepareLabels(
       *shown.asRead,
-      showLabels(before.blocks, before.table, source.labels, source.smoothing, &before, progress), progress);
+      showLabels(before.blocks, before.table, source.labels, source.smoothing, &before, progress), &shown,
+      progress);
 }
 
 std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, const scene::HostSettings& host,

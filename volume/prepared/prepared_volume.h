@@ -10,6 +10,7 @@
 #include "volume/color/second_volume.h"
 #include "volume/derived/cubic_fields.h"
 #include "volume/labels/shown_labels.h"
+#include "volume/prepared/label_surfaces.h"
 #include "volume/pieces/piece_sets.h"
 #include "volume/prepared/derivative_choices.h"
 #include "volume/prepared/still_hits.h"
@@ -30,6 +31,7 @@ struct PreparedVolume {
   // is the volume with the labels themselves.
   std::shared_ptr<const ShownLabels> labels;
   std::optional<Volume> asRead;
+  std::shared_ptr<const LabelSurfaces> labelSurfaces;  // of labels; computed at the first request
   std::shared_ptr<const MinMaxBlocks> blocks;
   // Sub-blocks of the trilinear field, for blocks of BoxBounds::kBlockCells; null if voxels stay in their
   // file.
@@ -61,6 +63,9 @@ std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, co
                                                  base::Progress& progress);
 // Prepares voxels in memory; a label map keeps its values.
 std::shared_ptr<const PreparedVolume> prepareVolume(Volume volume, base::Progress& progress);
+// Prepares the mask field of some labels of a map, with what a frame needs; no facts and no histogram.
+std::shared_ptr<const PreparedVolume> prepareMask(Volume asRead, std::shared_ptr<const ShownLabels> labels,
+                                                  base::Progress& progress);
 // As loadVolume() of a source that differs in `labels` and `smoothing` alone, without reading the file.
 // Requires that `shown` has labels.
 std::shared_ptr<const PreparedVolume> showOtherLabels(const PreparedVolume& shown,

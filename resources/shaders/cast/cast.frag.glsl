@@ -32,7 +32,7 @@ uniform sampler2D uBefore;  // what this pass wrote before: what is known, or th
 uniform sampler2D uSurface, uInfo, uColor;
 #ifdef GROUPS
 uniform sampler2D uNearest;  // what is known of the nearest crossing of all groups
-uniform int uGroup;          // that is cast
+uniform int uFirst;          // surface of the group that is cast
 #endif
 #endif
 #ifndef EXACT
@@ -199,7 +199,8 @@ bool castRay() {
   float tFront = texelFetch(uSurface, pixel, 0).w;
   if (tFront < 0.0 || texelFetch(uColor, pixel, 0).a > 0.996) return false;
 #ifdef GROUPS
-  if (groupOf(int(texelFetch(uNearest, pixel, 0).g)) != uGroup) {
+  int nearest = surfaceOf(int(texelFetch(uNearest, pixel, 0).g)) - uFirst;
+  if (nearest < 0 || nearest >= SURFACES) {
     vec2 info = texelFetch(uInfo, pixel, 0).rg;
 #ifdef EXACT
     oSurface = texelFetch(uSurface, pixel, 0);

@@ -5,6 +5,7 @@
 // whose Hessian has mixed terms only. Where a sample of the B-spline is missing: the trilinear gradient, no Hessian.
 #include "common.glsl"
 #include "field.glsl"
+#include "of_group.glsl"
 #include "spline.glsl"
 #ifdef SCALED
 #include "quintic.glsl"
@@ -20,6 +21,7 @@ layout(location = 2) out vec4 oHessianMixed;     // xy, xz, yz; w = 1 where all 
 #endif
 
 void main() {
+  if (isOfOther(ivec2(gl_FragCoord.xy))) discard;
   vec4 surface = texelFetch(uSurface, ivec2(gl_FragCoord.xy), 0);
   oGradient = vec4(0.0);
 #ifdef HESSIAN

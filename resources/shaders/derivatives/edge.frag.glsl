@@ -4,6 +4,7 @@
 #define HESSIAN
 #include "common.glsl"
 #include "field.glsl"
+#include "of_group.glsl"
 #include "spline.glsl"
 #ifdef SCALED
 #include "quintic.glsl"
@@ -112,6 +113,7 @@ Slope peakBetween(Slope rising, Slope falling) {
 }
 
 void main() {
+  if (isOfOther(ivec2(gl_FragCoord.xy))) discard;
   oEdge = vec2(noEdge, 0.0);
   vec4 surface = texelFetch(uSurface, ivec2(gl_FragCoord.xy), 0);
   if (surface.w < 0.0) return;

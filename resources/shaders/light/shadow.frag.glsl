@@ -20,7 +20,7 @@
 uniform mat3 uVoxelFromWorld;
 uniform vec3 uLight;     // unit, world, toward the light
 uniform int uOpaqueBits;  // surfaces that stop light
-uniform int uGroup;       // that they are of
+uniform int uFirst;       // of them among all
 layout(location = 0) out float oLit;
 
 // The first opaque surface; `inside` becomes the sides at the end of the way where there is none.
@@ -53,8 +53,9 @@ void main() {
   // Back to where the viewer's ray came from: a hit on a face between cells is then in the cell before the surface, and
   // a sampled hit that lies behind the surface by its error is before it.
 #ifdef EXACT
-  bool known = groupOf(int(info.g)) == uGroup, carried = known;
-  int inside = sidesBehind(int(info.g)) ^ 1 << placeOf(int(info.g));  // before the crossing
+  int place = surfaceOf(int(info.g)) - uFirst;
+  bool known = place >= 0 && place < SURFACES, carried = known;
+  int inside = (sidesBehind(int(info.g)) ^ 1 << placeOf(int(info.g))) >> (uFirst & 3);  // before the crossing
   float back = 1e-3;  // voxels
 #else
   const bool known = false;

@@ -200,7 +200,7 @@ void main() {
   oColor = vec4(0.0);
   int known = int(texelFetch(uInfo, pixel, 0).g);
   if (waits(known)) oColor = waiting();
-  if (surface.w < 0.0) return;
+  if (surface.w < 0.0 || isJoined(known)) return;
   int which = surfaceOf(known);
   Point p = pointAt(pixel, surface);
   vec4 color = shaded(pixel, p, uAlbedos[which]);

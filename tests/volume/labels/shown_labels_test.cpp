@@ -140,7 +140,7 @@ TEST(ShownLabels, ALoadedLabelMapIsItsMaskField) {
 }
 
 TEST(ShownLabels, AsValuesTheyStayWhatTheyWere) {
-  const auto values = loadedLabels(threeLabels(), volume::kLabelsAsValues);
+  const auto values = loadedLabels(threeLabels(), scene::kLabelsAsValues);
   EXPECT_FALSE(values->labels);
   EXPECT_EQ(values->grid().hash(), threeLabels().hash());
   EXPECT_EQ(values->facts.suggestedIsovalue, 0.5);
