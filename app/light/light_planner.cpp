@@ -53,15 +53,17 @@ int LightPlanner::threads() const {
   return threads_.value_or(static_cast<int>(std::max<std::size_t>(1, allowed)));
 }
 
-const LightPlan& LightPlanner::plan(const scene::Scene& given, const VolumePointer& volume,
+const LightPlan& LightPlanner::plan(const scene::Scene& given, const VolumePointer& shown,
                                     base::Progress& progress) {
-  if (volume != volumeOfFile_.lock()) texelsOfFile_.reset();
+  if (shown != volumeOfFile_.lock()) texelsOfFile_.reset();
+  const bool lights = scene::shadingOf(given) == scene::Shading::gi;
+  const VolumePointer volume = lights ? volume::litVolume(shown, given, progress) : shown;
   scene_ = given;
   if (scene_.gi.texels == scene::GiTexels::automatic && texelsOfFile_) scene_.gi.texels = *texelsOfFile_;
   const scene::Scene& resolved = scene_;
   volume_ = volume;
   meterPending_ = groundPending_ = false;
-  if (!volume || scene::shadingOf(resolved) != scene::Shading::gi) {
+  if (!volume || !lights) {
     // Stored light stays: the look may come back.
     if (!volume) stop();
     plan_ = {};

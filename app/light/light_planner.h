@@ -73,7 +73,7 @@ class LightPlanner {
   LightPlanner& operator=(const LightPlanner&) = delete;
 
   // Decides anew. Throws base::Error (light probe, memory, stopped); the plan before holds then.
-  const LightPlan& plan(const scene::Scene& given, const VolumePointer& volume, base::Progress& progress);
+  const LightPlan& plan(const scene::Scene& given, const VolumePointer& shown, base::Progress& progress);
   // Asks the bakes for what the scene and these surface points need. True if the plan's light changed: light
   // of inner sides is planned when the first is seen. Throws Error{interrupted}, Error{memory}.
   bool request(const gi::VisiblePointSet& seen, base::Progress& progress);

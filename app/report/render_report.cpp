@@ -136,8 +136,9 @@ std::vector<std::string> notesOf(const render::FrameReport& report) {
 
 void noteOfPicture(const scene::Scene& scene, const render::FrameReport& report) {
   const bool labels = scene.source.kind == scene::DataKind::labels;
-  if (labels && scene.source.labels != scene::kLabelsAsValues && scene.surfaces.size() > 1)
-    printNote("surfaces: a label map has one surface; further isosurfaces are not drawn");
+  const auto unnamed = std::ranges::count_if(scene.surfaces, [](const auto& s) { return s.labels.empty(); });
+  if (labels && scene.source.labels != scene::kLabelsAsValues && unnamed > 1)
+    printNote("surfaces: of those that name no labels (surfaces.ID.labels), only the first is drawn");
   for (const std::string& note : notesOf(report)) printNote(note);
 }
 

@@ -1,6 +1,7 @@
 #include "app/surface_list/surface_list.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "scene/rules/automatic.h"
 #include "scene/settings/scene_list.h"
@@ -18,6 +19,7 @@ struct Tissue {
   const char* name;
   glm::dvec3 albedo;
 };
+constexpr double kLabelOpacity = 0.4;  // of labels that are taken out of the others
 constexpr Tissue kTissues[] = {{-950.0, "Lung", {0.72, 0.42, 0.38}},
                                {-400.0, "Skin", {0.78, 0.52, 0.40}},
                                {-30.0, "Soft tissue", {0.70, 0.30, 0.24}},
@@ -33,8 +35,9 @@ const Tissue* tissueAt(double hu) {
 
 // What lies in front of others is seen through, the rest is not; opacities that somebody chose stay.
 void balance(Scene& scene, const scene::VolumeFacts& facts) {
+  if (facts.labelAlbedo) return;  // labels do not enclose one another
   const Scene resolved = scene::resolve(scene, facts);
-  std::vector<ListedSurface> there = listedSurfaces(scene, resolved);
+  std::vector<ListedSurface> there = listedSurfaces(scene, resolved, nullptr);
   std::erase_if(there, [](const ListedSurface& surface) { return !surface.shown; });
   const double outward = scene.isosurface.inside == scene::Inside::above ? -1.0 : 1.0;
   for (const ListedSurface& surface : there) {
@@ -47,16 +50,30 @@ void balance(Scene& scene, const scene::VolumeFacts& facts) {
   }
 }
 
+// Of each surface; empty where there are none, or a surface names what is none.
+std::vector<std::vector<int>> labelsIn(const Scene& scene, const volume::PreparedVolume* volume) try {
+  if (!volume || !volume->labels) return {};
+  return volume::labelsOfSurfaces(scene, *volume->labels);
+} catch (const base::Error&) {
+  return {};
+}
+
 }  // namespace
 
-std::vector<ListedSurface> listedSurfaces(const Scene& scene, const Scene& resolved) {
+std::vector<ListedSurface> listedSurfaces(const Scene& scene, const Scene& resolved,
+                                          const volume::PreparedVolume* volume) {
+  const std::vector<std::vector<int>> labels = labelsIn(scene, volume);
   std::vector<ListedSurface> list;
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     const Surface& of = scene.surfaces[i];
     // Scenes of before surfaces could be switched off hid the first by its opacity.
     const bool shown = of.shown && (i > 0 || of.opacity > 0.0);
+    const bool isOfLabels = resolved.source.kind == scene::DataKind::labels &&
+                            resolved.source.labels != scene::kLabelsAsValues;
     list.push_back({static_cast<int>(i), shown, of.name, resolved.surfaces[i].value.value_or(0.0), of.albedo,
-                    of.opacity, of.facingOpacity});
+                    of.opacity, of.facingOpacity, isOfLabels, of.labels});
+    if (isOfLabels && of.labelColors && i < labels.size())
+      list.back().albedo = volume::meanColor(*volume->labels, labels[i]);
   }
   return list;
 }
@@ -79,6 +96,29 @@ std::optional<Scene> withSurface(const Scene& scene, const volume::PreparedVolum
   added.id = scene::newId(*scene::listOfPath("surfaces.order"), scene, added.name);
   result.surfaces.back() = added;
   balance(result, volume.facts);
+  return result;
+}
+
+std::optional<Scene> withLabelSurface(const Scene& scene, const volume::PreparedVolume& volume,
+                                      const std::vector<int>& labels) {
+  const volume::ShownLabels& map = *volume.labels;
+  Scene result = scene;
+  for (Surface& surface : result.surfaces) {
+    if (surface.labels.empty()) continue;
+    std::vector<int> left;
+    std::ranges::set_difference(volume::labelsNamed(surface.labels, *map.blocks, map.table.get()), labels,
+                                std::back_inserter(left));
+    surface.labels = volume::numbersOfLabels(left, *map.blocks);
+    if (left.empty()) surface.id.clear();
+  }
+  std::erase_if(result.surfaces, [](const Surface& surface) { return surface.id.empty(); });
+  if (result.surfaces.size() == scene::kSurfaces) return std::nullopt;
+  Surface added = scene::newSurface(result.surfaces.size());
+  added.labels = volume::numbersOfLabels(labels, *map.blocks);
+  added.opacity = kLabelOpacity;
+  if (labels.size() == 1) added.name = volume::labelName(map.table.get(), labels.front());
+  result.surfaces.push_back(added);
+  result.surfaces.back().id = scene::newId(*scene::listOfPath("surfaces.order"), scene, added.name);
   return result;
 }
 

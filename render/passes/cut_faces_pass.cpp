@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <unordered_map>
+#include <vector>
 
 #include <tbb/combinable.h>
 
@@ -9,6 +12,7 @@
 #include "scene/opacity.h"
 #include "scene/rules/needs.h"
 #include "volume/parallel/parallel_loops.h"
+#include "volume/prepared/label_surfaces.h"
 
 namespace isolux::render {
 
@@ -39,14 +43,40 @@ glm::vec3 unpacked(float value) {
   return roots * roots;
 }
 
-float shownValue(const FrameState& frame, const volume::Ray& ray, const volume::CutFace& face) {
-  if (!frame.prepared->labels) return static_cast<float>(face.value);
-  const glm::dvec3 voxel = ray.origin + face.t * ray.direction;
-  return packed(volume::faceColor(*frame.prepared->labels, volume::labelOfFace(*frame.prepared->labels, voxel, face.value)));
-}
+// What a cut lays open of a label map: each label in the colour of its surface, opaque ones alone.
+class LabelFaces {
+ public:
+  LabelFaces(const scene::Scene& scene, const volume::ShownLabels& labels)
+      : labels_(labels), whole_(scene.clip.cap == scene::ClipCap::whole) {
+    const std::vector<std::vector<int>> own = volume::labelsOfSurfaces(scene, labels);
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      const scene::Surface& surface = scene.surfaces[i];
+      const bool isFilled = surface.shown && scene::isOpaque(surface) && surface.clipped;
+      for (const int label : own[i])
+        known_[label] = {isFilled, packed(surface.labelColors ? volume::faceColor(labels, label)
+                                                              : glm::vec3(surface.albedo))};
+    }
+  }
+  std::optional<float> at(const volume::Ray& ray, const volume::CutFace& face) const {
+    const int label = volume::labelOfFace(labels_, ray.origin + face.t * ray.direction, face.value);
+    const auto known = known_.find(label);
+    if (known == known_.end()) return packed(volume::faceColor(labels_, label));
+    if (!whole_ && !known->second.isFilled) return std::nullopt;
+    return known->second.color;
+  }
+
+ private:
+  struct Known {
+    bool isFilled = false;
+    float color = 0.0f;
+  };
+  const volume::ShownLabels& labels_;
+  bool whole_;
+  std::unordered_map<int, Known> known_;
+};
 
 // Fills row y; what of it holds faces goes to `area`.
-void findRow(const FrameState& frame, const volume::CutFaces& faces, const volume::PictureRays& rays, int y,
+void findRow(const volume::CutFaces& faces, const LabelFaces* labels, const volume::PictureRays& rays, int y,
              CutFaceImage& out, volume::PictureArea& area) {
   const int width = area.size().x;
   int first = width, last = -1;
@@ -54,9 +84,11 @@ void findRow(const FrameState& frame, const volume::CutFaces& faces, const volum
     const std::size_t i = volume::Extent2{area.size()}.index(x, y);
     const volume::Ray ray = rayAt(rays, {x, y});
     const std::optional<volume::CutFace> face = faces.at(ray);
-    out.ends[i] = face ? static_cast<float>(face->t) : std::numeric_limits<float>::infinity();
-    out.texels[i] = face ? glm::vec2(out.ends[i], shownValue(frame, ray, *face)) : glm::vec2(-1.0f, 0.0f);
-    if (!face) continue;
+    std::optional<float> value;
+    if (face) value = labels ? labels->at(ray, *face) : static_cast<float>(face->value);
+    out.ends[i] = value ? static_cast<float>(face->t) : std::numeric_limits<float>::infinity();
+    out.texels[i] = value ? glm::vec2(out.ends[i], *value) : glm::vec2(-1.0f, 0.0f);
+    if (!value) continue;
     first = std::min(first, x);
     last = x;
   }
@@ -72,6 +104,8 @@ void declareCutFaces(Declaring& d) {
   d.volume().isovalues().cuts().pictureSize();
   d.settings({"camera.", "hit.field", "isosurface.inside", "clip.cap", "slice.field"});
   d.ofSurfaces("what is opaque", scene::isOpaque);
+  d.settings({"surfaces.#.labels", "surfaces.#.label_colors"});
+  if (d.asked.scene.source.kind == scene::DataKind::labels) d.settings({"surfaces.#.albedo"});
 }
 
 void findCutFaces(FrameState& frame) {
@@ -86,11 +120,14 @@ void findCutFaces(FrameState& frame) {
     base::Progress unwatched;
     const auto hidden = volume::hiddenOf(*frame.scene, *frame.prepared->pieces, unwatched);
     const volume::CutFaces faces(frame.prepared->grid(), *frame.prepared->cubicFields, *frame.scene, hidden);
+    std::optional<LabelFaces> labels;
+    if (frame.prepared->labels) labels.emplace(*frame.scene, *frame.prepared->labels);
+    const LabelFaces* const ofLabels = labels ? &*labels : nullptr;
     const volume::PictureRays rays = frame.rays();
     tbb::combinable<volume::PictureArea> areas([&] { return volume::PictureArea(size); });
     volume::parallelRanges(size.y, 4, [&](const auto& rows) {
       for (int y = rows.begin(); y < rows.end() && !frame.request.stop.stop_requested(); ++y)
-        findRow(frame, faces, rays, y, out, areas.local());
+        findRow(faces, ofLabels, rays, y, out, areas.local());
     });
     areas.combine_each([&](const volume::PictureArea& area) { out.area.add(area); });
   }

@@ -921,6 +921,14 @@ Berechnet mit einem Strahl durch die Mitte jedes Pixels, %1 Pixel.</translation>
         <source>label %1</source>
         <translation>Label %1</translation>
     </message>
+    <message>
+        <source>Other labels</source>
+        <translation>Übrige Labels</translation>
+    </message>
+    <message>
+        <source>Labels %1</source>
+        <translation>Labels %1</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -2247,6 +2255,22 @@ Strg+Rad: Wertachse zoomen, Ziehen mit der mittleren Taste: verschieben</transla
     <message>
         <source>At least one label stays shown.</source>
         <translation>Mindestens ein Label bleibt sichtbar.</translation>
+    </message>
+    <message>
+        <source>Own surface</source>
+        <translation>Eigene Fläche</translation>
+    </message>
+    <message>
+        <source>Give the selected labels a surface of their own, with its own opacity and colour</source>
+        <translation>Den gewählten Labels eine eigene Fläche mit eigener Deckkraft und Farbe geben</translation>
+    </message>
+    <message>
+        <source>Give labels a surface</source>
+        <translation>Labels eine Fläche geben</translation>
+    </message>
+    <message>
+        <source>At most %1 surfaces are possible</source>
+        <translation>Höchstens %1 Flächen sind möglich</translation>
     </message>
 </context>
 <context>
@@ -4327,6 +4351,22 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <source>Remove %1</source>
         <translation>%1 entfernen</translation>
     </message>
+    <message>
+        <source>Labels of this surface: numbers, ranges and names</source>
+        <translation>Labels dieser Fläche: Zahlen, Bereiche und Namen</translation>
+    </message>
+    <message>
+        <source>Choose labels of surface</source>
+        <translation>Labels der Fläche wählen</translation>
+    </message>
+    <message>
+        <source>others</source>
+        <translation>übrige</translation>
+    </message>
+    <message>
+        <source>Labels of %1</source>
+        <translation>Labels von %1</translation>
+    </message>
 </context>
 <context>
     <name>isolux::ui::TargetBox</name>
@@ -5477,6 +5517,14 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     <message>
         <source>there is no such item</source>
         <translation>es gibt keinen solchen Eintrag</translation>
+    </message>
+    <message>
+        <source>source.labels draws the values of the labels</source>
+        <translation>source.labels zeichnet die Werte der Labels</translation>
+    </message>
+    <message>
+        <source>that surface is not shown</source>
+        <translation>diese Fläche wird nicht gezeigt</translation>
     </message>
 </context>
 <context>
@@ -6631,6 +6679,18 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     <message>
         <source>Switches the light source on.</source>
         <translation>Schaltet die Lichtquelle ein.</translation>
+    </message>
+    <message>
+        <source>Labels of a label map that this surface encloses, apart from the others: numbers, ranges and names, as in source.labels. The first surface without any has all that no other one names. Assigning it to a new ID makes a surface.</source>
+        <translation>Labels einer Segmentierung, die diese Fläche für sich umschließt: Zahlen, Bereiche und Namen wie in source.labels. Die erste Fläche ohne Angabe hat alle, die keine andere nennt. Einer neuen ID zugewiesen, legt es eine Fläche an.</translation>
+    </message>
+    <message>
+        <source>Smoothing of this surface of labels, as in source.smoothing; auto is that.</source>
+        <translation>Glättung dieser Fläche von Labels wie in source.smoothing; auto ist diese.</translation>
+    </message>
+    <message>
+        <source>Gives each label on the surface its own colour; off, the surface has its albedo.</source>
+        <translation>Gibt jedem Label auf der Fläche seine eigene Farbe; aus, hat die Fläche ihre Albedo.</translation>
     </message>
 </context>
 <context>
@@ -8848,6 +8908,18 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     <message>
         <source>smoothing</source>
         <translation>Glättung</translation>
+    </message>
+    <message>
+        <source>label_colors</source>
+        <translation>Farben der Labels</translation>
+    </message>
+    <message>
+        <source>Label colors</source>
+        <translation>Farben der Labels</translation>
+    </message>
+    <message>
+        <source>label colors</source>
+        <translation>Farben der Labels</translation>
     </message>
 </context>
 </TS>

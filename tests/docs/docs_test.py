@@ -14,7 +14,7 @@ DOCS = os.path.join(SOURCE, "docs")
 BUDGETS = {
     "README.md": 750, "CONTRIBUTING.md": 60, "docs/index.md": 120, "docs/gallery.md": 1100, "docs/howto/index.md": 1400,
     "docs/start/clinician.md": 550, "docs/start/engineer.md": 550, "docs/start/simulation.md": 550, "docs/start/python.md": 550,
-    "docs/guide/open.md": 750, "docs/guide/surfaces.md": 750, "docs/guide/labels.md": 400, "docs/guide/looks.md": 750, "docs/guide/slices.md": 450,
+    "docs/guide/open.md": 750, "docs/guide/surfaces.md": 750, "docs/guide/labels.md": 560, "docs/guide/looks.md": 750, "docs/guide/slices.md": 450,
     "docs/guide/clip.md": 450, "docs/guide/measure.md": 750, "docs/guide/light.md": 600, "docs/guide/compare.md": 350,
     "docs/guide/export.md": 800, "docs/guide/accuracy.md": 600, "docs/guide/sessions.md": 550, "docs/guide/large-data.md": 450,
     "docs/guide/window.md": 350, "docs/reference/settings.md": 4500, "docs/reference/commands.md": 2800,
@@ -23,7 +23,7 @@ BUDGETS = {
     "docs/reference/troubleshooting.md": 800, "docs/reference/cite.md": 80, "docs/explanation/trust.md": 500,
     "docs/explanation/hits.md": 800, "docs/explanation/curvature.md": 1000, "docs/explanation/looks.md": 800,
     "docs/explanation/global-illumination.md": 1100, "docs/explanation/surfaces-in-baked-light.md": 450, "docs/explanation/measurement.md": 850, "docs/explanation/accuracy.md": 750,
-    "docs/explanation/components.md": 350, "docs/explanation/labels.md": 500, "docs/explanation/large-volumes.md": 500, "docs/explanation/numerics.md": 680,
+    "docs/explanation/components.md": 350, "docs/explanation/labels.md": 540, "docs/explanation/large-volumes.md": 500, "docs/explanation/numerics.md": 680,
     "docs/explanation/papers.md": 500, "docs/developers/architecture.md": 1500, "docs/developers/frame-graph.md": 1100,
     "docs/developers/graphics.md": 500,
     "docs/developers/processes.md": 800, "docs/developers/extending.md": 450, "docs/developers/contributing.md": 450,

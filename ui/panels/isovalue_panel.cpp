@@ -99,7 +99,7 @@ void IsovaluePanel::setScene(const scene::Scene& scene, const scene::Scene& reso
 void IsovaluePanel::showSurfaces(const scene::Scene& resolved) {
   surfaces_->setScene(scene_, resolved);
   std::vector<HistogramHandle> handles;
-  const std::vector<app::ListedSurface> list = app::listedSurfaces(scene_, resolved);
+  const std::vector<app::ListedSurface> list = app::listedSurfaces(scene_, resolved, volume_.get());
   for (const app::ListedSurface& one : list)
     handles.push_back({one.number, one.value, screenColour(one.albedo), surfaceName(one), one.shown});
   slider_->setSurfaces(handles);

@@ -8,10 +8,12 @@
 #include <QLineEdit>
 #include <QPainter>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTreeWidget>
 
 #include "ui/editors/setting_editor.h"
 #include "ui/language/number_text.h"
+#include "ui/panels/surface_list.h"
 #include "ui/theme/style.h"
 #include "ui/widgets/color_button.h"
 #include "ui/widgets/parts.h"
@@ -22,7 +24,7 @@ namespace {
 
 enum LabelColumn { nameColumn, labelColumn, labelVolumeColumn, labelColumns };
 constexpr int labelRole = Qt::UserRole;
-constexpr int widestLabelRows = 50;
+constexpr int widestLabelRows = 50, mostSurfacesHeight = 176;
 
 QIcon swatchOf(const glm::vec3& linear) {
   QPixmap pixmap(14, 14);
@@ -46,6 +48,10 @@ LabelsPanel::LabelsPanel(QWidget* parent)
       hide_(addButton(tr("Hide"), tr("Hide the labels selected in the list"))),
       only_(addButton(tr("Show only"), tr("Hide all but the selected labels"))),
       all_(addButton(tr("Show all"), tr("Show all labels but 0"))),
+      apart_(addButton(tr("Own surface"), tr("Give the selected labels a surface of their own, with its own "
+                                            "opacity and colour"))),
+      surfaces_(new SurfaceList(this)),
+      surfaceScroll_(new QScrollArea(this)),
       smoothing_(new SettingEditor(scene::setting("source.smoothing"), this)) {
   search_->setPlaceholderText(tr("Find a label"));
   search_->setClearButtonEnabled(true);
@@ -68,7 +74,13 @@ LabelsPanel::LabelsPanel(QWidget* parent)
   auto* form = new QFormLayout;
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   form->addRow(tr("Smoothing"), smoothing_);
-  layOut(controls_, columnOf({lineOf({{hide_, 1}, {only_, 1}, {all_, 1}}), form}), {});
+  surfaceScroll_->setWidget(surfaces_);
+  surfaceScroll_->setWidgetResizable(true);
+  surfaceScroll_->setFrameShape(QFrame::NoFrame);
+  surfaceScroll_->setFocusPolicy(Qt::NoFocus);  // its rows have it
+  surfaceScroll_->setMaximumHeight(mostSurfacesHeight);
+  layOut(controls_,
+         columnOf({lineOf({{hide_, 1}, {only_, 1}, {all_, 1}, {apart_, 1}}), surfaceScroll_, form}), {});
   layOut(this, columnOf({heading_, search_, {list_, 1}, controls_, Cell::room(0)}, 8), {12, 10, 12, 12});
 
   connect(search_, &QLineEdit::textChanged, this, &LabelsPanel::search);
@@ -77,6 +89,7 @@ LabelsPanel::LabelsPanel(QWidget* parent)
     const bool any = !list_->selectedItems().isEmpty();
     hide_->setEnabled(any);
     only_->setEnabled(any);
+    apart_->setEnabled(any);
   });
   connect(hide_, &QPushButton::clicked, this, [this] {
     show(where([](const QTreeWidgetItem& item) {
@@ -91,6 +104,10 @@ LabelsPanel::LabelsPanel(QWidget* parent)
     show(where([](const QTreeWidgetItem& item) { return item.data(nameColumn, labelRole).toInt() != 0; }),
          tr("Show all labels"));
   });
+  connect(apart_, &QPushButton::clicked, this, &LabelsPanel::makeOwnSurface);
+  connect(surfaces_, &SurfaceList::edited, this, &LabelsPanel::edited);
+  connect(surfaces_, &SurfaceList::dragStarted, this, &LabelsPanel::dragStarted);
+  connect(surfaces_, &SurfaceList::dragEnded, this, &LabelsPanel::dragEnded);
   connect(smoothing_, &SettingEditor::edited, this, &LabelsPanel::edited);
   connect(smoothing_, &SettingEditor::failed, this, &LabelsPanel::failed);
   fill();
@@ -107,6 +124,7 @@ void LabelsPanel::setVolume(const VolumePointer& volume) {
   const bool other =
       !volume_ || !volume->labels || !volume_->labels || volume->labels->blocks != volume_->labels->blocks;
   volume_ = volume;
+  surfaces_->setVolume(volume);
   if (other) fill();
   showChecks();
 }
@@ -115,6 +133,9 @@ void LabelsPanel::setScene(const scene::Scene& scene, const scene::Scene& resolv
   scene_ = scene;
   resolved_ = resolved;
   smoothing_->setScene(scene, resolved);
+  surfaces_->setScene(scene, resolved);
+  surfaceScroll_->setVisible(scene.surfaces.size() > 1);
+  surfaceScroll_->setMinimumHeight(std::min(mostSurfacesHeight, surfaces_->minimumSizeHint().height()));
 }
 
 // A row for each label that the volume has.
@@ -143,8 +164,7 @@ void LabelsPanel::fill() {
       item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
     }
   }
-  hide_->setEnabled(false);
-  only_->setEnabled(false);
+  for (QPushButton* button : {hide_, only_, apart_}) button->setEnabled(false);
   filling_ = false;
   showChecks();
   search(search_->text());
@@ -185,6 +205,14 @@ void LabelsPanel::toggle(QTreeWidgetItem* item) {
   const bool shows = item->checkState(nameColumn) == Qt::Checked;
   show(where([](const QTreeWidgetItem& one) { return one.checkState(nameColumn) == Qt::Checked; }),
        (shows ? tr("Show %1") : tr("Hide %1")).arg(item->text(nameColumn)));
+}
+
+void LabelsPanel::makeOwnSurface() {
+  const std::vector<int> labels = where([](const QTreeWidgetItem& item) { return item.isSelected(); });
+  if (const auto made = app::withLabelSurface(scene_, *volume_, labels))
+    Q_EMIT edited({*made, tr("Give labels a surface")});
+  else
+    Q_EMIT failed(tr("At most %1 surfaces are possible").arg(scene::kSurfaces));
 }
 
 void LabelsPanel::show(const std::vector<int>& labels, const QString& name) {

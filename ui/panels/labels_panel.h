@@ -1,6 +1,7 @@
 // The labels of a label map: a list with colours, names and volumes, to search, show, hide and isolate them.
 //
-// A check mark is whether a label is shown. The volume of a label is that of its voxels.
+// A check mark is whether a label is shown. The volume of a label is that of its voxels. Labels may have
+// surfaces of their own, which are listed below.
 #pragma once
 
 #include <vector>
@@ -10,12 +11,14 @@
 class QLabel;
 class QLineEdit;
 class QPushButton;
+class QScrollArea;
 class QTreeWidget;
 class QTreeWidgetItem;
 
 namespace isolux::ui {
 
 class SettingEditor;
+class SurfaceList;
 
 class LabelsPanel : public Panel {
   Q_OBJECT
@@ -27,6 +30,7 @@ class LabelsPanel : public Panel {
   QTreeWidget* list() const { return list_; }
   QLineEdit* searchLine() const { return search_; }
   SettingEditor* smoothing() const { return smoothing_; }
+  SurfaceList* surfaces() const { return surfaces_; }
 
  protected:
   void themeChanged() override { fill(); }
@@ -37,6 +41,7 @@ class LabelsPanel : public Panel {
   void showChecks();
   void search(const QString& text);
   void toggle(QTreeWidgetItem* item);
+  void makeOwnSurface();
   // Sends those labels as the shown ones.
   void show(const std::vector<int>& labels, const QString& name);
   std::vector<int> where(bool (*wanted)(const QTreeWidgetItem& item)) const;
@@ -47,7 +52,9 @@ class LabelsPanel : public Panel {
   QLineEdit* search_;
   QTreeWidget* list_;
   QWidget* controls_;
-  QPushButton *hide_, *only_, *all_;
+  QPushButton *hide_, *only_, *all_, *apart_;
+  SurfaceList* surfaces_;
+  QScrollArea* surfaceScroll_;
   SettingEditor* smoothing_;
   bool filling_ = false;
 };

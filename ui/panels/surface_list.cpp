@@ -22,7 +22,9 @@ constexpr int opacitySteps = 100;
 
 QString surfaceName(const app::ListedSurface& surface) {
   if (!surface.name.empty()) return QString::fromStdString(surface.name);
-  return QObject::tr("Isosurface %1").arg(surface.number + 1);
+  if (!surface.isOfLabels) return QObject::tr("Isosurface %1").arg(surface.number + 1);
+  if (surface.labels.empty()) return QObject::tr("Other labels");
+  return QObject::tr("Labels %1").arg(QString::fromStdString(surface.labels));
 }
 
 SurfaceList::SurfaceList(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)) {
@@ -45,7 +47,7 @@ void SurfaceList::setStep(double step) {
 
 void SurfaceList::setScene(const scene::Scene& scene, const scene::Scene& resolved) {
   scene_ = scene;
-  list_ = app::listedSurfaces(scene, resolved);
+  list_ = app::listedSurfaces(scene, resolved, volume_.get());
   const bool same =
       std::equal(rows_.begin(), rows_.end(), list_.begin(), list_.end(),
                  [](const Row& row, const app::ListedSurface& one) { return row.number == one.number; });
@@ -53,10 +55,13 @@ void SurfaceList::setScene(const scene::Scene& scene, const scene::Scene& resolv
   for (std::size_t i = 0; i < list_.size(); ++i) fill(rows_[i], list_[i]);
 }
 
+std::vector<QWidget*> SurfaceList::widgetsOf(const Row& row) {
+  return {row.shown, row.colour, row.name, row.value, row.labels, row.opacity, row.seeThrough, row.remove};
+}
+
 void SurfaceList::makeRows(const std::vector<app::ListedSurface>& list) {
   for (const Row& row : rows_)
-    for (QWidget* widget : std::initializer_list<QWidget*>{row.shown, row.colour, row.name, row.value,
-                                                           row.opacity, row.seeThrough, row.remove}) {
+    for (QWidget* widget : widgetsOf(row)) {
       widget->hide();
       widget->deleteLater();  // one of them may be what asked for this
     }
@@ -65,8 +70,7 @@ void SurfaceList::makeRows(const std::vector<app::ListedSurface>& list) {
     const Row row = makeRow(surface.number);
     const int at = static_cast<int>(rows_.size());
     int column = 0;
-    for (QWidget* widget : std::initializer_list<QWidget*>{row.shown, row.colour, row.name, row.value,
-                                                           row.opacity, row.seeThrough, row.remove}) {
+    for (QWidget* widget : widgetsOf(row)) {
       widget->setFixedHeight(rowHeight);
       grid_->addWidget(widget, at, column++);
       widget->show();
@@ -83,6 +87,7 @@ SurfaceList::Row SurfaceList::makeRow(int number) {
           new ColorButton(this),
           new QLineEdit(this),
           new NumberSpinBox(this),
+          new QLineEdit(this),
           new QSlider(Qt::Horizontal, this),
           new QToolButton(this),
           new QToolButton(this)};
@@ -94,6 +99,8 @@ SurfaceList::Row SurfaceList::makeRow(int number) {
   row.value->setFixedWidth(valueWidth);
   row.value->setButtonSymbols(QAbstractSpinBox::NoButtons);
   row.value->setToolTip(tr("Isovalue; arrow keys change it by one histogram step"));
+  row.labels->setFixedWidth(valueWidth);
+  row.labels->setToolTip(tr("Labels of this surface: numbers, ranges and names"));
   row.opacity->setRange(0, opacitySteps);
   row.opacity->setFixedWidth(opacityWidth);
   row.seeThrough->setCheckable(true);
@@ -128,7 +135,10 @@ void SurfaceList::connectRow(const Row& row) {
   });
   connect(row.colour, &ColorButton::chosen, this, [this, number, key](glm::dvec3 linear) {
     send(tr("Colour of isosurface"), key + "colour", true,
-         [&](scene::Scene& scene) { scene.surfaces.at(number).albedo = linear; });
+         [&](scene::Scene& scene) {
+           scene.surfaces.at(number).albedo = linear;
+           scene.surfaces.at(number).labelColors = false;
+         });
   });
   connect(row.name, &QLineEdit::editingFinished, this, [this, number, name = row.name] {
     send(tr("Rename isosurface"), {}, false,
@@ -137,6 +147,11 @@ void SurfaceList::connectRow(const Row& row) {
   connect(row.value, &NumberSpinBox::valueChanged, this, [this, number, key](double value) {
     send(tr("Set isovalue"), key + "value", true,
          [&](scene::Scene& scene) { scene.surfaces.at(number).value = value; });
+  });
+  connect(row.labels, &QLineEdit::editingFinished, this, [this, number, labels = row.labels] {
+    send(tr("Choose labels of surface"), {}, false, [&](scene::Scene& scene) {
+      scene.surfaces.at(number).labels = labels->text().trimmed().toStdString();
+    });
   });
   connect(row.opacity, &QSlider::sliderPressed, this, &SurfaceList::dragStarted);
   connect(row.opacity, &QSlider::sliderReleased, this, &SurfaceList::dragEnded);
@@ -169,6 +184,11 @@ void SurfaceList::fill(const Row& row, const app::ListedSurface& surface) {
     row.name->setText(QString::fromStdString(surface.name));
     row.name->setCursorPosition(0);
   }
+  row.value->setVisible(!surface.isOfLabels);
+  row.labels->setVisible(surface.isOfLabels);
+  if (!row.labels->hasFocus()) row.labels->setText(QString::fromStdString(surface.labels));
+  row.labels->setPlaceholderText(tr("others"));
+  row.labels->setAccessibleName(tr("Labels of %1").arg(name));
   row.value->showValue(surface.value);
   row.value->setAccessibleName(tr("Isovalue of %1").arg(name));
   if (!row.opacity->isSliderDown())

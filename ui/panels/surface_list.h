@@ -1,5 +1,5 @@
-// The isosurfaces as a compact list: a row for each with whether it is shown, colour, name, value, opacity,
-// whether it is seen through where it faces the viewer, and a button that removes it.
+// The surfaces as a compact list: a row for each with whether it is shown, colour, name, its value or labels,
+// opacity, whether it is seen through where it faces the viewer, and a button that removes it.
 #pragma once
 
 #include <vector>
@@ -35,7 +35,8 @@ class SurfaceList : public QWidget {
     QCheckBox* shown;
     ColorButton* colour;
     QLineEdit* name;
-    NumberSpinBox* value;
+    NumberSpinBox* value;  // of an isosurface
+    QLineEdit* labels;     // of a surface of labels
     QSlider* opacity;
     QToolButton *seeThrough, *remove;
   };
@@ -50,6 +51,7 @@ class SurfaceList : public QWidget {
   void makeRows(const std::vector<app::ListedSurface>& list);
   Row makeRow(int number);
   void connectRow(const Row& row);
+  static std::vector<QWidget*> widgetsOf(const Row& row);
   static void fill(const Row& row, const app::ListedSurface& surface);
   // change(scene) of the present one.
   template <class Change>
@@ -62,7 +64,7 @@ class SurfaceList : public QWidget {
   QGridLayout* grid_;
 };
 
-// What it is called: its name, or "Isosurface 2".
+// What it is called: its name, or "Isosurface 2", "Labels 4-7", "Other labels".
 QString surfaceName(const app::ListedSurface& surface);
 
 }  // namespace isolux::ui

@@ -84,10 +84,15 @@ std::vector<int> labelsNamed(const std::string& text, const LabelBlocks& blocks,
 }
 
 std::string textOfLabels(const std::vector<int>& labels, const LabelBlocks& blocks) {
+  const auto isUsual = [&](const LabelExtent& of) {
+    return std::ranges::binary_search(labels, of.label) == (of.label != 0);
+  };
+  return std::ranges::all_of(blocks.list(), isUsual) ? "" : numbersOfLabels(labels, blocks);
+}
+
+std::string numbersOfLabels(const std::vector<int>& labels, const LabelBlocks& blocks) {
   const auto isShown = [&](int label) { return std::ranges::binary_search(labels, label); };
   const std::vector<LabelExtent>& list = blocks.list();
-  if (std::ranges::all_of(list, [&](const LabelExtent& of) { return isShown(of.label) == (of.label != 0); }))
-    return {};
   std::string text;
   for (std::size_t i = 0; i < list.size();) {
     std::size_t end = i;
@@ -153,11 +158,11 @@ glm::vec3 faceColor(const ShownLabels& labels, int label) {
   return glm::vec3(label == 0 ? 0.0f : kHiddenLabel);
 }
 
-glm::dvec3 meanColor(const ShownLabels& labels) {
+glm::dvec3 meanColor(const ShownLabels& labels, const std::vector<int>& some) {
   glm::dvec3 sum(0.0);
   double weights = 0.0;
   for (const LabelExtent& label : labels.blocks->list()) {
-    if (!std::ranges::binary_search(labels.mask.labels, label.label)) continue;
+    if (!std::ranges::binary_search(some, label.label)) continue;
     const double weight = std::pow(static_cast<double>(label.voxels), 2.0 / 3.0);
     sum += weight * glm::dvec3(labelColor(labels.table.get(), label.label));
     weights += weight;

@@ -35,7 +35,8 @@ scene::Source withLabelsAsValues(scene::Source source);
 std::vector<int> labelsNamed(const std::string& text, const LabelBlocks& blocks, const LabelTable* table,
                              const std::string& path = "source.labels");
 
-// Returns such a text of labels that the volume has, ascending: "" of all but 0.
+// Return such a text of labels that the volume has, ascending: their numbers and ranges; and "" of all but 0.
+std::string numbersOfLabels(const std::vector<int>& labels, const LabelBlocks& blocks);
 std::string textOfLabels(const std::vector<int>& labels, const LabelBlocks& blocks);
 
 // Shows those labels. `before`: what is shown of the same file and is not to be computed again, or null.
@@ -59,8 +60,8 @@ int labelOfFace(const ShownLabels& labels, const glm::dvec3& voxel, double value
 inline constexpr float kHiddenLabel = 0.0612f;  // grey: 70 of 255 on a screen
 glm::vec3 faceColor(const ShownLabels& labels, int label);
 
-// Returns the mean colour of the shown labels, linear RGB, weighted by their voxels to the power of 2/3, as
-// surfaces grow.
-glm::dvec3 meanColor(const ShownLabels& labels);
+// Returns the mean colour of some labels, ascending, of the volume, linear RGB, weighted by their voxels to
+// the power of 2/3, as surfaces grow.
+glm::dvec3 meanColor(const ShownLabels& labels, const std::vector<int>& some);
 
 }  // namespace isolux::volume

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "base/error.h"
+#include "scene/opacity.h"
 #include "volume/prepared/prepared_volume.h"
 
 namespace isolux::volume {
@@ -52,8 +54,14 @@ std::vector<LabelSurfaces::Key> LabelSurfaces::keysOf(const scene::Scene& resolv
 
 std::optional<LabelSurfaces::Fields> LabelSurfaces::find(const scene::Scene& resolved,
                                                          const ShownLabels& shown) const {
+  std::vector<Key> keys;
+  try {
+    keys = keysOf(resolved, shown);
+  } catch (const base::Error&) {  // make() says why
+    return std::nullopt;
+  }
   Fields fields;
-  for (const Key& key : keysOf(resolved, shown)) {
+  for (const Key& key : keys) {
     std::optional<std::shared_ptr<const PreparedVolume>> field(nullptr);
     if (!key.first.empty()) field = kept_.find(key);
     if (!field) return std::nullopt;
@@ -65,23 +73,50 @@ std::optional<LabelSurfaces::Fields> LabelSurfaces::find(const scene::Scene& res
 LabelSurfaces::Fields LabelSurfaces::make(const scene::Scene& resolved, const ShownLabels& shown,
                                           base::Progress& progress) const {
   const std::vector<Key> keys = keysOf(resolved, shown);
-  kept_.keepAtLeast(keys.size());
+  kept_.keepAtLeast(keys.size() + 1);  // and what is lit
   Fields fields;
-  for (const Key& key : keys)
-    fields.push_back(key.first.empty() ? nullptr : kept_.get(key, [&] {
-      auto labels = std::make_shared<ShownLabels>();
-      labels->mask = makeMask(*blocks_, key.first, key.second, progress);
-      labels->blocks = blocks_;
-      labels->table = table_;
-      return prepareMask(asRead_, std::move(labels), progress);
-    }));
+  for (const Key& key : keys) fields.push_back(key.first.empty() ? nullptr : fieldOf(key, progress));
   return fields;
+}
+
+std::shared_ptr<const PreparedVolume> LabelSurfaces::fieldOf(const Key& key, base::Progress& progress) const {
+  return kept_.get(key, [&] {
+    auto labels = std::make_shared<ShownLabels>();
+    labels->mask = makeMask(*blocks_, key.first, key.second, progress);
+    labels->blocks = blocks_;
+    labels->table = table_;
+    return prepareMask(asRead_, std::move(labels), progress);
+  });
+}
+
+std::shared_ptr<const PreparedVolume> LabelSurfaces::litField(const scene::Scene& resolved,
+                                                              const ShownLabels& shown,
+                                                              base::Progress& progress) const {
+  const std::vector<std::vector<int>> own = labelsOfSurfaces(resolved, shown);
+  std::vector<int> opaque, visible;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const scene::Surface& surface = resolved.surfaces[i];
+    if (!isVisible(surface)) continue;
+    std::ranges::copy(own[i], std::back_inserter(visible));
+    if (scene::isOpaque(surface)) std::ranges::copy(own[i], std::back_inserter(opaque));
+  }
+  std::vector<int>& lit = opaque.empty() ? visible : opaque;
+  std::ranges::sort(lit);
+  if (lit.empty() || lit == shown.mask.labels) return nullptr;
+  return fieldOf({std::move(lit), shown.mask.smoothing}, progress);
 }
 
 LabelSurfaces::Fields labelFields(const PreparedVolume& volume, const scene::Scene& resolved,
                                   base::Progress& progress) {
   if (!volume.labelSurfaces) return {};
   return volume.labelSurfaces->make(resolved, *volume.labels, progress);
+}
+
+std::shared_ptr<const PreparedVolume> litVolume(const std::shared_ptr<const PreparedVolume>& volume,
+                                                const scene::Scene& resolved, base::Progress& progress) {
+  if (!volume || !volume->labelSurfaces) return volume;
+  auto lit = volume->labelSurfaces->litField(resolved, *volume->labels, progress);
+  return lit ? lit : volume;
 }
 
 }  // namespace isolux::volume

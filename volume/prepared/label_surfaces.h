@@ -35,15 +35,21 @@ class LabelSurfaces {
   // The field of each of scene::visibleSurfaces(), null if none of its labels is shown; its PreparedVolume
   // holds what a frame needs, and no facts. Empty if one surface shows all that `shown` does.
   using Fields = std::vector<std::shared_ptr<const PreparedVolume>>;
-  // nullopt: not made yet.
+  // nullopt: not made yet, or make() would throw.
   std::optional<Fields> find(const scene::Scene& resolved, const ShownLabels& shown) const;
   // Throws Error: usage, interrupted, memory.
   Fields make(const scene::Scene& resolved, const ShownLabels& shown, base::Progress& progress) const;
+
+  // The field of all labels of opaque surfaces, or of visible ones if none is opaque: light is traced past the
+  // rest. Null: those that `shown` shows. Throws as make().
+  std::shared_ptr<const PreparedVolume> litField(const scene::Scene& resolved, const ShownLabels& shown,
+                                                 base::Progress& progress) const;
 
  private:
   using Key = std::pair<std::vector<int>, double>;  // labels, smoothing
   // Of scene::visibleSurfaces(); empty as Fields.
   static std::vector<Key> keysOf(const scene::Scene& resolved, const ShownLabels& shown);
+  std::shared_ptr<const PreparedVolume> fieldOf(const Key& key, base::Progress& progress) const;
 
   Volume asRead_;
   std::shared_ptr<const LabelBlocks> blocks_;
@@ -54,5 +60,9 @@ class LabelSurfaces {
 // Returns LabelSurfaces::make() of a volume; empty if it shows no labels.
 LabelSurfaces::Fields labelFields(const PreparedVolume& volume, const scene::Scene& resolved,
                                   base::Progress& progress);
+
+// Returns the volume that light is baked in: LabelSurfaces::litField(), or the volume itself.
+std::shared_ptr<const PreparedVolume> litVolume(const std::shared_ptr<const PreparedVolume>& volume,
+                                                const scene::Scene& resolved, base::Progress& progress);
 
 }  // namespace isolux::volume

@@ -345,7 +345,7 @@ std::shared_ptr<PreparedVolume> prepareLabels(Volume asRead, std::shared_ptr<con
   Volume masked = asRead;
   showMask(masked, *labels);
   std::shared_ptr<PreparedVolume> prepared = prepareGrid(std::move(masked), progress);
-  prepared->facts.labelAlbedo = meanColor(*labels);
+  prepared->facts.labelAlbedo = meanColor(*labels, labels->mask.labels);
   prepared->labelSurfaces =
       before ? before->labelSurfaces : std::make_shared<LabelSurfaces>(asRead, labels->blocks, labels->table);
   prepared->labels = std::move(labels);
@@ -389,6 +389,7 @@ std::shared_ptr<const PreparedVolume> prepareMask(Volume volume, std::shared_ptr
   const std::shared_ptr<PreparedVolume> prepared = withBlocks(std::move(volume), std::move(blocks));
   prepared->boxes = std::make_shared<BoxBounds>(prepared->grid(), *prepared->blocks, progress);
   prepared->labels = std::move(labels);
+  prepared->facts.axes = prepared->volume.axes;
   return prepared;
 }
 

@@ -63,7 +63,8 @@ std::shared_ptr<const PreparedVolume> loadVolume(const scene::Source& source, co
                                                  base::Progress& progress);
 // Prepares voxels in memory; a label map keeps its values.
 std::shared_ptr<const PreparedVolume> prepareVolume(Volume volume, base::Progress& progress);
-// Prepares the mask field of some labels of a map, with what a frame needs; no facts and no histogram.
+// Prepares the mask field of some labels of a map, with what frames and light need; no histogram and no facts
+// but the axes.
 std::shared_ptr<const PreparedVolume> prepareMask(Volume asRead, std::shared_ptr<const ShownLabels> labels,
                                                   base::Progress& progress);
 // As loadVolume() of a source that differs in `labels` and `smoothing` alone, without reading the file.

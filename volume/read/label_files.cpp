@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "volume/labels/freesurfer_labels.h"
 #include "volume/labels/label_table.h"
 #include "volume/read/input/bytes.h"
 #include "volume/read/input/text.h"
@@ -106,6 +107,10 @@ void addLabelFiles(Volume& volume, const fs::path& path) {
       table.labels = labelsInFile(file, volume.warnings);
       takeNames(table, file, " beside it names labels", *volume.grid);
     }
+  if (table.labels.empty() && isFreeSurfers(path)) {
+    table.labels = freesurferLabels();
+    table.source = "FreeSurfer";
+  }
   if (table.reason.empty() && table.labels.empty()) return;
   volume.labelTable = std::make_shared<const LabelTable>(std::move(table));
 }

@@ -3,8 +3,9 @@
 // Names that state labels: *_dseg.nii (BIDS), *.seg.nrrd (3D Slicer), and FreeSurfer's aseg, aparc and wmparc
 // volumes. Files of names, the first that exists: those of the same name that end in .tsv, .label, .ctbl or
 // .txt, and nnU-Net's dataset.json beside the file, or above its folder "labels..."; of FreeSurfer's volumes
-// also FreeSurferColorLUT.txt beside the file or in the folder $FREESURFER_HOME. They state labels where the
-// voxels lie between 0 and the greatest label they name. Any thread that may read the environment.
+// also FreeSurferColorLUT.txt beside the file or in the folder $FREESURFER_HOME, else freesurferLabels().
+// Files state labels where the voxels lie between 0 and the greatest label they name. Any thread that may
+// read the environment.
 #pragma once
 
 #include <filesystem>

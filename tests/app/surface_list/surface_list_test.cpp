@@ -10,7 +10,7 @@ namespace isolux::test {
 namespace {
 
 std::vector<app::ListedSurface> listOf(const scene::Scene& scene, const volume::PreparedVolume& volume) {
-  return app::listedSurfaces(scene, scene::resolve(scene, volume.facts));
+  return app::listedSurfaces(scene, scene::resolve(scene, volume.facts), &volume);
 }
 
 class SurfaceList : public testing::Test {

@@ -96,7 +96,7 @@ TEST(Settings, CoversEveryMemberOfScene) {
   [[maybe_unused]] const auto& [suggestion, inside, albedoSource, albedoMap, albedoLow, albedoHigh, layers,
                                 ghostOpacity] = isosurface;
   [[maybe_unused]] const auto& [id, name, shown, value, albedo, specularity, roughness, opacity, facing,
-                                clipped, ghost] = surfaces.front();
+                                clipped, ghost, ownLabels, ownSmoothing, labelColors] = surfaces.front();
   [[maybe_unused]] const auto& [method, hitField, rate, nearFactor, nearThreshold, refinements] = hit;
   [[maybe_unused]] const auto& [field, fetch, noise, scale, normalScale] = derivatives;
   [[maybe_unused]] const auto& [keep, smallest, hidden, only, within, depth] = pieces;
@@ -128,7 +128,7 @@ TEST(Settings, CoversEveryMemberOfScene) {
                                 isovalue, caveats, transparent, pixelRatio] = picture;
   EXPECT_EQ(settings().size(), 16u + 8 + 6 + 5 + 10 + 1 + 6 + 5 + 2 + 13 + 39 + 7 + 8 + 10 + 17 + 6 + 11);
   ASSERT_EQ(sceneLists().size(), 2u);
-  EXPECT_EQ(sceneLists()[0].fields.size(), 10u);  // all of a surface but its id
+  EXPECT_EQ(sceneLists()[0].fields.size(), 13u);  // all of a surface but its id
   EXPECT_EQ(sceneLists()[1].fields.size(), 10u);  // all of a lamp but its id
 }
 

@@ -6,6 +6,8 @@
 #include "tests/support/label_volumes.h"
 #include "tests/support/ui/window_fixture.h"
 #include "ui/panels/labels_panel.h"
+#include "ui/panels/surface_list.h"
+#include "ui/widgets/number_spin_box.h"
 
 namespace isolux::test {
 namespace {
@@ -74,6 +76,31 @@ TEST_F(LabelsPanelTest, FindsByNameAndValue) {
 TEST_F(LabelsPanelTest, WithoutLabelsItSaysSo) {
   ASSERT_TRUE(load(*window_, "phantom:ball:16"));
   EXPECT_FALSE(panel()->list()->isVisibleTo(panel()));
+}
+
+TEST_F(LabelsPanelTest, GivesLabelsASurfaceOfTheirOwn) {
+  EXPECT_FALSE(panel()->surfaces()->isVisible()) << "one surface needs no list";
+  row(2)->setSelected(true);
+  press("Own surface");
+  ASSERT_TRUE(waitUntil([&] { return window_->document()->scene().surfaces.size() == 2; }));
+  const scene::Surface made = window_->document()->scene().surfaces.back();
+  EXPECT_EQ(made.labels, "2");
+  EXPECT_LT(made.opacity, 1.0);
+  ASSERT_EQ(panel()->surfaces()->rows().size(), 2u);
+  EXPECT_TRUE(panel()->surfaces()->isVisible());
+  const ui::SurfaceList::Row& own = panel()->surfaces()->rows().back();
+  EXPECT_EQ(own.labels->text(), "2");
+  EXPECT_FALSE(own.value->isVisible());
+  own.labels->setText("2-3");
+  Q_EMIT own.labels->editingFinished();
+  EXPECT_EQ(window_->document()->scene().surfaces.back().labels, "2-3");
+  row(2)->setSelected(false);
+  row(3)->setSelected(true);
+  press("Own surface");
+  ASSERT_TRUE(waitUntil([&] { return window_->document()->scene().surfaces.size() == 3; }));
+  EXPECT_EQ(window_->document()->scene().surfaces[1].labels, "2") << "3 has left it";
+  window_->document()->undo();
+  EXPECT_EQ(window_->document()->scene().surfaces.size(), 2u);
 }
 
 }  // namespace

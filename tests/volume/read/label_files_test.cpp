@@ -1,6 +1,7 @@
 // Files that state labels, and files that name them.
 #include "volume/read/label_files.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "tests/volume/read/reader_support.h"
+#include "volume/labels/freesurfer_labels.h"
 #include "volume/labels/label_table.h"
 #include "volume/prepared/prepared_volume.h"
 #include "volume/read/label_names.h"
@@ -196,7 +198,12 @@ TEST(LabelFiles, FreeSurfersTableNamesFreeSurfersVolumes) {
   expectColor(named->volume.labelTable.get(), 5, {196 / 255.0, 58 / 255.0, 250 / 255.0});
   EXPECT_EQ(named->volume.labelTable->source, "FreeSurferColorLUT.txt");
   EXPECT_EQ(other->volume.labelTable, nullptr);
-  EXPECT_EQ(load(folder / "aseg.nii")->volume.labelTable->source, "");
+  const auto builtIn = load(folder / "aseg.nii");
+  EXPECT_EQ(builtIn->volume.labelTable->source, "FreeSurfer");
+  EXPECT_EQ(labelName(builtIn->volume.labelTable.get(), 5), "Left-Inf-Lat-Vent");
+  EXPECT_EQ(labelName(builtIn->volume.labelTable.get(), 1035), "ctx-lh-insula");
+  EXPECT_EQ(labelName(builtIn->volume.labelTable.get(), 4001), "wm-rh-bankssts");
+  EXPECT_TRUE(std::ranges::is_sorted(freesurferLabels(), {}, &Label::value));
   fs::copy_file(home / "FreeSurferColorLUT.txt", folder / "FreeSurferColorLUT.txt");
   EXPECT_EQ(labelName(load(folder / "aseg.nii")->volume.labelTable.get(), 5), "Left-Inf-Lat-Vent");
 }
