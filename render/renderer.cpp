@@ -271,6 +271,7 @@ VolumeState Renderer::Parts::volumeState() const {
     for (const auto& one : frame.volumes) hash.add(one->grid().hash());
     state.hash = hash;
   }
+  state.hasLabels = volume && volume->labels;
   state.labelFields = labelFields;
   state.second = frame.second ? frame.second->grid().hash() : 0;
   state.crossed = frame.crossed;

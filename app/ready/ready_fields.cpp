@@ -28,18 +28,28 @@ bool awaitsChoice(const scene::Scene& scene) {
   return scene::needsGradient(scene) && !isComplete(scene.derivatives);
 }
 
-// The fields of surfaces that show labels of their own, and what they need, are there.
+// The field of a surface of labels, and what pictures need of it, are there.
+bool isReady(const volume::PreparedVolume& field, const scene::Scene& scene) {
+  return field.cubicFields->readyFor(scene) && volume::hiddenIsReady(scene, *field.pieces);
+}
+
 bool labelsAreReady(const scene::Scene& scene, const volume::PreparedVolume& volume) {
   if (!volume.labelSurfaces) return true;
   const auto fields = volume.labelSurfaces->find(scene, *volume.labels);
-  return fields && std::ranges::all_of(*fields, [&](const auto& field) {
-    return !field ||
-           (field->cubicFields->readyFor(scene) && volume::hiddenIsReady(scene, *field->pieces));
-  });
+  return fields && std::ranges::all_of(
+                       *fields, [&](const auto& field) { return !field || isReady(*field, scene); });
 }
 
-// Until they are, one surface shows all labels.
-void showTogether(scene::Scene& scene) {
+// Until they are: those that are there, or one surface of all labels.
+void leaveOutUnready(scene::Scene& scene, const volume::PreparedVolume& volume) {
+  const volume::LabelSurfaces::Fields fields = volume.labelSurfaces->findEach(scene, *volume.labels);
+  bool any = false;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    scene::Surface& surface = scene.surfaces[i];
+    surface.shown = surface.shown && fields[i] && isReady(*fields[i], scene);
+    any = any || (surface.shown && surface.opacity > 0.0);
+  }
+  if (any) return;
   scene.surfaces.resize(1);
   scene.surfaces.front() = {.id = scene.surfaces.front().id,
                             .value = 0.0,
@@ -105,7 +115,7 @@ scene::Scene withReadyFields(scene::Scene resolved, const volume::PreparedVolume
   if (awaitsChoice(resolved) && !volume.derivativeChoices->completeIfChosen(resolved))
     now.noise = now.noise.value_or(last.noise.value_or(0.0));
   if (!volume::hiddenIsReady(resolved, *volume.pieces)) resolved.pieces = {};
-  if (!labelsAreReady(resolved, volume)) showTogether(resolved);
+  if (!labelsAreReady(resolved, volume)) leaveOutUnready(resolved, volume);
   if (resolved.hit.field != Field::trilinear && !fields.find(resolved.hit.field))
     resolved.hit.field = Field::trilinear;
   const scene::Derivatives wanted = now;

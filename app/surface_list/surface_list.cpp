@@ -131,6 +131,21 @@ Scene withoutSurface(const Scene& scene, const volume::PreparedVolume& volume, i
   return result;
 }
 
+Scene withSurfaceMoved(const Scene& scene, const volume::PreparedVolume& volume, int from, int to) {
+  Scene result = scene;
+  if (!volume.labels) {
+    const Scene resolved = scene::resolve(scene, volume.facts);
+    for (std::size_t i = 0; i < result.surfaces.size(); ++i)
+      result.surfaces[i].value = resolved.surfaces[i].value;
+  }
+  const auto first = result.surfaces.begin();
+  if (from < to)
+    std::rotate(first + from, first + from + 1, first + to + 1);
+  else
+    std::rotate(first + to, first + from, first + from + 1);
+  return result;
+}
+
 Scene withSurfaceShown(const Scene& scene, const volume::PreparedVolume& volume, int number, bool shown) {
   Scene result = scene;
   Surface& surface = result.surfaces.at(static_cast<std::size_t>(number));

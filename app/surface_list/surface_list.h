@@ -44,6 +44,9 @@ std::optional<scene::Scene> withLabelSurface(const scene::Scene& scene, const vo
                                              const std::vector<int>& labels);
 // The same without it; the last one stays. An automatic isovalue of what is then the first stays what it was.
 scene::Scene withoutSurface(const scene::Scene& scene, const volume::PreparedVolume& volume, int number);
+// The same with the surface at another place; automatic isovalues stay what they were.
+scene::Scene withSurfaceMoved(const scene::Scene& scene, const volume::PreparedVolume& volume, int from,
+                              int to);
 scene::Scene withSurfaceShown(const scene::Scene& scene, const volume::PreparedVolume& volume, int number,
                               bool shown);
 

@@ -70,6 +70,7 @@ struct VolumeState {
   std::uint64_t second = 0;  // hash of the volume that colours the surface; 0: none
   bool crossed = true;       // false: no cell contains a shown isovalue
   std::uint64_t hidden = 0;  // volume::keyOf() of hidden components; 0: all are shown
+  bool hasLabels = false;       // its surfaces are of labels
   std::size_t labelFields = 0;  // surfaces of labels that have a field each; 0: all are of the volume
 };
 

@@ -104,8 +104,8 @@ void declareCutFaces(Declaring& d) {
   d.volume().isovalues().cuts().pictureSize();
   d.settings({"camera.", "hit.field", "isosurface.inside", "clip.cap", "slice.field"});
   d.ofSurfaces("what is opaque", scene::isOpaque);
-  d.settings({"surfaces.#.labels", "surfaces.#.label_colors"});
-  if (d.asked.scene.source.kind == scene::DataKind::labels) d.settings({"surfaces.#.albedo"});
+  if (d.asked.volume.hasLabels)
+    d.settings({"surfaces.#.labels", "surfaces.#.label_colors", "surfaces.#.albedo"});
 }
 
 void findCutFaces(FrameState& frame) {

@@ -38,7 +38,7 @@ struct LabelsOfSurface {
 
 void declareLabels(Declaring& d) {
   d.reads(image::surface).writes(image::label, 16).volume();
-  d.settings({"surfaces.#.label_colors", "surfaces.#.albedo"});
+  if (d.asked.volume.hasLabels) d.settings({"surfaces.#.label_colors", "surfaces.#.albedo"});
 }
 
 void lookUpLabels(FrameState& frame) {

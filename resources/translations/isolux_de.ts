@@ -4367,6 +4367,22 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <source>Labels of %1</source>
         <translation>Labels von %1</translation>
     </message>
+    <message>
+        <source>Find a surface</source>
+        <translation>Eine Fläche finden</translation>
+    </message>
+    <message>
+        <source>Move surface</source>
+        <translation>Fläche verschieben</translation>
+    </message>
+    <message>
+        <source>Drag, or press the up and down keys, to move this surface in the list</source>
+        <translation>Ziehen oder die Pfeiltasten drücken, um diese Fläche in der Liste zu verschieben</translation>
+    </message>
+    <message>
+        <source>Place of %1</source>
+        <translation>Platz von %1</translation>
+    </message>
 </context>
 <context>
     <name>isolux::ui::TargetBox</name>
@@ -8910,15 +8926,7 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Glättung</translation>
     </message>
     <message>
-        <source>label_colors</source>
-        <translation>Farben der Labels</translation>
-    </message>
-    <message>
-        <source>Label colors</source>
-        <translation>Farben der Labels</translation>
-    </message>
-    <message>
-        <source>label colors</source>
+        <source>label colours</source>
         <translation>Farben der Labels</translation>
     </message>
 </context>

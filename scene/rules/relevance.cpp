@@ -80,14 +80,13 @@ constexpr auto storesIrradiance = [](const Scene& s) {
 constexpr auto hasFile = [](const Scene& s) { return !s.light.environment.file.empty(); };
 constexpr auto hasProbe = [](const Scene& s) { return !hasOneColor(s.light.environment); };
 constexpr auto hasAlbedoMap = [](const Scene& s) { return s.isosurface.albedoSource == AlbedoSource::map; };
-constexpr auto mayHaveLabels = [](const Scene& s) {
-  return s.source.kind == DataKind::automatic || s.source.kind == DataKind::labels;
-};
 constexpr auto isCombined = [](const Scene& s) { return s.source.csg != Csg::none; };
 
 // All rules that cover a path must hold; the first that fails says why.
 constexpr Rule rules[] = {
-    {"source.labels source.smoothing source.label_names", mayHaveLabels, "the data are no labels"},
+    {"source.labels source.smoothing source.label_names",
+     [](const Scene& s) { return s.source.kind == DataKind::automatic || s.source.kind == DataKind::labels; },
+     "the data are no labels"},
     {"source.mesh_voxels", isMesh, "the source is not a triangle mesh"},
     {"source.csg_path source.csg_value source.csg_weight", isCombined,
      "no second volume is combined with the first"},
@@ -255,7 +254,8 @@ constexpr ItemRule itemRules[] = {
      [](const Scene& s, std::size_t item) { return item == 0 || s.surfaces[item].shown; },
      "that isosurface is not shown"},
     {"surfaces.#.labels surfaces.#.smoothing surfaces.#.label_colors",
-     [](const Scene& s, std::size_t) { return mayHaveLabels(s); }, "the data are no labels"},
+     [](const Scene& s, std::size_t) { return s.source.kind == DataKind::labels; },
+     "the data are no labels"},
     {"surfaces.#.labels surfaces.#.smoothing surfaces.#.label_colors",
      [](const Scene& s, std::size_t) { return s.source.labels != kLabelsAsValues; },
      "source.labels draws the values of the labels"},

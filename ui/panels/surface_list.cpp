@@ -1,11 +1,16 @@
 #include "ui/panels/surface_list.h"
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
 
 #include <QCheckBox>
+#include <QFrame>
 #include <QGridLayout>
+#include <QKeyEvent>
+#include <QLabel>
 #include <QLineEdit>
+#include <QMouseEvent>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QToolButton>
@@ -18,6 +23,7 @@ namespace isolux::ui {
 namespace {
 constexpr int rowHeight = 24, valueWidth = 84, opacityWidth = 52, nameWidth = 56;  // pixels
 constexpr int opacitySteps = 100;
+constexpr std::size_t longList = 12;  // rows; longer ones can be searched
 }  // namespace
 
 QString surfaceName(const app::ListedSurface& surface) {
@@ -27,11 +33,18 @@ QString surfaceName(const app::ListedSurface& surface) {
   return QObject::tr("Labels %1").arg(QString::fromStdString(surface.labels));
 }
 
-SurfaceList::SurfaceList(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)) {
+SurfaceList::SurfaceList(QWidget* parent)
+    : QWidget(parent), grid_(new QGridLayout(this)), search_(new QLineEdit(this)), place_(new QFrame(this)) {
   grid_->setContentsMargins(0, 0, 0, 0);
   grid_->setHorizontalSpacing(4);
   grid_->setVerticalSpacing(1);
-  grid_->setColumnStretch(2, 1);
+  grid_->setColumnStretch(3, 1);
+  search_->setPlaceholderText(tr("Find a surface"));
+  search_->setAccessibleName(tr("Find a surface"));
+  search_->setClearButtonEnabled(true);
+  connect(search_, &QLineEdit::textChanged, this, &SurfaceList::search);
+  place_->setFrameShape(QFrame::HLine);
+  place_->hide();
   setAccessibleName(tr("Isosurfaces"));
 }
 
@@ -53,10 +66,60 @@ void SurfaceList::setScene(const scene::Scene& scene, const scene::Scene& resolv
                  [](const Row& row, const app::ListedSurface& one) { return row.number == one.number; });
   if (!same) makeRows(list_);
   for (std::size_t i = 0; i < list_.size(); ++i) fill(rows_[i], list_[i]);
+  search();
+}
+
+void SurfaceList::search() {
+  const bool isLong = rows_.size() > longList;
+  search_->setVisible(isLong);
+  const QString wanted = isLong ? search_->text().trimmed() : QString();
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const bool found = surfaceName(list_[i]).contains(wanted, Qt::CaseInsensitive);
+    for (QWidget* widget : widgetsOf(rows_[i])) widget->setVisible(found);
+    rows_[i].value->setVisible(found && !list_[i].isOfLabels);
+    rows_[i].labels->setVisible(found && list_[i].isOfLabels);
+  }
+}
+
+int SurfaceList::rowAt(int y) const {
+  const auto distance = [&](const Row& row) { return std::abs(row.handle->geometry().center().y() - y); };
+  const auto nearest = std::ranges::min_element(
+      rows_, {}, [&](const Row& row) { return row.handle->isVisible() ? distance(row) : INT_MAX; });
+  return static_cast<int>(nearest - rows_.begin());
+}
+
+void SurfaceList::move(int from, int to) {
+  if (!volume_ || from == to || to < 0 || to >= static_cast<int>(rows_.size())) return;
+  send(tr("Move surface"), {}, false,
+       [&](scene::Scene& scene) { scene = app::withSurfaceMoved(scene, *volume_, from, to); });
+}
+
+bool SurfaceList::eventFilter(QObject* object, QEvent* event) {
+  const auto row = std::ranges::find(rows_, object, &Row::handle);
+  if (row == rows_.end()) return QWidget::eventFilter(object, event);
+  const int from = static_cast<int>(row - rows_.begin());
+  if (event->type() == QEvent::KeyPress) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key != Qt::Key_Up && key != Qt::Key_Down) return false;
+    const int to = from + (key == Qt::Key_Down ? 1 : -1);
+    move(from, to);
+    if (to >= 0 && to < static_cast<int>(rows_.size())) rows_[static_cast<std::size_t>(to)].handle->setFocus();
+    return true;
+  }
+  if (event->type() != QEvent::MouseMove && event->type() != QEvent::MouseButtonRelease) return false;
+  const int to = rowAt(row->handle->mapTo(this, static_cast<QMouseEvent*>(event)->position().toPoint()).y());
+  const QRect target = rows_[static_cast<std::size_t>(to)].handle->geometry();
+  const bool dropped = event->type() == QEvent::MouseButtonRelease;
+  place_->setVisible(!dropped && to != from);
+  place_->setGeometry(0, to > from ? target.bottom() : target.top() - 1, width(), 2);
+  place_->raise();
+  if (dropped) move(from, to);
+  return true;
 }
 
 std::vector<QWidget*> SurfaceList::widgetsOf(const Row& row) {
-  return {row.shown, row.colour, row.name, row.value, row.labels, row.opacity, row.seeThrough, row.remove};
+  return {row.handle, row.shown,   row.colour,     row.name,  row.value,
+          row.labels, row.opacity, row.seeThrough, row.remove};
 }
 
 void SurfaceList::makeRows(const std::vector<app::ListedSurface>& list) {
@@ -66,9 +129,10 @@ void SurfaceList::makeRows(const std::vector<app::ListedSurface>& list) {
       widget->deleteLater();  // one of them may be what asked for this
     }
   rows_.clear();
+  grid_->addWidget(search_, 0, 0, 1, -1);
   for (const app::ListedSurface& surface : list) {
     const Row row = makeRow(surface.number);
-    const int at = static_cast<int>(rows_.size());
+    const int at = static_cast<int>(rows_.size()) + 1;
     int column = 0;
     for (QWidget* widget : widgetsOf(row)) {
       widget->setFixedHeight(rowHeight);
@@ -83,6 +147,7 @@ void SurfaceList::makeRows(const std::vector<app::ListedSurface>& list) {
 
 SurfaceList::Row SurfaceList::makeRow(int number) {
   Row row{number,
+          new QLabel(QStringLiteral("⋮"), this),
           new QCheckBox(this),
           new ColorButton(this),
           new QLineEdit(this),
@@ -91,6 +156,10 @@ SurfaceList::Row SurfaceList::makeRow(int number) {
           new QSlider(Qt::Horizontal, this),
           new QToolButton(this),
           new QToolButton(this)};
+  row.handle->setToolTip(tr("Drag, or press the up and down keys, to move this surface in the list"));
+  row.handle->setCursor(Qt::SizeVerCursor);
+  row.handle->setFocusPolicy(Qt::TabFocus);
+  row.handle->installEventFilter(this);
   row.shown->setToolTip(tr("Show this isosurface"));
   row.colour->setFixedWidth(rowHeight);
   row.colour->setIconSize({16, 16});
@@ -184,8 +253,7 @@ void SurfaceList::fill(const Row& row, const app::ListedSurface& surface) {
     row.name->setText(QString::fromStdString(surface.name));
     row.name->setCursorPosition(0);
   }
-  row.value->setVisible(!surface.isOfLabels);
-  row.labels->setVisible(surface.isOfLabels);
+  row.handle->setAccessibleName(tr("Place of %1").arg(name));
   if (!row.labels->hasFocus()) row.labels->setText(QString::fromStdString(surface.labels));
   row.labels->setPlaceholderText(tr("others"));
   row.labels->setAccessibleName(tr("Labels of %1").arg(name));

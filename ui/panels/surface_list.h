@@ -1,5 +1,6 @@
-// The surfaces as a compact list: a row for each with whether it is shown, colour, name, its value or labels,
-// opacity, whether it is seen through where it faces the viewer, and a button that removes it.
+// The surfaces as a compact list: a row for each with a handle to move it by, whether it is shown, colour,
+// name, its value or labels, opacity, whether it is seen through where it faces the viewer, and a button that
+// removes it. A long list can be searched by name.
 #pragma once
 
 #include <vector>
@@ -11,7 +12,9 @@
 #include "ui/document/edit.h"
 
 class QCheckBox;
+class QFrame;
 class QGridLayout;
+class QLabel;
 class QLineEdit;
 class QSlider;
 class QToolButton;
@@ -32,6 +35,7 @@ class SurfaceList : public QWidget {
 
   struct Row {
     int number;
+    QLabel* handle;  // dragged, or moved by the arrow keys
     QCheckBox* shown;
     ColorButton* colour;
     QLineEdit* name;
@@ -41,13 +45,20 @@ class SurfaceList : public QWidget {
     QToolButton *seeThrough, *remove;
   };
   const std::vector<Row>& rows() const { return rows_; }
+  QLineEdit* searchLine() const { return search_; }
 
  Q_SIGNALS:
   void edited(const isolux::ui::Edit& edit);
   void dragStarted();
   void dragEnded();
 
+ protected:
+  bool eventFilter(QObject* object, QEvent* event) override;  // of handles
+
  private:
+  void search();
+  int rowAt(int y) const;  // the nearest
+  void move(int from, int to);
   void makeRows(const std::vector<app::ListedSurface>& list);
   Row makeRow(int number);
   void connectRow(const Row& row);
@@ -62,6 +73,8 @@ class SurfaceList : public QWidget {
   std::vector<app::ListedSurface> list_;
   std::vector<Row> rows_;
   QGridLayout* grid_;
+  QLineEdit* search_;
+  QFrame* place_;  // where a dragged row would go
 };
 
 // What it is called: its name, or "Isosurface 2", "Labels 4-7", "Other labels".

@@ -438,7 +438,8 @@ std::size_t MaskField::thinVoxels() const {
 MaskField makeMask(const LabelBlocks& blocks, std::span<const int> labels, double smoothing,
                    base::Progress& progress) {
   base::MemoryBudget::Held held = reserveMask(blocks);
-  MaskField mask{nullptr, ascending(labels), smoothing, std::vector<std::uint16_t>(blocks.blocks().count())};
+  MaskField mask{
+      nullptr, ascending(labels), smoothing, std::vector<std::uint16_t>(blocks.blocks().count()), {}};
   std::vector<std::int8_t> voxels;
   resizeStoppably(voxels, blocks.grid().geometry().voxelCount(), progress);
   MaskMaker(blocks, labels, smoothing, progress).run(voxels, mask.thin, progress, [](std::size_t) {
@@ -452,12 +453,13 @@ MaskField makeMask(const LabelBlocks& blocks, std::span<const int> labels, doubl
 MaskField changedMask(const MaskField& mask, const LabelBlocks& blocks, std::span<const int> labels,
                       base::Progress& progress) {
   base::MemoryBudget::Held held = reserveMask(blocks);
-  MaskField changed{nullptr, ascending(labels), mask.smoothing, mask.thin};
+  MaskField changed{nullptr, ascending(labels), mask.smoothing, mask.thin, {}};
   std::vector<int> others;  // in one set only
   std::ranges::set_symmetric_difference(mask.labels, changed.labels, std::back_inserter(others));
   const std::vector<bool> isOther = MaskMaker::members(blocks, others);
   const Extent3 extent = blocks.blocks();
-  std::vector<std::uint8_t> near(extent.count());  // blocks with such voxels, or beside one
+  std::vector<std::uint8_t>& near = changed.changed;  // blocks with such voxels, or beside one
+  near.resize(extent.count());
   for (std::size_t block = 0; block < near.size(); ++block) {
     const auto has = [&](std::uint16_t index) { return index != LabelBlocks::kMissing && isOther[index]; };
     if (!std::ranges::any_of(blocks.of(block), has)) continue;

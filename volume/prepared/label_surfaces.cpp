@@ -70,6 +70,17 @@ std::optional<LabelSurfaces::Fields> LabelSurfaces::find(const scene::Scene& res
   return fields;
 }
 
+LabelSurfaces::Fields LabelSurfaces::findEach(const scene::Scene& resolved, const ShownLabels& shown) const try {
+  const std::vector<std::vector<int>> labels = labelsOfSurfaces(resolved, shown);
+  Fields fields(labels.size());
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    fields[i] =
+        kept_.find({labels[i], resolved.surfaces[i].smoothing.value_or(shown.mask.smoothing)}).value_or(nullptr);
+  return fields;
+} catch (const base::Error&) {  // make() says why
+  return Fields(resolved.surfaces.size());
+}
+
 LabelSurfaces::Fields LabelSurfaces::make(const scene::Scene& resolved, const ShownLabels& shown,
                                           base::Progress& progress) const {
   const std::vector<Key> keys = keysOf(resolved, shown);

@@ -37,6 +37,8 @@ class LabelSurfaces {
   using Fields = std::vector<std::shared_ptr<const PreparedVolume>>;
   // nullopt: not made yet, or make() would throw.
   std::optional<Fields> find(const scene::Scene& resolved, const ShownLabels& shown) const;
+  // Of each surface of the scene, shown or not: null if its field is not made, or it has none.
+  Fields findEach(const scene::Scene& resolved, const ShownLabels& shown) const;
   // Throws Error: usage, interrupted, memory.
   Fields make(const scene::Scene& resolved, const ShownLabels& shown, base::Progress& progress) const;
 

@@ -321,22 +321,39 @@ std::shared_ptr<PreparedVolume> prepareFile(const std::shared_ptr<const ChunkedV
   return prepared;
 }
 
-std::shared_ptr<PreparedVolume> prepareGrid(Volume volume, base::Progress& progress) {
+// `histogram`: of the grid, where it is known; `before`: blocks of a grid that differs in `changed` alone, or
+// null.
+std::shared_ptr<PreparedVolume> prepareGrid(Volume volume, std::optional<Histogram> histogram,
+                                            const MinMaxBlocks* before, std::span<const std::uint8_t> changed,
+                                            base::Progress& progress) {
   const Clock::time_point start = Clock::now();
   progress.report(0.0, "building blocks");
-  auto blocks = std::make_shared<MinMaxBlocks>(*volume.grid, kBlockCells, progress);
+  auto blocks = before ? std::make_shared<MinMaxBlocks>(*before, *volume.grid, changed, progress)
+                       : std::make_shared<MinMaxBlocks>(*volume.grid, kBlockCells, progress);
   const std::shared_ptr<PreparedVolume> prepared = withBlocks(std::move(volume), std::move(blocks));
   progress.report(0.3, "building blocks");
   prepared->boxes = std::make_shared<BoxBounds>(prepared->grid(), *prepared->blocks, progress);
   progress.report(0.7, "counting values");
   const Grid& grid = prepared->grid();
-  Histogram histogram = makeHistogram(grid, 512, progress);
+  if (!histogram) histogram = makeHistogram(grid, 512, progress);
   const double step = typicalStep(
       grid.dims(), [&](int y, int z) { return valuesOfRow(grid, y, z); }, progress);
-  setFacts(prepared, std::move(histogram), step, progress);
+  setFacts(prepared, std::move(*histogram), step, progress);
   prepared->prepareSeconds = base::secondsSince(start);
   progress.report(1.0, "ready");
   return prepared;
+}
+
+std::shared_ptr<PreparedVolume> prepareGrid(Volume volume, base::Progress& progress) {
+  return prepareGrid(std::move(volume), std::nullopt, nullptr, {}, progress);
+}
+
+// How many voxels a mask has outside and inside; the values between are those of its smoothing.
+Histogram histogramOf(const ShownLabels& labels) {
+  std::uint64_t inside = 0;
+  for (const LabelExtent& label : labels.blocks->list())
+    if (std::ranges::binary_search(labels.mask.labels, label.label)) inside += label.voxels;
+  return {-1.0, 1.0, {labels.grid().geometry().voxelCount() - inside, inside}, {}};
 }
 
 // Of a label map in whole: the surface of the labels that the source names. `before`: of the same map, or null.
@@ -344,7 +361,10 @@ std::shared_ptr<PreparedVolume> prepareLabels(Volume asRead, std::shared_ptr<con
                                               const PreparedVolume* before, base::Progress& progress) {
   Volume masked = asRead;
   showMask(masked, *labels);
-  std::shared_ptr<PreparedVolume> prepared = prepareGrid(std::move(masked), progress);
+  const std::vector<std::uint8_t>& changed = labels->mask.changed;
+  const MinMaxBlocks* const blocks = before && !changed.empty() ? before->blocks.get() : nullptr;
+  std::shared_ptr<PreparedVolume> prepared =
+      prepareGrid(std::move(masked), histogramOf(*labels), blocks, changed, progress);
   prepared->facts.labelAlbedo = meanColor(*labels, labels->mask.labels);
   prepared->labelSurfaces =
       before ? before->labelSurfaces : std::make_shared<LabelSurfaces>(asRead, labels->blocks, labels->table);

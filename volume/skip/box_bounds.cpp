@@ -84,24 +84,32 @@ class BlockScan {
 
 }  // namespace
 
-BoxBounds::BoxBounds(glm::ivec3 voxels, const base::Progress& progress) {
+BoxBounds::BoxBounds(glm::ivec3 voxels) {
   const glm::ivec3 cells = glm::max(voxels - 1, glm::ivec3(0));
   dims_ = (cells + kBlockCells - 1) / kBlockCells;
-  const std::size_t blocks = Extent3{dims_}.count();
-  held_ = base::machineMemory().reserve(blocks * sizeof(Bounds), "min-max blocks",
-                                        "a volume of fewer voxels needs less");
-  resizeStoppably(bounds_, blocks, progress);
+}
+
+void BoxBounds::place(const MinMaxBlocks* known, const base::Progress& progress) {
+  places_.resize(Extent3{dims_}.count());
+  std::uint32_t count = 0;
+  for (std::size_t block = 0; block < places_.size(); ++block) {
+    const bool isConstant = known && !(known->minimum(block) < known->maximum(block));
+    places_[block] = isConstant ? kNoPlace : count++;
+  }
+  held_ = base::machineMemory().reserve(count * sizeof(Bounds) + places_.size() * sizeof(std::uint32_t),
+                                        "min-max blocks", "a volume of fewer voxels needs less");
+  resizeStoppably(bounds_, count, progress);
 }
 
 BoxBounds::BoxBounds(const Grid& grid, const MinMaxBlocks& blocks, base::Progress& progress)
-    : BoxBounds(grid.dims(), progress) {
+    : BoxBounds(grid.dims()) {
   assert(blocks.blockCells() == kBlockCells);
   const MinMaxBlocks* const known = grid.missingCount() == 0 ? &blocks : nullptr;  // else of some voxels
   grid.visit([&](const auto& voxels) { fill(voxels, rangeOf(grid), grid.dims(), 0, progress, known); });
 }
 
 BoxBounds BoxBounds::ofCubic(const Grid& grid, const Coefficients* coefficients, base::Progress& progress) {
-  BoxBounds result(grid.dims(), progress);
+  BoxBounds result(grid.dims());
   const Range range = coefficients ? Range{coefficients->least, coefficients->most} : rangeOf(grid);
   visitSpline(grid, coefficients,
               [&](const auto& samples) { result.fill(samples, range, grid.dims(), 1, progress); });
@@ -110,7 +118,7 @@ BoxBounds BoxBounds::ofCubic(const Grid& grid, const Coefficients* coefficients,
 
 BoxBounds BoxBounds::ofPart(const VoxelArray& voxels, glm::ivec3 dims, const Grid& whole,
                             base::Progress& progress) {
-  BoxBounds result(dims, progress);
+  BoxBounds result(dims);
   const Range range = rangeOf(whole);
   std::visit([&](const auto& part) { result.fill(part, range, dims, 0, progress); }, voxels);
   return result;
@@ -119,6 +127,7 @@ BoxBounds BoxBounds::ofPart(const VoxelArray& voxels, glm::ivec3 dims, const Gri
 template <class T>
 void BoxBounds::fill(const std::vector<T>& voxels, const Range& range, glm::ivec3 voxelDims, int apron,
                      base::Progress& progress, const MinMaxBlocks* known) {
+  place(known, progress);
   origin_ = static_cast<double>(range.low);
   const double extent = static_cast<double>(range.high) - origin_;
   if (!(extent > 0.0)) {  // constant or missing: nothing can be crossed
@@ -139,14 +148,10 @@ void BoxBounds::fill(const std::vector<T>& voxels, const Range& range, glm::ivec
   parallelSteps(blocks.rows(), progress, {}, [&](std::size_t row) {
     glm::ivec3 block = blocks.firstOfRow(row);
     for (; block.x < dims_.x; ++block.x) {
-      const std::size_t index = blocks.index(block);
-      if (known && known->minimum(index) == known->maximum(index)) {
-        std::ranges::fill(bounds_[index].low, quantised(known->minimum(index), false));
-        std::ranges::fill(bounds_[index].high, quantised(known->minimum(index), true));
-        continue;
-      }
+      const std::uint32_t place = places_[blocks.index(block)];
+      if (place == kNoPlace) continue;
       const auto boxes = BlockScan<T>(voxels, voxelDims, block * kBlockCells, apron).boxes();
-      Bounds& bounds = bounds_[index];
+      Bounds& bounds = bounds_[place];
       for (int i = 0; i < kBoxesPerBlock; ++i) {
         const Range& box = boxes[static_cast<std::size_t>(i)];
         bounds.low[i] = quantised(box.low, false);
@@ -158,7 +163,7 @@ void BoxBounds::fill(const std::vector<T>& voxels, const Range& range, glm::ivec
 
 void BoxBounds::masks(std::span<const float> storedIsovalues, const std::vector<std::uint8_t>& flags,
                       std::vector<std::uint64_t>& result) const {
-  assert(flags.size() == bounds_.size());
+  assert(flags.size() == places_.size());
   struct Level {
     std::uint16_t floor, ceiling;
   };
@@ -170,17 +175,17 @@ void BoxBounds::masks(std::span<const float> storedIsovalues, const std::vector<
     levels.push_back(
         {static_cast<std::uint16_t>(std::floor(within)), static_cast<std::uint16_t>(std::ceil(within))});
   }
-  result.resize(bounds_.size());
-  parallelRanges(bounds_.size(), 512, [&](const Indices<std::size_t>& range) {
+  result.resize(places_.size());
+  parallelRanges(places_.size(), 512, [&](const Indices<std::size_t>& range) {
     for (std::size_t block = range.begin(); block < range.end(); ++block) {
-      std::uint64_t mask = 0;
-      if (flags[block])
-        for (const Level level : levels)
-          for (int i = 0; i < kBoxesPerBlock; ++i)
-            mask |= static_cast<std::uint64_t>(bounds_[block].low[i] <= level.floor &&
-                                               bounds_[block].high[i] >= level.ceiling)
-                    << i;
-      result[block] = mask;
+      result[block] = 0;
+      if (!flags[block] || places_[block] == kNoPlace) continue;
+      const Bounds& bounds = bounds_[places_[block]];
+      for (const Level level : levels)
+        for (int i = 0; i < kBoxesPerBlock; ++i)
+          result[block] |=
+              static_cast<std::uint64_t>(bounds.low[i] <= level.floor && bounds.high[i] >= level.ceiling)
+              << i;
     }
   });
 }

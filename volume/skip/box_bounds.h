@@ -24,7 +24,7 @@ class BoxBounds {
   static constexpr int kBlockCells = 8, kBoxCells = 2, kBoxesPerBlock = 64;
 
   // Of the trilinear field. `blocks`: those of the grid, of kBlockCells cells. Multithreaded; 256 bytes for
-  // each block; throws Error: memory, before anything is made; interrupted.
+  // each block, but constant ones; throws Error: memory, before these are made; interrupted.
   BoxBounds(const Grid& grid, const MinMaxBlocks& blocks, base::Progress& progress);
   // Of the cubic B-spline with these coefficients (without their offset), or, where they are null, of that
   // whose coefficients are the samples.
@@ -37,23 +37,30 @@ class BoxBounds {
 
   glm::ivec3 blockDims() const { return dims_; }
   // Of each block a mask: bit x + 4 y + 16 z is set where that box can hold a crossing of one of the
-  // isovalues; 0 for blocks whose flag is 0. `flags`: one byte per block, x fastest.
+  // isovalues; 0 for blocks whose flag is 0, and constant ones. `flags`: one byte per block, x fastest.
   // Multithreaded.
   void masks(std::span<const float> storedIsovalues, const std::vector<std::uint8_t>& flags,
              std::vector<std::uint64_t>& result) const;
-  std::size_t bytes() const { return bounds_.size() * sizeof(Bounds); }
+  std::size_t bytes() const {
+    return bounds_.size() * sizeof(Bounds) + places_.size() * sizeof(std::uint32_t);
+  }
 
  private:
   struct Bounds {  // of a block's boxes; low > high where there is no box
     std::uint16_t low[kBoxesPerBlock], high[kBoxesPerBlock];
   };
-  BoxBounds(glm::ivec3 voxels, const base::Progress& progress);
+  explicit BoxBounds(glm::ivec3 voxels);
   template <class T>
   void fill(const std::vector<T>& voxels, const volume::Bounds<float>& range, glm::ivec3 voxelDims, int apron,
             base::Progress& progress, const MinMaxBlocks* known = nullptr);
 
+  // Gives each block its place in bounds_, and makes room; those that `known` calls constant have none.
+  void place(const MinMaxBlocks* known, const base::Progress& progress);
+
+  static constexpr std::uint32_t kNoPlace = UINT32_MAX;
   glm::ivec3 dims_;
   double origin_ = 0.0, scale_ = 1.0;  // quantised = (stored - origin) * scale
+  std::vector<std::uint32_t> places_;  // of each block in bounds_
   std::vector<Bounds> bounds_;
   base::MemoryBudget::Held held_;
 };

@@ -45,6 +45,13 @@ MinMaxBlocks::MinMaxBlocks(const Grid& grid, int blockCells, base::Progress& pro
   grid.visit([&](const auto& voxels) { fill(voxels, grid, 0, progress); });
 }
 
+MinMaxBlocks::MinMaxBlocks(const MinMaxBlocks& before, const Grid& grid,
+                           std::span<const std::uint8_t> changed, base::Progress& progress)
+    : MinMaxBlocks(before) {
+  assert(blockCells_ == kBlockCells && Extent3{(grid.dims() + kBlockCells - 1) / kBlockCells}.count() == changed.size());
+  grid.visit([&](const auto& voxels) { fill(voxels, grid, 0, progress, changed); });
+}
+
 MinMaxBlocks MinMaxBlocks::ofCubic(const Grid& grid, const Coefficients* coefficients, int blockCells,
                                    base::Progress& progress) {
   MinMaxBlocks blocks(grid.dims(), blockCells);
@@ -53,11 +60,23 @@ MinMaxBlocks MinMaxBlocks::ofCubic(const Grid& grid, const Coefficients* coeffic
 }
 
 template <class T>
-void MinMaxBlocks::fill(const std::vector<T>& voxels, const Grid& grid, int apron, base::Progress& progress) {
+void MinMaxBlocks::fill(const std::vector<T>& voxels, const Grid& grid, int apron, base::Progress& progress,
+                        std::span<const std::uint8_t> changed) {
   if (count() == 0) return;
+  const Extent3 ofVoxels{(grid.dims() + kBlockCells - 1) / kBlockCells};
+  // Those of its own voxels, and of the first ones behind.
+  const auto isChanged = [&](glm::ivec3 block) {
+    const glm::ivec3 last = glm::min(block + 1, ofVoxels.dims - 1);
+    for (int z = block.z; z <= last.z; ++z)
+      for (int y = block.y; y <= last.y; ++y)
+        for (int x = block.x; x <= last.x; ++x)
+          if (changed[ofVoxels.index(x, y, z)] != 0) return true;
+    return false;
+  };
   parallelSteps(Extent3{dims_}.rows(), progress, {}, [&](std::size_t row) {
     glm::ivec3 block = Extent3{dims_}.firstOfRow(row);
     for (; block.x < dims_.x; ++block.x) {
+      if (!changed.empty() && !isChanged(block)) continue;
       const glm::ivec3 first = block * blockCells_;
       const glm::ivec3 low = glm::max(first - apron, glm::ivec3(0));
       const glm::ivec3 high = glm::min(first + blockCells_ + apron, grid.dims() - 1);

@@ -34,6 +34,11 @@ class MinMaxBlocks {
   // Requires `blockCells` 4 or 8. Multithreaded; throws Error{interrupted}.
   MinMaxBlocks(const Grid& grid, int blockCells, base::Progress& progress);
 
+  // The same where a grid of the same size is known, which differs at most in those blocks of kBlockCells
+  // voxels, from voxel 0 on, x fastest, whose byte is not 0. Requires 8 cells in each of `before`.
+  MinMaxBlocks(const MinMaxBlocks& before, const Grid& grid, std::span<const std::uint8_t> changed,
+               base::Progress& progress);
+
   // Makes empty blocks (minimum > maximum everywhere) for `voxels` that are then added slab by slab.
   MinMaxBlocks(glm::ivec3 voxels, int blockCells);
   // Sets the blocks of the layers from `layer` on, from the slices layer * blockCells ... in `slab`, which is
@@ -71,7 +76,8 @@ class MinMaxBlocks {
  private:
   // `apron`: voxels beyond its own that a block's bounds cover on every side.
   template <class T>
-  void fill(const std::vector<T>& voxels, const Grid& grid, int apron, base::Progress& progress);
+  void fill(const std::vector<T>& voxels, const Grid& grid, int apron, base::Progress& progress,
+            std::span<const std::uint8_t> changed = {});
 
   int blockCells_;
   glm::ivec3 dims_{0};

@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QContextMenuEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QSlider>
@@ -80,6 +81,40 @@ TEST_F(WindowTest, RowsOfManyIsosurfacesDoNotOverlap) {
   QCoreApplication::processEvents();  // the layout follows
   for (std::size_t i = 1; i < 10; ++i)
     EXPECT_GE(list->rows()[i].value->geometry().top(), list->rows()[i - 1].value->geometry().bottom());
+}
+
+TEST_F(WindowTest, ALongListIsSearchedAndItsRowsAreMoved) {
+  ASSERT_TRUE(load(*window_, "phantom:head:32"));
+  scene::Scene scene = window_->document()->scene();
+  for (std::size_t i = 0; i < 14; ++i) {
+    test::surfaceAt(scene, i).value = 100.0 * static_cast<double>(i);
+    test::surfaceAt(scene, i).name = "Layer " + std::to_string(i);
+  }
+  window_->document()->edit({scene, "Add isosurfaces"});
+  auto* const list = window_->panel<ui::IsovaluePanel>()->findChild<ui::SurfaceList*>();
+  ASSERT_EQ(list->rows().size(), 14u);
+  QCoreApplication::processEvents();  // the layout follows
+  const auto names = [&] {
+    std::string all;
+    for (const scene::Surface& surface : window_->document()->scene().surfaces)
+      all += surface.name.substr(6) + ' ';
+    return all;
+  };
+  QTest::keyClick(list->rows()[1].handle, Qt::Key_Down);
+  EXPECT_TRUE(names().starts_with("0 2 1 3 ")) << names();
+  drag(list->rows()[4].handle, list->rows()[4].handle->rect().center(),
+       list->rows()[4].handle->mapFrom(list, list->rows()[2].handle->geometry().center()));
+  EXPECT_TRUE(names().starts_with("0 2 4 1 3 5 ")) << names();
+  EXPECT_EQ(window_->document()->history().undoName(), "Move surface");
+  window_->document()->undo();
+  window_->document()->undo();
+  EXPECT_TRUE(names().starts_with("0 1 2 3 ")) << names();
+
+  ASSERT_TRUE(list->searchLine()->isVisible());
+  list->searchLine()->setText("layer 12");
+  for (std::size_t i = 0; i < 14; ++i) EXPECT_EQ(list->rows()[i].name->isVisible(), i == 12) << i;
+  list->searchLine()->clear();
+  EXPECT_TRUE(list->rows()[0].name->isVisible());
 }
 
 TEST_F(WindowTest, EveryIsosurfaceHasAHandleAndARow) {

@@ -136,6 +136,13 @@ TEST(ShownLabels, ALoadedLabelMapIsItsMaskField) {
   EXPECT_THAT(two->labels->mask.labels, ElementsAre(2, 3));
   EXPECT_EQ(two->grid().hash(), same->grid().hash()) << "as if it had been loaded so";
   EXPECT_EQ(two->volume.warnings, same->volume.warnings);
+  for (std::size_t i = 0; i < same->blocks->count(); ++i) {
+    EXPECT_EQ(two->blocks->minimum(i), same->blocks->minimum(i));
+    EXPECT_EQ(two->blocks->maximum(i), same->blocks->maximum(i));
+  }
+  EXPECT_EQ(two->histogram.counts, same->histogram.counts);
+  EXPECT_EQ(two->facts.boundsMinMm, same->facts.boundsMinMm);
+  EXPECT_EQ(two->facts.outlineMm, same->facts.outlineMm);
   EXPECT_NE(two->grid().hash(), all->grid().hash());
 }
 

@@ -82,6 +82,29 @@ TEST(MinMaxBlocks, AgreeWithEveryCellForEveryTypeAndOddSizes) {
   }
 }
 
+TEST(MinMaxBlocks, WhereLittleHasChangedTheyAreTheSame) {
+  base::Progress progress;
+  const glm::ivec3 dims(37, 25, 17);
+  const Extent3 voxelBlocks{(dims + kBlockCells - 1) / kBlockCells}, all{dims};
+  const Grid before = randomGrid<std::int8_t>(dims);
+  const MinMaxBlocks known(before, kBlockCells, progress);
+  for (std::size_t block = 0; block < voxelBlocks.count(); ++block) {
+    auto voxels = std::get<std::vector<std::int8_t>>(before.voxels());
+    const glm::ivec3 low = voxelBlocks.at(block) * kBlockCells, end = glm::min(low + kBlockCells, dims);
+    for (int z = low.z; z < end.z; ++z)
+      for (int y = low.y; y < end.y; ++y)
+        for (int x = low.x; x < end.x; ++x) voxels[all.index(x, y, z)] = 3;
+    const Grid after(before.geometry(), voxels);
+    std::vector<std::uint8_t> changed(voxelBlocks.count());
+    changed[block] = 1;
+    const MinMaxBlocks expected(after, kBlockCells, progress), found(known, after, changed, progress);
+    for (std::size_t i = 0; i < expected.count(); ++i) {
+      ASSERT_EQ(found.minimum(i), expected.minimum(i)) << block << ' ' << i;
+      ASSERT_EQ(found.maximum(i), expected.maximum(i)) << block << ' ' << i;
+    }
+  }
+}
+
 TEST(MinMaxBlocks, CoverTheVolume) {
   base::Progress progress;
   EXPECT_EQ(MinMaxBlocks(randomGrid<std::uint8_t>({9, 10, 2}), 8, progress).dims(), glm::ivec3(1, 2, 1));
