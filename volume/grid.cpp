@@ -18,17 +18,40 @@ namespace isolux::volume {
 
 namespace {
 
-// What is known of some consecutive voxels.
-struct HashedPart {
-  double least = std::numeric_limits<double>::infinity(), most = -least;
-  std::size_t missing = 0;
-  std::uint64_t hash = 0;
-};
+// An array of this type, without voxels.
+VoxelArray emptyArray(VoxelType type) {
+  return withStoredType(type, [](auto voxel) { return VoxelArray(std::vector<decltype(voxel)>()); });
+}
+
+}  // namespace
+
+Grid::Grid(const GridGeometry& geometry, VoxelArray voxels, double slope, double intercept)
+    : Grid(geometry, std::move(voxels), slope, intercept, *std::make_unique<base::Progress>()) {}
+
+Grid::Grid(const GridGeometry& geometry, VoxelArray voxels, double slope, double intercept,
+           base::Progress& progress)
+    : geometry_(geometry), voxels_(std::move(voxels)), slope_(slope), intercept_(intercept) {
+  assert(std::isfinite(slope) && slope != 0.0 && std::isfinite(intercept));
+  scanPieces(progress, [](std::size_t, std::size_t) { return true; });
+  sumUp();
+}
+
+Grid::Grid(const Grid& before, VoxelArray voxels,
+           const std::function<bool(std::size_t first, std::size_t end)>& differs, base::Progress& progress)
+    : geometry_(before.geometry_),
+      voxels_(std::move(voxels)),
+      pieces_(before.pieces_),
+      slope_(before.slope_),
+      intercept_(before.intercept_) {
+  assert(voxels_.index() == before.voxels_.index());
+  scanPieces(progress, differs);
+  sumUp();
+}
 
 // Makes +-Inf NaN on the way.
 template <class T>
-HashedPart scanPiece(std::span<T> voxels) {
-  HashedPart piece;
+Grid::Piece Grid::scan(std::span<T> voxels) {
+  Piece piece;
   T least = std::numeric_limits<T>::max(), most = std::numeric_limits<T>::lowest();
   for (T& v : voxels) {
     if constexpr (std::is_same_v<T, float>) {
@@ -49,41 +72,26 @@ HashedPart scanPiece(std::span<T> voxels) {
   return piece;
 }
 
-template <class T>
-std::vector<HashedPart> scanPieces(std::vector<T>& voxels, base::Progress& progress) {
-  constexpr std::size_t length = Grid::kHashedBytes / sizeof(T);
-  std::vector<HashedPart> pieces((voxels.size() + length - 1) / length);
-  parallelSteps(pieces.size(), progress, {0.0, 1.0, "scanning voxels"}, [&](std::size_t i) {
-    const std::size_t first = i * length;
-    pieces[i] = scanPiece(std::span<T>(voxels).subspan(first, std::min(length, voxels.size() - first)));
-  });
-  return pieces;
-}
-
-// An array of this type, without voxels.
-VoxelArray emptyArray(VoxelType type) {
-  return withStoredType(type, [](auto voxel) { return VoxelArray(std::vector<decltype(voxel)>()); });
-}
-
-}  // namespace
-
-Grid::Grid(const GridGeometry& geometry, VoxelArray voxels, double slope, double intercept)
-    : Grid(geometry, std::move(voxels), slope, intercept, *std::make_unique<base::Progress>()) {}
-
-Grid::Grid(const GridGeometry& geometry, VoxelArray voxels, double slope, double intercept,
-           base::Progress& progress)
-    : geometry_(geometry), voxels_(std::move(voxels)), slope_(slope), intercept_(intercept) {
-  assert(std::isfinite(slope) && slope != 0.0 && std::isfinite(intercept));
-  const std::vector<HashedPart> pieces = std::visit(
-      [&](auto& array) {
-        assert(array.size() == geometry_.voxelCount());
-        return scanPieces(array, progress);
+template <class Wanted>
+void Grid::scanPieces(base::Progress& progress, const Wanted& wanted) {
+  std::visit(
+      [&]<class T>(std::vector<T>& voxels) {
+        assert(voxels.size() == geometry_.voxelCount());
+        constexpr std::size_t length = kHashedBytes / sizeof(T);
+        pieces_.resize((voxels.size() + length - 1) / length);
+        parallelSteps(pieces_.size(), progress, {0.0, 1.0, "scanning voxels"}, [&](std::size_t i) {
+          const std::size_t first = i * length, end = std::min(first + length, voxels.size());
+          if (wanted(first, end)) pieces_[i] = scan(std::span<T>(voxels).subspan(first, end - first));
+        });
       },
       voxels_);
+}
+
+void Grid::sumUp() {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   std::vector<std::uint64_t> hashes;
   held_ = base::machineMemory().count(bytes());
-  for (const HashedPart& piece : pieces) {
+  for (const Piece& piece : pieces_) {
     low = std::min(low, piece.least);
     high = std::max(high, piece.most);
     missing_ += piece.missing;

@@ -5,10 +5,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <limits>
 #include <memory>
 #include <span>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
@@ -39,6 +42,11 @@ class Grid {
   Grid(const GridGeometry& geometry, VoxelArray voxels, double slope = 1.0, double intercept = 0.0);
   Grid(const GridGeometry& geometry, VoxelArray voxels, double slope, double intercept,
        base::Progress& progress);
+
+  // The same with the geometry and the scale of `before`, whose voxels these are but in pieces of which
+  // differs(first, end), indices of voxels, is true: only those are looked at.
+  Grid(const Grid& before, VoxelArray voxels,
+       const std::function<bool(std::size_t first, std::size_t end)>& differs, base::Progress& progress);
 
   // Makes an out-of-core grid: parts of the voxels are read from a file on demand. stored() and value() read
   // them, slowly; voxels() throws.
@@ -99,11 +107,23 @@ class Grid {
                               std::span<const std::uint64_t> pieces);
 
  private:
+  // What is known of kHashedBytes of voxels.
+  struct Piece {
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    std::size_t missing = 0;
+    std::uint64_t hash = 0;
+  };
+  template <class T>
+  static Piece scan(std::span<T> voxels);
+  template <class Wanted>
+  void scanPieces(base::Progress& progress, const Wanted& wanted);
+  void sumUp();
   [[noreturn]] void throwNotWhole() const;
   void setRange(double storedMinimum, double storedMaximum);
 
   GridGeometry geometry_;
-  VoxelArray voxels_;  // empty if there is a source
+  VoxelArray voxels_;          // empty if there is a source
+  std::vector<Piece> pieces_;  // likewise
   double slope_, intercept_;
   double minimum_ = 0.0, maximum_ = 0.0;
   double storedMinimum_ = 0.0, storedMaximum_ = 0.0;

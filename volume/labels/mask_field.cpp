@@ -471,7 +471,16 @@ MaskField changedMask(const MaskField& mask, const LabelBlocks& blocks, std::spa
   MaskMaker(blocks, labels, mask.smoothing, progress)
       .run(voxels, changed.thin, progress, [&](std::size_t block) { return near[block] != 0; });
   held.release();
-  changed.grid = maskGrid(blocks, std::move(voxels), progress);
+  std::vector<bool> layers(static_cast<std::size_t>(extent.dims.z));  // of blocks, with changed ones
+  for (std::size_t block = 0; block < near.size(); ++block)
+    if (near[block] != 0) layers[block / extent.slice()] = true;
+  const std::size_t layer = blocks.grid().extent().slice() * kEdge;  // voxels
+  const auto differs = [&](std::size_t first, std::size_t end) {
+    for (std::size_t i = first / layer; i <= (end - 1) / layer; ++i)
+      if (layers[i]) return true;
+    return false;
+  };
+  changed.grid = std::make_shared<const Grid>(*mask.grid, std::move(voxels), differs, progress);
   return changed;
 }
 

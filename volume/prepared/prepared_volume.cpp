@@ -321,18 +321,21 @@ std::shared_ptr<PreparedVolume> prepareFile(const std::shared_ptr<const ChunkedV
   return prepared;
 }
 
-// `histogram`: of the grid, where it is known; `before`: blocks of a grid that differs in `changed` alone, or
-// null.
+// `histogram`: of the grid, where it is known; `before`: of a grid that differs at most in blocks whose byte
+// of `changed` is not 0, or null.
 std::shared_ptr<PreparedVolume> prepareGrid(Volume volume, std::optional<Histogram> histogram,
-                                            const MinMaxBlocks* before, std::span<const std::uint8_t> changed,
-                                            base::Progress& progress) {
+                                            const PreparedVolume* before,
+                                            std::span<const std::uint8_t> changed, base::Progress& progress) {
   const Clock::time_point start = Clock::now();
   progress.report(0.0, "building blocks");
-  auto blocks = before ? std::make_shared<MinMaxBlocks>(*before, *volume.grid, changed, progress)
+  auto blocks = before ? std::make_shared<MinMaxBlocks>(*before->blocks, *volume.grid, changed, progress)
                        : std::make_shared<MinMaxBlocks>(*volume.grid, kBlockCells, progress);
   const std::shared_ptr<PreparedVolume> prepared = withBlocks(std::move(volume), std::move(blocks));
   progress.report(0.3, "building blocks");
-  prepared->boxes = std::make_shared<BoxBounds>(prepared->grid(), *prepared->blocks, progress);
+  prepared->boxes =
+      before ? std::make_shared<BoxBounds>(*before->boxes, prepared->grid(), *prepared->blocks, changed,
+                                           progress)
+             : std::make_shared<BoxBounds>(prepared->grid(), *prepared->blocks, progress);
   progress.report(0.7, "counting values");
   const Grid& grid = prepared->grid();
   if (!histogram) histogram = makeHistogram(grid, 512, progress);
@@ -361,10 +364,11 @@ std::shared_ptr<PreparedVolume> prepareLabels(Volume asRead, std::shared_ptr<con
                                               const PreparedVolume* before, base::Progress& progress) {
   Volume masked = asRead;
   showMask(masked, *labels);
-  const std::vector<std::uint8_t>& changed = labels->mask.changed;
-  const MinMaxBlocks* const blocks = before && !changed.empty() ? before->blocks.get() : nullptr;
-  std::shared_ptr<PreparedVolume> prepared =
-      prepareGrid(std::move(masked), histogramOf(*labels), blocks, changed, progress);
+  const bool isKnown = before && !labels->mask.changed.empty();
+  std::vector<std::uint8_t> changed;
+  if (isKnown) changed = cellBlocksIn(labels->mask.changed, labels->grid().dims());
+  std::shared_ptr<PreparedVolume> prepared = prepareGrid(std::move(masked), histogramOf(*labels),
+                                                         isKnown ? before : nullptr, changed, progress);
   prepared->facts.labelAlbedo = meanColor(*labels, labels->mask.labels);
   prepared->labelSurfaces =
       before ? before->labelSurfaces : std::make_shared<LabelSurfaces>(asRead, labels->blocks, labels->table);

@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <type_traits>
 #include <vector>
@@ -44,6 +45,11 @@ class BlockSides {
       for (int y = 0; y < size_.y; ++y) {
         const T* const row = voxels.data() + grid.index(low + glm::ivec3(0, y, z));
         unsigned above = 0, known = 0;
+        if constexpr (std::is_same_v<T, std::int8_t>)
+          if (isovalue == 0.0 && size_.x == kMost) {  // of labels
+            rows_[at(y, z)] = {signsOf(row) ^ 0x1ff, 0x1ff};
+            continue;
+          }
         for (int x = 0; x < size_.x; ++x) {
           above |= static_cast<unsigned>(static_cast<double>(row[x]) >= isovalue) << x;
           if constexpr (std::is_floating_point_v<T>) known |= static_cast<unsigned>(!std::isnan(row[x])) << x;
@@ -69,6 +75,13 @@ class BlockSides {
   struct Row {
     unsigned above, known;
   };
+  // Bit x: row[x] is negative. Bytes' signs are gathered by a product: bit 8 x becomes bit 56 + x.
+  static unsigned signsOf(const std::int8_t* row) {
+    std::uint64_t bytes = 0;
+    for (int x = 0; x < 8; ++x) bytes |= std::uint64_t{static_cast<std::uint8_t>(row[x])} << (8 * x);
+    const std::uint64_t eight = ((bytes >> 7 & 0x0101010101010101u) * 0x0102040810204080u) >> 56;
+    return static_cast<unsigned>(eight) | static_cast<unsigned>(row[8] < 0) << 8;
+  }
   static std::size_t at(int y, int z) { return static_cast<std::size_t>(z * kMost + y); }
   glm::ivec3 size_;
   std::array<Row, std::size_t{kMost} * kMost> rows_;
@@ -76,9 +89,10 @@ class BlockSides {
 
 // Calls each(first voxel of the edge, crossing in voxel coordinates) for the crossings on the edges of the
 // voxels of a block. A whole grid.
-template <class Each>
+// isWanted(): asked in turn of each crossing that is not hidden, before its place is computed.
+template <class IsWanted, class Each>
 void eachCrossing(const PreparedVolume& volume, const Surface& surface, scene::Inside inside,
-                  std::size_t block, const Each& each) {
+                  std::size_t block, const IsWanted& isWanted, const Each& each) {
   const Grid& grid = volume.grid();
   const glm::ivec3 low = Extent3{volume.blocks->dims()}.at(block) * volume.blocks->blockCells();
   const glm::ivec3 high = glm::min(low + volume.blocks->blockCells(), grid.dims() - 1);
@@ -88,11 +102,12 @@ void eachCrossing(const PreparedVolume& volume, const Surface& surface, scene::I
     const auto at = [&](glm::ivec3 v) { return static_cast<double>(stored[grid.index(v)]) - isovalue; };
     const BlockSides sides(stored, grid, low, high, isovalue);
     const auto onEdge = [&](glm::ivec3 begin, int axis) {
+      if (!surface.hidden && !isWanted()) return;
       const double f = at(begin);
       glm::ivec3 end = begin;
       ++end[axis];
       const glm::ivec3 within = (f >= 0.0) == insideIsPositive ? begin : end;
-      if (surface.hidden && surface.hidden->at(within)) return;
+      if (surface.hidden && (surface.hidden->at(within) || !isWanted())) return;
       glm::dvec3 point(begin);
       point[axis] += f / (f - at(end));
       each(begin, point);
@@ -108,6 +123,12 @@ void eachCrossing(const PreparedVolume& volume, const Surface& surface, scene::I
       }
   };
   grid.visit(look);
+}
+
+template <class Each>
+void eachCrossing(const PreparedVolume& volume, const Surface& surface, scene::Inside inside,
+                  std::size_t block, const Each& each) {
+  eachCrossing(volume, surface, inside, block, [] { return true; }, each);
 }
 
 }  // namespace isolux::volume

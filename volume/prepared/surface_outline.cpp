@@ -12,6 +12,7 @@
 #include <glm/matrix.hpp>
 
 #include "volume/clip/surface_cut.h"
+#include "volume/parallel/parallel_loops.h"
 #include "volume/parallel/parallel_steps.h"
 #include "volume/prepared/surface_crossings.h"
 
@@ -99,6 +100,7 @@ class OutlineSearch {
         cut_(resolved, grid_.geometry()),
         world_(grid_.geometry().worldFromVoxel),
         worldOfGradient_(glm::transpose(glm::inverse(glm::dmat3(world_)))),
+        leastReach_(directions_.size(), -std::numeric_limits<double>::infinity()),
         extremes_([] { return Extremes(outlineDirections().size()); }) {
     const double half = 0.5 * blocks_.blockCells();
     for (int axis = 0; axis < 3; ++axis) radius_ += half * glm::length(glm::dvec3(world_[axis]));
@@ -111,6 +113,7 @@ class OutlineSearch {
     const auto count = static_cast<std::size_t>(std::ranges::count(active, 1));
     const std::size_t every = withSamples ? std::max<std::size_t>(1, count * kOfBlock / kSamplesWanted) : 0;
     samples_.resize(active.size());
+    if (!surface.hidden && !cut_.cuts() && grid_.missingCount() == 0) findLeastReach(surface, active);
     parallelSteps(active.size(), progress, {}, [&](std::size_t block) {
       if (active[block]) addBlock(surface, block, every);
     });
@@ -130,22 +133,46 @@ class OutlineSearch {
   }
 
  private:
-  void addBlock(const Surface& surface, std::size_t block, std::size_t every) {
+  // A block with voxels on both sides has a crossing: the surface reaches at least as far as its near side.
+  void findLeastReach(const Surface& surface, const std::vector<std::uint8_t>& active) {
+    const double isovalue = grid_.storedOfValue(surface.isovalue);
+    tbb::combinable<std::vector<double>> parts([&] { return leastReach_; });
+    parallelEach(static_cast<int>(active.size()), [&](int index) {
+      const auto block = static_cast<std::size_t>(index);
+      const double low = static_cast<double>(blocks_.minimum(block));
+      if (!active[block] || !(low < isovalue) || static_cast<double>(blocks_.maximum(block)) < isovalue) return;
+      std::vector<double>& least = parts.local();
+      const glm::dvec3 centre = centreOf(block);
+      for (std::size_t i = 0; i < least.size(); ++i)
+        least[i] = std::max(least[i], glm::dot(directions_[i], centre) - radius_);
+    });
+    parts.combine_each([&](const std::vector<double>& part) {
+      for (std::size_t i = 0; i < part.size(); ++i) leastReach_[i] = std::max(leastReach_[i], part[i]);
+    });
+  }
+
+  glm::dvec3 centreOf(std::size_t block) const {
     const glm::ivec3 low = Extent3{blocks_.dims()}.at(block) * blocks_.blockCells();
+    return world_ * glm::dvec4(glm::dvec3(low + low + blocks_.blockCells()) * 0.5, 1.0);
+  }
+
+  void addBlock(const Surface& surface, std::size_t block, std::size_t every) {
     Extremes& extremes = extremes_.local();
-    const glm::dvec3 centre(world_ * glm::dvec4(glm::dvec3(low + low + blocks_.blockCells()) * 0.5, 1.0));
+    const glm::dvec3 centre = centreOf(block);
     std::vector<std::size_t> open;  // directions in which this block may be the farthest
     for (std::size_t i = 0; i < extremes.size(); ++i)
-      if (glm::dot(outlineDirections()[i], centre) + radius_ >= extremes[i].reach) open.push_back(i);
+      if (glm::dot(directions_[i], centre) + radius_ >= std::max(extremes[i].reach, leastReach_[i]))
+        open.push_back(i);
     if (open.empty() && every == 0) return;
-    std::size_t found = block;  // not the same of each block's
-    eachCrossing(volume_, surface, inside_, block, [&](glm::ivec3 voxel, glm::dvec3 crossing) {
+    const bool samplesAlone = open.empty() && !cut_.cuts();
+    std::size_t found = block, asked = block;  // not the same of each block's
+    const auto isWanted = [&] { return !samplesAlone || asked++ % every == 0; };
+    eachCrossing(volume_, surface, inside_, block, isWanted, [&](glm::ivec3 voxel, glm::dvec3 crossing) {
       const glm::dvec3 point(world_ * glm::dvec4(crossing, 1.0));
       if (!cut_.keeps(surface.isovalue, crossing)) return;
       const std::size_t number = grid_.index(voxel);
-      for (const std::size_t i : open)
-        extremes[i].take({glm::dot(outlineDirections()[i], point), number, point});
-      if (every == 0 || found++ % every != 0) return;
+      for (const std::size_t i : open) extremes[i].take({glm::dot(directions_[i], point), number, point});
+      if (!samplesAlone && (every == 0 || found++ % every != 0)) return;
       const glm::dvec3 gradient = gradientAt(grid_, worldOfGradient_, voxel);
       const double length = glm::length(gradient);
       const bool rises = (inside_ == scene::Inside::above) == (grid_.slope() > 0.0);
@@ -161,6 +188,8 @@ class OutlineSearch {
   glm::dmat4 world_;
   glm::dmat3 worldOfGradient_;
   double radius_ = 0.0;  // of a block, mm
+  const std::vector<glm::dvec3>& directions_ = outlineDirections();
+  std::vector<double> leastReach_;  // of the surface, in each direction
   tbb::combinable<Extremes> extremes_;
   std::vector<std::vector<OutlineSample>> samples_;  // of each block
 };

@@ -108,6 +108,15 @@ BoxBounds::BoxBounds(const Grid& grid, const MinMaxBlocks& blocks, base::Progres
   grid.visit([&](const auto& voxels) { fill(voxels, rangeOf(grid), grid.dims(), 0, progress, known); });
 }
 
+BoxBounds::BoxBounds(const BoxBounds& before, const Grid& grid, const MinMaxBlocks& blocks,
+                     std::span<const std::uint8_t> changed, base::Progress& progress)
+    : BoxBounds(grid.dims()) {
+  assert(changed.size() == blocks.count() && grid.missingCount() == 0);
+  grid.visit([&](const auto& voxels) {
+    fill(voxels, rangeOf(grid), grid.dims(), 0, progress, &blocks, &before, changed);
+  });
+}
+
 BoxBounds BoxBounds::ofCubic(const Grid& grid, const Coefficients* coefficients, base::Progress& progress) {
   BoxBounds result(grid.dims());
   const Range range = coefficients ? Range{coefficients->least, coefficients->most} : rangeOf(grid);
@@ -126,7 +135,8 @@ BoxBounds BoxBounds::ofPart(const VoxelArray& voxels, glm::ivec3 dims, const Gri
 
 template <class T>
 void BoxBounds::fill(const std::vector<T>& voxels, const Range& range, glm::ivec3 voxelDims, int apron,
-                     base::Progress& progress, const MinMaxBlocks* known) {
+                     base::Progress& progress, const MinMaxBlocks* known, const BoxBounds* before,
+                     std::span<const std::uint8_t> changed) {
   place(known, progress);
   origin_ = static_cast<double>(range.low);
   const double extent = static_cast<double>(range.high) - origin_;
@@ -145,11 +155,17 @@ void BoxBounds::fill(const std::vector<T>& voxels, const Range& range, glm::ivec
     return static_cast<std::uint16_t>(std::clamp(up ? std::ceil(q) : std::floor(q), 0.0, kSteps));
   };
   const Extent3 blocks{dims_};
+  const bool sameSteps = before && before->origin_ == origin_ && before->scale_ == scale_;
   parallelSteps(blocks.rows(), progress, {}, [&](std::size_t row) {
     glm::ivec3 block = blocks.firstOfRow(row);
     for (; block.x < dims_.x; ++block.x) {
-      const std::uint32_t place = places_[blocks.index(block)];
+      const std::size_t index = blocks.index(block);
+      const std::uint32_t place = places_[index];
       if (place == kNoPlace) continue;
+      if (sameSteps && changed[index] == 0) {
+        bounds_[place] = before->bounds_[before->places_[index]];
+        continue;
+      }
       const auto boxes = BlockScan<T>(voxels, voxelDims, block * kBlockCells, apron).boxes();
       Bounds& bounds = bounds_[place];
       for (int i = 0; i < kBoxesPerBlock; ++i) {

@@ -26,6 +26,9 @@ class BoxBounds {
   // Of the trilinear field. `blocks`: those of the grid, of kBlockCells cells. Multithreaded; 256 bytes for
   // each block, but constant ones; throws Error: memory, before these are made; interrupted.
   BoxBounds(const Grid& grid, const MinMaxBlocks& blocks, base::Progress& progress);
+  // The same where those of a grid are known that differs at most in the blocks whose byte is not 0.
+  BoxBounds(const BoxBounds& before, const Grid& grid, const MinMaxBlocks& blocks,
+            std::span<const std::uint8_t> changed, base::Progress& progress);
   // Of the cubic B-spline with these coefficients (without their offset), or, where they are null, of that
   // whose coefficients are the samples.
   static BoxBounds ofCubic(const Grid& grid, const Coefficients* coefficients, base::Progress& progress);
@@ -52,7 +55,8 @@ class BoxBounds {
   explicit BoxBounds(glm::ivec3 voxels);
   template <class T>
   void fill(const std::vector<T>& voxels, const volume::Bounds<float>& range, glm::ivec3 voxelDims, int apron,
-            base::Progress& progress, const MinMaxBlocks* known = nullptr);
+            base::Progress& progress, const MinMaxBlocks* known = nullptr,
+            const BoxBounds* before = nullptr, std::span<const std::uint8_t> changed = {});
 
   // Gives each block its place in bounds_, and makes room; those that `known` calls constant have none.
   void place(const MinMaxBlocks* known, const base::Progress& progress);

@@ -32,6 +32,20 @@ void blockRange(const T* voxels, glm::ivec3 dims, glm::ivec3 low, glm::ivec3 hig
 
 }  // namespace
 
+std::vector<std::uint8_t> cellBlocksIn(std::span<const std::uint8_t> ofVoxels, glm::ivec3 voxels) {
+  const Extent3 blocks{(voxels + kBlockCells - 1) / kBlockCells},
+      cells{(glm::max(voxels - 1, glm::ivec3(0)) + kBlockCells - 1) / kBlockCells};
+  assert(ofVoxels.size() == blocks.count());
+  std::vector<std::uint8_t> reach(cells.count());
+  for (std::size_t block = 0; block < ofVoxels.size(); ++block) {
+    if (ofVoxels[block] == 0) continue;
+    const glm::ivec3 at = blocks.at(block);  // whose first voxels are the last of the blocks before
+    forEachIn(glm::max(at - 1, 0), glm::min(at + 1, cells.dims),
+              [&](glm::ivec3 cell) { reach[cells.index(cell)] = 1; });
+  }
+  return reach;
+}
+
 MinMaxBlocks::MinMaxBlocks(glm::ivec3 voxels, int blockCells) : blockCells_(blockCells) {
   assert(blockCells == 4 || blockCells == 8);
   const glm::ivec3 cells = glm::max(voxels - 1, glm::ivec3(0));
@@ -48,7 +62,7 @@ MinMaxBlocks::MinMaxBlocks(const Grid& grid, int blockCells, base::Progress& pro
 MinMaxBlocks::MinMaxBlocks(const MinMaxBlocks& before, const Grid& grid,
                            std::span<const std::uint8_t> changed, base::Progress& progress)
     : MinMaxBlocks(before) {
-  assert(blockCells_ == kBlockCells && Extent3{(grid.dims() + kBlockCells - 1) / kBlockCells}.count() == changed.size());
+  assert(changed.size() == count());
   grid.visit([&](const auto& voxels) { fill(voxels, grid, 0, progress, changed); });
 }
 
@@ -63,24 +77,14 @@ template <class T>
 void MinMaxBlocks::fill(const std::vector<T>& voxels, const Grid& grid, int apron, base::Progress& progress,
                         std::span<const std::uint8_t> changed) {
   if (count() == 0) return;
-  const Extent3 ofVoxels{(grid.dims() + kBlockCells - 1) / kBlockCells};
-  // Those of its own voxels, and of the first ones behind.
-  const auto isChanged = [&](glm::ivec3 block) {
-    const glm::ivec3 last = glm::min(block + 1, ofVoxels.dims - 1);
-    for (int z = block.z; z <= last.z; ++z)
-      for (int y = block.y; y <= last.y; ++y)
-        for (int x = block.x; x <= last.x; ++x)
-          if (changed[ofVoxels.index(x, y, z)] != 0) return true;
-    return false;
-  };
   parallelSteps(Extent3{dims_}.rows(), progress, {}, [&](std::size_t row) {
     glm::ivec3 block = Extent3{dims_}.firstOfRow(row);
     for (; block.x < dims_.x; ++block.x) {
-      if (!changed.empty() && !isChanged(block)) continue;
+      const std::size_t i = index(block);
+      if (!changed.empty() && changed[i] == 0) continue;
       const glm::ivec3 first = block * blockCells_;
       const glm::ivec3 low = glm::max(first - apron, glm::ivec3(0));
       const glm::ivec3 high = glm::min(first + blockCells_ + apron, grid.dims() - 1);
-      const std::size_t i = index(block);
       blockRange(voxels.data(), grid.dims(), low, high, minimum_[i], maximum_[i]);
     }
   });

@@ -29,13 +29,16 @@ namespace isolux::volume {
 // Cells per axis of the min-max blocks; docs/records/2026-11-benchmarks.md has the measurements behind it.
 inline constexpr int kBlockCells = 8;
 
+// Returns for blocks of kBlockCells cells whether they reach into one of some blocks of as many voxels, which
+// count from voxel 0, x fastest: a byte each, not 0. `voxels`: of the volume.
+std::vector<std::uint8_t> cellBlocksIn(std::span<const std::uint8_t> ofVoxels, glm::ivec3 voxels);
+
 class MinMaxBlocks {
  public:
   // Requires `blockCells` 4 or 8. Multithreaded; throws Error{interrupted}.
   MinMaxBlocks(const Grid& grid, int blockCells, base::Progress& progress);
 
-  // The same where a grid of the same size is known, which differs at most in those blocks of kBlockCells
-  // voxels, from voxel 0 on, x fastest, whose byte is not 0. Requires 8 cells in each of `before`.
+  // The same where those of a grid are known that differs at most in the blocks whose byte is not 0.
   MinMaxBlocks(const MinMaxBlocks& before, const Grid& grid, std::span<const std::uint8_t> changed,
                base::Progress& progress);
 

@@ -140,6 +140,13 @@ TEST(ShownLabels, ALoadedLabelMapIsItsMaskField) {
     EXPECT_EQ(two->blocks->minimum(i), same->blocks->minimum(i));
     EXPECT_EQ(two->blocks->maximum(i), same->blocks->maximum(i));
   }
+  std::vector<std::uint8_t> flags;
+  std::vector<std::uint64_t> boxes, expected;
+  const float isovalue = 0.0f;
+  same->blocks->activeBlocks(isovalue, flags);
+  two->boxes->masks(std::span(&isovalue, 1), flags, boxes);
+  same->boxes->masks(std::span(&isovalue, 1), flags, expected);
+  EXPECT_EQ(boxes, expected);
   EXPECT_EQ(two->histogram.counts, same->histogram.counts);
   EXPECT_EQ(two->facts.boundsMinMm, same->facts.boundsMinMm);
   EXPECT_EQ(two->facts.outlineMm, same->facts.outlineMm);

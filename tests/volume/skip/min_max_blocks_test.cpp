@@ -97,7 +97,8 @@ TEST(MinMaxBlocks, WhereLittleHasChangedTheyAreTheSame) {
     const Grid after(before.geometry(), voxels);
     std::vector<std::uint8_t> changed(voxelBlocks.count());
     changed[block] = 1;
-    const MinMaxBlocks expected(after, kBlockCells, progress), found(known, after, changed, progress);
+    const MinMaxBlocks expected(after, kBlockCells, progress),
+        found(known, after, cellBlocksIn(changed, dims), progress);
     for (std::size_t i = 0; i < expected.count(); ++i) {
       ASSERT_EQ(found.minimum(i), expected.minimum(i)) << block << ' ' << i;
       ASSERT_EQ(found.maximum(i), expected.maximum(i)) << block << ' ' << i;
