@@ -105,8 +105,8 @@ void Renderer::Parts::takeVolumes(const scene::Scene& scene) {
   if (volume && wanted.empty()) wanted = {volume};
   std::vector<std::unique_ptr<GpuVolume>> before = std::exchange(frame.volumes, {});
   for (const auto& prepared : wanted) {
-    const auto kept = std::ranges::find_if(
-        before, [&](const auto& one) { return one && one->prepared() == prepared; });
+    const auto kept =
+        std::ranges::find_if(before, [&](const auto& one) { return one && one->prepared() == prepared; });
     if (kept != before.end()) {
       frame.volumes.push_back(std::move(*kept));
       continue;
@@ -130,7 +130,8 @@ void Renderer::Parts::requireFields(const scene::Scene& scene, const FrameReques
       continue;
     }
     one->require(fields, left);
-    if (frame.isOfLabels()) left.gpuBudgetMb -= std::min(left.gpuBudgetMb, static_cast<int>(one->bytes() >> 20));
+    if (frame.isOfLabels())
+      left.gpuBudgetMb -= std::min(left.gpuBudgetMb, static_cast<int>(one->bytes() >> 20));
     // Shaders at the hits find only bricks that rays of shaders have asked for.
     if (one->bricks()) frame.onProcessor = {};
   }
@@ -163,8 +164,8 @@ void Renderer::Parts::prepare(const scene::Scene& scene, const FrameRequest& req
   requireFields(scene, request);
   frame.crossed = false;
   frame.forVolumes([&] {
-    frame.crossed = frame.crossed ||
-                    (frame.volume && frame.volume->mayCross(scene.hit.field, valuesOf(frame.volumeSurfaces())));
+    frame.crossed = frame.crossed || (frame.volume && frame.volume->mayCross(
+                                                          scene.hit.field, valuesOf(frame.volumeSurfaces())));
   });
   frame.second = volume && readsSecond(scene, request) ? volume->secondVolumes->find(scene.color) : nullptr;
   frame.readsLight = (request.color && scene::usesGi(scene)) || request.asksFor(Aov::irradiance);

@@ -36,8 +36,8 @@ bool isReady(const volume::PreparedVolume& field, const scene::Scene& scene) {
 bool labelsAreReady(const scene::Scene& scene, const volume::PreparedVolume& volume) {
   if (!volume.labelSurfaces) return true;
   const auto fields = volume.labelSurfaces->find(scene, *volume.labels);
-  return fields && std::ranges::all_of(
-                       *fields, [&](const auto& field) { return !field || isReady(*field, scene); });
+  return fields &&
+         std::ranges::all_of(*fields, [&](const auto& field) { return !field || isReady(*field, scene); });
 }
 
 // Until they are: those that are there, or one surface of all labels.
@@ -51,9 +51,8 @@ void leaveOutUnready(scene::Scene& scene, const volume::PreparedVolume& volume) 
   }
   if (any) return;
   scene.surfaces.resize(1);
-  scene.surfaces.front() = {.id = scene.surfaces.front().id,
-                            .value = 0.0,
-                            .albedo = scene.surfaces.front().albedo};
+  scene.surfaces.front() = {
+      .id = scene.surfaces.front().id, .value = 0.0, .albedo = scene.surfaces.front().albedo};
 }
 
 // Deferred images read curvature, whatever the look.
@@ -104,8 +103,8 @@ bool fieldsAreReady(const scene::Scene& resolved, const volume::PreparedVolume& 
   scene::Scene scene = resolved;
   if (awaitsChoice(scene) && !volume.derivativeChoices->completeIfChosen(scene)) return false;
   const bool colored = !scene::showsSecondVolume(scene) || volume.secondVolumes->find(scene.color);
-  return colored && labelsAreReady(scene, volume) && volume.cubicFields->readyFor(scene) && restIsReady(scene, volume) &&
-         volume::hiddenIsReady(scene, *volume.pieces);
+  return colored && labelsAreReady(scene, volume) && volume.cubicFields->readyFor(scene) &&
+         restIsReady(scene, volume) && volume::hiddenIsReady(scene, *volume.pieces);
 }
 
 scene::Scene withReadyFields(scene::Scene resolved, const volume::PreparedVolume& volume,
@@ -153,8 +152,7 @@ bool needSameFields(const scene::Scene& a, const scene::Scene& b) {
     return x.labels == y.labels && x.smoothing == y.smoothing && x.shown == y.shown;
   };
   return same && sameColor && sameAtRest && std::ranges::equal(a.surfaces, b.surfaces, sameLabels) &&
-         a.pieces == b.pieces &&
-         (!measures || a.surfaces.front().value == b.surfaces.front().value);
+         a.pieces == b.pieces && (!measures || a.surfaces.front().value == b.surfaces.front().value);
 }
 
 }  // namespace isolux::app

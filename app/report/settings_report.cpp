@@ -97,8 +97,9 @@ std::string listNote(const scene::SceneList& list) {
   const std::string item = list.path + ".ID", number = list.firstHadNoNumber ? "" : "1";
   return "Settings of each " + list.noun + " (" + std::to_string(list.least) + " to " +
          std::to_string(list.most) + "). ID: a to z, 0 to 9, `_`, or the position from 1. `" + item + "." +
-         list.maker + (list.joiner.empty() ? "" : "` or `." + list.joiner) + "` of a new ID makes a " + list.noun + ", `" + item + "=none` removes it, `" +
-         list.path + ".order=a,b` orders all. Before session version 10: `" + list.former + number + ".`, `" +
+         list.maker + (list.joiner.empty() ? "" : "` or `." + list.joiner) + "` of a new ID makes a " +
+         list.noun + ", `" + item + "=none` removes it, `" + list.path +
+         ".order=a,b` orders all. Before session version 10: `" + list.former + number + ".`, `" +
          list.former + "2.`.\n\n";
 }
 

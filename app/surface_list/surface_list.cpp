@@ -68,8 +68,8 @@ std::vector<ListedSurface> listedSurfaces(const Scene& scene, const Scene& resol
     const Surface& of = scene.surfaces[i];
     // Scenes of before surfaces could be switched off hid the first by its opacity.
     const bool shown = of.shown && (i > 0 || of.opacity > 0.0);
-    const bool isOfLabels = resolved.source.kind == scene::DataKind::labels &&
-                            resolved.source.labels != scene::kLabelsAsValues;
+    const bool isOfLabels =
+        resolved.source.kind == scene::DataKind::labels && resolved.source.labels != scene::kLabelsAsValues;
     list.push_back({static_cast<int>(i), shown, of.name, resolved.surfaces[i].value.value_or(0.0), of.albedo,
                     of.opacity, of.facingOpacity, isOfLabels, of.labels});
     if (isOfLabels && of.labelColors && i < labels.size())

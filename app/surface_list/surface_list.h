@@ -1,4 +1,5 @@
-// The surfaces of a scene as one list, of isovalues or of labels, and what adding, removing and showing one makes of the scene.
+// The surfaces of a scene as one list, of isovalues or of labels, and what adding, removing and showing one
+// makes of the scene.
 #pragma once
 
 #include <optional>
@@ -27,7 +28,8 @@ struct ListedSurface {
   bool operator==(const ListedSurface&) const = default;
 };
 
-// All surfaces. `resolved`: the same scene. `volume`: whose labels' colours are those of surfaces; null: none.
+// All surfaces. `resolved`: the same scene. `volume`: whose labels' colours are those of surfaces; null:
+// none.
 std::vector<ListedSurface> listedSurfaces(const scene::Scene& scene, const scene::Scene& resolved,
                                           const volume::PreparedVolume* volume);
 

@@ -65,11 +65,11 @@ inline constexpr const char *activeBlocks = "active blocks", *segments = "ray se
 struct VolumeState {
   VolumeState(std::uint64_t hashOfVoxels = 0, std::uint64_t copiesMade = 0)  // NOLINT: a hash is a volume
       : hash(hashOfVoxels), made(copiesMade) {}
-  std::uint64_t hash;        // of the voxels and their position; 0: none
-  std::uint64_t made;        // differs between any two GpuVolumes of one renderer
-  std::uint64_t second = 0;  // hash of the volume that colours the surface; 0: none
-  bool crossed = true;       // false: no cell contains a shown isovalue
-  std::uint64_t hidden = 0;  // volume::keyOf() of hidden components; 0: all are shown
+  std::uint64_t hash;           // of the voxels and their position; 0: none
+  std::uint64_t made;           // differs between any two GpuVolumes of one renderer
+  std::uint64_t second = 0;     // hash of the volume that colours the surface; 0: none
+  bool crossed = true;          // false: no cell contains a shown isovalue
+  std::uint64_t hidden = 0;     // volume::keyOf() of hidden components; 0: all are shown
   bool hasLabels = false;       // its surfaces are of labels
   std::size_t labelFields = 0;  // surfaces of labels that have a field each; 0: all are of the volume
 };

@@ -34,7 +34,8 @@ bool hessianIsRead(const Asked& asked) {
 void drawDerivatives(FrameState& frame, Target& target, double scaleMm, bool hessian) {
   const FieldAt field{frame.scene->derivatives.field, scaleMm};
   // In bricks, what was drawn in an earlier round of the frame stays.
-  if (frame.empty() || frame.isOfLabels() || (frame.bricks() && !frame.keepHits)) frame.clear(target, {kZero});
+  if (frame.empty() || frame.isOfLabels() || (frame.bricks() && !frame.keepHits))
+    frame.clear(target, {kZero});
   if (frame.empty()) return;
   std::string defines = frame.volumeDefines() + (hessian ? "#define HESSIAN\n" : "");
   if (scaleMm > 0.0)

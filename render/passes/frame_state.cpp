@@ -41,9 +41,8 @@ int bitsOf(std::span<const Surface> surfaces, const Holds& holds) {
 std::vector<Surface> surfacesOf(const scene::Scene& scene) {
   std::vector<Surface> surfaces;
   for (const auto& s : scene::visibleSurfaces(scene))
-    surfaces.push_back(
-        {s.value.value(), s.albedo, s.opacity, s.facingOpacity, s.clipped, s.specular, s.roughness,
-         s.labelColors});
+    surfaces.push_back({s.value.value(), s.albedo, s.opacity, s.facingOpacity, s.clipped, s.specular,
+                        s.roughness, s.labelColors});
   if (scene.isosurface.albedoSource == scene::AlbedoSource::map) {
     const scene::AlbedoOfIsovalue albedo(scene);
     for (Surface& surface : surfaces) surface.albedo = albedo.at(surface.value);

@@ -51,8 +51,8 @@ std::vector<Surface> surfacesOf(const scene::Scene& scene);
 
 std::vector<double> valuesOf(std::span<const Surface> surfaces);
 
-// One cast follows a group of up to so many isosurfaces of one volume, in their order. Surfaces of labels that
-// have a field each are a group each.
+// One cast follows a group of up to so many isosurfaces of one volume, in their order. Surfaces of labels
+// that have a field each are a group each.
 inline constexpr std::size_t kGroupSurfaces = volume::HitInfo::kSurfaces;
 // Returns the length of arrays with a number for each of so many surfaces: a multiple of kGroupSurfaces.
 std::size_t placesOf(std::size_t surfaces);
@@ -85,11 +85,11 @@ struct FrameState {
   FrameRequest request;
   std::optional<ViewUniforms> view;
   std::vector<Surface> surfaces;
-  volume::SurfaceCut cut;                              // of the surfaces
-  std::optional<CutFaceImage> cutFaces;                // of the cut faces pass
-  std::unique_ptr<CutFaceColors> cutFaceColors;        // null: no cap is shown
-  Texture cutColors;                                   // of the caps
-  const volume::PreparedVolume* prepared = nullptr;    // during render() only; null: nothing is loaded
+  volume::SurfaceCut cut;                            // of the surfaces
+  std::optional<CutFaceImage> cutFaces;              // of the cut faces pass
+  std::unique_ptr<CutFaceColors> cutFaceColors;      // null: no cap is shown
+  Texture cutColors;                                 // of the caps
+  const volume::PreparedVolume* prepared = nullptr;  // during render() only; null: nothing is loaded
   // Whose the surfaces are: the volume, or of labels a field for each surface. Empty: nothing is loaded.
   std::vector<std::unique_ptr<GpuVolume>> volumes;
   std::shared_ptr<const volume::PreparedVolume> lit;   // in which light is stored
@@ -185,12 +185,12 @@ struct FrameState {
   // Returns null if the rays of this frame traverse no bricks.
   Bricks* bricks() { return volume && !onProcessor.all ? volume->bricks() : nullptr; }
   bool crossed = true;  // VolumeState::crossed
+  // No ray can hit anything, or a surface of the group.
   bool empty() const {
-    return !volume || !crossed || std::ranges::all_of(volumes, [](const auto& one) {
-      return one->activeBlocks() == 0;
-    });
-  }  // no ray can hit anything
-  bool groupIsEmpty() const { return empty() || volume->activeBlocks() == 0; }  // of the group
+    return !volume || !crossed ||
+           std::ranges::all_of(volumes, [](const auto& one) { return one->activeBlocks() == 0; });
+  }
+  bool groupIsEmpty() const { return empty() || volume->activeBlocks() == 0; }
   double outward() const {
     return scene->isosurface.inside == scene::Inside::above ? -1.0 : 1.0;
   }  // times gradient

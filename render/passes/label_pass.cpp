@@ -26,9 +26,9 @@ struct LabelsOfSurface {
   LabelsOfSurface(std::shared_ptr<const volume::ShownLabels> of, const Surface& surface)
       : labels(std::move(of)) {
     for (const int label : labels->mask.labels)
-      colors[label] = glm::vec4(surface.labelColors ? volume::labelColor(labels->table.get(), label)
-                                                    : glm::vec3(surface.albedo),
-                                static_cast<float>(label));
+      colors[label] = glm::vec4(
+          surface.labelColors ? volume::labelColor(labels->table.get(), label) : glm::vec3(surface.albedo),
+          static_cast<float>(label));
   }
   glm::vec4 at(const glm::dvec3& voxel) const {
     const std::optional<int> label = volume::labelAt(*labels, voxel);

@@ -18,8 +18,8 @@ PiecesOfSurfaces piecesOf(const FrameState& frame) {
   const std::stop_callback stop(frame.request.stop, [&progress] { progress.requestStop(); });
   PiecesOfSurfaces pieces;
   for (std::size_t i = 0; i < frame.surfaces.size(); ++i)
-    pieces.push_back(frame.volumeOf(i).prepared()->pieces->at(
-        frame.surfaces[i].value, frame.scene->isosurface.inside, progress));
+    pieces.push_back(frame.volumeOf(i).prepared()->pieces->at(frame.surfaces[i].value,
+                                                              frame.scene->isosurface.inside, progress));
   return pieces;
 }
 

@@ -72,8 +72,7 @@ void derive(const GpuVolume& volume, const FieldAt& field, const std::vector<glm
   const volume::ScaledField* const scaled = volume.scaled(field);
   const volume::DerivedField of{scaled ? nullptr : volume.coefficients(field.field), scaled,
                                 field.field == scene::Field::trilinear};
-  volume::surfaceDerivatives(volume.grid(), of, points, area, out, volume::TracerTarget::automatic,
-                             stop);
+  volume::surfaceDerivatives(volume.grid(), of, points, area, out, volume::TracerTarget::automatic, stop);
 }
 
 volume::SurfaceCaster casterOf(const FrameState& frame) {
@@ -424,10 +423,10 @@ void edgesOnProcessor(FrameState& frame, Target& target, const FieldAt& field,
   volume::PictureArea changed = area;
   images.edges.resize(images.crossings.points.size(), {kNoEdge, 0.0f});
   if (images.edgesArea.size() == area.size()) changed.add(images.edgesArea);
-  atHitsOfVolumes<glm::vec2>(
-      frame, images.crossings, {&images.edges}, [&](const std::vector<glm::vec4>& points) {
-        findEdges(frame, field, search, points, changed, images.edges);
-      });
+  atHitsOfVolumes<glm::vec2>(frame, images.crossings, {&images.edges},
+                             [&](const std::vector<glm::vec4>& points) {
+                               findEdges(frame, field, search, points, changed, images.edges);
+                             });
   const bool stopped = frame.request.stop.stop_requested();
   target.drawn.add(area);
   upload(target.images[0], target.drawn, images.edges);

@@ -6697,8 +6697,8 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
         <translation>Schaltet die Lichtquelle ein.</translation>
     </message>
     <message>
-        <source>Labels of a label map that this surface encloses, apart from the others: numbers, ranges and names, as in source.labels. The first surface without any has all that no other one names. Assigning it to a new ID makes a surface.</source>
-        <translation>Labels einer Segmentierung, die diese Fläche für sich umschließt: Zahlen, Bereiche und Namen wie in source.labels. Die erste Fläche ohne Angabe hat alle, die keine andere nennt. Einer neuen ID zugewiesen, legt es eine Fläche an.</translation>
+        <source>Labels of a label map that this surface encloses, as in source.labels; the first surface without any encloses all that no other names. Assigning it to a new ID makes a surface.</source>
+        <translation>Labels einer Segmentierung, die diese Fläche umschließt, wie in source.labels; die erste Fläche ohne Angabe umschließt alle, die keine andere nennt. Einer neuen ID zugewiesen, legt es eine Fläche an.</translation>
     </message>
     <message>
         <source>Smoothing of this surface of labels, as in source.smoothing; auto is that.</source>
@@ -8924,6 +8924,10 @@ Speicher, Threads und Tempo bei Bewegung stehen unter Bearbeiten &gt; Programmei
     <message>
         <source>smoothing</source>
         <translation>Glättung</translation>
+    </message>
+    <message>
+        <source>Label colors</source>
+        <translation>Farben der Labels</translation>
     </message>
     <message>
         <source>label colours</source>

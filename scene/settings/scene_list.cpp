@@ -116,9 +116,8 @@ SceneList makeSurfaces() {
       "histogram's next suggestion outside the first, or inside if there is none. Assigning it to a new "
       "ID makes a surface.");
   fields.add(group + "labels", ISOLUX_MEMBER(labels),
-             "Labels of a label map that this surface encloses, apart from the others: numbers, ranges and "
-             "names, as in source.labels. The first surface without any has all that no other one names. "
-             "Assigning it to a new ID makes a surface.");
+             "Labels of a label map that this surface encloses, as in source.labels; the first surface "
+             "without any encloses all that no other names. Assigning it to a new ID makes a surface.");
   fields.add(group + "smoothing", ISOLUX_MEMBER(smoothing), {0, 2}, "voxels",
              "Smoothing of this surface of labels, as in source.smoothing; auto is that.");
   fields.add(group + "label_colors", ISOLUX_MEMBER(labelColors),

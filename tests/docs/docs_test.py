@@ -17,7 +17,7 @@ BUDGETS = {
     "docs/guide/open.md": 750, "docs/guide/surfaces.md": 750, "docs/guide/labels.md": 560, "docs/guide/looks.md": 750, "docs/guide/slices.md": 450,
     "docs/guide/clip.md": 450, "docs/guide/measure.md": 750, "docs/guide/light.md": 600, "docs/guide/compare.md": 350,
     "docs/guide/export.md": 800, "docs/guide/accuracy.md": 600, "docs/guide/sessions.md": 550, "docs/guide/large-data.md": 450,
-    "docs/guide/window.md": 350, "docs/reference/settings.md": 4500, "docs/reference/commands.md": 2800,
+    "docs/guide/window.md": 350, "docs/reference/settings.md": 4600, "docs/reference/commands.md": 2800,
     "docs/reference/outputs.md": 1400, "docs/reference/formats.md": 780, "docs/reference/keys.md": 400,
     "docs/reference/file-formats-isolux.md": 700, "docs/reference/python.md": 800, "docs/reference/glossary.md": 800,
     "docs/reference/troubleshooting.md": 800, "docs/reference/cite.md": 80, "docs/explanation/trust.md": 500,
@@ -32,7 +32,7 @@ BUDGETS = {
     "docs/records/2026-11-derivative-scales.md": 500, "docs/records/2026-11-paper-tables.md": 900,
     "docs/records/tried-and-not-kept.md": 400, "docs/records/2026-11-build-time.md": 200,
 }
-MOST_WORDS = 46500  # of all pages together
+MOST_WORDS = 46700  # of all pages together
 
 # Words that the writing guide replaces, in text for users.
 REPLACED = [r"\bas ever\b", r"\bheeds?\b", r"\bof its own\b", r"\bof one's own\b", r"\bfor want of\b", r"\bwhich one is taken\b",

@@ -49,7 +49,7 @@ LabelsPanel::LabelsPanel(QWidget* parent)
       only_(addButton(tr("Show only"), tr("Hide all but the selected labels"))),
       all_(addButton(tr("Show all"), tr("Show all labels but 0"))),
       apart_(addButton(tr("Own surface"), tr("Give the selected labels a surface of their own, with its own "
-                                            "opacity and colour"))),
+                                             "opacity and colour"))),
       surfaces_(new SurfaceList(this)),
       surfaceScroll_(new QScrollArea(this)),
       smoothing_(new SettingEditor(scene::setting("source.smoothing"), this)) {

@@ -103,7 +103,8 @@ bool SurfaceList::eventFilter(QObject* object, QEvent* event) {
     if (key != Qt::Key_Up && key != Qt::Key_Down) return false;
     const int to = from + (key == Qt::Key_Down ? 1 : -1);
     move(from, to);
-    if (to >= 0 && to < static_cast<int>(rows_.size())) rows_[static_cast<std::size_t>(to)].handle->setFocus();
+    if (to >= 0 && to < static_cast<int>(rows_.size()))
+      rows_[static_cast<std::size_t>(to)].handle->setFocus();
     return true;
   }
   if (event->type() != QEvent::MouseMove && event->type() != QEvent::MouseButtonRelease) return false;
@@ -203,11 +204,10 @@ void SurfaceList::connectRow(const Row& row) {
          [&](scene::Scene& scene) { scene = app::withSurfaceShown(scene, *volume_, number, on); });
   });
   connect(row.colour, &ColorButton::chosen, this, [this, number, key](glm::dvec3 linear) {
-    send(tr("Colour of isosurface"), key + "colour", true,
-         [&](scene::Scene& scene) {
-           scene.surfaces.at(number).albedo = linear;
-           scene.surfaces.at(number).labelColors = false;
-         });
+    send(tr("Colour of isosurface"), key + "colour", true, [&](scene::Scene& scene) {
+      scene.surfaces.at(number).albedo = linear;
+      scene.surfaces.at(number).labelColors = false;
+    });
   });
   connect(row.name, &QLineEdit::editingFinished, this, [this, number, name = row.name] {
     send(tr("Rename isosurface"), {}, false,

@@ -5,9 +5,9 @@
 namespace isolux::volume {
 
 // surface in its group + 4 * (sides behind the crossing, a bit for each surface of the group) + 64 if a root
-// was not isolated + 128 if the ray waits for a brick + 256 * group, below 64, + 16384 if it leaves a solid where the ray enters
-// another that touches it: it is not drawn (resources/shaders/cast/merge.frag.glsl). Up to 2048, half floats
-// hold it exactly.
+// was not isolated + 128 if the ray waits for a brick + 256 * group, below 64, + 16384 if it leaves a solid
+// where the ray enters another that touches it: it is not drawn (resources/shaders/cast/merge.frag.glsl). Up
+// to 2048, half floats hold it exactly.
 struct HitInfo {
   static constexpr int kSurfaces = 4, kJoined = 16384;  // surfaces in a group
   int bits = 0;

@@ -98,7 +98,8 @@ constexpr const char* kRegions[] = {"bankssts",
                                     "transversetemporal",
                                     "insula"};
 
-constexpr Structure kHemispheres[] = {{1000, "ctx-lh-"}, {2000, "ctx-rh-"}, {3000, "wm-lh-"}, {4000, "wm-rh-"}};
+constexpr Structure kHemispheres[] = {
+    {1000, "ctx-lh-"}, {2000, "ctx-rh-"}, {3000, "wm-lh-"}, {4000, "wm-rh-"}};
 
 }  // namespace
 

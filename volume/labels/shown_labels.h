@@ -30,8 +30,8 @@ struct ShownLabels {
 scene::Source withLabelsAsValues(scene::Source source);
 
 // Returns the labels that a text names, ascending: numbers, ranges and names, "2,4-7,liver", without regard
-// to case; "" all but 0. Throws Error of kind usage with `path`, the setting of the text, if it names none, or
-// one that the volume does not have.
+// to case; "" all but 0. Throws Error of kind usage with `path`, the setting of the text, if it names none,
+// or one that the volume does not have.
 std::vector<int> labelsNamed(const std::string& text, const LabelBlocks& blocks, const LabelTable* table,
                              const std::string& path = "source.labels");
 

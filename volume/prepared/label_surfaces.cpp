@@ -29,8 +29,8 @@ std::vector<std::vector<int>> labelsOfSurfaces(const scene::Scene& scene, const 
   for (const scene::Surface& surface : scene.surfaces) {
     std::vector<int>& labels = own.emplace_back();
     if (surface.labels.empty()) continue;
-    const std::vector<int> named = labelsNamed(surface.labels, *shown.blocks, shown.table.get(),
-                                               "surfaces." + surface.id + ".labels");
+    const std::vector<int> named =
+        labelsNamed(surface.labels, *shown.blocks, shown.table.get(), "surfaces." + surface.id + ".labels");
     std::ranges::set_intersection(named, left, std::back_inserter(labels));
     left = without(left, labels);
   }
@@ -70,12 +70,13 @@ std::optional<LabelSurfaces::Fields> LabelSurfaces::find(const scene::Scene& res
   return fields;
 }
 
-LabelSurfaces::Fields LabelSurfaces::findEach(const scene::Scene& resolved, const ShownLabels& shown) const try {
+LabelSurfaces::Fields LabelSurfaces::findEach(const scene::Scene& resolved, const ShownLabels& shown) const
+    try {
   const std::vector<std::vector<int>> labels = labelsOfSurfaces(resolved, shown);
   Fields fields(labels.size());
   for (std::size_t i = 0; i < labels.size(); ++i)
-    fields[i] =
-        kept_.find({labels[i], resolved.surfaces[i].smoothing.value_or(shown.mask.smoothing)}).value_or(nullptr);
+    fields[i] = kept_.find({labels[i], resolved.surfaces[i].smoothing.value_or(shown.mask.smoothing)})
+                    .value_or(nullptr);
   return fields;
 } catch (const base::Error&) {  // make() says why
   return Fields(resolved.surfaces.size());

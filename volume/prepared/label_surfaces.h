@@ -1,5 +1,5 @@
-// Makes the mask fields of the surfaces of a scene that show labels of their own (scene::Surface::labels): one
-// for each, since surfaces behind one another need all their sides.
+// Makes the mask fields of the surfaces of a scene that show labels of their own (scene::Surface::labels):
+// one for each, since surfaces behind one another need all their sides.
 //
 // Where one surface shows all labels, it is that of PreparedVolume itself. All members may be called from any
 // thread; nobody waits for another's work.
@@ -42,8 +42,8 @@ class LabelSurfaces {
   // Throws Error: usage, interrupted, memory.
   Fields make(const scene::Scene& resolved, const ShownLabels& shown, base::Progress& progress) const;
 
-  // The field of all labels of opaque surfaces, or of visible ones if none is opaque: light is traced past the
-  // rest. Null: those that `shown` shows. Throws as make().
+  // The field of all labels of opaque surfaces, or of visible ones if none is opaque: light is traced past
+  // the rest. Null: those that `shown` shows. Throws as make().
   std::shared_ptr<const PreparedVolume> litField(const scene::Scene& resolved, const ShownLabels& shown,
                                                  base::Progress& progress) const;
 

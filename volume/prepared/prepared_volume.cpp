@@ -332,10 +332,9 @@ std::shared_ptr<PreparedVolume> prepareGrid(Volume volume, std::optional<Histogr
                        : std::make_shared<MinMaxBlocks>(*volume.grid, kBlockCells, progress);
   const std::shared_ptr<PreparedVolume> prepared = withBlocks(std::move(volume), std::move(blocks));
   progress.report(0.3, "building blocks");
-  prepared->boxes =
-      before ? std::make_shared<BoxBounds>(*before->boxes, prepared->grid(), *prepared->blocks, changed,
-                                           progress)
-             : std::make_shared<BoxBounds>(prepared->grid(), *prepared->blocks, progress);
+  prepared->boxes = before ? std::make_shared<BoxBounds>(*before->boxes, prepared->grid(), *prepared->blocks,
+                                                         changed, progress)
+                           : std::make_shared<BoxBounds>(prepared->grid(), *prepared->blocks, progress);
   progress.report(0.7, "counting values");
   const Grid& grid = prepared->grid();
   if (!histogram) histogram = makeHistogram(grid, 512, progress);
@@ -359,7 +358,8 @@ Histogram histogramOf(const ShownLabels& labels) {
   return {-1.0, 1.0, {labels.grid().geometry().voxelCount() - inside, inside}, {}};
 }
 
-// Of a label map in whole: the surface of the labels that the source names. `before`: of the same map, or null.
+// Of a label map in whole: the surface of the labels that the source names. `before`: of the same map, or
+// null.
 std::shared_ptr<PreparedVolume> prepareLabels(Volume asRead, std::shared_ptr<const ShownLabels> labels,
                                               const PreparedVolume* before, base::Progress& progress) {
   Volume masked = asRead;
@@ -367,8 +367,8 @@ std::shared_ptr<PreparedVolume> prepareLabels(Volume asRead, std::shared_ptr<con
   const bool isKnown = before && !labels->mask.changed.empty();
   std::vector<std::uint8_t> changed;
   if (isKnown) changed = cellBlocksIn(labels->mask.changed, labels->grid().dims());
-  std::shared_ptr<PreparedVolume> prepared = prepareGrid(std::move(masked), histogramOf(*labels),
-                                                         isKnown ? before : nullptr, changed, progress);
+  std::shared_ptr<PreparedVolume> prepared =
+      prepareGrid(std::move(masked), histogramOf(*labels), isKnown ? before : nullptr, changed, progress);
   prepared->facts.labelAlbedo = meanColor(*labels, labels->mask.labels);
   prepared->labelSurfaces =
       before ? before->labelSurfaces : std::make_shared<LabelSurfaces>(asRead, labels->blocks, labels->table);

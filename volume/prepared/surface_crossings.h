@@ -128,7 +128,8 @@ void eachCrossing(const PreparedVolume& volume, const Surface& surface, scene::I
 template <class Each>
 void eachCrossing(const PreparedVolume& volume, const Surface& surface, scene::Inside inside,
                   std::size_t block, const Each& each) {
-  eachCrossing(volume, surface, inside, block, [] { return true; }, each);
+  eachCrossing(
+      volume, surface, inside, block, [] { return true; }, each);
 }
 
 }  // namespace isolux::volume

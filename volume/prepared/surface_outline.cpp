@@ -140,7 +140,8 @@ class OutlineSearch {
     parallelEach(static_cast<int>(active.size()), [&](int index) {
       const auto block = static_cast<std::size_t>(index);
       const double low = static_cast<double>(blocks_.minimum(block));
-      if (!active[block] || !(low < isovalue) || static_cast<double>(blocks_.maximum(block)) < isovalue) return;
+      if (!active[block] || !(low < isovalue) || static_cast<double>(blocks_.maximum(block)) < isovalue)
+        return;
       std::vector<double>& least = parts.local();
       const glm::dvec3 centre = centreOf(block);
       for (std::size_t i = 0; i < least.size(); ++i)

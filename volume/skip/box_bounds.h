@@ -55,8 +55,8 @@ class BoxBounds {
   explicit BoxBounds(glm::ivec3 voxels);
   template <class T>
   void fill(const std::vector<T>& voxels, const volume::Bounds<float>& range, glm::ivec3 voxelDims, int apron,
-            base::Progress& progress, const MinMaxBlocks* known = nullptr,
-            const BoxBounds* before = nullptr, std::span<const std::uint8_t> changed = {});
+            base::Progress& progress, const MinMaxBlocks* known = nullptr, const BoxBounds* before = nullptr,
+            std::span<const std::uint8_t> changed = {});
 
   // Gives each block its place in bounds_, and makes room; those that `known` calls constant have none.
   void place(const MinMaxBlocks* known, const base::Progress& progress);

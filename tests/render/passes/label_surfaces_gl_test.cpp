@@ -1,5 +1,5 @@
-// Surfaces that show labels of their own: a field each, cast one after another, against a reference that sorts
-// their crossings by depth.
+// Surfaces that show labels of their own: a field each, cast one after another, against a reference that
+// sorts their crossings by depth.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -22,10 +22,10 @@ constexpr int kLabelVoxels = 40;
 // A large ball of label 5 that holds two that touch, 1 and 2, and is touched by 3 from outside; 4 is apart.
 volume::Grid nestedLabels() {
   return gridOfLabels(glm::ivec3(kLabelVoxels), {{{14.0, 20.0, 19.0}, 5.5},
-                                            {{24.0, 19.0, 21.0}, 5.0},
-                                            {{20.0, 34.0, 20.0}, 4.5},
-                                            {{35.0, 34.0, 33.0}, 3.5},
-                                            {{19.5, 18.5, 20.0}, 13.5}});
+                                                 {{24.0, 19.0, 21.0}, 5.0},
+                                                 {{20.0, 34.0, 20.0}, 4.5},
+                                                 {{35.0, 34.0, 33.0}, 3.5},
+                                                 {{19.5, 18.5, 20.0}, 13.5}});
 }
 
 scene::Surface& labelSurface(scene::Scene& scene, std::size_t at, const char* labels, double opacity) {
@@ -108,9 +108,8 @@ class SortedSolids {
     const volume::PreparedVolume& field = *fields_[i];
     ray.tMaximum = end;
     for (ray.tMinimum = begin; ray.tMinimum < end;) {
-      const auto found =
-          volume::firstHitOfField(field.grid(), scene::Field::trilinear, nullptr, *field.blocks, 0.0, ray,
-                                  volume::hiddenAt(hidden_[i], 0.0));
+      const auto found = volume::firstHitOfField(field.grid(), scene::Field::trilinear, nullptr,
+                                                 *field.blocks, 0.0, ray, volume::hiddenAt(hidden_[i], 0.0));
       if (!found.hit) return;
       const glm::dvec3 behind = ray.origin + (found.hit->t + 1e-4) * ray.direction;
       crossings.push_back({found.hit->t, i, volume::sampleTrilinear(field.grid(), behind).value >= 0.0});
@@ -235,7 +234,8 @@ TEST_P(LabelSurfacesGlTest, NeighboursHaveOneSkinBetweenThem) {
   std::vector<std::uint8_t> voxels(24 * 24 * 24);
   for (std::size_t i = 0; i < voxels.size(); ++i) {
     const glm::ivec3 at = volume::Extent3{glm::ivec3(24)}.at(i);
-    const bool inside = glm::all(glm::greaterThan(at, glm::ivec3(4))) && glm::all(glm::lessThan(at, glm::ivec3(19)));
+    const bool inside =
+        glm::all(glm::greaterThan(at, glm::ivec3(4))) && glm::all(glm::lessThan(at, glm::ivec3(19)));
     if (inside) voxels[i] = at.x < 12 ? 1 : 2;
   }
   volume_ = loadedLabels(volume::Grid(unitGeometry(glm::ivec3(24)), std::move(voxels)));

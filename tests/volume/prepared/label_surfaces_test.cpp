@@ -46,7 +46,8 @@ TEST_F(LabelSurfacesTest, ALabelIsOfTheFirstThatNamesItElseOfTheFirstThatNamesNo
   EXPECT_EQ(of({"", "", "3"}), (Labels{{1, 2}, {}, {3}}));
   EXPECT_EQ(of({"2"}), (Labels{{2}}));
   const auto some = loadedLabels(threeLabels(), "1,3");
-  EXPECT_EQ(volume::labelsOfSurfaces(with({"", "2,3"}), *some->labels), (Labels{{1}, {3}})) << "of those shown";
+  EXPECT_EQ(volume::labelsOfSurfaces(with({"", "2,3"}), *some->labels), (Labels{{1}, {3}}))
+      << "of those shown";
 }
 
 TEST_F(LabelSurfacesTest, AnUnknownLabelIsRefusedWithTheSurfacesPath) {
