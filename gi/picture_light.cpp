@@ -52,6 +52,7 @@ PictureLight makePictureLight(const scene::Scene& resolved, const LightScene& li
   const glm::dvec3 mean = light.environment->mean();
 
   PictureLight result;
+  result.grid = light.volume->volume.grid;
   result.samplesWanted = static_cast<std::uint32_t>(resolved.gi.samples);
   result.skyScale = glm::vec3(exposure * (light.choice.unitSky ? mean : glm::dvec3(1.0)));
   if (light.choice.sky == scene::GiMode::transfer) {

@@ -37,7 +37,8 @@ struct StoredSide {
   bool operator==(const StoredSide&) const = default;
 };
 
-struct PictureLight : StoredSide {  // the base: of the front faces
+struct PictureLight : StoredSide {           // the base: of the front faces
+  std::shared_ptr<const volume::Grid> grid;  // that it is baked in; null: that of the volume drawn
   StoredSide inner;  // of the back faces, with the same geometry and contents, once any is visible
   std::uint32_t samplesWanted = 100;
   glm::vec3 skyScale{1.0f};  // E = skyScale * stored: exposure, and the colour of a unit sky

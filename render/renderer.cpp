@@ -116,7 +116,6 @@ void Renderer::Parts::takeVolumes(const scene::Scene& scene) {
   }
   for (const auto& one : frame.volumes)
     one->setHidden(volume::hiddenOf(scene, *one->prepared()->pieces, unwatched));
-  frame.lit = scene::usesGi(scene) ? volume::litVolume(volume, scene, unwatched) : volume;
   frame.takeGroup(0);
 }
 

@@ -60,8 +60,8 @@ struct Surface {
   // Uncertainty surfaces: the same surface at its isovalue plus and minus this many standard deviations σ of
   // the noise, transparent; 0: none.
   double ghost = 0.0;
-  // Of a label map: the labels that are the surface's, as Source::labels; empty: of the first such surface,
-  // all that no other one names.
+  // Names the labels of a label map that it encloses, as Source::labels does; empty: the first such surface
+  // has all that no other names.
   std::string labels{};
   std::optional<double> smoothing{};  // voxels; empty: Source::smoothing
   bool labelColors = true;            // each label has its own colour instead of the albedo

@@ -107,7 +107,7 @@ class Grid {
                               std::span<const std::uint64_t> pieces);
 
  private:
-  // What is known of kHashedBytes of voxels.
+  // Holds what is known of kHashedBytes of voxels.
   struct Piece {
     double least = std::numeric_limits<double>::infinity(), most = -least;
     std::size_t missing = 0;

@@ -90,9 +90,8 @@ struct FrameState {
   std::unique_ptr<CutFaceColors> cutFaceColors;      // null: no cap is shown
   Texture cutColors;                                 // of the caps
   const volume::PreparedVolume* prepared = nullptr;  // during render() only; null: nothing is loaded
-  // Whose the surfaces are: the volume, or of labels a field for each surface. Empty: nothing is loaded.
+  // Hold the surfaces: the volume itself, or of labels a field for each surface. Empty: nothing is loaded.
   std::vector<std::unique_ptr<GpuVolume>> volumes;
-  std::shared_ptr<const volume::PreparedVolume> lit;   // in which light is stored
   GpuVolume* volume = nullptr;                         // of the group; null: nothing is loaded
   std::shared_ptr<const volume::SecondVolume> second;  // that colours the surface; null: none
   glm::dvec2 secondRange{0.0, 1.0};                    // of its values, if automatic; set by the ranges pass

@@ -123,7 +123,8 @@ void FrameLight::prepare(FrameState& frame, std::size_t budgetBytes) {
   source.precision = frame.scene->gi.precision;
   source.isovalues = interpolation == scene::GiInterpolation::closest_isovalue;
   source.filtered = interpolation == scene::GiInterpolation::weighted;
-  if (frame.lit) source.grid = frame.lit->volume.grid;
+  if (frame.prepared) source.grid = frame.prepared->volume.grid;
+  if (frame.light && frame.light->grid) source.grid = frame.light->grid;
   if (!source.grid) source.isovalues = source.filtered = false;
   source.budgetBytes = budgetBytes;
   // A look that reads no stored light leaves what there is for the next that does; that of another volume

@@ -77,7 +77,7 @@ class SurfaceList : public QWidget {
   QFrame* place_;  // where a dragged row would go
 };
 
-// What it is called: its name, or "Isosurface 2", "Labels 4-7", "Other labels".
+// Returns what it is called: its name, or "Isosurface 2", "Labels 4-7", "Other labels".
 QString surfaceName(const app::ListedSurface& surface);
 
 }  // namespace isolux::ui

@@ -18,7 +18,7 @@ struct HitInfo {
   int surface() const { return kSurfaces * group() + inGroup(); }       // among all that are shown
   bool risesBehind() const { return (sides() >> inGroup() & 1) != 0; }  // above the isovalue
   HitInfo before() const { return {bits ^ 4 << inGroup()}; }            // with the sides before the crossing
-  // What a cast knows whose first surface is `first` among all, as it is known of all.
+  // Returns what a cast knows, whose first surface is `first` among all, as the merged images hold it.
   HitInfo amongAll(int first) const {
     const int of = first + inGroup();
     return {(bits & 192) | (of & 3) | (sides() << (first & 3) & 15) << 2 | of >> 2 << 8};

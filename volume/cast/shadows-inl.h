@@ -64,7 +64,7 @@ struct ShadowPacket {
   std::size_t pixel[kLanes] = {};  // in the image
   std::size_t count = 0;
 
-  // Of other surfaces than those traced the sides are not known.
+  // Adds a way. Of surfaces that are not traced the sides are not known.
   void add(const WayToLight& way, const ShadowRays& shadow, std::size_t at) {
     const int place = way.before.surface() - shadow.first;
     for (int axis = 0; axis < 3; ++axis) {

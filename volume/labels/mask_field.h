@@ -34,7 +34,7 @@ struct MaskField {
   std::vector<int> labels;           // of the set, ascending
   double smoothing = 0.0;            // voxels
   std::vector<std::uint16_t> thin;   // thin voxels in the set, of each block of LabelBlocks
-  // Of each block: 0 where the field is that which changedMask() was given. Empty: it was given none.
+  // Holds 0 for each block where the field is that which changedMask() was given; empty: it was given none.
   std::vector<std::uint8_t> changed{};
 
   std::size_t thinVoxels() const;

@@ -51,30 +51,34 @@ scene::Source withLabelsAsValues(scene::Source source) {
 std::vector<int> labelsNamed(const std::string& text, const LabelBlocks& blocks, const LabelTable* table,
                              const std::string& path) {
   std::vector<int> named;
-  std::vector<std::string> names;
-  for (const LabelExtent& label : blocks.list())
-    names.push_back(base::lowerCase(labelName(table, label.label)));
   const auto addWhere = [&](const auto& wanted) {
     const std::size_t before = named.size();
-    for (std::size_t i = 0; i < names.size(); ++i)
-      if (wanted(i)) named.push_back(blocks.list()[i].label);
+    for (const LabelExtent& of : blocks.list())
+      if (wanted(of.label)) named.push_back(of.label);
     return named.size() > before;
   };
-  if (trimmed(text).empty()) addWhere([&](std::size_t i) { return blocks.list()[i].label != 0; });
+  const auto addNamed = [&](const std::string& name) {
+    std::vector<std::int64_t> values;
+    if (!table) return false;
+    for (const Label& label : table->labels)
+      if (label.name.size() == name.size() && base::lowerCase(label.name) == name)
+        values.push_back(label.value);
+    return !values.empty() && addWhere([&](int label) { return std::ranges::count(values, label) > 0; });
+  };
+  if (trimmed(text).empty()) addWhere([](int label) { return label != 0; });
   for (std::string_view rest = text; !rest.empty();) {
     const std::size_t comma = std::min(rest.find(','), rest.size());
     const std::string word(trimmed(rest.substr(0, comma)));
     rest.remove_prefix(std::min(comma + 1, rest.size()));
     if (word.empty()) continue;
     const std::string name = base::lowerCase(word);
-    bool found = addWhere([&](std::size_t i) { return names[i] == name; });
+    bool found = addNamed(name);
     if (const auto range = rangeOf(word); !found && range)
-      found = addWhere([&](std::size_t i) {
-        return blocks.list()[i].label >= range->low && blocks.list()[i].label <= range->high;
-      });
-    if (!found)
-      base::throwUsage("", path,
-                       "the volume has no label \"" + word + '"' + base::didYouMean(name, names, ""));
+      found = addWhere([&](int label) { return label >= range->low && label <= range->high; });
+    if (found) continue;
+    std::vector<std::string> names;
+    for (const LabelExtent& of : blocks.list()) names.push_back(base::lowerCase(labelName(table, of.label)));
+    base::throwUsage("", path, "the volume has no label \"" + word + '"' + base::didYouMean(name, names, ""));
   }
   std::ranges::sort(named);
   const auto twice = std::ranges::unique(named);

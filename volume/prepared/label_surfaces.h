@@ -37,7 +37,7 @@ class LabelSurfaces {
   using Fields = std::vector<std::shared_ptr<const PreparedVolume>>;
   // nullopt: not made yet, or make() would throw.
   std::optional<Fields> find(const scene::Scene& resolved, const ShownLabels& shown) const;
-  // Of each surface of the scene, shown or not: null if its field is not made, or it has none.
+  // Returns the field of each surface, shown or not: null if it is not made, or there is none.
   Fields findEach(const scene::Scene& resolved, const ShownLabels& shown) const;
   // Throws Error: usage, interrupted, memory.
   Fields make(const scene::Scene& resolved, const ShownLabels& shown, base::Progress& progress) const;
@@ -49,7 +49,7 @@ class LabelSurfaces {
 
  private:
   using Key = std::pair<std::vector<int>, double>;  // labels, smoothing
-  // Of scene::visibleSurfaces(); empty as Fields.
+  // Returns those of scene::visibleSurfaces(); empty as Fields.
   static std::vector<Key> keysOf(const scene::Scene& resolved, const ShownLabels& shown);
   std::shared_ptr<const PreparedVolume> fieldOf(const Key& key, base::Progress& progress) const;
 
