@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
+#include <utility>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include "base/random.h"
@@ -75,6 +78,104 @@ class SmoothedChi {
   std::vector<double> known_;  // NaN: not yet
 };
 
+// How slices lie whose distance is at least 1.5 times the spacing in them.
+struct Slices {
+  int across = 0, u = 0, v = 0;
+  double ramp = 0.0, half = 0.0;  // mm
+};
+
+std::optional<Slices> slicesOf(const Grid& labels) {
+  const glm::dvec3 spacing = labels.geometry().spacingMm();
+  for (int across = 0; across < 3; ++across) {
+    const int u = (across + 1) % 3, v = (across + 2) % 3;
+    if (spacing[across] < 1.5 * std::max(spacing[u], spacing[v])) continue;
+    const double shorter = std::min(spacing[u], spacing[v]);
+    return Slices{across, u, v, std::min(spacing[across], 16.0 * shorter), 0.5 * shorter};
+  }
+  return std::nullopt;
+}
+
+// w of every voxel: the distance to each voxel of its slice that is on the other side.
+std::vector<double> rampsOf(const Grid& labels, const std::vector<bool>& member, const Slices& slices) {
+  const Extent3 extent = labels.extent();
+  const glm::dvec3 spacing = labels.geometry().spacingMm();
+  std::vector<double> ramps;
+  for (std::size_t i = 0; i < member.size(); ++i) {
+    const glm::ivec3 p = extent.at(i);
+    glm::ivec3 low(0), end = extent.dims;
+    low[slices.across] = p[slices.across];
+    end[slices.across] = p[slices.across] + 1;
+    double nearest = 1e30;
+    volume::forEachIn(low, end, [&](glm::ivec3 other) {
+      if (member[extent.index(other)] == member[i]) return;
+      nearest = std::min(nearest, glm::length(spacing * glm::dvec3(other - p)));
+    });
+    const double w = std::min(1.0, (nearest - slices.half) / slices.ramp);
+    ramps.push_back(member[i] ? w : -w);
+  }
+  return ramps;
+}
+
+// The definition of volume/labels/slice_mask.h.
+PlainMask plainSliceMask(const Grid& labels, PlainMask plain, const Slices& slices, double smoothing) {
+  const Extent3 extent = labels.extent();
+  const std::vector<double> ramps = rampsOf(labels, plain.member, slices);
+  const int reach = static_cast<int>(std::ceil(3.0 * smoothing));
+  double sum = 0.0, variance = 0.0;
+  for (int k = -reach; k <= reach; ++k) sum += std::exp(-0.5 * k * k / (smoothing * smoothing));
+  for (int k = -reach; k <= reach; ++k)
+    variance += k * k * std::exp(-0.5 * k * k / (smoothing * smoothing)) / sum;
+  const auto smoothed = [&](glm::ivec3 p) {
+    double result = 0.0;
+    for (int j = -reach; j <= reach; ++j)
+      for (int i = -reach; i <= reach; ++i) {
+        glm::ivec3 at = p;
+        at[slices.u] = std::clamp(p[slices.u] + i, 0, extent.dims[slices.u] - 1);
+        at[slices.v] = std::clamp(p[slices.v] + j, 0, extent.dims[slices.v] - 1);
+        result += ramps[extent.index(at)] * std::exp(-0.5 * (i * i + j * j) / (smoothing * smoothing));
+      }
+    return result / (sum * sum);
+  };
+  const double guard = std::min(0.04, 0.4 * slices.half / slices.ramp);
+  std::vector<double> margin(ramps.size());
+  std::vector<bool> close(ramps.size()), alone(ramps.size());
+  for (std::size_t i = 0; i < ramps.size(); ++i) {
+    const glm::ivec3 p = extent.at(i);
+    const double g = smoothed(p);
+    double laplacian = -4.0 * g;
+    for (const int axis : {slices.u, slices.v})
+      for (const int step : {-1, 1}) {
+        glm::ivec3 beside = p;
+        beside[axis] += step;
+        laplacian += smoothed(beside);
+      }
+    margin[i] = (g - 0.5 * (variance + 1.0 / 6.0) * laplacian) * plain.u[i];
+    bool isInside = p[slices.across] > 0 && p[slices.across] + 1 < extent.dims[slices.across];
+    for (const int step : {-1, 1}) {
+      glm::ivec3 beside = p;
+      beside[slices.across] += step;
+      if (isInside) isInside = ramps[extent.index(beside)] * plain.u[i] <= -1.0;
+    }
+    alone[i] = isInside;
+    plain.thin[i] = alone[i] || margin[i] < 0.25 * guard;
+    close[i] = std::abs(margin[i] - 0.25 * guard) < 1e-5;
+  }
+  for (std::size_t i = 0; i < ramps.size(); ++i) {
+    const glm::ivec3 p = extent.at(i);
+    glm::ivec3 low = glm::max(p - 1, 0), end = glm::min(p + 2, extent.dims);
+    low[slices.across] = p[slices.across];
+    end[slices.across] = p[slices.across] + 1;
+    double least = guard;
+    volume::forEachIn(low, end, [&](glm::ivec3 beside) {
+      if (plain.thin[extent.index(beside)]) least = std::max(least, std::abs(ramps[i]));
+      if (alone[extent.index(beside)]) least = 1.0;
+      plain.undecided[i] = plain.undecided[i] || close[extent.index(beside)];
+    });
+    plain.u[i] *= std::clamp(margin[i], least, 1.0);
+  }
+  return plain;
+}
+
 std::string textOfVoxel(glm::ivec3 v) {
   return std::to_string(v.x) + "," + std::to_string(v.y) + "," + std::to_string(v.z);
 }
@@ -109,6 +210,8 @@ PlainMask plainMask(const Grid& labels, const std::set<int>& set, double smoothi
   plain.undecided.resize(count);
   for (std::size_t i = 0; i < count; ++i) plain.u.push_back(plain.member[i] ? 1.0 : -1.0);
   if (smoothing == 0.0) return plain;
+  if (const auto slices = slicesOf(labels))
+    return plainSliceMask(labels, std::move(plain), *slices, smoothing);
 
   SmoothedChi g(plain.member, extent.dims, smoothing);
   std::vector<double> margin(count);

@@ -1,4 +1,5 @@
-// The mask field of a set of labels as its definition says (volume/labels/mask_field.h), in double precision,
+// The mask field of a set of labels as its definition says (volume/labels/mask_field.h,
+// slice_mask.h), in double precision,
 // voxel by voxel, and what must hold for the surface of any such field: what fast code is judged by.
 #pragma once
 

@@ -5,15 +5,18 @@
 #include <bit>
 #include <cassert>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <numeric>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <variant>
 
 #include <glm/common.hpp>
 
-#include "volume/field/scale_kernel.h"
+#include "volume/labels/mask_parts.h"
+#include "volume/labels/slice_mask.h"
 #include "volume/parallel/parallel_steps.h"
 
 namespace isolux::volume {
@@ -21,37 +24,8 @@ namespace isolux::volume {
 namespace {
 
 constexpr int kEdge = LabelBlocks::kSize;
-constexpr float kGuard = 0.04f, kThinBelow = -0.1f, kSteps = 127.0f;
-constexpr double kTrilinearVariance = 1.0 / 6.0;
 
 // ---- Which voxels are in the set ----
-
-// Looks stored values up.
-template <class T>
-class SetMembers {
- public:
-  SetMembers(const LabelBlocks& blocks, const std::vector<bool>& isMember) {
-    if constexpr (std::is_integral_v<T>) table_.assign(std::size_t{1} << (8 * sizeof(T)), 0);
-    for (std::size_t i = 0; i < isMember.size(); ++i) {
-      if (!isMember[i]) continue;
-      const T stored = static_cast<T>(blocks.list()[i].stored);
-      if constexpr (std::is_integral_v<T>)
-        table_[static_cast<std::make_unsigned_t<T>>(stored)] = 1;
-      else
-        table_.push_back(stored);
-    }
-    if constexpr (!std::is_integral_v<T>) std::sort(table_.begin(), table_.end());
-  }
-  bool has(T stored) const {
-    if constexpr (std::is_integral_v<T>)
-      return table_[static_cast<std::make_unsigned_t<T>>(stored)] != 0;
-    else
-      return std::binary_search(table_.begin(), table_.end(), stored);  // NaN would be found anywhere
-  }
-
- private:
-  std::vector<std::conditional_t<std::is_integral_v<T>, std::uint8_t, T>> table_;
-};
 
 // A bit for each voxel of a block: bit x of byte 8 z + y. Beyond the volume the border's is repeated.
 using BlockBits = std::array<std::uint8_t, kEdge * kEdge>;
@@ -124,10 +98,7 @@ void SetBlocks::fill(BlockBits& bits, const std::vector<T>& voxels, const Extent
           voxels.data() + extent.index(0, std::min(low.y + y, last.y), std::min(low.z + z, last.z));
       unsigned byte = 0;
       for (int x = 0; x < kEdge; ++x) {
-        const T stored = row[std::min(low.x + x, last.x)];
-        if constexpr (std::is_floating_point_v<T>)
-          if (std::isnan(stored)) continue;
-        byte |= static_cast<unsigned>(members.has(stored)) << x;
+        byte |= static_cast<unsigned>(members.has(row[std::min(low.x + x, last.x)])) << x;
       }
       bits[static_cast<std::size_t>(kEdge * z + y)] = static_cast<std::uint8_t>(byte);
     }
@@ -183,24 +154,16 @@ class MaskKernel {
   static constexpr int kMostRadius = 6;
 
   explicit MaskKernel(double smoothing) {
-    HalfKernel kernel = gaussianKernel(smoothing);
-    const auto most = static_cast<std::size_t>(std::ceil(3.0 * smoothing));
-    kernel.resize(std::min(kernel.size(), most + 1));
-    radius_ = static_cast<int>(kernel.size()) - 1;
+    const MaskWeights kernel(smoothing);
+    radius_ = static_cast<int>(kernel.radius());
     assert(radius_ <= kMostRadius);
-    const double sum = kernel[0] + 2.0 * std::accumulate(kernel.begin() + 1, kernel.end(), 0.0);
-    double variance = 0.0;
-    for (std::size_t k = 0; k < kernel.size(); ++k) {
-      kernel[k] /= sum;
-      variance += 2.0 * kernel[k] * static_cast<double>(k * k);
-      weights_[k] = static_cast<float>(kernel[k]);
-    }
-    sharpening_ = static_cast<float>(0.5 * (variance + kTrilinearVariance));
+    std::ranges::transform(kernel.weights, weights_.begin(), [](double w) { return static_cast<float>(w); });
+    sharpening_ = static_cast<float>(kernel.sharpening);
     sums_.resize(std::size_t{1} << (2 * radius_ + 1));
     for (std::size_t bits = 0; bits < sums_.size(); ++bits) {
       double of = 0.0;
       for (int i = 0; i <= 2 * radius_; ++i)
-        if ((bits >> i & 1) != 0) of += kernel[static_cast<std::size_t>(std::abs(i - radius_))];
+        if ((bits >> i & 1) != 0) of += kernel.weights[static_cast<std::size_t>(std::abs(i - radius_))];
       sums_[bits] = static_cast<float>(of);
     }
   }
@@ -324,31 +287,22 @@ void BlockMargins::compute(const Surroundings& around, glm::ivec3 low, glm::ivec
 
 // ---- The field ----
 
+using WantedBlocks = std::function<bool(std::size_t)>;
+
 class MaskMaker {
  public:
   MaskMaker(const LabelBlocks& blocks, std::span<const int> labels, double smoothing,
             base::Progress& progress)
       : dims_(blocks.grid().dims()),
         smoothing_(smoothing),
-        set_(blocks, members(blocks, labels), progress),
+        set_(blocks, membersOf(blocks, labels), progress),
         kernel_(smoothing) {
     assert(smoothing >= 0.0 && smoothing <= kMostSmoothing);
   }
 
-  static std::vector<bool> members(const LabelBlocks& blocks, std::span<const int> labels) {
-    std::vector<bool> isMember(blocks.list().size());
-    for (const int label : labels) {
-      const auto found = std::ranges::lower_bound(blocks.list(), label, {}, &LabelExtent::label);
-      if (found != blocks.list().end() && found->label == label)
-        isMember[static_cast<std::size_t>(found - blocks.list().begin())] = true;
-    }
-    return isMember;
-  }
-
   // Computes the blocks that `wanted` names.
-  template <class Wanted>
-  void run(std::vector<std::int8_t>& voxels, std::vector<std::uint16_t>& thin, base::Progress& progress,
-           const Wanted& wanted) const {
+  void run(std::vector<std::int8_t>& voxels, std::vector<std::uint16_t>& thin, const WantedBlocks& wanted,
+           base::Progress& progress) const {
     const Extent3 extent = set_.blocks();
     parallelSteps(extent.rows(), progress, {0.2, 1.0, "smoothing labels"}, [&](std::size_t row) {
       BlockMargins margins(kernel_);
@@ -402,13 +356,32 @@ std::uint16_t MaskMaker::compute(glm::ivec3 block, BlockMargins& margins,
       const unsigned whole = smoothing_ > 0.0 ? margins.nearThin(y, z) : 0xffu;
       std::int8_t* const row = rowOf(y, z);
       for (int x = 0; x < size.x; ++x) {
-        const float m = (whole >> x & 1) != 0 ? 1.0f : std::clamp(margins.margin(x, y, z), kGuard, 1.0f);
-        const int steps = static_cast<int>(kSteps * m + 0.5f);
+        const float m = (whole >> x & 1) != 0 ? 1.0f : std::clamp(margins.margin(x, y, z), kMaskGuard, 1.0f);
+        const int steps = static_cast<int>(kMaskSteps * m + 0.5f);
         row[x] = static_cast<std::int8_t>((inside >> x & 1) != 0 ? steps : -steps);
       }
       if (smoothing_ > 0.0) thin += std::popcount(margins.thin(y, z) & inside & 0xffu);
     }
   return static_cast<std::uint16_t>(thin);
+}
+
+std::optional<ThickSlices> slicesOf(const LabelBlocks& blocks, double smoothing) {
+  return smoothing > 0.0 ? thickSlicesOf(blocks.grid().geometry()) : std::nullopt;
+}
+
+// Computes the blocks that `wanted` names, at least.
+void fillMask(const LabelBlocks& blocks, const MaskField& mask, std::vector<std::int8_t>& voxels,
+              std::vector<std::uint16_t>& thin, const WantedBlocks& wanted, base::Progress& progress) {
+  if (const auto slices = slicesOf(blocks, mask.smoothing))
+    SliceMask(blocks, mask.labels, mask.smoothing, *slices).run(voxels, thin, wanted, progress);
+  else
+    MaskMaker(blocks, mask.labels, mask.smoothing, progress).run(voxels, thin, wanted, progress);
+}
+
+// Returns how many blocks beyond one with a changed voxel change, on each axis.
+glm::ivec3 reachOf(const LabelBlocks& blocks, const MaskField& mask) {
+  const auto slices = slicesOf(blocks, mask.smoothing);
+  return slices ? SliceMask(blocks, mask.labels, mask.smoothing, *slices).reachBlocks() : glm::ivec3(1);
 }
 
 std::vector<int> ascending(std::span<const int> labels) {
@@ -426,7 +399,7 @@ base::MemoryBudget::Held reserveMask(const LabelBlocks& blocks) {
 std::shared_ptr<const Grid> maskGrid(const LabelBlocks& blocks, std::vector<std::int8_t> voxels,
                                      base::Progress& progress) {
   return std::make_shared<const Grid>(blocks.grid().geometry(), std::move(voxels),
-                                      1.0 / static_cast<double>(kSteps), 0.0, progress);
+                                      1.0 / static_cast<double>(kMaskSteps), 0.0, progress);
 }
 
 }  // namespace
@@ -442,9 +415,8 @@ MaskField makeMask(const LabelBlocks& blocks, std::span<const int> labels, doubl
       nullptr, ascending(labels), smoothing, std::vector<std::uint16_t>(blocks.blocks().count()), {}};
   std::vector<std::int8_t> voxels;
   resizeStoppably(voxels, blocks.grid().geometry().voxelCount(), progress);
-  MaskMaker(blocks, labels, smoothing, progress).run(voxels, mask.thin, progress, [](std::size_t) {
-    return true;
-  });
+  fillMask(
+      blocks, mask, voxels, mask.thin, [](std::size_t) { return true; }, progress);
   held.release();  // the grid counts it from here on
   mask.grid = maskGrid(blocks, std::move(voxels), progress);
   return mask;
@@ -456,20 +428,21 @@ MaskField changedMask(const MaskField& mask, const LabelBlocks& blocks, std::spa
   MaskField changed{nullptr, ascending(labels), mask.smoothing, mask.thin, {}};
   std::vector<int> others;  // in one set only
   std::ranges::set_symmetric_difference(mask.labels, changed.labels, std::back_inserter(others));
-  const std::vector<bool> isOther = MaskMaker::members(blocks, others);
+  const std::vector<bool> isOther = membersOf(blocks, others);
   const Extent3 extent = blocks.blocks();
-  std::vector<std::uint8_t>& near = changed.changed;  // blocks with such voxels, or beside one
+  const glm::ivec3 reach = reachOf(blocks, changed);
+  std::vector<std::uint8_t>& near = changed.changed;  // blocks with such voxels, or within reach of one
   near.resize(extent.count());
   for (std::size_t block = 0; block < near.size(); ++block) {
     const auto has = [&](std::uint16_t index) { return index != LabelBlocks::kMissing && isOther[index]; };
     if (!std::ranges::any_of(blocks.of(block), has)) continue;
     const glm::ivec3 at = extent.at(block);
-    forEachIn(glm::max(at - 1, 0), glm::min(at + 2, extent.dims),
+    forEachIn(glm::max(at - reach, 0), glm::min(at + reach + 1, extent.dims),
               [&](glm::ivec3 beside) { near[extent.index(beside)] = 1; });
   }
   std::vector<std::int8_t> voxels = std::get<std::vector<std::int8_t>>(mask.grid->voxels());
-  MaskMaker(blocks, labels, mask.smoothing, progress)
-      .run(voxels, changed.thin, progress, [&](std::size_t block) { return near[block] != 0; });
+  fillMask(
+      blocks, changed, voxels, changed.thin, [&](std::size_t block) { return near[block] != 0; }, progress);
   held.release();
   std::vector<bool> layers(static_cast<std::size_t>(extent.dims.z));  // of blocks, with changed ones
   for (std::size_t block = 0; block < near.size(); ++block)

@@ -10,6 +10,8 @@
 // chi
 // - 1), at most 1, in steps of 1/127. smoothing = 0: m = 1, the indicators themselves.
 //
+// Volumes of thick slices have the field of slice_mask.h instead, unless smoothing = 0.
+//
 // So the surface crosses the line between two neighbours along an axis exactly if one is in the set, and each
 // of its points lies at most half a voxel along each axis from a face between such neighbours
 // (docs/explanation/numerics.md).
