@@ -9,6 +9,7 @@
 
 #include "base/destroy_in_background.h"
 #include "tests/support/test_data.h"
+#include "tests/support/ui/crash_trace.h"
 #include "tests/support/ui/time_bound.h"
 #include "ui/viewport/canvas_choice.h"
 #include "ui/window/application.h"
@@ -32,6 +33,7 @@ int main(int argc, char** argv) {
   const isolux::ui::Application application(argc, argv);
   isolux::ui::finishApplication();
   isolux::test::boundEachTest();
+  isolux::test::traceCrashes();
   const int exitCode = RUN_ALL_TESTS();
   // As the program: a thread that compiles shaders must not see the driver's statics go.
   constexpr double secondsToEnd = 1.0;
