@@ -103,6 +103,7 @@ void Renderer::Parts::takeVolumes(const scene::Scene& scene) {
     labelFields = std::max<std::size_t>(wanted.size(), 1);
   }
   if (volume && wanted.empty()) wanted = {volume};
+  frame.volume = nullptr;  // also if what follows throws
   std::vector<std::unique_ptr<GpuVolume>> before = std::exchange(frame.volumes, {});
   for (const auto& prepared : wanted) {
     const auto kept =
