@@ -19,6 +19,7 @@ constexpr double kRamp = 1.0;         // times the distance between slices
 constexpr double kMostRamp = 16.0;    // times the shorter spacing in slices: steps of 1/127 are few
 constexpr float kGuardOfHalf = 0.4f;  // of the ramp of half a voxel
 constexpr float kThinOfGuard = 0.25f;
+constexpr int kTileBlocks = 64;                                   // on an axis: 16 MB a thread
 constexpr float kFar = std::numeric_limits<float>::max() / 4.0f;  // mm^2
 
 // Pixels [low, end) of a slice.
@@ -311,25 +312,30 @@ void SliceMask::run(std::vector<std::int8_t>& voxels, std::vector<std::uint16_t>
     part.low = glm::min(part.low, slices_.inSlice(at));
     part.end = glm::max(part.end, slices_.inSlice(at) + 1);
   }
+  std::vector<Tile> tiles;
+  for (std::size_t layer = 0; layer < parts.size(); ++layer) {
+    const PixelBox& part = parts[layer];
+    for (int y = part.low.y; y < part.end.y; y += kTileBlocks)
+      for (int x = part.low.x; x < part.end.x; x += kTileBlocks)
+        tiles.push_back(
+            {static_cast<int>(layer), {x, y}, glm::min(glm::ivec2(x, y) + kTileBlocks, part.end)});
+  }
   blocks_.grid().visit([&](const auto& stored) {
     using Voxel = typename std::decay_t<decltype(stored)>::value_type;
     const SetMembers<Voxel> members(blocks_, isMember_);
-    parallelSteps(parts.size(), progress, {0.0, 1.0, "smoothing labels"}, [&](std::size_t layer) {
-      if (parts[layer].end.x > 0)
-        runLayer(static_cast<int>(layer), parts[layer].low, parts[layer].end, stored, members, voxels, thin,
-                 progress);
-    });
+    parallelSteps(tiles.size(), progress, {0.0, 1.0, "smoothing labels"},
+                  [&](std::size_t tile) { runTile(tiles[tile], stored, members, voxels, thin, progress); });
   });
 }
 
 template <class T>
-void SliceMask::runLayer(int layer, glm::ivec2 lowBlock, glm::ivec2 endBlock, const std::vector<T>& stored,
-                         const SetMembers<T>& members, std::vector<std::int8_t>& voxels,
-                         std::vector<std::uint16_t>& thin, const base::Progress& progress) const {
+void SliceMask::runTile(const Tile& tile, const std::vector<T>& stored, const SetMembers<T>& members,
+                        std::vector<std::int8_t>& voxels, std::vector<std::uint16_t>& thin,
+                        const base::Progress& progress) const {
   const Extent3 extent = blocks_.grid().extent(), blocks = blocks_.blocks();
   const int reach = SliceMargins::reach(MaskWeights(smoothing_)), edge = LabelBlocks::kSize;
   const glm::ivec2 size = slices_.inSlice(extent.dims);
-  const PixelBox wanted{edge * lowBlock, glm::min(edge * endBlock, size)};
+  const PixelBox wanted{edge * tile.low, glm::min(edge * tile.end, size)};
   // Of whose pixels the wanted ones depend.
   const PixelBox seen{glm::max(wanted.low - slices_.rampVoxels() - reach, 0),
                       glm::min(wanted.end + slices_.rampVoxels() + reach, size)};
@@ -346,9 +352,9 @@ void SliceMask::runLayer(int layer, glm::ivec2 lowBlock, glm::ivec2 endBlock, co
     }
     into.measure();
   };
-  const int first = edge * layer, last = extent.dims[slices_.across] - 1;
-  for (int y = lowBlock.y; y < endBlock.y; ++y)
-    for (int x = lowBlock.x; x < endBlock.x; ++x) thin[blocks.index(slices_.voxel({x, y}, layer))] = 0;
+  const int first = edge * tile.layer, last = extent.dims[slices_.across] - 1;
+  for (int y = tile.low.y; y < tile.end.y; ++y)
+    for (int x = tile.low.x; x < tile.end.x; ++x) thin[blocks.index(slices_.voxel({x, y}, tile.layer))] = 0;
   for (int slice = std::max(first - 1, 0); slice <= first; ++slice) measure(slice);
   for (int slice = first; slice <= std::min(first + edge - 1, last); ++slice) {
     if (progress.stopRequested()) return;

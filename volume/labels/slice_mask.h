@@ -59,11 +59,14 @@ class SliceMask {
            const std::function<bool(std::size_t)>& wanted, base::Progress& progress) const;
 
  private:
-  // Computes the blocks from `lowBlock` on, before `endBlock`, of a layer of blocks.
+  struct Tile {
+    int layer;            // of blocks
+    glm::ivec2 low, end;  // blocks in it, before `end`
+  };
   template <class T>
-  void runLayer(int layer, glm::ivec2 lowBlock, glm::ivec2 endBlock, const std::vector<T>& stored,
-                const SetMembers<T>& members, std::vector<std::int8_t>& voxels,
-                std::vector<std::uint16_t>& thin, const base::Progress& progress) const;
+  void runTile(const Tile& tile, const std::vector<T>& stored, const SetMembers<T>& members,
+               std::vector<std::int8_t>& voxels, std::vector<std::uint16_t>& thin,
+               const base::Progress& progress) const;
 
   const LabelBlocks& blocks_;
   std::vector<bool> isMember_;

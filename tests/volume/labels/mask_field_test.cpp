@@ -104,6 +104,10 @@ const std::vector<LabelCase>& labelCases() {
       {"a label at the border", {9, 9, 25}, [](glm::ivec3 p) { return p.z > 22 || p.x == 0 ? 1 : 0; }, {1}},
       {"nothing", {9, 9, 9}, [](glm::ivec3) { return 0; }, {1}},
       {"all", {9, 9, 9}, [](glm::ivec3) { return 1; }, {1}},
+      {"wider than what is computed at a time",
+       {530, 6, 4},
+       [](glm::ivec3 p) { return randomLabel(p / 3, 10, 2); },
+       {1}},
       {"one voxel wide", {1, 30, 12}, [](glm::ivec3 p) { return randomLabel(p, 9, 2); }, {1}},
   };
   return cases;
