@@ -23,7 +23,7 @@ BUDGETS = {
     "docs/reference/troubleshooting.md": 800, "docs/reference/cite.md": 80, "docs/explanation/trust.md": 500,
     "docs/explanation/hits.md": 800, "docs/explanation/curvature.md": 1000, "docs/explanation/looks.md": 800,
     "docs/explanation/global-illumination.md": 1100, "docs/explanation/surfaces-in-baked-light.md": 450, "docs/explanation/measurement.md": 850, "docs/explanation/accuracy.md": 750,
-    "docs/explanation/components.md": 350, "docs/explanation/labels.md": 690, "docs/explanation/large-volumes.md": 500, "docs/explanation/numerics.md": 680,
+    "docs/explanation/components.md": 350, "docs/explanation/labels.md": 710, "docs/explanation/large-volumes.md": 500, "docs/explanation/numerics.md": 680,
     "docs/explanation/papers.md": 500, "docs/developers/architecture.md": 1500, "docs/developers/frame-graph.md": 1100,
     "docs/developers/graphics.md": 500,
     "docs/developers/processes.md": 800, "docs/developers/extending.md": 450, "docs/developers/contributing.md": 450,
