@@ -118,7 +118,7 @@ Scene resolve(Scene scene, const VolumeFacts& facts) {
       if (restIsTaken) surface.shown = false;
       restIsTaken = true;
     }
-    // The surface keeps the steps of slices that are far apart; its shading does not.
+    // Of slices that are far apart, traces are left on the surface; its shading does not show them.
     const auto [least, largest] = std::minmax({facts.spacingMm.x, facts.spacingMm.y, facts.spacingMm.z});
     if (!scene.derivatives.normalScale && largest > 1.5 * least)
       scene.derivatives.normalScale = kLabelNormalScale * largest;

@@ -6,9 +6,8 @@
 //   g = Gaussian * chi,   s = g - (v + 1/6) / 2 Laplacian(g),   u = 2 s - 1,   m = u (2 chi - 1).
 // The second moment of s and of trilinear interpolation (1/6) together is 0: curved surfaces keep their
 // place to the first order. Guard: m is at least 0.04, so every voxel's centre keeps its side. A voxel with m
-// < -0.1 is thin: smoothing alone would lose it; it and its 26 neighbours get m = 1. The value is u = m (2
-// chi
-// - 1), at most 1, in steps of 1/127. smoothing = 0: m = 1, the indicators themselves.
+// < -0.1 is thin: smoothing alone would lose it; it and its 26 neighbours get m = 1. The value is
+//   u = m (2 chi - 1), at most 1, in steps of 1/127. smoothing = 0: m = 1, the indicators themselves.
 //
 // Volumes of thick slices have the field of slice_mask.h instead, unless smoothing = 0.
 //

@@ -15,7 +15,6 @@ namespace isolux::volume {
 namespace {
 
 constexpr double kThick = 1.5;        // times the spacing in slices
-constexpr double kRamp = 1.0;         // times the distance between slices
 constexpr double kMostRamp = 16.0;    // times the shorter spacing in slices: steps of 1/127 are few
 constexpr float kGuardOfHalf = 0.4f;  // of the ramp of half a voxel
 constexpr float kThinOfGuard = 0.25f;
@@ -83,11 +82,11 @@ class Slice {
 // The margins of one slice after the other.
 class SliceMargins {
  public:
-  SliceMargins(const ThickSlices& slices, double smoothing) : kernel_(smoothing) {
-    const double half = 0.5 * std::min(slices.spacingMm.x, slices.spacingMm.y);
-    guard_ = std::min(kMaskGuard, kGuardOfHalf * static_cast<float>(half / slices.rampMm));
-  }
-  static int reach(const MaskWeights& kernel) { return static_cast<int>(kernel.radius()) + 2; }
+  SliceMargins(const ThickSlices& slices, double smoothing)
+      : kernel_(smoothing),
+        guard_(std::min(kMaskGuard, kGuardOfHalf * static_cast<float>(slices.halfMm() / slices.rampMm))) {}
+  // Returns how many pixels beyond a ramp depend on it.
+  int reach() const { return static_cast<int>(kernel_.radius()) + 2; }
 
   // The slices beside it; the slice itself where there is none.
   void compute(const Slice& slice, const Slice& before, const Slice& after);
@@ -99,7 +98,7 @@ class SliceMargins {
   void smooth(const Image& ramps);
 
   MaskWeights kernel_;
-  float guard_ = 0.0f;
+  float guard_;
   glm::ivec2 low_{0};
   Image alongX_, smoothed_, margin_;  // smoothed_: one pixel larger on each side, as alongX_ in x
   std::vector<float> line_;
@@ -164,7 +163,7 @@ void Slice::makeRamps() {
   ramp_.resize(size);
   for (int y = 0; y < size.y; ++y) measureRow(y);
   const int reach = slices_.rampVoxels().y;
-  const auto half = static_cast<float>(0.5 * std::min(slices_.spacingMm.x, slices_.spacingMm.y));
+  const auto half = static_cast<float>(slices_.halfMm());
   const auto perMm = static_cast<float>(1.0 / slices_.rampMm);
   for (int y = 0; y < size.y; ++y) {
     for (int of = 0; of < 2; ++of) {
@@ -284,7 +283,7 @@ std::optional<ThickSlices> thickSlicesOf(const GridGeometry& geometry) {
   slices.spacingMm = {spacing[slices.within.x], spacing[slices.within.y]};
   const double distance = spacing[slices.across];
   if (distance < kThick * std::max(slices.spacingMm.x, slices.spacingMm.y)) return std::nullopt;
-  slices.rampMm = std::min(kRamp * distance, kMostRamp * std::min(slices.spacingMm.x, slices.spacingMm.y));
+  slices.rampMm = std::min(distance, 2.0 * kMostRamp * slices.halfMm());
   return slices;
 }
 
@@ -293,7 +292,7 @@ SliceMask::SliceMask(const LabelBlocks& blocks, std::span<const int> labels, dou
     : blocks_(blocks), isMember_(membersOf(blocks, labels)), smoothing_(smoothing), slices_(slices) {}
 
 glm::ivec3 SliceMask::reachBlocks() const {
-  const glm::ivec2 reach = slices_.rampVoxels() + SliceMargins::reach(MaskWeights(smoothing_));
+  const glm::ivec2 reach = slices_.rampVoxels() + SliceMargins(slices_, smoothing_).reach();
   glm::ivec3 blocks(1);
   for (int i = 0; i < 2; ++i)
     blocks[slices_.within[i]] = (reach[i] + LabelBlocks::kSize - 1) / LabelBlocks::kSize;
@@ -333,14 +332,14 @@ void SliceMask::runTile(const Tile& tile, const std::vector<T>& stored, const Se
                         std::vector<std::int8_t>& voxels, std::vector<std::uint16_t>& thin,
                         const base::Progress& progress) const {
   const Extent3 extent = blocks_.grid().extent(), blocks = blocks_.blocks();
-  const int reach = SliceMargins::reach(MaskWeights(smoothing_)), edge = LabelBlocks::kSize;
+  SliceMargins margins(slices_, smoothing_);
+  const int reach = margins.reach(), edge = LabelBlocks::kSize;
   const glm::ivec2 size = slices_.inSlice(extent.dims);
   const PixelBox wanted{edge * tile.low, glm::min(edge * tile.end, size)};
   // Of whose pixels the wanted ones depend.
   const PixelBox seen{glm::max(wanted.low - slices_.rampVoxels() - reach, 0),
                       glm::min(wanted.end + slices_.rampVoxels() + reach, size)};
   const std::size_t step = extent.index(slices_.voxel({1, 0}, 0));
-  SliceMargins margins(slices_, smoothing_);
   std::vector<Slice> three(3, Slice(seen.size(), slices_, reach));
   const auto sliceOf = [&](int slice) -> Slice& { return three[static_cast<std::size_t>(slice) % 3]; };
   const auto measure = [&](int slice) {

@@ -13,6 +13,7 @@
 // least, of one that is alone m = 1. No slice before the first or after the last: none is alone.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -30,10 +31,11 @@
 namespace isolux::volume {
 
 struct ThickSlices {
-  int across = 2;                 // the axis
-  glm::ivec2 within{0, 1};        // the other two
-  glm::dvec2 spacingMm{1.0};      // of those
-  double rampMm = 1.0;            // D
+  int across = 2;                                                             // the axis
+  glm::ivec2 within{0, 1};                                                    // the other two
+  glm::dvec2 spacingMm{1.0};                                                  // of those
+  double rampMm = 1.0;                                                        // D
+  double halfMm() const { return 0.5 * std::min(spacingMm.x, spacingMm.y); }  // half a voxel
   glm::ivec2 rampVoxels() const;  // how far w is less than 1 from a border
   // Convert between voxels, or blocks, of the volume and those of a slice.
   glm::ivec2 inSlice(glm::ivec3 voxel) const { return {voxel[within.x], voxel[within.y]}; }
